@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: MIT
+# grafverif_warnings: what our own code is compiled with, and the sanitizers where asked for. Whether a warning is an
+# error is the preset's choice (CMAKE_COMPILE_WARNING_AS_ERROR).
+add_library(grafverif_warnings INTERFACE)
+target_compile_options(grafverif_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+                       -Wnon-virtual-dtor -Wold-style-cast -Wswitch)
+if(GRAFVERIF_SANITIZE)
+    add_compile_options(-fsanitize=${GRAFVERIF_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=${GRAFVERIF_SANITIZE})
+endif()

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Chart: a GRAFCET (IEC 60848) as written, after names are resolved and before any evolution rule is applied.
+//
+// It can hold the whole standard, even while a later stage still refuses a part of it: `unsupported` (derive) names
+// what that stage does not take. Expressions live in `exprs`; their leaves are Variable (-> variables), Step (-> steps:
+// the step variable) and Timed (-> time_conditions).
+//
+// Invariants (see verify): every id is in its table; every condition is Boolean; every value has the type of its
+// target; names are unique in their scope (variables in the chart, steps in their partial chart, transitions in the
+// chart); a partial chart that is an expansion has one entry and one exit step; every initial value is in its range.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/type.hpp"
+#include "grafverif/support/source.hpp"
+#include "grafverif/support/table.hpp"
+
+namespace grafverif {
+
+struct Chart {
+    enum class VariableKind { Input, Output, Internal };
+    struct Variable {
+        std::string name = {};
+        VariableKind kind = VariableKind::Input;
+        Type type = {};
+        std::int64_t initial = 0;
+        Span origin = {};
+        bool operator==(const Variable&) const = default;
+    };
+
+    enum class StepKind { Ordinary, Macro, Enclosing };
+    struct PartialChart;
+    struct Step {
+        std::string name = {};                  ///< `2` for the step variable `X2`
+        StepKind kind = StepKind::Ordinary;
+        bool initial = false;                   ///< IEC 60848, 4.3 symbol 2
+        bool activation_link = false;           ///< activated by the enclosing step (4.5.4)
+        bool entry = false, exit = false;       ///< of an expansion (4.5.3)
+        Id<PartialChart> chart = {};
+        Span origin = {};
+        bool operator==(const Step&) const = default;
+    };
+
+    enum class PartialKind { Plain, Expansion, Enclosed };
+    /// A connected part of the chart; `name` is empty for the steps written directly in the grafcet.
+    struct PartialChart {
+        std::string name = {};
+        PartialKind kind = PartialKind::Plain;
+        Id<Step> owner = {};                    ///< the macro-step or enclosing step; else not valid
+        Span origin = {};
+        bool operator==(const PartialChart&) const = default;
+    };
+
+    struct Transition {
+        std::string name = {};
+        std::vector<Id<Step>> from = {};        ///< empty: a source transition
+        std::vector<Id<Step>> to = {};          ///< empty: a sink transition
+        Id<Expr> condition = {};
+        Id<PartialChart> chart = {};
+        Span origin = {};
+        bool operator==(const Transition&) const = default;
+    };
+
+    /// `t1/v/t2` (IEC 60848, 4.4): true `rise_ms` after v rises, until `fall_ms` after it falls.
+    struct TimeCondition {
+        std::int64_t rise_ms = 0;
+        Id<Expr> watched = {};                  ///< in this issue's stages: a Step leaf
+        std::int64_t fall_ms = 0;
+        Span origin = {};
+        bool operator==(const TimeCondition&) const = default;
+    };
+
+    /// Continuous action (4.8.2): `output` is true while `step` is active and `condition` holds.
+    struct ContinuousAction {
+        Id<Step> step = {};
+        Id<Variable> output = {};
+        Id<Expr> condition = {};                ///< assignation condition; the constant true where none is written
+        std::int64_t delay_ms = 0;              ///< delayed action: `after`; 0: none
+        std::int64_t limit_ms = 0;              ///< time-limited action: `for`; 0: none
+        Span origin = {};
+        bool operator==(const ContinuousAction&) const = default;
+    };
+
+    enum class StoredOn { Activation, Deactivation, Event, Clearing };
+    /// Stored action (4.8.3): `target := value` when its step is activated or deactivated, when `event` occurs while
+    /// the step is active, or when `transition` is cleared.
+    struct StoredAction {
+        StoredOn on = StoredOn::Activation;
+        Id<Step> step = {};                     ///< not valid for Clearing
+        Id<Transition> transition = {};         ///< valid for Clearing only
+        Id<Variable> target = {};
+        Id<Expr> value = {};
+        Id<Expr> event = {};                    ///< valid for Event only
+        Span origin = {};
+        bool operator==(const StoredAction&) const = default;
+    };
+
+    enum class ForcedTo { Empty, Current, Initial, Steps };   ///< {} {*} {INIT} {steps} (4.7)
+    struct ForcingOrder {
+        Id<Step> step = {};
+        Id<PartialChart> forced = {};
+        ForcedTo to = ForcedTo::Empty;
+        std::vector<Id<Step>> situation = {};   ///< for ForcedTo::Steps
+        Span origin = {};
+        bool operator==(const ForcingOrder&) const = default;
+    };
+
+    std::string name = {};
+    Exprs exprs = {};
+    Table<Variable> variables = {};
+    Table<PartialChart> partial_charts = {};
+    Table<Step> steps = {};
+    Table<Transition> transitions = {};
+    Table<TimeCondition> time_conditions = {};  ///< distinct ones, in order of first use
+    Table<ContinuousAction> continuous = {};
+    Table<StoredAction> stored = {};
+    Table<ForcingOrder> forcing = {};
+    std::vector<Id<Expr>> constraints = {};     ///< assumptions on inputs (`constraint`)
+    Span origin = {};
+
+    bool operator==(const Chart&) const = default;
+};
+
+/// The name of a step as its variable is written: `X2`, or `G2.X2` for a step of the named partial chart G2.
+std::string step_variable(const Chart& chart, Id<Chart::Step> step);
+
+/// The invariants that do not hold, one sentence each; empty for a well-formed chart.
+std::vector<std::string> verify(const Chart& chart);
+
+}  // namespace grafverif

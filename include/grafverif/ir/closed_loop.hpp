@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// ClosedLoop: controllers (charts) and the instances of the plant and its environment, wired by shared variables, and
+// the properties to prove; names resolved, nothing composed yet. Model: all that one input file and its includes hold.
+//
+// Invariants (see verify): every id is in its table; every input of every controller and every input of every instance
+// is driven by exactly one instance output or controller output; types agree at both ends.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "grafverif/ir/chart.hpp"
+#include "grafverif/ir/component.hpp"
+#include "grafverif/ir/property.hpp"
+
+namespace grafverif {
+
+/// JESA13 section 3: whether outputs are written when the situation is stable, or in every cycle.
+enum class ExecutionMode { StabilitySearch, EveryCycle };
+/// Whether the plant may move between the phases of one PLC cycle, or a cycle is one edge.
+enum class Grain { Phased, Atomic };
+
+struct ClosedLoop {
+    struct Controller {
+        std::string name = {};                 ///< the chart's name
+        Id<Chart> chart = {};                  ///< in Model::charts
+        ExecutionMode mode = ExecutionMode::StabilitySearch;
+        Span origin = {};
+        bool operator==(const Controller&) const = default;
+    };
+
+    /// A variable shared by instances and controllers: a controller's input or output, or one of the plant's own.
+    struct Shared {
+        std::string name = {};
+        Type type = {};                        ///< of a plant variable: the range its writer declares, arguments applied
+        Id<Controller> reader = {};            ///< the controller whose input it is; else not valid
+        Id<Controller> writer = {};            ///< the controller whose output it is; else not valid
+        Id<Chart::Variable> variable = {};     ///< in that controller's chart, where one of both is valid
+        Span origin = {};
+        bool operator==(const Shared&) const = default;
+    };
+
+    /// What a parameter of the component is bound to: a shared variable, or a constant (Booleans 0 and 1, durations in ms).
+    using Argument = std::variant<Id<Shared>, std::int64_t>;
+
+    struct Instance {
+        std::string name = {};
+        Id<Component> component = {};          ///< in Model::components
+        std::vector<Argument> arguments = {};  ///< one per parameter, defaults applied
+        Id<Component::Location> initial = {};
+        bool environment = false;
+        Span origin = {};
+        bool operator==(const Instance&) const = default;
+    };
+
+    /// What a name in a property stands for.
+    struct SharedSymbol { Id<Shared> shared = {}; bool operator==(const SharedSymbol&) const = default; };
+    struct InternalSymbol { Id<Controller> controller = {}; Id<Chart::Variable> variable = {}; bool operator==(const InternalSymbol&) const = default; };
+    struct StepSymbol { Id<Controller> controller = {}; Id<Chart::Step> step = {}; bool operator==(const StepSymbol&) const = default; };
+    struct LocationSymbol { Id<Instance> instance = {}; Id<Component::Location> location = {}; bool operator==(const LocationSymbol&) const = default; };
+    using Symbol = std::variant<SharedSymbol, InternalSymbol, StepSymbol, LocationSymbol>;
+
+    std::string name = {};
+    Grain grain = Grain::Phased;
+    std::optional<std::int64_t> time_unit_ms = {};   ///< as written; else the greatest common divisor is taken
+    Table<Controller> controllers = {};
+    Table<Shared> shared = {};
+    Table<Instance> instances = {};
+    Exprs exprs = {};                                ///< of the properties; Variable leaves -> symbols
+    Table<Symbol> symbols = {};
+    Table<Property> properties = {};
+    std::vector<Id<Expr>> constraints = {};
+    Span time_unit_origin = {};
+    Span origin = {};
+
+    bool operator==(const ClosedLoop&) const = default;
+};
+
+struct Model {
+    Table<Chart> charts = {};
+    Table<Component> components = {};    ///< those written in the input and those of the library that are used
+    Table<ClosedLoop> loops = {};
+
+    bool operator==(const Model&) const = default;
+};
+
+std::vector<std::string> verify(const ClosedLoop& loop, const Model& model);
+/// Of every chart, component and loop.
+std::vector<std::string> verify(const Model& model);
+
+}  // namespace grafverif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Component: a timed automaton with discrete data and parameters (TADD; CEP13 section 2), as written in our language,
+// names resolved. An edge is the 7-tuple (l, g, t, u, a, r, l') of CEP13 2.3: guard over data, clock constraint, urgency,
+// assignments, clock resets.
+//
+// Expressions live in `exprs`; their leaves are Parameter (-> parameters) and Variable (-> variables, the component's
+// own). A duration is a Duration leaf (milliseconds), a Parameter of kind Duration, a sum of durations, or an integer
+// times a duration.
+//
+// Invariants (see verify): every id is in its table; an urgent edge has no clock constraint (CEP13 2.3); an invariant
+// has upper bounds only; only outputs and own variables are assigned; types agree.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/type.hpp"
+#include "grafverif/support/source.hpp"
+#include "grafverif/support/table.hpp"
+
+namespace grafverif {
+
+struct Component {
+    enum class ParameterKind { Input, Output, Constant };
+    enum class ValueKind { Boolean, Integer, Duration };   ///< Duration: constants only
+    struct Parameter {
+        std::string name = {};
+        ParameterKind kind = ParameterKind::Input;
+        ValueKind value = ValueKind::Boolean;
+        std::optional<Id<Expr>> low = {}, high = {};   ///< range of an integer output, over earlier constants
+        std::optional<Id<Expr>> initial = {};          ///< constant: default value; output: value at power-on (else 0 or `low`)
+        Span origin = {};
+        bool operator==(const Parameter&) const = default;
+    };
+
+    /// A variable of each instance's own.
+    struct Variable {
+        std::string name = {};
+        ValueKind value = ValueKind::Boolean;
+        std::optional<Id<Expr>> low = {}, high = {};
+        std::optional<Id<Expr>> initial = {};
+        Span origin = {};
+        bool operator==(const Variable&) const = default;
+    };
+
+    struct Clock {
+        std::string name = {};
+        Span origin = {};
+        bool operator==(const Clock&) const = default;
+    };
+
+    /// `clock relation bound` (CEP13 equation (4)); relation is Less, LessEqual, Equal, GreaterEqual or Greater.
+    struct ClockConstraint {
+        Id<Clock> clock = {};
+        Op relation = Op::LessEqual;
+        Id<Expr> bound = {};
+        Span origin = {};
+        bool operator==(const ClockConstraint&) const = default;
+    };
+
+    /// `target := value`; `target` is a Parameter leaf (an output) or a Variable leaf.
+    struct Assignment {
+        Id<Expr> target = {};
+        Id<Expr> value = {};
+        Span origin = {};
+        bool operator==(const Assignment&) const = default;
+    };
+
+    struct Location {
+        std::string name = {};
+        std::vector<ClockConstraint> invariant = {};
+        std::vector<Assignment> initially = {};   ///< values at power-on where the instance starts here (`with`)
+        Span origin = {};
+        bool operator==(const Location&) const = default;
+    };
+
+    struct Edge {
+        Id<Location> from = {}, to = {};
+        bool urgent = false;
+        Id<Expr> guard = {};
+        std::vector<ClockConstraint> constraint = {};   ///< a conjunction
+        std::vector<Assignment> assignments = {};       ///< in order; each sees the ones before it
+        std::vector<Id<Clock>> resets = {};
+        Span origin = {};
+        bool operator==(const Edge&) const = default;
+    };
+
+    std::string name = {};
+    std::string summary = {};        ///< the first line of the comment above the component
+    Exprs exprs = {};
+    Table<Parameter> parameters = {};
+    Table<Variable> variables = {};
+    Table<Clock> clocks = {};
+    Table<Location> locations = {};
+    Table<Edge> edges = {};
+    Id<Location> initial = {};       ///< not valid: every instance must say `initially`
+    std::vector<Id<Expr>> constraints = {};
+    Span origin = {};
+
+    bool operator==(const Component&) const = default;
+};
+
+std::vector<std::string> verify(const Component& component);
+
+}  // namespace grafverif

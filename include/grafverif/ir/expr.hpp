@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Expr: the expressions of every IR. Each IR owns one append-only, hash-consing Exprs table, so that an equal term is
+// an equal id, and children come before parents: evaluation, substitution and support sets are one forward loop.
+//
+// The smart constructors fold constants, drop neutral and repeated operands and cancel double negation; they keep the
+// order of operands as written and the grouping of mixed operators, so that a model reads like its chart. `conjunction`
+// and `disjunction` are n-ary and flatten operands of their own kind.
+//
+// Leaves carry an index whose table depends on the owner:
+//   Variable   the owner's table of variables (Chart::variables, Equations::variables, Network::variables, ...)
+//   Step       Chart::steps: the step variable X of a step (IEC 60848, 4.3); only in Chart
+//   Timed      Chart::time_conditions; only in Chart
+//   Parameter  the parameters of the enclosing Component or Network template
+//   At         Network: a process is at a location (see process_location); only in properties of a Network
+//   Integer    a number; Duration: milliseconds (only in Component)
+//
+// Integers are 64-bit; an operation that would overflow is not folded, and evaluation reports it.
+// Divide and Modulo truncate towards zero as in C (UPPAAL and NuSMV do the same for the operands we allow).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "grafverif/support/id.hpp"
+
+namespace grafverif {
+
+enum class Op : std::uint8_t {
+    False, True, Integer, Duration,                                     // constants
+    Variable, Step, Timed, Parameter, At,                               // leaves
+    Not, And, Or,                                                       // Boolean; And and Or take two or more operands
+    Rise, Fall,                                                         // edges of a Boolean term; only in Chart
+    Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual,            // comparisons (Equal, NotEqual: of two Booleans too)
+    Negate, Plus, Minus, Times, Divide, Modulo,                         // arithmetic
+    Conditional,                                                        // operands: condition, then, otherwise
+};
+
+struct Expr {
+    Op op = Op::False;
+    std::int64_t value = 0;       ///< Integer, Duration: the number; leaves: the index; else 0
+    std::uint32_t first = 0;      ///< operands: Exprs::operands(id)
+    std::uint32_t count = 0;
+};
+
+class Exprs {
+public:
+    Id<Expr> constant(bool value);
+    Id<Expr> integer(std::int64_t value);
+    Id<Expr> duration(std::int64_t milliseconds);
+    Id<Expr> leaf(Op op, std::uint32_t index);                    ///< Variable, Step, Timed, Parameter
+    Id<Expr> at(std::uint32_t process, std::uint32_t location);   ///< At
+
+    Id<Expr> negation(Id<Expr> operand);                          ///< Not
+    Id<Expr> conjunction(std::span<const Id<Expr>> operands);     ///< And; empty: true
+    Id<Expr> conjunction(Id<Expr> left, Id<Expr> right);
+    Id<Expr> disjunction(std::span<const Id<Expr>> operands);     ///< Or; empty: false
+    Id<Expr> disjunction(Id<Expr> left, Id<Expr> right);
+    Id<Expr> conditional(Id<Expr> condition, Id<Expr> then, Id<Expr> otherwise);
+    /// Any other operator over its operands; And, Or, Not and Conditional are passed on to the functions above.
+    Id<Expr> apply(Op op, std::span<const Id<Expr>> operands);
+    Id<Expr> apply(Op op, Id<Expr> left, Id<Expr> right);
+
+    const Expr& operator[](Id<Expr> id) const { return nodes_[id.index]; }
+    std::span<const Id<Expr>> operands(Id<Expr> id) const {
+        const Expr& node = nodes_[id.index];
+        return {operands_.data() + node.first, node.count};
+    }
+    std::size_t size() const { return nodes_.size(); }
+    bool contains(Id<Expr> id) const { return id.index < nodes_.size(); }
+
+    bool operator==(const Exprs& other) const;
+
+private:
+    Id<Expr> intern(Op op, std::int64_t value, std::span<const Id<Expr>> operands);
+    void grow();
+
+    std::vector<Expr> nodes_ = {};
+    std::vector<Id<Expr>> operands_ = {};
+    std::vector<std::uint32_t> slots_ = {};  ///< open addressing: index into nodes_ plus one, 0 is free
+};
+
+bool is_constant(Op op);
+bool is_leaf(Op op);
+bool is_comparison(Op op);
+bool is_arithmetic(Op op);
+/// Whether `id` is the constant `value`.
+bool is_true(const Exprs& exprs, Id<Expr> id);
+bool is_false(const Exprs& exprs, Id<Expr> id);
+
+/// At: its two indices.
+std::uint32_t at_process(const Expr& node);
+std::uint32_t at_location(const Expr& node);
+
+/// The value of `root`, Booleans as 0 and 1; `leaf` gives the value of each leaf met. Empty when an operation has no
+/// value: division by zero, or a result outside 64 bits.
+/// Walks the term, not the table; depth is bounded by the reader (see read/text: `too-deep`).
+std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
+                                     const std::function<std::int64_t(const Expr&)>& leaf);
+
+/// A copy of the term `root` of `from` in `to`, each leaf replaced by what `leaf` returns for it (an id in `to`).
+Id<Expr> translate(const Exprs& from, Id<Expr> root, Exprs& to, const std::function<Id<Expr>(const Expr&)>& leaf);
+
+/// The distinct leaves of `root`, in order of first occurrence.
+std::vector<Id<Expr>> leaves(const Exprs& exprs, Id<Expr> root);
+
+}  // namespace grafverif

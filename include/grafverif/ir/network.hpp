@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Network: timed automata with discrete data that share variables (CEP13 2.4), the closed loop ready for an engine or
+// an emitter. Templates have parameters; processes instantiate them; `expand` gives each process a template of its own.
+//
+// Semantics (CEP13 section 2; urgency as in ETFA12 section 2): one edge fires at a time: its guard and clock constraint
+// hold, its procedures and assignments run in order, clocks are reset, and the invariants of the locations reached hold
+// after the resets. Time may pass while every invariant holds and no urgent edge can fire. An edge's assignments come
+// first, then the procedures it calls, in order; each assignment sees the ones before it. A value outside the
+// range of its variable is an error of the model (`out-of-range`).
+//
+// Expressions live in `exprs`: Variable -> variables, Parameter -> parameters of the template at hand, At in properties.
+// A `scratch` variable carries a value within one edge only: it is written before it is read, and is no part of a state.
+//
+// Invariants (see verify): ids in their tables; guards Boolean, over variables and parameters; urgent edges without
+// clock constraint; the target invariant of an urgent edge holds whenever it fires; arguments match parameters in kind
+// and type; initial values in range; scratch variables written before read.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/property.hpp"
+#include "grafverif/ir/type.hpp"
+#include "grafverif/support/source.hpp"
+#include "grafverif/support/table.hpp"
+
+namespace grafverif {
+
+struct Network {
+    enum class Role {
+        Input, Output, Internal, Step,       ///< of a controller
+        FiringCondition, Sample, Image,      ///< within its cycle: stored firing conditions, sampled inputs, outputs not yet written
+        TimerEnd, TimerPending,              ///< of its timers
+        Flag,                                ///< EVOL_PL, EVOL_TI, stable, race
+        Plant,                               ///< shared by instances only
+    };
+    struct Variable {
+        std::string name = {};
+        Role role = Role::Plant;
+        Type type = {};
+        std::int64_t initial = 0;
+        bool scratch = false;
+        Span origin = {};
+        bool operator==(const Variable&) const = default;
+    };
+
+    enum class ParameterKind { Read, Written, Constant };   ///< Read and Written: a variable by reference
+    struct Parameter {
+        std::string name = {};
+        ParameterKind kind = ParameterKind::Read;
+        Type type = {};                      ///< Constant: Booleans 0 and 1; durations are integers, in time units
+        bool operator==(const Parameter&) const = default;
+    };
+
+    struct Clock {
+        std::string name = {};
+        bool operator==(const Clock&) const = default;
+    };
+    struct ClockConstraint {
+        Id<Clock> clock = {};
+        Op relation = Op::LessEqual;         ///< Less, LessEqual, Equal, GreaterEqual, Greater
+        Id<Expr> bound = {};                 ///< over constants and Constant parameters; in time units
+        bool operator==(const ClockConstraint&) const = default;
+    };
+
+    struct Location {
+        std::string name = {};
+        std::vector<ClockConstraint> invariant = {};
+        Span origin = {};
+        bool operator==(const Location&) const = default;
+    };
+
+    struct Assignment {
+        Id<Expr> target = {};                ///< a Variable leaf, or a Parameter leaf of kind Written
+        Id<Expr> value = {};
+        bool operator==(const Assignment&) const = default;
+    };
+    /// A named list of assignments that edges call: `fire`, `evolve`, `write`.
+    struct Procedure {
+        std::string name = {};
+        std::vector<Assignment> assignments = {};
+        bool operator==(const Procedure&) const = default;
+    };
+
+    struct Edge {
+        Id<Location> from = {}, to = {};
+        bool urgent = false;
+        Id<Expr> guard = {};
+        std::vector<ClockConstraint> constraint = {};
+        std::vector<Id<Clock>> resets = {};
+        std::vector<Assignment> assignments = {};
+        std::vector<Id<Procedure>> calls = {};
+        Span origin = {};
+        bool operator==(const Edge&) const = default;
+    };
+
+    struct Template {
+        std::string name = {};
+        Table<Parameter> parameters = {};
+        Table<Clock> clocks = {};
+        Table<Location> locations = {};
+        Id<Location> initial = {};           ///< where a process says nothing else
+        Table<Procedure> procedures = {};
+        Table<Edge> edges = {};
+        Span origin = {};
+        bool operator==(const Template&) const = default;
+    };
+
+    using Argument = std::variant<Id<Variable>, std::int64_t>;
+    enum class ProcessKind { Plant, Environment, Controller, Timer };
+    struct Process {
+        std::string name = {};
+        Id<Template> automaton = {};
+        std::vector<Argument> arguments = {};
+        Id<Location> initial = {};           ///< in the template's locations
+        ProcessKind kind = ProcessKind::Plant;
+        Span origin = {};
+        bool operator==(const Process&) const = default;
+    };
+
+    /// What a report needs to tell a run of the network in the words of the chart.
+    struct Controller {
+        std::string name = {};
+        ExecutionMode mode = ExecutionMode::StabilitySearch;
+        Id<Process> process = {};            ///< the PLC
+        Id<Location> waiting = {};           ///< W, in its template
+        Id<Variable> stable = {};
+        std::vector<Id<Process>> timers = {};
+        bool operator==(const Controller&) const = default;
+    };
+
+    std::string name = {};
+    Grain grain = Grain::Phased;
+    std::int64_t time_unit_ms = 1000;
+    Exprs exprs = {};
+    Table<Variable> variables = {};
+    Table<Template> templates = {};
+    Table<Process> processes = {};
+    Table<Controller> controllers = {};
+    Table<Property> properties = {};
+    /// Settled: every controller in W and stable, no flag set, no urgent edge enabled. Over variables and At.
+    Id<Expr> settled = {};
+
+    bool operator==(const Network&) const = default;
+};
+
+std::vector<std::string> verify(const Network& network);
+
+/// The same network with one template per process and no parameters; process and location indices are unchanged, and
+/// properties keep their meaning.
+Network expand(const Network& network);
+
+}  // namespace grafverif

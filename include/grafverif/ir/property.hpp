@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Property: a question about a closed loop, one of a fixed set of patterns with one meaning for every engine.
+// The operands are expressions of the owner (ClosedLoop: leaves are Variable -> symbols; Network: Variable and At).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/expr.hpp"
+#include "grafverif/support/source.hpp"
+
+namespace grafverif {
+
+enum class Pattern {
+    Always,             ///< p in every reachable state
+    Never,              ///< p in no reachable state
+    Reachable,          ///< p in some reachable state
+    Inevitable,         ///< p at some time on every maximal run
+    LeadsTo,            ///< after every state with p, q is inevitable; operands p, q
+    NoDeadlock,         ///< from every state some edge can fire, now or after a delay
+    NoTimelock,         ///< from every state time can pass again
+    ReachableAllSteps,  ///< every step of every chart is active in some reachable state
+    ExactlyOneOf,       ///< in every reachable state exactly one of the operands holds
+    AlwaysPossible,     ///< from every reachable state a state with p can be reached
+    RawUppaal, RawCtl, RawLtl,   ///< `raw`, passed through to the target that speaks it
+};
+
+struct Property {
+    std::string name = {};
+    std::string text = {};               ///< the sentence in quotes, or empty
+    Pattern pattern = Pattern::Always;
+    std::vector<Id<Expr>> operands = {};
+    std::string raw = {};
+    bool at_stable = false;              ///< judged in settled states only
+    bool expected_violated = false;
+    Span origin = {};
+
+    bool operator==(const Property&) const = default;
+};
+
+}  // namespace grafverif

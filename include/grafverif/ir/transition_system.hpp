@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// TransitionSystem: finite variables, definitions, initial and next values, invariants and justice conditions, in
+// modules that are instantiated once or more: the untimed view of a controller, with or without its plant.
+//
+// Expressions live in `exprs`. Within a module, Variable leaves index the module's own `symbols`: its parameters,
+// variables and definitions. `main` is the module that is the system; modules do not nest deeper than main -> instance.
+//
+// A variable without `next` is free: it takes any value of its type in each step. A variable without `initial` starts
+// with any value. `next` reads current values only. The system is total: every state has a successor.
+//
+// Invariants (see verify): ids in their tables; definitions do not depend on themselves; a symbol that refers to an
+// instance's symbol names one that exists; types agree.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/property.hpp"
+#include "grafverif/ir/type.hpp"
+#include "grafverif/support/source.hpp"
+#include "grafverif/support/table.hpp"
+
+namespace grafverif {
+
+struct TransitionSystem {
+    struct Module;
+    struct Instance;
+    struct Symbol;
+
+    struct ParameterSymbol { bool operator==(const ParameterSymbol&) const = default; };
+    struct StateSymbol {
+        std::optional<Id<Expr>> initial = {};
+        std::optional<Id<Expr>> next = {};
+        bool operator==(const StateSymbol&) const = default;
+    };
+    struct DefineSymbol { Id<Expr> value = {}; bool operator==(const DefineSymbol&) const = default; };
+    /// `instance.symbol`, as main sees it.
+    struct MemberSymbol { Id<Instance> instance = {}; Id<Symbol> symbol = {}; bool operator==(const MemberSymbol&) const = default; };
+
+    struct Symbol {
+        std::string name = {};
+        Type type = {};
+        std::variant<ParameterSymbol, StateSymbol, DefineSymbol, MemberSymbol> kind = ParameterSymbol{};
+        std::string comment = {};          ///< the section it is listed under: `inputs`, `steps`, ...
+        Span origin = {};
+        bool operator==(const Symbol&) const = default;
+    };
+
+    struct Module {
+        std::string name = {};
+        Table<Symbol> symbols = {};        ///< parameters first, in order of the arguments
+        std::vector<Id<Expr>> invariants = {};
+        std::vector<Id<Expr>> justice = {};
+        bool operator==(const Module&) const = default;
+    };
+
+    struct Instance {
+        std::string name = {};
+        Id<Module> module = {};
+        std::vector<Id<Symbol>> arguments = {};   ///< symbols of main
+        bool operator==(const Instance&) const = default;
+    };
+
+    /// A property that cannot be said of this system, and why.
+    struct Omitted {
+        Property property = {};
+        std::string reason = {};
+        bool operator==(const Omitted&) const = default;
+    };
+
+    std::string name = {};
+    std::string scope = {};                ///< what verdicts about this system say of the timed plant; one paragraph for headers
+    Exprs exprs = {};
+    Table<Module> modules = {};
+    Id<Module> main = {};
+    Table<Instance> instances = {};        ///< in main
+    Table<Property> properties = {};       ///< over symbols of main
+    std::vector<Omitted> omitted = {};
+
+    bool operator==(const TransitionSystem&) const = default;
+};
+
+std::vector<std::string> verify(const TransitionSystem& system);
+
+}  // namespace grafverif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Diagnostics: what is wrong with the input, as data. Any stage adds to the sink it was handed; one renderer turns
+// them into text, one into JSON. The wording of every message lives in support/messages.
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "grafverif/support/source.hpp"
+
+namespace grafverif {
+
+enum class Severity { Error, Warning, Note };
+
+struct Diagnostic {
+    Severity severity = Severity::Error;
+    std::string code = {};     ///< stable kebab-case word, shown in brackets
+    Span where = {};           ///< no valid source: the diagnostic is about the whole input
+    std::string message = {};  ///< lower case, names in backticks, no full stop; what was seen, then `; ` and the hint
+    std::vector<Diagnostic> notes = {};
+};
+
+/// The sink: errors and warnings in the order of their discovery. After `limit` errors it keeps counting but stores
+/// no more, so that a hostile input costs bounded memory.
+class Diagnostics {
+public:
+    static constexpr std::size_t limit = 50;
+
+    void add(Diagnostic diagnostic);
+
+    bool has_errors() const { return errors_ != 0; }
+    std::size_t errors() const { return errors_; }
+    const std::vector<Diagnostic>& all() const { return stored_; }
+    /// Whether errors beyond `limit` were dropped; a reader may stop early then.
+    bool full() const { return errors_ >= limit; }
+
+private:
+    std::vector<Diagnostic> stored_ = {};
+    std::size_t errors_ = 0;
+};
+
+enum class Colour { Plain, Ansi };
+
+/// `file:line:col: error: message [code]`, the source line and a caret, for each diagnostic, sorted by source and
+/// place; the source line is clipped at 100 columns around the caret.
+void render_text(const std::vector<Diagnostic>& diagnostics, const Sources& sources, Colour colour, std::ostream& out);
+
+/// The same as a JSON array of `{"file","line","column","end_line","end_column","severity","code","message","notes"}`.
+void render_json(const std::vector<Diagnostic>& diagnostics, const Sources& sources, std::ostream& out);
+
+}  // namespace grafverif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Id<T>: the typed index of an entity in its Table<T>. Never a pointer: an id can be copied, compared, printed and
+// stored in another IR's tables without tying lifetimes together.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+
+namespace grafverif {
+
+template <class T>
+struct Id {
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+    std::uint32_t index = none;
+
+    /// Whether the id names an entity at all; a default-constructed id does not.
+    bool valid() const { return index != none; }
+
+    auto operator<=>(const Id&) const = default;
+};
+
+}  // namespace grafverif
+
+template <class T>
+struct std::hash<grafverif::Id<T>> {
+    std::size_t operator()(grafverif::Id<T> id) const noexcept { return id.index; }
+};

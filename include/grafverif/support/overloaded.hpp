@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// overloaded: one lambda per alternative of a variant, for std::visit.
+#pragma once
+
+namespace grafverif {
+
+template <class... Functions>
+struct overloaded : Functions... {
+    using Functions::operator()...;
+};
+template <class... Functions>
+overloaded(Functions...) -> overloaded<Functions...>;
+
+/// Marks a place that the program's own invariants exclude.
+[[noreturn]] void unreachable();
+
+}  // namespace grafverif
