@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "grafverif/support/messages.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace grafverif::messages {
@@ -11,6 +13,17 @@ Diagnostic error(std::string_view code, Span where, std::string message) {
     return {Severity::Error, std::string(code), where, std::move(message), {}};
 }
 
+Diagnostic warning(std::string_view code, Span where, std::string message) {
+    return {Severity::Warning, std::string(code), where, std::move(message), {}};
+}
+
+/// `a`, `b`, `c`
+std::string listed(std::span<const std::string> names) {
+    std::string text;
+    for (const std::string& name : names) text += fmt::format("{}`{}`", text.empty() ? "" : ", ", name);
+    return text;
+}
+
 }  // namespace
 
 // -- the command line and files ------------------------------------------------------------------------------------
@@ -19,11 +32,142 @@ Diagnostic cannot_read(std::string_view path, std::string_view why) {
     return error("cannot-read", {}, fmt::format("cannot read `{}`: {}", path, why));
 }
 
+Diagnostic world_failed(std::string_view what) { return error("world", {}, std::string(what)); }
+
+Diagnostic no_closed_loop() {
+    return error("no-closed-loop", {},
+                 "the file has no closed loop; declare `closed_loop NAME { controller CHART; ... }`, or use `grafverif nusmv` "
+                 "for a chart alone");
+}
+
+Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known) {
+    return error("no-such-choice", {},
+                 known.empty() ? fmt::format("the file has no {}", kind)
+                               : fmt::format("the file has no {} `{}`; it has {}", kind, name, listed(known)));
+}
+
+Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std::span<const std::string> known) {
+    if (known.empty()) return error("no-such-choice", {}, fmt::format("the file has no {}", kind));
+    return error("ambiguous-choice", {}, fmt::format("the file has several of a {}: {}; choose with `{}`", kind, listed(known), option));
+}
+
+Diagnostic not_expressible(Span property, std::string_view name, std::string_view target, std::string_view reason) {
+    return warning("not-expressible", property, fmt::format("property `{}` is left out of the {} model; {}", name, target, reason));
+}
+
 // -- reading ---------------------------------------------------------------------------------------------------------
 
 // -- derive ----------------------------------------------------------------------------------------------------------
 
+Diagnostic unsupported_in_chart(Span where, std::string_view what) {
+    return error("unsupported", where, fmt::format("{} is not supported yet; the chart cannot be translated", what));
+}
+
+Diagnostic output_cycle(Span where, std::span<const std::string> outputs) {
+    constexpr std::size_t shown = 6;
+    std::string path;
+    for (const std::string& output : outputs.first(std::min(shown, outputs.size())))
+        path += fmt::format("`{}` reads ", output);
+    if (outputs.size() > shown) path += fmt::format("{} more, the last reads ", outputs.size() - shown);
+    return error("output-cycle", where,
+                 fmt::format("the output `{}` depends on itself ({}`{}`); an assignation condition means the equation of "
+                             "each output it reads",
+                             outputs.front(), path, outputs.front()));
+}
+
+Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit) {
+    return error("too-large", where,
+                 fmt::format("the equation of {} has more than {} terms; outputs read in conditions are replaced by "
+                             "their equations, read internal variables instead",
+                             what, limit));
+}
+
+Diagnostic term_too_deep(Span where, std::string_view what, std::size_t limit) {
+    return error("too-large", where,
+                 fmt::format("the equation of {} nests deeper than {}; outputs read in conditions are replaced by their "
+                             "equations, read internal variables instead",
+                             what, limit));
+}
+
+Diagnostic terms_too_large(Span where, std::string_view grafcet, std::size_t limit) {
+    return error("too-large", where,
+                 fmt::format("the equations of `{}` have more than {} terms beyond what is written; read fewer outputs "
+                             "in conditions, store fewer different values",
+                             grafcet, limit));
+}
+
+Diagnostic too_many_stored_values(Span where, std::string_view variable, std::size_t limit) {
+    return error("too-large", where,
+                 fmt::format("more than {} different values are stored in `{}`; use fewer actions on it", limit, variable));
+}
+
 // -- plant and compose -------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// As charts write durations: `3s`, `250ms`.
+std::string time_text(std::int64_t milliseconds) {
+    if (milliseconds != 0 && milliseconds % 1000 == 0) return fmt::format("{}s", milliseconds / 1000);
+    return fmt::format("{}ms", milliseconds);
+}
+
+}  // namespace
+
+Diagnostic no_multiple_of_time_unit(Span where, std::int64_t milliseconds, std::int64_t unit_ms) {
+    return error("no-multiple-of-time-unit", where,
+                 fmt::format("`{}` is no whole number of time units of `{}`; leave out `time unit`, or choose one that "
+                             "divides every duration", time_text(milliseconds), time_text(unit_ms)));
+}
+
+Diagnostic duration_too_long(Span where, std::int64_t milliseconds, std::int64_t unit_ms) {
+    return error("duration-too-long", where,
+                 fmt::format("`{}` is {} time units of `{}`, more than model checkers count; choose durations with a "
+                             "larger common divisor", time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
+}
+
+Diagnostic many_time_units(Span where, std::int64_t milliseconds, std::int64_t unit_ms) {
+    Diagnostic diagnostic = error("many-time-units", where,
+        fmt::format("`{}` is {} time units of `{}`, and engines that count units will be slow; choose durations with a "
+                    "larger common divisor", time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
+    diagnostic.severity = Severity::Warning;
+    return diagnostic;
+}
+
+Diagnostic no_value(Span where, std::string_view instance) {
+    return error("no-value", where, fmt::format("a value at power-on of `{}` cannot be computed; look for a division by "
+                                                "zero", instance));
+}
+
+Diagnostic bad_range(Span where, std::string_view variable, std::int64_t low, std::int64_t high) {
+    return error("bad-range", where, fmt::format("`{}` would range over {}..{}; a range is not empty and lies within "
+                                                 "-32768..32767", variable, low, high));
+}
+
+Diagnostic initial_out_of_range(Span where, std::string_view variable, std::int64_t initial, std::int64_t low,
+                                std::int64_t high) {
+    return error("initial-out-of-range", where, fmt::format("`{}` starts at {}, outside its range {}..{}; widen the "
+                                                            "range or start within it", variable, initial, low, high));
+}
+
+Diagnostic second_writer(Span where, std::string_view variable, std::string_view first, std::string_view second) {
+    return error("two-writers", where, fmt::format("`{}` is assigned by `{}` and by `{}`; each shared variable has one "
+                                                   "writer", variable, first, second));
+}
+
+Diagnostic urgent_invariant(Span where, std::string_view component, std::string_view location) {
+    return error("urgent-invariant", where,
+                 fmt::format("the invariant of `{}` can fail when this urgent edge of `{}` fires; reset its clock on the "
+                             "edge, or bound it as strongly in the source location", location, component));
+}
+
+Diagnostic range_skipped(Span where, std::string_view variable, std::string_view mover, std::int64_t step,
+                         std::string_view detector, std::int64_t low, std::int64_t high) {
+    Diagnostic diagnostic = error("range-skipped", where,
+        fmt::format("`{}` moves `{}` in steps of {}, which can jump over the range {}..{} that `{}` detects; choose steps "
+                    "of at most {}", mover, variable, step, low, high, detector, high - low + 1));
+    diagnostic.severity = Severity::Warning;
+    return diagnostic;
+}
 
 // -- schedule and emit -------------------------------------------------------------------------------------------------
 

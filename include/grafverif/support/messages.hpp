@@ -14,12 +14,120 @@ namespace grafverif::messages {
 
 // -- the command line and files ------------------------------------------------------------------------------------
 Diagnostic cannot_read(std::string_view path, std::string_view why);
+Diagnostic world_failed(std::string_view what);
+Diagnostic no_closed_loop();
+Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known);
+Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std::span<const std::string> known);
+Diagnostic not_expressible(Span property, std::string_view name, std::string_view target, std::string_view reason);
 
 // -- reading ---------------------------------------------------------------------------------------------------------
+// (src/support/messages_language.cpp)
+Diagnostic file_too_large(Span where, std::size_t mebibytes);
+Diagnostic invalid_utf8(Span where, unsigned char byte);
+Diagnostic unexpected_character(Span where, std::string_view character);
+Diagnostic unterminated(Span where, std::string_view what, std::string_view end);
+Diagnostic unknown_unit(Span where, std::string_view text);
+Diagnostic bad_duration(Span where, std::string_view text);
+Diagnostic decimal_number(Span where, std::string_view text);
+Diagnostic number_too_large(Span where);
+Diagnostic name_too_long(Span where, std::string_view name, std::size_t limit);
+Diagnostic too_deep(Span where, std::size_t limit);
+Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant);
+Diagnostic single_equals(Span where, std::string_view what, std::string_view meant);
+Diagnostic missing_semicolon(Span where);
+Diagnostic unexpected(Span where, std::string_view seen, std::string_view expected);
+Diagnostic unexpected_end(Span where, std::string_view expected);
+// (src/support/messages_names.cpp)
+/// `kind`: variable, step, component, ...; `suggestion`: the nearest known name, or empty.
+Diagnostic unknown(Span where, std::string_view kind, std::string_view name, std::string_view suggestion);
+Diagnostic unknown_component(Span where, std::string_view name, std::string_view suggestion, std::string_view known);
+Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first);
+Diagnostic ambiguous(Span where, std::string_view name, std::string_view one, std::string_view other);
+Diagnostic step_like_variable(Span where, std::string_view name);
+Diagnostic shadows_library(Span where, std::string_view name);
+Diagnostic include_cycle(Span where, std::string_view path);
+Diagnostic cannot_include(Span where, std::string_view path, std::string_view why);
+Diagnostic not_yet(Span where, std::string_view what);
+
+// (src/support/messages_types.cpp)
+Diagnostic type_mismatch(Span where, std::string_view user, std::string_view expected, std::string_view found);
+Diagnostic missing_unit(Span where, std::string_view what);
+Diagnostic division_by_zero(Span where);
+Diagnostic not_constant(Span where, std::string_view what);
+Diagnostic out_of_range(Span where, std::string_view variable, std::int64_t value, std::int64_t low, std::int64_t high);
+Diagnostic unbounded_integer(Span where, std::string_view variable);
+Diagnostic misplaced_type(Span where, std::string_view what);
+Diagnostic misplaced_value(Span where, std::string_view kind);
+Diagnostic zero_duration(Span where);
+
+// (src/support/messages_chart.cpp)
+Diagnostic empty_chart(Span where, std::string_view chart);
+Diagnostic no_initial_step(Span where, std::string_view chart);
+Diagnostic no_activation_link(Span where, std::string_view chart);
+Diagnostic unreachable_step(Span where, std::string_view step, std::size_t others);
+Diagnostic missing_condition(Span where);
+Diagnostic detached_transition(Span where);
+Diagnostic step_twice(Span where, std::string_view step);
+Diagnostic step_of_other_chart(Span where, std::string_view step, std::string_view chart);
+Diagnostic not_an_output(Span where, std::string_view variable, std::string_view kind);
+Diagnostic assigned_input(Span where, std::string_view variable);
+Diagnostic continuous_and_stored(Span where, std::string_view output, Span other);
+Diagnostic missing_event(Span where);
+Diagnostic not_an_expansion(Span where, std::string_view chart);
+Diagnostic owned_twice(Span where, std::string_view chart, Span first);
+Diagnostic unused_expansion(Span where, std::string_view chart);
+Diagnostic entry_and_exit(Span where, std::string_view chart);
+Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place);
+
+// (src/support/messages_component.cpp)
+Diagnostic constant_cycle(Span where, std::string_view constant);
+Diagnostic clock_not_conjunct(Span where);
+Diagnostic clock_compared_with_clock(Span where);
+Diagnostic clock_not_equal(Span where);
+Diagnostic clock_reset(Span where, std::string_view clock);
+Diagnostic urgent_clock_guard(Span where);
+Diagnostic lower_bound_invariant(Span where);
+Diagnostic invariant_without_clock(Span where);
+Diagnostic assigned_constant(Span where, std::string_view name, std::string_view kind);
+Diagnostic assigned_twice(Span where, std::string_view name);
+Diagnostic two_initial_locations(Span where, std::string_view component, Span first);
+Diagnostic empty_component(Span where, std::string_view component);
+Diagnostic edge_outside_chart(Span where);
+
+// (src/support/messages_loop.cpp)
+Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter, std::string_view example);
+Diagnostic argument_not_a_name(Span where, std::string_view parameter, std::string_view kind);
+Diagnostic missing_initially(Span where, std::string_view component, std::string_view locations);
+Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean);
+Diagnostic undriven_variable(Span where, std::string_view variable, std::string_view suggestion);
+Diagnostic argument_type(Span where, std::string_view name, std::string_view found, std::string_view expected);
+Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, std::int64_t high, std::int64_t wanted_low,
+                          std::int64_t wanted_high);
+Diagnostic no_controller(Span where, std::string_view loop);
+Diagnostic clock_in_property(Span where, std::string_view clock);
+Diagnostic declared_twice(Span where, std::string_view what);
 
 // -- derive ----------------------------------------------------------------------------------------------------------
+Diagnostic unsupported_in_chart(Span where, std::string_view what);
+/// `outputs`: each reads the next, the last the first.
+Diagnostic output_cycle(Span where, std::span<const std::string> outputs);
+Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit);
+Diagnostic term_too_deep(Span where, std::string_view what, std::size_t limit);
+Diagnostic terms_too_large(Span where, std::string_view grafcet, std::size_t limit);
+Diagnostic too_many_stored_values(Span where, std::string_view variable, std::size_t limit);
 
 // -- plant and compose -------------------------------------------------------------------------------------------------
+Diagnostic no_multiple_of_time_unit(Span where, std::int64_t milliseconds, std::int64_t unit_ms);
+Diagnostic duration_too_long(Span where, std::int64_t milliseconds, std::int64_t unit_ms);
+Diagnostic many_time_units(Span where, std::int64_t milliseconds, std::int64_t unit_ms);
+Diagnostic no_value(Span where, std::string_view instance);
+Diagnostic bad_range(Span where, std::string_view variable, std::int64_t low, std::int64_t high);
+Diagnostic initial_out_of_range(Span where, std::string_view variable, std::int64_t initial, std::int64_t low,
+                                std::int64_t high);
+Diagnostic second_writer(Span where, std::string_view variable, std::string_view first, std::string_view second);
+Diagnostic urgent_invariant(Span where, std::string_view component, std::string_view location);
+Diagnostic range_skipped(Span where, std::string_view variable, std::string_view mover, std::int64_t step,
+                         std::string_view detector, std::int64_t low, std::int64_t high);
 
 // -- schedule and emit -------------------------------------------------------------------------------------------------
 

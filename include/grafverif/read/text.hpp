@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// read/text: a .grafcet file with its includes -> Model. Files are read through `load` alone, each once; components of
+// the library are taken in where a closed loop names them and the input has none of that name.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/support/diagnostic.hpp"
+#include "grafverif/support/source.hpp"
+
+namespace grafverif {
+
+struct LibraryEntry {
+    std::string_view name = {};   ///< of the component
+    std::string_view text = {};   ///< of its file
+    std::string_view path = {};   ///< as shown in diagnostics
+};
+
+struct ReadContext {
+    /// The text of the file at `path` (the path of the including file's folder joined with what is written there), or
+    /// empty with `why`: not found, out of reach, too large.
+    std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};
+    std::span<const LibraryEntry> library = {};
+};
+
+/// Charts, components and loops of `file` and what it includes, in order; empty after at least one error.
+/// Guarantees verify(model).empty().
+std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context, Diagnostics& diagnostics);
+
+}  // namespace grafverif

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Equations as text: plain, in the order and sections of CEP13 Fig. 19; LaTeX (`align*` of amsmath); JSON.
+//
+// Sections: (a) firing conditions, (b) steps activities, (s) stored actions with their value after the first evolution
+// and their race conditions, where there are any, (c) outputs, timers first.
+#pragma once
+
+#include <iosfwd>
+
+#include "grafverif/ir/equations.hpp"
+
+namespace grafverif {
+
+void print_equations(std::ostream& out, const Equations& equations);
+void print_equations_latex(std::ostream& out, const Equations& equations);
+
+/// `{"name", "firing_conditions": [{"variable", "transition", "equation"}],
+///   "steps": [{"variable", "step", "initial", "equation"}],
+///   "stored": [{"variable", "equation", "first", "race", "first_race"}],
+///   "timers": [{"name", "step", "duration_ms", "end", "equation"}],
+///   "outputs": [{"variable", "equation"}], "stable"}`, equations as plain text.
+void print_equations_json(std::ostream& out, const Equations& equations);
+
+}  // namespace grafverif

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/read/text.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "grafverif/support/messages.hpp"
+#include "grafverif/support/overloaded.hpp"
+#include "grafverif/syntax/parse.hpp"
+#include "grafverif/syntax/resolve.hpp"
+#include "read/include.hpp"
+
+namespace grafverif {
+
+namespace {
+
+struct Reading {
+    Sources& sources;
+    const ReadContext& context;
+    Diagnostics& diagnostics;
+    Model model = {};
+    std::unordered_map<std::string, Span> charts = {}, components = {}, loops = {};   ///< names seen, and where
+    std::unordered_set<std::string> charts_in_error = {}, components_in_error = {};
+};
+
+/// Whether the name is new among its kind; reports one that is not.
+bool is_new(Reading& reading, std::unordered_map<std::string, Span>& seen, std::string_view kind, std::string_view name, Span where) {
+    const auto [known, fresh] = seen.try_emplace(std::string(name), where);
+    if (!fresh) reading.diagnostics.add(messages::duplicate_name(where, kind, name, known->second));
+    return fresh;
+}
+
+void read_chart(Reading& reading, const tree::File& file, const tree::Chart& written) {
+    const std::string name(file.text(written.name));
+    if (!is_new(reading, reading.charts, "chart", name, written.name.where)) return;
+    auto chart = written.broken ? std::nullopt : resolve_chart(file, written, reading.diagnostics);
+    if (chart) reading.model.charts.add(std::move(*chart));
+    else reading.charts_in_error.insert(name);
+}
+
+bool in_library(const Reading& reading, std::string_view name) {
+    return std::ranges::find(reading.context.library, name, &LibraryEntry::name) != reading.context.library.end();
+}
+
+void read_component(Reading& reading, const tree::File& file, const tree::Component& written) {
+    const std::string name(file.text(written.name));
+    if (!is_new(reading, reading.components, "component", name, written.name.where)) return;
+    if (in_library(reading, name)) reading.diagnostics.add(messages::shadows_library(written.name.where, name));
+    auto component = written.broken ? std::nullopt : resolve_component(file, written, reading.diagnostics);
+    if (component) reading.model.components.add(std::move(*component));
+    else reading.components_in_error.insert(name);
+}
+
+/// Charts and components first: loops name them, wherever they stand.
+void read_parts(Reading& reading, const tree::File& file) {
+    for (const tree::Declaration& declaration : file.declarations) {
+        std::visit(overloaded{
+            [](const tree::Include&) {},
+            [](const tree::ClosedLoop&) {},
+            [&](const tree::Chart& chart) { read_chart(reading, file, chart); },
+            [&](const tree::Component& component) { read_component(reading, file, component); },
+        }, declaration);
+    }
+}
+
+/// The component of that name from the library, if the input has none and the library has it.
+void take_from_library(Reading& reading, const std::string& name) {
+    if (reading.components.contains(name)) return;
+    const auto entry = std::ranges::find(reading.context.library, name, &LibraryEntry::name);
+    if (entry == reading.context.library.end()) return;
+    const Id<Source> source = reading.sources.add({std::string(entry->path), std::string(entry->text)});
+    const tree::File file = parse_file(source, reading.sources, reading.diagnostics);
+    for (const tree::Declaration& declaration : file.declarations) {
+        const auto* written = std::get_if<tree::Component>(&declaration);
+        if (written == nullptr || file.text(written->name) != name) continue;
+        reading.components.emplace(name, written->name.where);
+        auto component = resolve_component(file, *written, reading.diagnostics);
+        if (component) reading.model.components.add(std::move(*component));
+        else reading.components_in_error.insert(name);
+    }
+}
+
+void take_components(Reading& reading, const tree::File& file) {
+    for (const tree::Declaration& declaration : file.declarations) {
+        const auto* loop = std::get_if<tree::ClosedLoop>(&declaration);
+        if (loop == nullptr) continue;
+        for (const tree::LoopItem& item : loop->items)
+            if (const auto* instance = std::get_if<tree::Instance>(&item))
+                take_from_library(reading, std::string(file.text(instance->component)));
+    }
+}
+
+LoopContext loop_context(const Reading& reading) {
+    LoopContext context{reading.model, reading.charts_in_error, reading.components_in_error, {}};
+    for (const auto& [name, where] : reading.components) context.component_names.push_back(name);
+    for (const LibraryEntry& entry : reading.context.library) context.component_names.emplace_back(entry.name);
+    std::ranges::sort(context.component_names);
+    const auto repeated = std::ranges::unique(context.component_names);
+    context.component_names.erase(repeated.begin(), repeated.end());
+    return context;
+}
+
+void read_loops(Reading& reading, const tree::File& file, const LoopContext& context) {
+    for (const tree::Declaration& declaration : file.declarations) {
+        const auto* written = std::get_if<tree::ClosedLoop>(&declaration);
+        if (written == nullptr) continue;
+        if (!is_new(reading, reading.loops, "closed loop", file.text(written->name), written->name.where)) continue;
+        if (written->broken) continue;
+        auto loop = resolve_loop(file, *written, context, reading.diagnostics);
+        if (loop) reading.model.loops.add(std::move(*loop));
+    }
+}
+
+}  // namespace
+
+std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context, Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    Reading reading{sources, context, diagnostics};
+    bool files_missing = false;
+    const std::vector<tree::File> files = parse_with_includes(file, sources, context, files_missing, diagnostics);
+    for (const tree::File& parsed : files) read_parts(reading, parsed);
+    for (const tree::File& parsed : files) take_components(reading, parsed);
+    // What loops lack could be in a declaration that was lost to an error.
+    const bool hidden = std::ranges::any_of(files, &tree::File::lost) || files_missing;
+    const LoopContext loops = loop_context(reading);
+    if (!hidden)
+        for (const tree::File& parsed : files) read_loops(reading, parsed, loops);
+    if (diagnostics.errors() != errors) return {};
+    assert(verify(reading.model).empty());
+    return std::move(reading.model);
+}
+
+}  // namespace grafverif

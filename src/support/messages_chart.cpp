@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The wording of what is said about charts.
+#include <fmt/format.h>
+
+#include "grafverif/support/messages.hpp"
+#include "support/wording.hpp"
+
+namespace grafverif::messages {
+
+Diagnostic empty_chart(Span where, std::string_view chart) {
+    return error("empty-chart", where, fmt::format("the chart `{}` has no step; write `initial step 0;`", clipped(chart)));
+}
+
+Diagnostic no_initial_step(Span where, std::string_view chart) {
+    return error("no-initial-step", where,
+                 fmt::format("`{}` has no initial step and nothing else activates it; mark a step `initial`", clipped(chart)));
+}
+
+Diagnostic no_activation_link(Span where, std::string_view chart) {
+    return error("no-activation-link", where,
+                 fmt::format("`{}` is enclosed, but no step of it has an activation link; mark a step `linked`", clipped(chart)));
+}
+
+Diagnostic unreachable_step(Span where, std::string_view step, std::size_t others) {
+    std::string message = fmt::format("no sequence of transitions activates step `{}`", clipped(step));
+    if (others == 1) message += ", nor another step after it";
+    if (others > 1) message += fmt::format(", nor {} more steps linked to it", others);
+    return error("unreachable-step", where, message + "; link it to the rest of the chart");
+}
+
+Diagnostic missing_condition(Span where) {
+    return error("missing-condition", where, "this transition has no condition; write `when true` where it is always satisfied");
+}
+
+Diagnostic detached_transition(Span where) {
+    return error("detached-transition", where, "this transition links no steps; write those before or after it");
+}
+
+Diagnostic step_twice(Span where, std::string_view step) {
+    return error("step-twice", where, fmt::format("step `{}` is linked to this side of the transition already", clipped(step)));
+}
+
+Diagnostic step_of_other_chart(Span where, std::string_view step, std::string_view chart) {
+    return error("step-of-other-chart", where,
+                 fmt::format("step `{}` belongs to {}; a transition links steps of one partial chart", clipped(step),
+                             chart.empty() ? "the main part of the chart" : fmt::format("the partial chart `{}`", clipped(chart))));
+}
+
+Diagnostic not_an_output(Span where, std::string_view variable, std::string_view kind) {
+    return error("not-an-output", where,
+                 fmt::format("`{}` is an {} variable; a continuous action is about an output", clipped(variable), kind));
+}
+
+Diagnostic assigned_input(Span where, std::string_view variable) {
+    return error("assigned-input", where,
+                 fmt::format("`{}` is an input; only outputs and internal variables are assigned", clipped(variable)));
+}
+
+Diagnostic continuous_and_stored(Span where, std::string_view output, Span other) {
+    Diagnostic diagnostic = error("continuous-and-stored", where,
+        fmt::format("`{}` has continuous and stored actions; use one kind for an output", clipped(output)));
+    diagnostic.notes.push_back(note(other, "the other kind is here"));
+    return diagnostic;
+}
+
+Diagnostic missing_event(Span where) {
+    return error("missing-event", where,
+                 "the assignment does not say when; write `on activation`, `on deactivation` or `on event ...`");
+}
+
+Diagnostic not_an_expansion(Span where, std::string_view chart) {
+    return error("not-an-expansion", where,
+                 fmt::format("`{0}` is a partial chart, not an expansion; write `expansion {0}`", clipped(chart)));
+}
+
+Diagnostic owned_twice(Span where, std::string_view chart, Span first) {
+    Diagnostic diagnostic = error("owned-twice", where, fmt::format("`{}` belongs to another step already", clipped(chart)));
+    diagnostic.notes.push_back(note(first, "the first one is here"));
+    return diagnostic;
+}
+
+Diagnostic unused_expansion(Span where, std::string_view chart) {
+    return error("unused-expansion", where,
+                 fmt::format("no macro-step expands `{0}`; write `macro step ... expands {0};`", clipped(chart)));
+}
+
+Diagnostic entry_and_exit(Span where, std::string_view chart) {
+    return error("entry-and-exit", where,
+                 fmt::format("the expansion `{}` needs one entry step and one exit step", clipped(chart)));
+}
+
+Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place) {
+    return error("misplaced-mark", where, fmt::format("`{}` has no meaning here; it stands in {}", mark, place));
+}
+
+}  // namespace grafverif::messages

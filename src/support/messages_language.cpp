@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The wording of what is said while text is parsed; the rest of `reading` is in messages_names.cpp.
+#include <fmt/format.h>
+
+#include "grafverif/support/messages.hpp"
+#include "support/wording.hpp"
+
+namespace grafverif::messages {
+
+Diagnostic file_too_large(Span where, std::size_t mebibytes) {
+    return error("too-large", where, fmt::format("the file has more than {} MiB; split it with `include`", mebibytes));
+}
+
+Diagnostic invalid_utf8(Span where, unsigned char byte) {
+    return error("invalid-utf8", where, fmt::format("byte 0x{:02X} is not UTF-8; save the file as UTF-8 text", byte));
+}
+
+Diagnostic unexpected_character(Span where, std::string_view character) {
+    const auto byte = static_cast<unsigned char>(character.front());
+    const bool printable = byte > 0x20 && byte != 0x7F;
+    const std::string shown = printable ? fmt::format("`{}`", character) : fmt::format("byte 0x{:02X}", byte);
+    return error("unexpected-character", where,
+                 fmt::format("{} stands in no word of the language; names are made of letters, digits and `_`", shown));
+}
+
+Diagnostic unterminated(Span where, std::string_view what, std::string_view end) {
+    return error(fmt::format("unterminated-{}", what), where, fmt::format("this {} has no end; close it with `{}`", what, end));
+}
+
+Diagnostic unknown_unit(Span where, std::string_view text) {
+    return error("unknown-unit", where,
+                 fmt::format("`{}` is neither a duration nor a name; durations end in `ms`, `s` or `min`, and names do not "
+                             "start with a digit", clipped(text)));
+}
+
+Diagnostic bad_duration(Span where, std::string_view text) {
+    return error("bad-duration", where,
+                 fmt::format("`{}` cannot be counted in milliseconds; write a whole number of `ms`, up to some years",
+                             clipped(text)));
+}
+
+Diagnostic decimal_number(Span where, std::string_view text) {
+    return error("decimal-number", where,
+                 fmt::format("`{}` is no integer; only durations have decimals, as in `1.5s`", clipped(text)));
+}
+
+Diagnostic number_too_large(Span where) { return error("number-too-large", where, "this number does not fit 64 bits"); }
+
+Diagnostic name_too_long(Span where, std::string_view name, std::size_t limit) {
+    return error("name-too-long", where, fmt::format("the name `{}` has {} bytes; {} are allowed", clipped(name), name.size(), limit));
+}
+
+Diagnostic too_deep(Span where, std::size_t limit) {
+    return error("too-deep", where, fmt::format("this expression nests deeper than {} levels; use internal variables", limit));
+}
+
+Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant) {
+    return error("other-spelling", where, fmt::format("`{}` is no operator here; write `{}`", seen, meant));
+}
+
+Diagnostic single_equals(Span where, std::string_view what, std::string_view meant) {
+    return error("single-equals", where, fmt::format("`=` is no {}; write `{}`", what, meant));
+}
+
+Diagnostic missing_semicolon(Span where) { return error("missing-semicolon", where, "the declaration has no end; write `;`"); }
+
+Diagnostic unexpected(Span where, std::string_view seen, std::string_view expected) {
+    return error("unexpected", where, fmt::format("unexpected `{}`; expected {}", clipped(seen), expected));
+}
+
+Diagnostic unexpected_end(Span where, std::string_view expected) {
+    return error("unexpected-end", where, fmt::format("the input ends too early; expected {}", expected));
+}
+
+}  // namespace grafverif::messages

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The wording of what is said about names and files.
+#include <fmt/format.h>
+
+#include "grafverif/support/messages.hpp"
+#include "support/wording.hpp"
+
+namespace grafverif::messages {
+
+Diagnostic unknown(Span where, std::string_view kind, std::string_view name, std::string_view suggestion) {
+    std::string code = fmt::format("unknown-{}", kind);
+    for (char& byte : code)
+        if (byte == ' ') byte = '-';
+    std::string message = fmt::format("unknown {} `{}`", kind, clipped(name));
+    if (!suggestion.empty()) message += fmt::format("; did you mean `{}`?", clipped(suggestion));
+    return error(code, where, std::move(message));
+}
+
+Diagnostic unknown_component(Span where, std::string_view name, std::string_view suggestion, std::string_view known) {
+    Diagnostic diagnostic = unknown(where, "component", name, suggestion);
+    diagnostic.notes.push_back(note({}, fmt::format("known components: {}", known)));
+    return diagnostic;
+}
+
+Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first) {
+    Diagnostic diagnostic = error("duplicate-name", where, fmt::format("there is already a {} `{}`; rename one of both", kind,
+                                                                       clipped(name)));
+    diagnostic.notes.push_back(note(first, "the first one is here"));
+    return diagnostic;
+}
+
+Diagnostic ambiguous(Span where, std::string_view name, std::string_view one, std::string_view other) {
+    return error("ambiguous-name", where, fmt::format("`{}` could be `{}` or `{}`; write which", clipped(name), clipped(one),
+                                                      clipped(other)));
+}
+
+Diagnostic step_like_variable(Span where, std::string_view name) {
+    return error("step-like-variable", where,
+                 fmt::format("the variable `{}` looks like the step variable of step `{}`; choose another name",
+                             clipped(name), clipped(name.substr(1))));
+}
+
+Diagnostic shadows_library(Span where, std::string_view name) {
+    return warning("shadows-library", where, fmt::format("`{}` hides the component of that name in the library", clipped(name)));
+}
+
+Diagnostic include_cycle(Span where, std::string_view path) {
+    return error("include-cycle", where, fmt::format("`{}` includes itself through this line; take the line out", clipped(path)));
+}
+
+Diagnostic cannot_include(Span where, std::string_view path, std::string_view why) {
+    return error("cannot-include", where, fmt::format("cannot include `{}`: {}", clipped(path), why));
+}
+
+Diagnostic not_yet(Span where, std::string_view what) {
+    return error("unsupported", where, fmt::format("{} is not supported yet; take it out", what));
+}
+
+}  // namespace grafverif::messages

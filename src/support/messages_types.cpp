@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The wording of what is said about types and values.
+#include <fmt/format.h>
+
+#include "grafverif/support/messages.hpp"
+#include "support/wording.hpp"
+
+namespace grafverif::messages {
+
+Diagnostic type_mismatch(Span where, std::string_view user, std::string_view expected, std::string_view found) {
+    return error("type-mismatch", where, fmt::format("this is {}; {} takes {}", found, user, expected));
+}
+
+Diagnostic missing_unit(Span where, std::string_view what) {
+    return error("missing-unit", where, fmt::format("{} has no unit; write `ms`, `s` or `min` after the number, as in `3s`", what));
+}
+
+Diagnostic division_by_zero(Span where) { return error("division-by-zero", where, "this divides by zero"); }
+
+Diagnostic not_constant(Span where, std::string_view what) {
+    return error("not-constant", where, fmt::format("{} is a constant; variables cannot stand here", what));
+}
+
+Diagnostic out_of_range(Span where, std::string_view variable, std::int64_t value, std::int64_t low, std::int64_t high) {
+    return error("out-of-range", where, fmt::format("{} is outside the range {}..{} of `{}`", value, low, high, clipped(variable)));
+}
+
+Diagnostic unbounded_integer(Span where, std::string_view variable) {
+    return error("unbounded-integer", where,
+                 fmt::format("the integer `{0}` has no range; write one, as in `{0}: int 0..100`", clipped(variable)));
+}
+
+Diagnostic misplaced_type(Span where, std::string_view what) {
+    return error("misplaced-type", where, std::string(what));
+}
+
+Diagnostic misplaced_value(Span where, std::string_view kind) {
+    return error("misplaced-value", where,
+                 fmt::format("an {} has no value of its own at power-on; it starts false, or at the least value of its range", kind));
+}
+
+Diagnostic zero_duration(Span where) {
+    return error("zero-duration", where, "a time condition or limit of no duration; write a duration above zero");
+}
+
+}  // namespace grafverif::messages

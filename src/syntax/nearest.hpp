@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Nearest: the name that a misspelt one may have meant. Distance: insertions, deletions, replacements and swaps of
+// neighbours, at most two of them, so that a comparison costs little more than looking at the length.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace grafverif {
+
+class Nearest {
+public:
+    explicit Nearest(std::string_view name);
+
+    void offer(std::string_view candidate);
+    /// The first of the nearest candidates; empty when none is near.
+    const std::string& best() const { return best_; }
+
+private:
+    std::string name_;
+    std::string best_ = {};
+    std::size_t distance_;   ///< of the best so far, plus what is needed to beat it: only less is of interest
+};
+
+}  // namespace grafverif
