@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// derive: Chart -> Equations, the algebraic model of CEP13 section 5, equations (11) to (13), extended by stored
+// actions and by timers for time conditions on steps.
+//
+// What becomes what:
+//   variable    -> the variable of the same index, type and initial value: the variables of the chart come first
+//   step        -> X_2, or X_G2_2 in the partial chart G2, and its activity (12)
+//   transition  -> CF_T0 and its firing condition (11)
+//   time condition 3s/X2 -> the timer T_X2_3s and its end T_X2_3s_Q, one per step and duration
+//   output      -> its equation (13); false where no action sets it
+//   variable with stored actions -> its next value, its race condition, its value after the first evolution
+// A name that is taken already gets a number: `X_2_2`.
+//
+// A condition that reads a continuous output gets that output's equation (13) in its place, so no equation depends on
+// what was written last; a cycle among outputs that read each other has no meaning and is refused (`output-cycle`).
+// Substitution can blow terms up: a term of more than a million nodes is refused (`too-large`).
+#pragma once
+
+#include <optional>
+
+#include "grafverif/ir/chart.hpp"
+#include "grafverif/ir/equations.hpp"
+#include "grafverif/support/diagnostic.hpp"
+
+namespace grafverif {
+
+/// The meaning of `chart`, or nothing after adding at least one error to `diagnostics`. Requires verify(chart).empty().
+std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics);
+
+}  // namespace grafverif

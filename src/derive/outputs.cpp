@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Equation (13) of CEP13 for every output without stored actions: the or, over its continuous actions, of the step
+// activity and the assignation condition. Outputs read in conditions are derived first; a cycle among them is refused.
+#include <algorithm>
+
+#include "derivation.hpp"
+#include "grafverif/support/messages.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// An output that is being derived: those it reads, each with the place of the action that does.
+struct Visit {
+    struct Read {
+        Id<Chart::Variable> output = {};
+        Span where = {};
+    };
+    Id<Chart::Variable> output = {};
+    std::vector<Read> reads = {};
+    std::size_t next = 0;
+};
+
+Visit visit(const Derivation& derivation, Id<Chart::Variable> output) {
+    Visit result{output, {}, 0};
+    for (const Id<Chart::ContinuousAction> id : derivation.continuous[output.index]) {
+        const Chart::ContinuousAction& action = derivation.chart.continuous[id];
+        if (!derivation.reads_output[action.condition.index]) continue;
+        for (const Id<Expr> leaf : leaves(derivation.chart.exprs, action.condition)) {
+            const Expr& node = derivation.chart.exprs[leaf];
+            if (node.op != Op::Variable) continue;
+            const Id<Chart::Variable> read{static_cast<std::uint32_t>(node.value)};
+            if (is_continuous(derivation, read)) result.reads.push_back({read, action.origin});
+        }
+    }
+    return result;
+}
+
+/// Equation (13); not valid where a condition is too large.
+Id<Expr> output_value(Derivation& derivation, Id<Chart::Variable> output) {
+    const Chart::Variable& variable = derivation.chart.variables[output];
+    Exprs& exprs = derivation.equations.exprs;
+    if (!variable.type.boolean) return exprs.integer(variable.initial);
+    std::vector<Id<Expr>> terms;
+    for (const Id<Chart::ContinuousAction> id : derivation.continuous[output.index]) {
+        const Chart::ContinuousAction& action = derivation.chart.continuous[id];
+        const Id<Expr> condition =
+            over_equations(derivation, action.condition, action.origin, "output `" + variable.name + "`");
+        if (!condition.valid()) return {};
+        terms.push_back(exprs.conjunction(derivation.step_leaves[action.step.index], condition));
+    }
+    return exprs.disjunction(terms);
+}
+
+/// The end of `path`, from the output that its last one reads.
+void report_cycle(Derivation& derivation, const std::vector<Visit>& path, Id<Chart::Variable> closing) {
+    if (derivation.diagnostics.full()) return;
+    const auto first = std::ranges::find(path, closing, &Visit::output);
+    std::vector<std::string> outputs;
+    for (auto place = first; place != path.end(); ++place)
+        outputs.push_back(derivation.chart.variables[place->output].name);
+    derivation.diagnostics.add(messages::output_cycle(first->reads[first->next - 1].where, outputs));
+}
+
+}  // namespace
+
+void derive_outputs(Derivation& derivation) {
+    enum class Mark { New, Open, Done };
+    std::vector<Mark> marks(derivation.chart.variables.size(), Mark::New);
+    const Id<Expr> none = derivation.equations.exprs.constant(false);
+    for (const Id<Chart::Variable> root : derivation.chart.variables.ids()) {
+        if (!is_continuous(derivation, root) || marks[root.index] != Mark::New) continue;
+        std::vector<Visit> path{visit(derivation, root)};
+        marks[root.index] = Mark::Open;
+        while (!path.empty()) {
+            Visit& top = path.back();
+            if (top.next < top.reads.size()) {
+                const Id<Chart::Variable> read = top.reads[top.next++].output;
+                if (marks[read.index] == Mark::Open) report_cycle(derivation, path, read);
+                if (marks[read.index] != Mark::New) continue;
+                marks[read.index] = Mark::Open;
+                path.push_back(visit(derivation, read));
+                continue;
+            }
+            // An output on a cycle, or too large, is false for those that read it: the error is said already.
+            const Id<Expr> value = failed(derivation) ? none : output_value(derivation, top.output);
+            derivation.values[top.output.index] = value.valid() ? value : none;
+            marks[top.output.index] = Mark::Done;
+            path.pop_back();
+        }
+    }
+    for (const Id<Chart::Variable> output : derivation.chart.variables.ids())
+        if (is_continuous(derivation, output))
+            derivation.equations.outputs.push_back({Id<Equations::Variable>{output.index},
+                                                    derivation.values[output.index],
+                                                    derivation.chart.variables[output].origin});
+}
+
+}  // namespace grafverif

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Stored actions (IEC 60848, 4.8.3). Actions that store the same value in a variable are taken together; two groups
+// whose triggers hold in one cycle while their values differ are a race. Where all values are constants the race
+// condition is built by halves, n log n in size: a race within one half, or a trigger in each.
+#include <algorithm>
+#include <array>
+
+#include "derivation.hpp"
+#include "grafverif/support/messages.hpp"
+
+namespace grafverif {
+
+namespace {
+
+struct Group {
+    Id<Expr> value = {};
+    Id<Expr> trigger = {};
+    std::vector<Id<Expr>> triggers = {};
+};
+
+/// The writes of `variable`, in the order of its actions; fewer after an error.
+std::vector<Equations::Write> writes(Derivation& derivation, Id<Chart::Variable> variable) {
+    std::vector<Equations::Write> result;
+    for (const Id<Chart::StoredAction> id : derivation.stored[variable.index]) {
+        const Chart::StoredAction& action = derivation.chart.stored[id];
+        const bool activation = action.on == Chart::StoredOn::Activation;
+        const Equations::StepActivity& step = derivation.equations.steps[action.step.index];
+        const Id<Expr> value =
+            over_equations(derivation, action.value, action.origin,
+                           "the value stored in `" + derivation.chart.variables[variable].name + "`");
+        const Id<Expr> trigger = activation ? step.activated : step.deactivated;
+        if (!value.valid() || !afford(derivation, derivation.measures.size(derivation.equations.exprs, trigger))) break;
+        const bool initial = activation && derivation.chart.steps[action.step].initial;
+        result.push_back({trigger, value, initial, action.origin});
+    }
+    return result;
+}
+
+/// Writes of equal values together, in order of first occurrence.
+std::vector<Group> groups(Exprs& exprs, const std::vector<Equations::Write>& writes) {
+    std::vector<Group> result;
+    std::unordered_map<std::uint32_t, std::size_t> places;
+    for (const Equations::Write& write : writes) {
+        const auto [place, added] = places.emplace(write.value.index, result.size());
+        if (added) result.push_back({write.value, {}, {}});
+        result[place->second].triggers.push_back(write.trigger);
+    }
+    for (Group& group : result) group.trigger = exprs.disjunction(group.triggers);
+    return result;
+}
+
+/// Two of the `groups`, whose values differ for certain, are triggered together.
+Id<Expr> constant_race(Derivation& derivation, std::span<const Group> groups) {
+    Exprs& exprs = derivation.equations.exprs;
+    if (groups.size() < 2) return exprs.constant(false);
+    const std::span<const Group> left = groups.first(groups.size() / 2);
+    const std::span<const Group> right = groups.subspan(groups.size() / 2);
+    const auto any = [&](std::span<const Group> half) {
+        std::vector<Id<Expr>> triggers;
+        for (const Group& group : half) triggers.push_back(group.trigger);
+        return exprs.disjunction(triggers);
+    };
+    const Id<Expr> across = consistent(exprs, exprs.conjunction(any(left), any(right)));
+    if (!afford(derivation, derivation.measures.size(exprs, across))) return exprs.constant(false);
+    const Id<Expr> within_left = constant_race(derivation, left);
+    return exprs.disjunction(std::array{within_left, constant_race(derivation, right), across});
+}
+
+/// Two groups of different values are triggered together.
+Id<Expr> race(Derivation& derivation, const std::vector<Group>& groups) {
+    Exprs& exprs = derivation.equations.exprs;
+    std::vector<Group> constants;
+    std::vector<Id<Expr>> terms;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+        if (is_constant(exprs[groups[k].value].op)) constants.push_back(groups[k]);
+        for (std::size_t i = 0; i < k; ++i) {
+            if (is_constant(exprs[groups[i].value].op) && is_constant(exprs[groups[k].value].op)) continue;
+            const Id<Expr> together = consistent(exprs, exprs.conjunction(groups[i].trigger, groups[k].trigger));
+            const Id<Expr> differ = exprs.apply(Op::NotEqual, groups[i].value, groups[k].value);
+            terms.push_back(exprs.conjunction(together, differ));
+            if (!afford(derivation, derivation.measures.size(exprs, terms.back()))) return exprs.constant(false);
+        }
+    }
+    terms.insert(terms.begin(), constant_race(derivation, constants));
+    return exprs.disjunction(terms);
+}
+
+/// The value after the cycle: of the first group that is triggered, else the value before. Where true and false alone
+/// are stored this is `set or (v and not reset)`.
+Id<Expr> next(Exprs& exprs, const std::vector<Group>& groups, Id<Expr> before) {
+    const auto is_boolean_constant = [&](const Group& group) {
+        return is_true(exprs, group.value) || is_false(exprs, group.value);
+    };
+    if (std::ranges::all_of(groups, is_boolean_constant)) {
+        Id<Expr> set = exprs.constant(false);
+        Id<Expr> kept = before;
+        for (const Group& group : groups) {
+            if (is_true(exprs, group.value)) set = group.trigger;
+            else kept = exprs.conjunction(before, exprs.negation(group.trigger));
+        }
+        return exprs.disjunction(set, kept);
+    }
+    Id<Expr> value = before;
+    for (std::size_t k = groups.size(); k-- > 0;) value = exprs.conditional(groups[k].trigger, groups[k].value, value);
+    return value;
+}
+
+Equations::Stored stored_equation(Derivation& derivation, Id<Chart::Variable> variable) {
+    Exprs& exprs = derivation.equations.exprs;
+    Equations::Stored result;
+    result.variable = Id<Equations::Variable>{variable.index};
+    result.writes = writes(derivation, variable);
+    const Id<Expr> before = variable_leaf(derivation, result.variable);
+    const std::vector<Group> grouped = groups(exprs, result.writes);
+    if (grouped.size() > stored_value_limit) {
+        const Chart::Variable& entity = derivation.chart.variables[variable];
+        derivation.diagnostics.add(messages::too_many_stored_values(entity.origin, entity.name, stored_value_limit));
+        return result;
+    }
+    result.next = next(exprs, grouped, before);
+    result.race = race(derivation, grouped);
+    result.first = before;
+    std::vector<Id<Expr>> differing;   // from the first of the initial writes
+    bool any = false;
+    for (const Equations::Write& write : result.writes) {
+        if (!write.initial) continue;
+        if (!any) result.first = write.value;
+        else if (write.value != result.first)
+            differing.push_back(exprs.apply(Op::NotEqual, result.first, write.value));
+        any = true;
+    }
+    result.first_race = exprs.disjunction(differing);
+    return result;
+}
+
+}  // namespace
+
+void derive_stored(Derivation& derivation) {
+    for (const Id<Chart::Variable> variable : derivation.chart.variables.ids()) {
+        if (derivation.stored[variable.index].empty()) continue;
+        derivation.equations.stored.push_back(stored_equation(derivation, variable));
+        if (derivation.diagnostics.full() || derivation.exhausted) return;
+    }
+}
+
+}  // namespace grafverif

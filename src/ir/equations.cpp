@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/ir/equations.hpp"
+
+#include <string_view>
+#include <unordered_set>
+
+namespace grafverif {
+
+namespace {
+
+using Role = Equations::Role;
+
+bool yields_boolean(Op op) {
+    return op == Op::True || op == Op::False || op == Op::Not || op == Op::And || op == Op::Or || is_comparison(op);
+}
+
+struct Check {
+    const Equations& equations;
+    std::vector<std::string> faults = {};
+    std::vector<bool> boolean = {};        ///< per term
+    std::vector<bool> reads_firing = {};   ///< per term: a firing condition occurs in it
+    std::vector<int> defined = {};         ///< per variable: how many equations it has
+
+    void fault(std::string text) { faults.push_back(std::move(text)); }
+
+    bool known(Id<Equations::Variable> variable) const { return equations.variables.contains(variable); }
+
+    std::string name(Id<Equations::Variable> variable) const { return "`" + equations.variables[variable].name + "`"; }
+
+    void variables() {
+        std::unordered_set<std::string_view> names;
+        for (const Id<Equations::Variable> id : equations.variables.ids()) {
+            const Equations::Variable& variable = equations.variables[id];
+            if (!names.insert(variable.name).second) fault("two variables are named " + name(id));
+            if (variable.initial < variable.type.low || variable.initial > variable.type.high)
+                fault("the initial value of " + name(id) + " is outside its range");
+        }
+    }
+
+    /// Children precede parents: one pass. False if a leaf is none of ours, which ends the check.
+    bool terms() {
+        const Exprs& exprs = equations.exprs;
+        for (std::uint32_t index = 0; index < exprs.size(); ++index) {
+            const Id<Expr> id{index};
+            const Expr& node = exprs[id];
+            bool is_boolean = yields_boolean(node.op);
+            bool reads = false;
+            if (node.op == Op::Variable) {
+                const Id<Equations::Variable> variable{static_cast<std::uint32_t>(node.value)};
+                if (!known(variable)) return fault("a term reads a variable that does not exist"), false;
+                is_boolean = equations.variables[variable].type.boolean;
+                reads = equations.variables[variable].role == Role::FiringCondition;
+            }
+            const bool foreign = is_leaf(node.op) && node.op != Op::Variable;
+            if (foreign || node.op == Op::Rise || node.op == Op::Fall || node.op == Op::Duration)
+                return fault("a term has an operator that equations do not have"), false;
+            if (node.op == Op::Conditional) is_boolean = boolean[exprs.operands(id)[1].index];
+            for (const Id<Expr> operand : exprs.operands(id)) reads = reads || reads_firing[operand.index];
+            boolean.push_back(is_boolean);
+            reads_firing.push_back(reads);
+        }
+        return true;
+    }
+
+    /// One equation `variable = term` of the given role.
+    void define(Id<Equations::Variable> variable, Id<Expr> term, std::string_view what) {
+        if (!known(variable)) return fault(std::string(what) + " of a variable that does not exist");
+        ++defined[variable.index];
+        condition(term, equations.variables[variable].type.boolean, std::string(what) + " of " + name(variable));
+    }
+
+    void role(Id<Equations::Variable> variable, Role expected) {
+        if (known(variable) && equations.variables[variable].role != expected)
+            fault(name(variable) + " has an equation of another role");
+    }
+
+    void condition(Id<Expr> term, bool is_boolean, const std::string& what) {
+        if (!equations.exprs.contains(term)) fault(what + " is missing");
+        else if (boolean[term.index] != is_boolean) fault(what + " has the wrong type");
+    }
+
+    void without_firings(Id<Expr> term, const std::string& what) {
+        if (equations.exprs.contains(term) && reads_firing[term.index]) fault(what + " reads a firing condition");
+    }
+
+    void cycle() {
+        for (const Equations::Firing& firing : equations.firings) {
+            define(firing.variable, firing.condition, "the firing condition");
+            role(firing.variable, Role::FiringCondition);
+            without_firings(firing.condition, "the firing condition of `" + firing.transition + "`");
+        }
+        for (const Equations::StepActivity& step : equations.steps) {
+            define(step.variable, step.next, "the activity");
+            role(step.variable, Role::Step);
+            condition(step.activated, true, "the activation of `" + step.step + "`");
+            condition(step.deactivated, true, "the deactivation of `" + step.step + "`");
+        }
+        for (const Equations::Stored& stored : equations.stored) store(stored);
+        for (const Equations::Timer& timer : equations.timers) {
+            if (!known(timer.step) || !known(timer.end)) {
+                fault("the timer `" + timer.name + "` has a variable that does not exist");
+                continue;
+            }
+            role(timer.step, Role::Step);
+            role(timer.end, Role::TimerEnd);
+            ++defined[timer.end.index];
+            if (timer.duration_ms <= 0) fault("the timer `" + timer.name + "` has no duration");
+        }
+        for (const Equations::Output& output : equations.outputs) {
+            define(output.variable, output.value, "the value");
+            role(output.variable, Role::Output);
+            if (known(output.variable)) without_firings(output.value, "the value of " + name(output.variable));
+        }
+        condition(equations.stable, true, "the condition `stable`");
+    }
+
+    void store(const Equations::Stored& stored) {
+        define(stored.variable, stored.next, "the stored value");
+        if (!known(stored.variable)) return;
+        const Equations::Variable& variable = equations.variables[stored.variable];
+        if (variable.role != Role::Internal && variable.role != Role::Output)
+            fault(name(stored.variable) + " has an equation of another role");
+        condition(stored.race, true, "the race condition of " + name(stored.variable));
+        condition(stored.first, variable.type.boolean, "the first value of " + name(stored.variable));
+        condition(stored.first_race, true, "the first race condition of " + name(stored.variable));
+        without_firings(stored.first, "the first value of " + name(stored.variable));
+        without_firings(stored.first_race, "the first race condition of " + name(stored.variable));
+        for (const Equations::Write& write : stored.writes) {
+            condition(write.trigger, true, "a trigger of " + name(stored.variable));
+            condition(write.value, variable.type.boolean, "a value stored in " + name(stored.variable));
+        }
+    }
+
+    void complete() {
+        for (const Id<Equations::Variable> id : equations.variables.ids()) {
+            const Role kind = equations.variables[id].role;
+            const int count = defined[id.index];
+            if (count > 1) fault(name(id) + " has more than one equation");
+            if (count > 0 && kind == Role::Input) fault("the input " + name(id) + " has an equation");
+            if (count == 0 && kind != Role::Input && kind != Role::Internal) fault(name(id) + " has no equation");
+        }
+    }
+};
+
+}  // namespace
+
+std::vector<std::string> verify(const Equations& equations) {
+    Check check{equations};
+    check.defined.resize(equations.variables.size());
+    check.variables();
+    if (!check.terms()) return check.faults;
+    check.cycle();
+    check.complete();
+    return check.faults;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Law: a chart that is written down and read again is the same chart: the same text, and the same equations. Charts
+// that the language rejects for what they are (a step that no sequence of transitions reaches, say) are passed over.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "grafverif/derive/derive.hpp"
+#include "grafverif/read/text.hpp"
+#include "grafverif/syntax/print_equations.hpp"
+#include "support/law_size.hpp"
+#include "support/random_chart.hpp"
+
+namespace grafverif {
+namespace {
+
+std::string equations_text(const Chart& chart) {
+    Diagnostics diagnostics;
+    const auto equations = derive(chart, diagnostics);
+    std::ostringstream out;
+    if (equations) print_equations(out, *equations);
+    return out.str();
+}
+
+TEST(ReadingLaw, AChartWrittenDownAndReadAgainIsTheSameChart) {
+    int read = 0;
+    std::map<std::string, int> rejected;
+    for (int seed = 1; seed <= law_size(500); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        const Chart chart = random_chart(random);
+        ASSERT_EQ(verify(chart), std::vector<std::string>{}) << "seed " << seed << "\n\n" << chart_text(chart);
+        Diagnostics diagnostics;
+        Sources sources;
+        const Id<Source> file = sources.add({"law.grafcet", chart_text(chart)});
+        const auto model = read_text(file, sources, {}, diagnostics);
+        if (!model) {
+            for (const Diagnostic& diagnostic : diagnostics.all()) ++rejected[diagnostic.code];
+            const bool by_meaning = std::ranges::all_of(diagnostics.all(), [](const Diagnostic& diagnostic) {
+                return diagnostic.code == "unreachable-step" || diagnostic.code == "no-initial-step" ||
+                       diagnostic.severity != Severity::Error;
+            });
+            std::ostringstream rendered;
+            render_text(diagnostics.all(), sources, Colour::Plain, rendered);
+            ASSERT_TRUE(by_meaning) << "seed " << seed << '\n' << rendered.str();
+            continue;
+        }
+        ++read;
+        const Chart& again = *model->charts.begin();
+        ASSERT_EQ(chart_text(again), chart_text(chart)) << "seed " << seed;
+        ASSERT_EQ(equations_text(again), equations_text(chart)) << "seed " << seed;
+    }
+    EXPECT_GT(read, 50) << ::testing::PrintToString(rejected);
+}
+
+}  // namespace
+}  // namespace grafverif

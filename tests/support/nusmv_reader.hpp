@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A reader of that part of the NuSMV language which the emitter writes, with NuSMV 2.6's own precedences, so that a
+// test can compare an emitted text with the TransitionSystem it came from.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/type.hpp"
+
+namespace grafverif {
+
+struct NusmvModel {
+    struct Variable {
+        std::string name = {};
+        Type type = {};
+    };
+    struct Instance {
+        std::string name = {}, module = {};
+        std::vector<std::string> arguments = {};
+    };
+    struct Specification {
+        std::string keyword = {}, name = {};
+        std::string formula = {};               ///< its tokens, one space between them
+    };
+    struct Module {
+        std::string name = {};
+        std::vector<std::string> parameters = {};
+        std::vector<Variable> variables = {};
+        std::vector<Instance> instances = {};
+        std::map<std::string, Id<Expr>> initial = {}, next = {}, defines = {};
+        std::vector<Id<Expr>> invariants = {}, justice = {};
+        std::vector<Specification> specifications = {};
+    };
+
+    Exprs exprs = {};                           ///< Variable leaves index `identifiers`
+    std::vector<std::string> identifiers = {};  ///< as written: `x`, `instance.x`
+    std::vector<Module> modules = {};
+    std::string complaint = {};                 ///< the first thing that could not be read; empty: all was
+
+    Id<Expr> leaf(std::string_view identifier);
+};
+
+NusmvModel read_nusmv(std::string_view text);
+
+}  // namespace grafverif

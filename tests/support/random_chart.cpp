@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "support/random_chart.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace grafverif {
+
+std::int64_t random_number(Random& random, std::int64_t low, std::int64_t high) {
+    return low + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(high - low + 1));
+}
+
+bool chance(Random& random, int percent) { return random_number(random, 1, 100) <= percent; }
+
+namespace {
+
+using VariableKind = Chart::VariableKind;
+
+struct Generator {
+    Random& random;
+    Chart chart = {};
+    std::vector<Id<Chart::Variable>> inputs = {}, continuous = {}, stored_bools = {}, stored_ints = {}, numbers = {};
+
+    std::int64_t number(std::int64_t low, std::int64_t high) { return random_number(random, low, high); }
+    bool often(int percent) { return chance(random, percent); }
+
+    template <class T>
+    T pick(const std::vector<T>& from) {
+        return from[static_cast<std::size_t>(number(0, static_cast<std::int64_t>(from.size()) - 1))];
+    }
+
+    Id<Chart::Variable> variable(std::string name, VariableKind kind, Type type, std::int64_t initial) {
+        return chart.variables.add({std::move(name), kind, type, initial, {}});
+    }
+
+    void variables() {
+        for (std::int64_t k = number(1, 4); k > 0; --k)
+            inputs.push_back(variable("in" + std::to_string(k), VariableKind::Input, {}, 0));
+        if (often(40)) numbers.push_back(variable("level", VariableKind::Input, integer_type(0, 3), 0));
+        for (std::int64_t k = number(0, 4); k > 0; --k)
+            continuous.push_back(variable("OUT" + std::to_string(k), VariableKind::Output, {}, 0));
+        if (often(50)) stored_bools.push_back(variable("LOCK", VariableKind::Output, {}, 0));
+        if (often(30)) stored_ints.push_back(variable("SPEED", VariableKind::Output, integer_type(0, 3), 0));
+        if (often(50)) stored_bools.push_back(variable("armed", VariableKind::Internal, {}, number(0, 1)));
+        for (std::int64_t k = number(0, 2); k > 0; --k)
+            stored_ints.push_back(
+                variable("count" + std::to_string(k), VariableKind::Internal, integer_type(-2, 5), number(-2, 5)));
+        numbers.insert(numbers.end(), stored_ints.begin(), stored_ints.end());
+    }
+
+    void steps() {
+        const std::int64_t partials = often(60) ? 1 : number(2, 3);
+        for (std::int64_t p = 0; p < partials; ++p) {
+            const std::string name = p == 0 ? "" : "G" + std::to_string(p);
+            const auto partial = chart.partial_charts.add({name, Chart::PartialKind::Plain, {}, {}});
+            const std::int64_t count = number(1, 5);
+            const std::int64_t initial = often(90) ? number(0, count - 1) : -1;
+            for (std::int64_t s = 0; s < count; ++s) {
+                Chart::Step step;
+                // A step of the unnamed chart cannot be named where another one hides it.
+                step.name = std::to_string(p == 0 || often(80) ? 10 * p + s : 100 + s);
+                step.initial = s == initial || often(10);
+                step.chart = partial;
+                chart.steps.add(step);
+            }
+        }
+        make_names_unique();
+    }
+
+    /// Within a partial chart; different partial charts may share names.
+    void make_names_unique() {
+        for (const Id<Chart::Step> id : chart.steps.ids())
+            for (const Id<Chart::Step> other : chart.steps.ids())
+                if (other < id && chart.steps[other].chart == chart.steps[id].chart &&
+                    chart.steps[other].name == chart.steps[id].name)
+                    chart.steps[id].name += "x" + std::to_string(id.index);
+    }
+
+    std::vector<Id<Chart::Step>> steps_of(Id<Chart::PartialChart> partial) const {
+        std::vector<Id<Chart::Step>> result;
+        for (const Id<Chart::Step> id : chart.steps.ids())
+            if (chart.steps[id].chart == partial) result.push_back(id);
+        return result;
+    }
+
+    Id<Expr> comparison(std::size_t outputs) {
+        static constexpr std::array relations{Op::Equal,     Op::NotEqual, Op::Less,
+                                              Op::LessEqual, Op::Greater,  Op::GreaterEqual};
+        if (numbers.empty() || often(15))
+            return chart.exprs.apply(often(50) ? Op::Equal : Op::NotEqual, condition(1, outputs, false),
+                                     condition(1, outputs, false));
+        return chart.exprs.apply(relations[static_cast<std::size_t>(number(0, 5))], value(1), value(0));
+    }
+
+    /// A Boolean term that reads the first `outputs` continuous outputs at most, and time only where `timed`.
+    Id<Expr> condition(int depth, std::size_t outputs, bool timed) {
+        Exprs& exprs = chart.exprs;
+        if (depth > 0 && often(60)) {
+            const std::int64_t kind = number(0, 9);
+            if (kind == 0) return comparison(outputs);
+            const Id<Expr> left = condition(depth - 1, outputs, timed);
+            if (kind <= 3) return exprs.negation(left);
+            const Id<Expr> right = condition(depth - 1, outputs, timed);
+            return kind <= 6 ? exprs.conjunction(left, right) : exprs.disjunction(left, right);
+        }
+        const std::int64_t kind = number(0, 99);
+        if (kind < 15) return exprs.leaf(Op::Step, pick_step().index);
+        if (kind < 25 && outputs > 0)
+            return exprs.leaf(
+                Op::Variable,
+                continuous[static_cast<std::size_t>(number(0, static_cast<std::int64_t>(outputs) - 1))].index);
+        if (kind < 35 && !stored_bools.empty()) return exprs.leaf(Op::Variable, pick(stored_bools).index);
+        if (kind < 45 && !numbers.empty()) return comparison(outputs);
+        if (kind < 60 && timed) return time_condition();
+        if (kind < 65) return exprs.constant(true);
+        return exprs.leaf(Op::Variable, pick(inputs).index);
+    }
+
+    Id<Chart::Step> pick_step() {
+        return Id<Chart::Step>{
+            static_cast<std::uint32_t>(number(0, static_cast<std::int64_t>(chart.steps.size()) - 1))};
+    }
+
+    Id<Expr> time_condition() {
+        const std::int64_t duration = pick(std::vector<std::int64_t>{500, 1000, 3000});
+        const Id<Expr> watched = chart.exprs.leaf(Op::Step, pick_step().index);
+        for (const auto id : chart.time_conditions.ids())
+            if (chart.time_conditions[id].watched == watched && chart.time_conditions[id].rise_ms == duration)
+                return chart.exprs.leaf(Op::Timed, id.index);
+        return chart.exprs.leaf(Op::Timed, chart.time_conditions.add({duration, watched, 0, {}}).index);
+    }
+
+    /// An integer term.
+    Id<Expr> value(int depth) {
+        Exprs& exprs = chart.exprs;
+        if (depth > 0 && often(50)) {
+            const std::int64_t kind = number(0, 6);
+            if (kind == 0) return exprs.apply(Op::Negate, std::array{value(depth - 1)});
+            if (kind == 1) return exprs.apply(Op::Divide, value(depth - 1), exprs.integer(2));
+            if (kind == 2) return exprs.apply(Op::Modulo, value(depth - 1), exprs.integer(3));
+            if (kind == 3) return exprs.apply(Op::Times, value(depth - 1), value(0));
+            return exprs.apply(kind == 4 ? Op::Minus : Op::Plus, value(depth - 1), value(0));
+        }
+        if (numbers.empty() || often(40)) return exprs.integer(number(0, 3));
+        return exprs.leaf(Op::Variable, pick(numbers).index);
+    }
+
+    std::vector<Id<Chart::Step>> some(const std::vector<Id<Chart::Step>>& steps) {
+        std::vector<Id<Chart::Step>> result;
+        const std::int64_t kind = number(0, 99);
+        for (std::int64_t k = kind < 6 ? 0 : kind < 70 ? 1 : kind < 92 ? 2 : 3; k > 0; --k) {
+            const Id<Chart::Step> step = pick(steps);
+            if (std::ranges::find(result, step) == result.end()) result.push_back(step);
+        }
+        return result;
+    }
+
+    void transition(Id<Chart::PartialChart> partial, std::vector<Id<Chart::Step>> from,
+                    std::vector<Id<Chart::Step>> to) {
+        if (from.empty() && to.empty()) return;
+        const Id<Expr> when = condition(2, continuous.size(), true);
+        const std::string name = "t" + std::to_string(chart.transitions.size());
+        chart.transitions.add({name, std::move(from), std::move(to), when, partial, {}});
+    }
+
+    void transitions() {
+        for (const Id<Chart::PartialChart> partial : chart.partial_charts.ids()) {
+            const std::vector<Id<Chart::Step>> all = steps_of(partial);
+            for (std::size_t k = 0; k < all.size(); ++k)
+                if (often(85)) transition(partial, {all[k]}, {all[(k + 1) % all.size()]});
+            for (std::int64_t k = number(0, 3); k > 0; --k) transition(partial, some(all), some(all));
+        }
+    }
+
+    void actions() {
+        for (std::size_t k = 0; k < continuous.size(); ++k)
+            for (std::int64_t count = number(0, 3); count > 0; --count)
+                chart.continuous.add({pick_step(), continuous[k],
+                                      often(50) ? chart.exprs.constant(true) : condition(2, k, false), 0, 0, {}});
+        for (const Id<Chart::Variable> target : stored_bools)
+            for (std::int64_t count = number(0, 3); count > 0; --count)
+                store(target, often(60) ? chart.exprs.constant(often(50)) : condition(2, continuous.size(), false));
+        for (const Id<Chart::Variable> target : stored_ints)
+            for (std::int64_t count = number(0, 3); count > 0; --count) store(target, stored_number(target));
+    }
+
+    /// As a reader finds them: by step.
+    void sort_actions() {
+        std::ranges::stable_sort(chart.continuous, {}, &Chart::ContinuousAction::step);
+        std::ranges::stable_sort(chart.stored, {}, &Chart::StoredAction::step);
+    }
+
+    Id<Expr> stored_number(Id<Chart::Variable> target) {
+        Exprs& exprs = chart.exprs;
+        const std::int64_t kind = number(0, 9);
+        if (kind < 4) return exprs.integer(number(0, 3));
+        if (kind < 6) return exprs.apply(Op::Plus, exprs.leaf(Op::Variable, target.index), exprs.integer(1));
+        if (kind == 6) return exprs.apply(Op::Modulo, value(2), exprs.leaf(Op::Variable, pick(numbers).index));
+        return value(2);
+    }
+
+    void store(Id<Chart::Variable> target, Id<Expr> stored) {
+        const Type type = chart.variables[target].type;
+        if (chart.exprs[stored].op == Op::Integer)
+            stored = chart.exprs.integer(std::clamp(chart.exprs[stored].value, type.low, type.high));
+        const auto on = often(60) ? Chart::StoredOn::Activation : Chart::StoredOn::Deactivation;
+        chart.stored.add({on, pick_step(), {}, target, stored, {}, {}});
+    }
+};
+
+}  // namespace
+
+Chart random_chart(Random& random) {
+    Generator generator{random};
+    generator.chart.name = "law";
+    generator.variables();
+    generator.steps();
+    generator.transitions();
+    generator.actions();
+    generator.sort_actions();
+    return tidied(generator.chart);
+}
+
+}  // namespace grafverif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Random well-formed networks of everything that the IR can say, for laws on emitters and engines: templates with
+// parameters of all kinds and several processes each, clocks with constant bounds and bounds by parameter, urgent and
+// timed edges, procedures, scratch variables, ranged integers, properties with locations. They mean nothing.
+#pragma once
+
+#include "grafverif/ir/network.hpp"
+#include "support/random_chart.hpp"
+
+namespace grafverif {
+
+Network random_network(Random& random);
+
+}  // namespace grafverif

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "support/run_equations.hpp"
+
+#include <set>
+
+namespace grafverif {
+
+namespace {
+
+using Variable = Equations::Variable;
+
+struct Runner {
+    const Equations& equations;
+    std::span<const std::int64_t> inputs;
+    EquationsCycle result;
+
+    /// The term over `values`; 0 and `no_value` where it has none.
+    std::int64_t value(Id<Expr> term, const std::vector<std::int64_t>& values) {
+        const auto found = evaluate(equations.exprs, term,
+                                    [&](const Expr& leaf) { return values[static_cast<std::size_t>(leaf.value)]; });
+        result.no_value = result.no_value || !found;
+        return found.value_or(0);
+    }
+
+    /// Values before the cycle: inputs and timer ends as they are now.
+    std::vector<std::int64_t> before() const {
+        std::vector<std::int64_t> values = result.state.values;
+        for (const Id<Variable> id : equations.variables.ids())
+            if (equations.variables[id].role == Equations::Role::Input) values[id.index] = inputs[id.index];
+        for (std::size_t k = 0; k < equations.timers.size(); ++k)
+            values[equations.timers[k].end.index] = result.state.ages[k] >= equations.timers[k].duration_ms;
+        return values;
+    }
+
+    void store(const Equations::Stored& stored, std::int64_t next) {
+        const Type type = equations.variables[stored.variable].type;
+        if (next < type.low || next > type.high) result.out_of_range = true;
+        result.state.values[stored.variable.index] = next;
+    }
+
+    void start() {
+        const std::vector<std::int64_t> old = before();
+        result.fired.emplace_back();
+        for (const Equations::Stored& stored : equations.stored) {
+            if (value(stored.first_race, old) != 0) result.race = true;
+            store(stored, value(stored.first, old));
+        }
+        result.state.started = true;
+        result.stable = false;
+    }
+
+    void evolve() {
+        std::vector<std::int64_t> old = before();
+        result.fired.emplace_back();
+        for (std::size_t k = 0; k < equations.firings.size(); ++k) {
+            const std::int64_t fires = value(equations.firings[k].condition, old);
+            old[equations.firings[k].variable.index] = fires;
+            if (fires != 0) result.fired.back().push_back(k);
+        }
+        if (result.no_value) return;
+        for (const Equations::StepActivity& step : equations.steps) {
+            result.state.values[step.variable.index] = value(step.next, old);
+            const bool activated = value(step.activated, old) != 0;
+            const bool deactivated = value(step.deactivated, old) != 0;
+            for (std::size_t k = 0; k < equations.timers.size(); ++k) {
+                if (equations.timers[k].step != step.variable) continue;
+                if (activated) result.state.ages[k] = 0;
+                if (deactivated) result.state.ages[k] = -1;
+            }
+        }
+        for (const Equations::Stored& stored : equations.stored) {
+            if (value(stored.race, old) != 0) result.race = true;
+            store(stored, value(stored.next, old));
+        }
+        result.stable = value(equations.stable, old) != 0;
+    }
+
+    void write() {
+        const std::vector<std::int64_t> after = before();
+        for (const Equations::Output& output : equations.outputs)
+            result.state.values[output.variable.index] = result.state.outputs[output.variable.index] =
+                value(output.value, after);
+        for (const Equations::Stored& stored : equations.stored)
+            if (equations.variables[stored.variable].role == Equations::Role::Output)
+                result.state.outputs[stored.variable.index] = after[stored.variable.index];
+    }
+};
+
+}  // namespace
+
+EquationsState power_on(const Equations& equations) {
+    EquationsState state;
+    for (const Variable& variable : equations.variables) state.values.push_back(variable.initial);
+    for (const Equations::Timer& timer : equations.timers)
+        state.ages.push_back(equations.variables[timer.step].initial != 0 ? 0 : -1);
+    state.outputs = state.values;
+    return state;
+}
+
+EquationsCycle cycle(const Equations& equations, const EquationsState& state, std::span<const std::int64_t> inputs,
+                     ExecutionMode mode) {
+    Runner runner{equations, inputs, {}};
+    EquationsCycle& result = runner.result;
+    result.state = state;
+    std::set<EquationsState> seen;
+    while (true) {
+        if (result.state.started) runner.evolve();
+        else runner.start();
+        if (result.no_value || result.race || result.out_of_range) return result;
+        if (mode == ExecutionMode::EveryCycle || result.stable) break;
+        result.endless = !seen.insert(result.state).second;
+        if (result.endless) return result;
+    }
+    runner.write();
+    return result;
+}
+
+EquationsState pass_time(EquationsState state, std::int64_t milliseconds) {
+    for (std::int64_t& age : state.ages)
+        if (age >= 0) age += milliseconds;
+    return state;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "support/run_transition_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <optional>
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using System = TransitionSystem;
+
+/// Where a symbol lives: in main, or in the instance of this index.
+struct Site {
+    std::optional<std::size_t> instance = {};
+    Id<System::Symbol> symbol = {};
+};
+
+const System::Module& module_at(const System& system, std::optional<std::size_t> instance) {
+    if (!instance) return system.modules[system.main];
+    return system.modules[system.instances[{static_cast<std::uint32_t>(*instance)}].module];
+}
+
+/// The state symbol or definition that `place` names after all parameters and members are followed.
+Site resolved(const System& system, Site place) {
+    const System::Symbol& symbol = module_at(system, place.instance).symbols[place.symbol];
+    if (std::holds_alternative<System::ParameterSymbol>(symbol.kind)) {
+        const System::Instance& instance = system.instances[{static_cast<std::uint32_t>(*place.instance)}];
+        return resolved(system, {{}, instance.arguments[place.symbol.index]});
+    }
+    if (const auto* member = std::get_if<System::MemberSymbol>(&symbol.kind))
+        return resolved(system, {member->instance.index, member->symbol});
+    return place;
+}
+
+std::string path_of(const System& system, Site place) {
+    const std::string& own = module_at(system, place.instance).symbols[place.symbol].name;
+    if (!place.instance) return own;
+    return system.instances[{static_cast<std::uint32_t>(*place.instance)}].name + "." + own;
+}
+
+/// Values of state symbols at hand; asks `missing` for those that are not there yet.
+struct Evaluator {
+    const System& system;
+    std::function<std::int64_t(Site)> state;
+
+    std::int64_t at(Site place) const {
+        place = resolved(system, place);
+        const System::Symbol& symbol = module_at(system, place.instance).symbols[place.symbol];
+        if (const auto* define = std::get_if<System::DefineSymbol>(&symbol.kind)) return term(define->value, place.instance);
+        return state(place);
+    }
+
+    std::int64_t term(Id<Expr> root, std::optional<std::size_t> instance) const {
+        const auto found = evaluate(system.exprs, root, [&](const Expr& leaf) {
+            return at({instance, {static_cast<std::uint32_t>(leaf.value)}});
+        });
+        EXPECT_TRUE(found.has_value()) << "a term of " << module_at(system, instance).name << " has no value";
+        return found.value_or(0);
+    }
+};
+
+std::int64_t& slot(SystemState& state, Site place) {
+    return place.instance ? state.instances[*place.instance][place.symbol.index] : state.main[place.symbol.index];
+}
+
+Evaluator in_state(const System& system, const SystemState& state) {
+    return {system, [&state](Site place) {
+        return place.instance ? state.instances[*place.instance][place.symbol.index] : state.main[place.symbol.index];
+    }};
+}
+
+template <class Visit>
+void each_state_symbol(const System& system, const Visit& visit) {
+    const auto each = [&](std::optional<std::size_t> instance) {
+        const System::Module& module = module_at(system, instance);
+        for (const Id<System::Symbol> id : module.symbols.ids())
+            if (const auto* state = std::get_if<System::StateSymbol>(&module.symbols[id].kind))
+                visit(Site{instance, id}, module.symbols[id], *state);
+    };
+    each({});
+    for (std::size_t i = 0; i < system.instances.size(); ++i) each(i);
+}
+
+SystemState blank(const System& system) {
+    SystemState state;
+    state.main.resize(module_at(system, {}).symbols.size());
+    for (std::size_t i = 0; i < system.instances.size(); ++i)
+        state.instances.emplace_back(module_at(system, i).symbols.size());
+    return state;
+}
+
+void expect_in_range(const System::Symbol& symbol, std::int64_t value) {
+    EXPECT_LE(symbol.type.low, value) << symbol.name;
+    EXPECT_GE(symbol.type.high, value) << symbol.name;
+}
+
+std::optional<Site> site_of(const System& system, std::string_view path) {
+    const std::size_t dot = path.find('.');
+    std::optional<std::size_t> instance;
+    if (dot != std::string_view::npos) {
+        for (std::size_t i = 0; i < system.instances.size(); ++i)
+            if (system.instances[{static_cast<std::uint32_t>(i)}].name == path.substr(0, dot)) instance = i;
+        if (!instance) return {};
+        path.remove_prefix(dot + 1);
+    }
+    const System::Module& module = module_at(system, instance);
+    for (const Id<System::Symbol> id : module.symbols.ids())
+        if (module.symbols[id].name == path) return Site{instance, id};
+    return {};
+}
+
+}  // namespace
+
+SystemState first_state(const System& system, const Choose& choose) {
+    SystemState state = blank(system), known = blank(system);
+    std::function<std::int64_t(Site)> initial;
+    const Evaluator evaluator{system, [&](Site place) { return initial(place); }};
+    initial = [&](Site place) {
+        if (slot(known, place) != 0) return slot(state, place);
+        const System::Symbol& symbol = module_at(system, place.instance).symbols[place.symbol];
+        const auto& kind = std::get<System::StateSymbol>(symbol.kind);
+        const std::int64_t value = kind.initial ? evaluator.term(*kind.initial, place.instance)
+                                                : choose(path_of(system, place), symbol.type);
+        expect_in_range(symbol, value);
+        slot(known, place) = 1;
+        return slot(state, place) = value;
+    };
+    each_state_symbol(system, [&](Site place, const System::Symbol&, const System::StateSymbol&) { initial(place); });
+    return state;
+}
+
+SystemState next_state(const System& system, const SystemState& state, const Choose& choose) {
+    SystemState next = blank(system);
+    const Evaluator evaluator = in_state(system, state);
+    each_state_symbol(system, [&](Site place, const System::Symbol& symbol, const System::StateSymbol& kind) {
+        const std::int64_t value = kind.next ? evaluator.term(*kind.next, place.instance)
+                                             : choose(path_of(system, place), symbol.type);
+        expect_in_range(symbol, value);
+        slot(next, place) = value;
+    });
+    return next;
+}
+
+std::int64_t value_of(const System& system, const SystemState& state, Id<Expr> term) {
+    return in_state(system, state).term(term, {});
+}
+
+std::int64_t value_of(const System& system, const SystemState& state, std::string_view path) {
+    const auto site = site_of(system, path);
+    if (!site) {
+        ADD_FAILURE() << "no symbol " << path;
+        return 0;
+    }
+    return in_state(system, state).at(*site);
+}
+
+void set_value(const System& system, SystemState& state, std::string_view path, std::int64_t value) {
+    const auto site = site_of(system, path);
+    ASSERT_TRUE(site) << "no symbol " << path;
+    slot(state, *site) = value;
+}
+
+bool has_symbol(const System& system, std::string_view path) { return site_of(system, path).has_value(); }
+
+}  // namespace grafverif

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// Shrinking: rebuild the chart without one element or with one condition replaced by an operand of it, keep what still
+// fails, until a whole round changes nothing.
+#include <array>
+#include <ostream>
+#include <sstream>
+
+#include "grafverif/syntax/dialect.hpp"
+#include "support/random_chart.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// What the copy leaves out, and the conditions that it replaces (terms of the original).
+struct Cut {
+    std::vector<bool> steps = {}, transitions = {}, continuous = {}, stored = {};
+    std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {};
+};
+
+Cut no_cut(const Chart& chart) {
+    Cut cut{std::vector<bool>(chart.steps.size()), std::vector<bool>(chart.transitions.size()),
+            std::vector<bool>(chart.continuous.size()), std::vector<bool>(chart.stored.size()), {}, {}, {}};
+    for (const Chart::Transition& transition : chart.transitions) cut.conditions.push_back(transition.condition);
+    for (const Chart::ContinuousAction& action : chart.continuous) cut.assignations.push_back(action.condition);
+    for (const Chart::StoredAction& action : chart.stored) cut.values.push_back(action.value);
+    return cut;
+}
+
+struct Copy {
+    const Chart& from;
+    const Cut& cut;
+    Chart to = {};
+    std::vector<Id<Chart::Step>> steps = {};
+
+    Id<Expr> term(Id<Expr> root) {
+        return translate(from.exprs, root, to.exprs, [&](const Expr& leaf) {
+            const auto index = static_cast<std::uint32_t>(leaf.value);
+            if (leaf.op == Op::Variable) return to.exprs.leaf(Op::Variable, index);
+            if (leaf.op == Op::Step) return step_leaf(index);
+            Chart::TimeCondition timed = from.time_conditions[Id<Chart::TimeCondition>{index}];
+            timed.watched = step_leaf(static_cast<std::uint32_t>(from.exprs[timed.watched].value));
+            if (is_false(to.exprs, timed.watched)) return timed.watched;
+            for (const auto id : to.time_conditions.ids())
+                if (to.time_conditions[id] == timed) return to.exprs.leaf(Op::Timed, id.index);
+            return to.exprs.leaf(Op::Timed, to.time_conditions.add(timed).index);
+        });
+    }
+
+    Id<Expr> step_leaf(std::uint32_t index) {
+        return steps[index].valid() ? to.exprs.leaf(Op::Step, steps[index].index) : to.exprs.constant(false);
+    }
+
+    std::vector<Id<Chart::Step>> kept(const std::vector<Id<Chart::Step>>& old) const {
+        std::vector<Id<Chart::Step>> result;
+        for (const Id<Chart::Step> step : old)
+            if (steps[step.index].valid()) result.push_back(steps[step.index]);
+        return result;
+    }
+
+    void run() {
+        to.name = from.name;
+        to.variables = from.variables;
+        to.partial_charts = from.partial_charts;
+        for (const Id<Chart::Step> id : from.steps.ids())
+            steps.push_back(cut.steps[id.index] ? Id<Chart::Step>{} : to.steps.add(from.steps[id]));
+        for (const Id<Chart::Transition> id : from.transitions.ids()) {
+            Chart::Transition transition = from.transitions[id];
+            transition.from = kept(transition.from);
+            transition.to = kept(transition.to);
+            if (cut.transitions[id.index] || (transition.from.empty() && transition.to.empty())) continue;
+            transition.condition = term(cut.conditions[id.index]);
+            to.transitions.add(transition);
+        }
+        for (const auto id : from.continuous.ids()) {
+            Chart::ContinuousAction action = from.continuous[id];
+            if (cut.continuous[id.index] || !steps[action.step.index].valid()) continue;
+            action.step = steps[action.step.index];
+            action.condition = term(cut.assignations[id.index]);
+            to.continuous.add(action);
+        }
+        for (const auto id : from.stored.ids()) {
+            Chart::StoredAction action = from.stored[id];
+            if (cut.stored[id.index] || !steps[action.step.index].valid()) continue;
+            action.step = steps[action.step.index];
+            action.value = term(cut.values[id.index]);
+            to.stored.add(action);
+        }
+    }
+};
+
+Chart without(const Chart& chart, const Cut& cut) {
+    Copy copy{chart, cut};
+    copy.run();
+    return std::move(copy.to);
+}
+
+/// Each cut that takes one element away.
+std::vector<Cut> element_cuts(const Chart& chart) {
+    std::vector<Cut> cuts;
+    const Cut none = no_cut(chart);
+    const auto drop = [&](auto member) {
+        for (std::size_t k = 0; k < (none.*member).size(); ++k) {
+            cuts.push_back(none);
+            (cuts.back().*member)[k] = true;
+        }
+    };
+    drop(&Cut::steps);
+    drop(&Cut::transitions);
+    drop(&Cut::continuous);
+    drop(&Cut::stored);
+    return cuts;
+}
+
+/// Each cut that replaces one condition or value by one of its operands of the same type.
+std::vector<Cut> term_cuts(const Chart& chart) {
+    std::vector<Cut> cuts;
+    const Cut none = no_cut(chart);
+    const auto replace = [&](auto member) {
+        for (std::size_t k = 0; k < (none.*member).size(); ++k) {
+            const Op op = chart.exprs[(none.*member)[k]].op;
+            if (op != Op::Not && op != Op::And && op != Op::Or && !is_arithmetic(op)) continue;
+            for (const Id<Expr> operand : chart.exprs.operands((none.*member)[k])) {
+                cuts.push_back(none);
+                (cuts.back().*member)[k] = operand;
+            }
+        }
+    };
+    replace(&Cut::conditions);
+    replace(&Cut::assignations);
+    replace(&Cut::values);
+    return cuts;
+}
+
+}  // namespace
+
+Chart tidied(const Chart& chart) { return without(chart, no_cut(chart)); }
+
+Chart shrunk(Chart chart, const std::function<bool(const Chart&)>& fails) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const auto cuts : {element_cuts, term_cuts})
+            for (const Cut& cut : cuts(chart)) {
+                Chart smaller = without(chart, cut);
+                if (!fails(smaller)) continue;
+                chart = std::move(smaller);
+                changed = true;
+                break;
+            }
+    }
+    return chart;
+}
+
+namespace {
+
+std::string qualified(const Chart& chart, Id<Chart::Step> step, const std::string& prefix) {
+    const std::string& partial = chart.partial_charts[chart.steps[step].chart].name;
+    return (partial.empty() ? "" : partial + ".") + prefix + chart.steps[step].name;
+}
+
+struct Text {
+    std::ostream& out;
+    const Chart& chart;
+
+    std::string term(Id<Expr> root) const {
+        return expr_text(chart.exprs, root, chart_spelling, [this](std::ostream& stream, const Expr& leaf) {
+            const auto index = static_cast<std::uint32_t>(leaf.value);
+            if (leaf.op == Op::Variable) {
+                stream << chart.variables[Id<Chart::Variable>{index}].name;
+                return;
+            }
+            if (leaf.op == Op::Step) {
+                stream << qualified(chart, Id<Chart::Step>{index}, "X");
+                return;
+            }
+            const Chart::TimeCondition& timed = chart.time_conditions[Id<Chart::TimeCondition>{index}];
+            stream << duration_text(timed.rise_ms) << '/' << term(timed.watched);
+        });
+    }
+
+    void names(const std::vector<Id<Chart::Step>>& steps) const {
+        for (std::size_t k = 0; k < steps.size(); ++k) out << (k > 0 ? ", " : "") << chart.steps[steps[k]].name;
+    }
+
+    void variables() const {
+        static constexpr std::array kinds{"input ", "output ", "internal "};
+        for (const Chart::Variable& variable : chart.variables) {
+            out << "    " << kinds[static_cast<std::size_t>(variable.kind)] << variable.name;
+            if (!variable.type.boolean) out << ": int " << variable.type.low << ".." << variable.type.high;
+            if (variable.kind == Chart::VariableKind::Internal)
+                out << " = "
+                    << (!variable.type.boolean  ? std::to_string(variable.initial)
+                        : variable.initial != 0 ? "true"
+                                                : "false");
+            out << ";\n";
+        }
+    }
+
+    void step(Id<Chart::Step> id) const {
+        out << "    " << (chart.steps[id].initial ? "initial " : "") << "step " << chart.steps[id].name << " {";
+        for (const Chart::ContinuousAction& action : chart.continuous)
+            if (action.step == id) {
+                out << ' ' << chart.variables[action.output].name;
+                if (!is_true(chart.exprs, action.condition)) out << " if " << term(action.condition);
+                out << ';';
+            }
+        for (const Chart::StoredAction& action : chart.stored)
+            if (action.step == id)
+                out << ' ' << chart.variables[action.target].name << " := " << term(action.value) << " on "
+                    << (action.on == Chart::StoredOn::Activation ? "activation;" : "deactivation;");
+        out << " }\n";
+    }
+
+    void partial(Id<Chart::PartialChart> partial) const {
+        const std::string& name = chart.partial_charts[partial].name;
+        if (!name.empty()) out << "    partial " << name << " {\n";
+        for (const Id<Chart::Step> id : chart.steps.ids())
+            if (chart.steps[id].chart == partial) step(id);
+        for (const Chart::Transition& transition : chart.transitions) {
+            if (transition.chart != partial) continue;
+            out << "    transition " << transition.name << ": ";
+            names(transition.from);
+            out << " -> ";
+            names(transition.to);
+            out << " when " << term(transition.condition) << ";\n";
+        }
+        if (!name.empty()) out << "    }\n";
+    }
+};
+
+}  // namespace
+
+std::string chart_text(const Chart& chart) {
+    std::ostringstream out;
+    const Text text{out, chart};
+    out << "grafcet " << chart.name << " {\n";
+    text.variables();
+    for (const Id<Chart::PartialChart> partial : chart.partial_charts.ids()) text.partial(partial);
+    out << "}\n";
+    return out.str();
+}
+
+}  // namespace grafverif

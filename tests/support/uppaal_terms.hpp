@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Tokens and terms of the part of UPPAAL's language that our emitter writes, for the reader of tests. Faults throw
+// std::runtime_error: a test that meets one has failed.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grafverif/ir/expr.hpp"
+
+namespace grafverif::test {
+
+struct Token {
+    enum class Kind { Name, Number, Symbol, Comment, End };
+    Kind kind = Kind::End;
+    std::string text = {};
+};
+
+/// The tokens of `text`; a comment to the end of its line is one, without its slashes.
+std::vector<Token> tokens(std::string_view text);
+
+/// Reads tokens one after the other.
+class Cursor {
+public:
+    explicit Cursor(std::string_view text) : tokens_(tokens(text)) {}
+
+    const Token& peek(std::size_t ahead = 0) const;
+    bool at_end() const { return peek().kind == Token::Kind::End; }
+    bool at(std::string_view text) const { return peek().text == text && peek().kind != Token::Kind::Comment; }
+    bool accept(std::string_view text);
+    void expect(std::string_view text);
+    Token take();
+    std::string name();
+    std::int64_t number();   ///< with an optional minus
+
+    std::size_t mark() const { return next_; }
+    void back_to(std::size_t mark) { next_ = mark; }
+
+private:
+    std::vector<Token> tokens_;
+    std::size_t next_ = 0;
+};
+
+/// Terms over the names that `name` knows; `member` knows `process.location`, `function` what a call without
+/// arguments stands for.
+struct TermReader {
+    Exprs& exprs;
+    std::function<Id<Expr>(const std::string&)> name = {};
+    std::function<Id<Expr>(const std::string&, const std::string&)> member = {};
+    std::function<Id<Expr>(const std::string&)> function = {};
+
+    Id<Expr> term(Cursor& cursor) const;       ///< with `? :`
+    Id<Expr> conjunct(Cursor& cursor) const;   ///< binds tighter than `&&`
+    Id<Expr> primary(Cursor& cursor) const;    ///< a name, a number, a call, brackets; with prefixes
+    Id<Expr> sum(Cursor& cursor) const;
+
+private:
+    Id<Expr> disjunction(Cursor& cursor) const;
+    Id<Expr> conjunction(Cursor& cursor) const;
+    Id<Expr> product(Cursor& cursor) const;
+};
+
+}  // namespace grafverif::test

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "grafverif/syntax/dialect.hpp"
+#include "support/play.hpp"
+#include "support/run_equations.hpp"
+
+namespace grafverif {
+namespace {
+
+std::string text(const Equations& equations, Id<Expr> term) {
+    return expr_text(equations.exprs, term, plain_spelling, [&](std::ostream& out, const Expr& leaf) {
+        out << equations.variables[Id<Equations::Variable>{static_cast<std::uint32_t>(leaf.value)}].name;
+    });
+}
+
+std::string output(const Equations& equations, std::string_view name) {
+    for (const Equations::Output& one : equations.outputs)
+        if (equations.variables[one.variable].name == name) return text(equations, one.value);
+    return "no equation";
+}
+
+std::string firing(const Equations& equations, std::size_t k) {
+    return text(equations, equations.firings[k].condition);
+}
+
+std::vector<std::string> names(const Equations& equations) {
+    std::vector<std::string> result;
+    for (const Equations::Variable& variable : equations.variables) result.push_back(variable.name);
+    return result;
+}
+
+TEST(Derive, NamesVariablesAfterStepsTransitionsAndTimers) {
+    const Equations e = equations("input a; output O; initial step 1; step 2; transition T0: 1 -> 2 when 3s/X1;"
+                                  "partial G { initial step 1; step 7; transition t9: 1 -> 7 when 250ms/X1; }");
+    EXPECT_EQ(names(e), (std::vector<std::string>{"a", "O", "X_1", "X_2", "X_G_1", "X_G_7", "CF_T0", "CF_t9",
+                                                  "T_X1_3s_Q", "T_G_X1_250ms_Q"}));
+    EXPECT_EQ(e.timers[0].name, "T_X1_3s");
+    EXPECT_EQ(e.timers[1].name, "T_G_X1_250ms");
+    EXPECT_EQ(e.steps[3].step, "G.7");
+}
+
+TEST(Derive, GivesATakenNameANumber) {
+    const Equations e = equations(
+        "input CF_t0, T_X1_3s; initial step 1; step 2; transition t0: 1 -> 2 when 3s/X1 && CF_t0 && T_X1_3s;");
+    EXPECT_EQ(names(e), (std::vector<std::string>{"CF_t0", "T_X1_3s", "X_1", "X_2", "CF_t0_2", "T_X1_3s_2_Q"}));
+    EXPECT_EQ(e.timers[0].name, "T_X1_3s_2");
+}
+
+TEST(Derive, MakesOneTimerPerStepAndDuration) {
+    const Equations e = equations(
+        "initial step 1; step 2; step 3; transition t0: 1 -> 2 when 3s/X1; transition t1: 1 -> 3 when 3000ms/X1;"
+        "transition t2: 2 -> 3 when 3s/X1 || 4s/X1;");
+    ASSERT_EQ(e.timers.size(), 2U);
+    EXPECT_EQ(firing(e, 1), "X_1 and T_X1_3s_Q");
+    EXPECT_EQ(e.timers[1].duration_ms, 4000);
+}
+
+TEST(Derive, MakesNoTimerThatNobodyWaitsFor) {
+    const Equations e = equations("initial step 1; step 2; transition t0: 1 -> 2 when 3s/X1 || true;");
+    EXPECT_TRUE(e.timers.empty());
+    EXPECT_EQ(firing(e, 0), "X_1");
+}
+
+TEST(Derive, FollowsEquationElevenForEveryKindOfTransition) {
+    const Equations e = equations("input a; initial step 1; initial step 2; step 3; transition join: 1, 2 -> 3 when a;"
+                                  "transition src: -> 1 when a; transition sink: 3 -> when true;");
+    EXPECT_EQ(firing(e, 0), "X_1 and X_2 and a");
+    EXPECT_EQ(firing(e, 1), "a");
+    EXPECT_EQ(firing(e, 2), "X_3");
+}
+
+TEST(Derive, FollowsEquationTwelveForEveryKindOfStep) {
+    const Equations e = equations(
+        "input a; initial step 1; step 2; step 3; transition t0: 1 -> 2 when a; transition t1: 1 -> 2, 3 when !a;"
+        "transition t2: 2 -> 2 when a;");
+    EXPECT_EQ(text(e, e.steps[0].next), "X_1 and not (CF_t0 or CF_t1)");
+    EXPECT_EQ(text(e, e.steps[1].next), "CF_t0 or CF_t1 or CF_t2 or (X_2 and not CF_t2)");
+    EXPECT_EQ(text(e, e.steps[2].next), "CF_t1 or X_3");
+    EXPECT_EQ(text(e, e.steps[0].activated), "false");
+    EXPECT_EQ(text(e, e.steps[1].activated), "(CF_t0 or CF_t1 or CF_t2) and not X_2");
+    EXPECT_EQ(text(e, e.steps[1].deactivated), "X_2 and CF_t2 and not (CF_t0 or CF_t1 or CF_t2)");
+    EXPECT_EQ(text(e, e.stable), "not (CF_t0 or CF_t1 or CF_t2)");
+}
+
+TEST(Derive, FollowsEquationThirteenForEveryOutput) {
+    const Equations e = equations(
+        "input a, b; output O, P, UNUSED; initial step 1 { O; P if a && b; } step 2 { O if a; O if b; }"
+        "transition t0: 1 -> 2 when a;");
+    EXPECT_EQ(output(e, "O"), "X_1 or (X_2 and a) or (X_2 and b)");
+    EXPECT_EQ(output(e, "P"), "X_1 and a and b");
+    EXPECT_EQ(output(e, "UNUSED"), "false");
+}
+
+TEST(Derive, ReplacesAnOutputReadInAConditionByItsEquation) {
+    const Equations e = equations("input a; output O, P; initial step 1 { P if O || a; } step 2 { O if a; }"
+                                  "transition t0: 1 -> 2 when !O; transition t1: 2 -> 1 when P;");
+    EXPECT_EQ(output(e, "P"), "X_1 and ((X_2 and a) or a)");
+    EXPECT_EQ(firing(e, 0), "X_1 and not (X_2 and a)");
+    EXPECT_EQ(firing(e, 1), "X_2 and X_1 and ((X_2 and a) or a)");
+}
+
+TEST(Derive, LeavesAStoredOutputReadInAConditionAsItIs) {
+    const Equations e = equations("output LOCK; initial step 1; step 2 { LOCK := true on activation; }"
+                                  "transition t0: 1 -> 2 when !LOCK;");
+    EXPECT_EQ(firing(e, 0), "X_1 and not LOCK");
+    EXPECT_EQ(output(e, "LOCK"), "no equation");
+    EXPECT_EQ(text(e, e.stored[0].next), "(CF_t0 and not X_2) or LOCK");
+}
+
+TEST(Derive, WritesBooleanConstantsAsSetAndReset) {
+    const Equations e = equations(
+        "input a; internal M = false; initial step 1 { M := false on deactivation; } step 2 { M := true on activation; "
+        "}"
+        "step 3; transition t0: 1 -> 3 when a; transition t1: 3 -> 2 when a;");
+    EXPECT_EQ(text(e, e.stored[0].next), "(CF_t1 and not X_2) or (M and not (X_1 and CF_t0))");
+    EXPECT_EQ(text(e, e.stored[0].race), "X_1 and CF_t0 and CF_t1 and not X_2");
+}
+
+TEST(Derive, WritesOtherValuesAsAChainOfChoices) {
+    const Equations e = equations("input a; internal N: int 0..9 = 0; initial step 1 { N := N + 1 on deactivation; }"
+                                  "step 2 { N := 0 on activation; N := N + 1 on deactivation; }"
+                                  "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when a;");
+    EXPECT_EQ(text(e, e.stored[0].next), "(X_1 and CF_t0 and not CF_t1) or (X_2 and CF_t1 and not CF_t0) ? N + 1 : "
+                                         "CF_t0 and not X_2 ? 0 : N");
+}
+
+TEST(Derive, ARaceOfEqualValuesIsNone) {
+    const Equations e = equations(
+        "input a; internal N: int 0..9 = 0; initial step 1 { N := 3 on deactivation; } step 2 { N := 3 on activation; }"
+        "transition t0: 1 -> 2 when a;");
+    EXPECT_EQ(text(e, e.stored[0].race), "false");
+}
+
+TEST(Derive, ARaceOfTermsAsksWhetherTheirValuesDiffer) {
+    const Equations e = equations(
+        "input a; internal N: int 0..9 = 0; initial step 1 { N := N + 1 on deactivation; } step 2 { N := 3 on "
+        "activation; }"
+        "transition t0: 1 -> 2 when a;");
+    EXPECT_EQ(text(e, e.stored[0].race), "X_1 and CF_t0 and not X_2 and N + 1 != 3");
+}
+
+TEST(Derive, ActivationAndDeactivationOfOneStepNeverRace) {
+    const Equations e = equations(
+        "input a; internal N: int 0..9 = 0; initial step 1; step 2 { N := 1 on activation; N := 0 on deactivation; }"
+        "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when a;");
+    EXPECT_EQ(text(e, e.stored[0].race), "false");
+}
+
+TEST(Derive, TheFirstEvolutionStoresWhatInitialStepsStore) {
+    const Equations e = equations(
+        "input a; internal N: int 0..9 = 4, M: int 0..9 = 0; initial step 1 { N := N + 1 on activation; } "
+        "step 2 { N := 0 on activation; M := 1 on activation; } transition t0: 1 -> 2 when a;");
+    EXPECT_EQ(text(e, e.stored[0].first), "N + 1");
+    EXPECT_TRUE(e.stored[0].writes[0].initial);
+    EXPECT_FALSE(e.stored[0].writes[1].initial);
+    EXPECT_EQ(text(e, e.stored[1].first), "M");
+    EXPECT_EQ(text(e, e.stored[1].first_race), "false");
+}
+
+TEST(Derive, TheFirstEvolutionCanRace) {
+    const Equations e = equations(
+        "internal N: int 0..9 = 0; initial step 1 { N := N + 1 on activation; } initial step 2 { N := 0 on activation; "
+        "}");
+    EXPECT_EQ(text(e, e.stored[0].first_race), "N + 1 != 0");
+}
+
+TEST(Derive, AnInternalNeverWrittenHasNoEquation) {
+    const Equations e =
+        equations("internal N: int 0..9 = 4; initial step 1; step 2; transition t0: 1 -> 2 when N == 4;");
+    EXPECT_TRUE(e.stored.empty());
+    EXPECT_EQ(e.variables[Id<Equations::Variable>{0}].initial, 4);
+    EXPECT_EQ(firing(e, 0), "X_1 and N == 4");
+}
+
+TEST(Refused, OutputsThatReadEachOther) {
+    EXPECT_EQ(refusals("output A, B, C; initial step 1 { A if B; B if C; C if !B; }"),
+              (std::vector<std::string>{
+                  "[output-cycle] the output `B` depends on itself (`B` reads `C` reads `B`); an assignation "
+                  "condition means the equation of each output it reads"}));
+    EXPECT_EQ(refusals("output A; initial step 1 { A if !A; }").size(), 1U);
+}
+
+TEST(Refused, EachElementOfLaterWorkByItsName) {
+    struct Case {
+        const char* chart;
+        const char* named;
+    };
+    for (const Case& one : std::vector<Case>{
+             {"input a; initial step 1; transition t0: 1 -> 1 when rise(a);",
+              "edge in the condition of transition `t0`"},
+             {"input a; output O; initial step 1 { O if fall(a); }", "edge in the assignation condition of `O`"},
+             {"output O; initial step 1 { O if 3s/X1; }", "time condition in the assignation condition of `O`"},
+             {"internal M = false; initial step 1 { M := 3s/X1 on activation; }",
+              "time condition in the value stored in `M`"},
+             {"initial step 1; transition t0: 1 -> 1 when 3s/X1/2s;", "time condition other than"},
+             {"initial step 1; transition t0: 1 -> 1 when X1/2s;", "time condition other than"},
+             {"input a; initial step 1; transition t0: 1 -> 1 when 2s/a;", "time condition other than"},
+             {"output O; initial step 1 { O after 3s; }", "delayed action on `O`"},
+             {"output O; initial step 1 { O for 3s; }", "time-limited action on `O`"},
+             {"input a; internal M = false; initial step 1 { M := true on event rise(a); }",
+              "action on `M` on an event"},
+             {"internal M = false; initial step 1; transition t0: 1 -> 1 when true do M := true;",
+              "action on `M` on clearing a transition"},
+             {"initial step 1; macro step M3 expands E3; transition t0: 1 -> M3 when true; transition t1: M3 -> 1 when "
+              "true;"
+              "expansion E3 { entry step E; exit step S; transition t2: E -> S when true; }",
+              "macro-step `M3`"},
+             {"initial step 1; enclosing step 6 encloses G2; transition t0: 1 -> 6 when true;"
+              "partial G2 { linked step 20; }",
+              "enclosing step `6`"},
+             {"initial step 1 { force G2 := {}; } partial G2 { initial step 20; }", "forcing order on `G2`"},
+             {"input a, b; constraint !(a && b); initial step 1;", "constraint in grafcet `chart`"},
+         }) {
+        SCOPED_TRACE(one.chart);
+        const std::vector<std::string> messages = refusals(one.chart);
+        EXPECT_TRUE(std::ranges::any_of(messages, [&](const std::string& message) {
+            return message.starts_with("[unsupported] ") && message.find(one.named) != std::string::npos;
+        })) << ::testing::PrintToString(messages);
+    }
+}
+
+TEST(Refused, TermsThatSubstitutionBlowsUp) {
+    std::string chart = "input a, b; output ";
+    for (int k = 0; k < 25; ++k) chart += (k > 0 ? ", O" : "O") + std::to_string(k);
+    chart += "; initial step 1 { O0 if a;";
+    for (int k = 1; k < 25; ++k) {
+        const std::string before = "O" + std::to_string(k - 1);
+        chart += "O" + std::to_string(k) + " if (" + before + " && a) == (" + before + " && b);";
+    }
+    const std::vector<std::string> messages = refusals(chart + "}");
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_TRUE(messages[0].starts_with("[too-large] the equation of output `O")) << messages[0];
+}
+
+TEST(Refused, TermsThatSubstitutionNestsTooDeep) {
+    std::string chart = "input a; output O0";
+    for (int k = 1; k < 3000; ++k) chart += ", O" + std::to_string(k);
+    chart += "; initial step 1 { O0 if a;";
+    for (int k = 1; k < 3000; ++k) chart += "O" + std::to_string(k) + " if !O" + std::to_string(k - 1) + ";";
+    const std::vector<std::string> messages = refusals(chart + "}");
+    ASSERT_FALSE(messages.empty());
+    EXPECT_TRUE(messages[0].starts_with("[too-large]") && messages[0].find("deeper") != std::string::npos)
+        << messages[0];
+}
+
+TEST(Refused, TooManyDifferentValuesForOneVariable) {
+    std::string chart = "internal N: int 0..2000 = 0; initial step s {";
+    for (int k = 0; k < 1001; ++k) chart += "N := " + std::to_string(k) + " on activation;";
+    const std::vector<std::string> messages = refusals(chart + "}");
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_TRUE(messages[0].starts_with("[too-large] more than 1000 different values are stored in `N`"))
+        << messages[0];
+}
+
+TEST(Derive, ARaceAmongManyConstantsStaysSmall) {
+    std::string chart = "input a; internal N: int 0..2000 = 0; initial step s;";
+    for (int k = 0; k < 1000; ++k)
+        chart += "step s" + std::to_string(k) + " { N := " + std::to_string(k) + " on activation; } transition t" +
+                 std::to_string(k) + ": s -> s" + std::to_string(k) + " when a;";
+    const Equations e = equations(chart);
+    EXPECT_LT(text(e, e.stored[0].race).size(), 1000U * 12U * 40U);
+}
+
+}  // namespace
+}  // namespace grafverif
