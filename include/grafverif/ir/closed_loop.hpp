@@ -36,9 +36,9 @@ struct ClosedLoop {
     struct Shared {
         std::string name = {};
         Type type = {};                        ///< of a plant variable: the range its writer declares, arguments applied
-        Id<Controller> reader = {};            ///< the controller whose input it is; else not valid
+        Id<Controller> reader = {};            ///< the first controller with this input (others have one of that name); else not valid
         Id<Controller> writer = {};            ///< the controller whose output it is; else not valid
-        Id<Chart::Variable> variable = {};     ///< in that controller's chart, where one of both is valid
+        Id<Chart::Variable> variable = {};     ///< in the chart of the writer, else of the reader, where one is valid
         Span origin = {};
         bool operator==(const Shared&) const = default;
     };

@@ -75,7 +75,8 @@ struct Equations {
     };
     struct Stored {
         Id<Variable> variable = {};    ///< an internal, or an output with stored actions
-        Id<Expr> next = {};            ///< Conditional chain over `writes`, else the variable itself
+        Id<Expr> next = {};            ///< Conditional chain over `writes`, else the variable itself; where Boolean constants
+                                       ///< alone are stored: `set or (v and not reset)`
         Id<Expr> race = {};            ///< two writes of different values are triggered together; the constant false: never
         Id<Expr> first = {};           ///< the value after the first evolution
         Id<Expr> first_race = {};

@@ -122,7 +122,29 @@ struct Network {
         bool operator==(const Process&) const = default;
     };
 
-    /// What a report needs to tell a run of the network in the words of the chart.
+    /// A variable that stands for something of the chart, under the chart's name for it.
+    struct Named {
+        std::string name = {};
+        Id<Variable> variable = {};
+        bool operator==(const Named&) const = default;
+    };
+    /// An input, output or internal of a controller.
+    struct Symbol {
+        Role role = Role::Input;
+        Id<Variable> variable = {};
+        Id<Variable> image = {};             ///< of an output with stored actions: what holds it until it is written
+        bool operator==(const Symbol&) const = default;
+    };
+    struct TimerVariables {
+        Id<Variable> step = {};
+        Id<Variable> pending = {};           ///< not valid: the timer follows its step by level
+        Id<Variable> end = {};
+        std::int64_t duration = 0;           ///< in time units
+        bool operator==(const TimerVariables&) const = default;
+    };
+
+    /// What a report needs to tell a run of the network in the words of the chart, and a replay to compare it with the
+    /// chart. The lists behind `timers` are in the order of the chart's tables.
     struct Controller {
         std::string name = {};
         ExecutionMode mode = ExecutionMode::StabilitySearch;
@@ -130,6 +152,12 @@ struct Network {
         Id<Location> waiting = {};           ///< W, in its template
         Id<Variable> stable = {};
         std::vector<Id<Process>> timers = {};
+        std::vector<TimerVariables> timing = {};   ///< per timer
+        std::vector<Symbol> symbols = {};          ///< per variable
+        std::vector<Named> steps = {};             ///< per step: `2`, `G2.2`
+        std::vector<Named> transitions = {};       ///< per transition: its firing condition
+        Id<Procedure> start = {};                  ///< not valid: nothing happens before the first cycle
+        Id<Procedure> fire = {}, evolve = {}, write = {};
         bool operator==(const Controller&) const = default;
     };
 
@@ -144,11 +172,21 @@ struct Network {
     Table<Property> properties = {};
     /// Settled: every controller in W and stable, no flag set, no urgent edge enabled. Over variables and At.
     Id<Expr> settled = {};
+    /// The flag that two stored actions have raced; not valid where none can.
+    Id<Variable> race = {};
 
     bool operator==(const Network&) const = default;
 };
 
 std::vector<std::string> verify(const Network& network);
+
+/// `bound` under the arguments of `process`: clock bounds read constants only.
+std::int64_t bound_value(const Network& network, const Network::Process& process, Id<Expr> bound);
+
+/// Whether the invariant of the target of `edge` holds whenever the edge fires without waiting: each clock that is
+/// bounded there is reset by the edge, or bounded at its source at least as strongly. UPPAAL tests urgency on the guard
+/// alone, so a Network has no urgent edge for which this is false.
+bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge);
 
 /// The same network with one template per process and no parameters; process and location indices are unchanged, and
 /// properties keep their meaning.

@@ -12,6 +12,7 @@
 // instance's symbol names one that exists; types agree.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -67,8 +68,9 @@ struct TransitionSystem {
 
     /// A property that cannot be said of this system, and why.
     struct Omitted {
-        Property property = {};
+        Property property = {};            ///< without operands
         std::string reason = {};
+        std::size_t before = 0;            ///< its place: before the property of this index
         bool operator==(const Omitted&) const = default;
     };
 
@@ -79,6 +81,9 @@ struct TransitionSystem {
     Id<Module> main = {};
     Table<Instance> instances = {};        ///< in main
     Table<Property> properties = {};       ///< over symbols of main
+    /// Settled: every controller stable and its outputs up to date, so that one more cycle with the same inputs would
+    /// change nothing. Over symbols of main; what `at stable` means here.
+    Id<Expr> settled = {};
     std::vector<Omitted> omitted = {};
 
     bool operator==(const TransitionSystem&) const = default;

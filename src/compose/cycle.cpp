@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// The PLC cycle of CEP13 Fig. 33a and its process.
+#include <optional>
+
+#include "compose/controller.hpp"
+#include "compose/procedures.hpp"
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Location = Id<Network::Location>;
+using Procedure = Id<Network::Procedure>;
+
+/// `W -> P0` and its kind: (!stable || EVOL_PL || EVOL_TI) and no timer to start or stop.
+Id<Expr> cycle_guard(Composition& composition, const ControllerParts& parts) {
+    Network& network = composition.network;
+    std::vector<Id<Expr>> reasons;
+    if (!composition.ablations.cycle_unless_stable)
+        reasons.push_back(network.exprs.negation(leaf(network, parts.stable)));
+    reasons.push_back(leaf(network, parts.evol_pl));
+    if (parts.evol_ti.valid()) reasons.push_back(leaf(network, parts.evol_ti));
+    const bool always = composition.ablations.cycle_always;
+    std::vector<Id<Expr>> guard{always ? network.exprs.constant(true) : network.exprs.disjunction(reasons)};
+    for (const Id<Network::Variable> pending : parts.pending)
+        guard.push_back(network.exprs.negation(leaf(network, pending)));
+    return network.exprs.conjunction(guard);
+}
+
+std::vector<Network::Assignment> flags_reset(Network& network, const ControllerParts& parts) {
+    const Id<Expr> reset = network.exprs.constant(false);
+    std::vector<Network::Assignment> list{{leaf(network, parts.evol_pl), reset}};
+    if (parts.evol_ti.valid()) list.push_back({leaf(network, parts.evol_ti), reset});
+    return list;
+}
+
+std::optional<Network::Role> symbol_role(Equations::Role role) {
+    switch (role) {
+    case Equations::Role::Input:           return Network::Role::Input;
+    case Equations::Role::Output:          return Network::Role::Output;
+    case Equations::Role::Internal:        return Network::Role::Internal;
+    case Equations::Role::Step:
+    case Equations::Role::FiringCondition:
+    case Equations::Role::TimerEnd:        return {};
+    }
+    unreachable();
+}
+
+class CycleBuilder {
+public:
+    CycleBuilder(Composition& composition, const ControllerParts& parts) : composition_(composition), parts_(parts) {}
+
+    Network::Template build() {
+        Procedures code = procedures(composition_, parts_);
+        const Location init = code.starts ? location("init") : Location{};
+        waiting_ = location("W");
+        fire_ = procedure("fire", std::move(code.fire));
+        evolve_ = procedure("evolve", std::move(code.evolve));
+        write_ = procedure("write", std::move(code.write));
+        if (code.starts) {
+            start_ = procedure("start", std::move(code.start));
+            edge(init, waiting_, always(), {}, every_cycle() ? std::vector{start_, write_} : std::vector{start_});
+        }
+        if (network().grain == Grain::Phased) phases(std::move(code.forget));
+        else
+            edge(waiting_, waiting_, cycle_guard(composition_, parts_), flags_reset(network(), parts_),
+                 {fire_, evolve_, write_});
+        automaton_.name = composition_.names.fresh(parts_.prefix + "plc_cycle");
+        automaton_.initial = code.starts ? init : waiting_;
+        automaton_.origin = parts_.origin;
+        return std::move(automaton_);
+    }
+
+    /// What tells a run of the cycle in the words of the chart; without its process.
+    Network::Controller words() const {
+        Network::Controller words{.name = parts_.name, .mode = parts_.mode, .waiting = waiting_, .stable = parts_.stable};
+        words.start = start_;
+        words.fire = fire_;
+        words.evolve = evolve_;
+        words.write = write_;
+        const Equations& equations = *parts_.equations;
+        for (const Id<Equations::Variable> id : equations.variables.ids())
+            if (const auto role = symbol_role(equations.variables[id].role))
+                words.symbols.push_back({*role, parts_.variable[id.index], parts_.image[id.index]});
+        for (const Equations::StepActivity& step : equations.steps)
+            words.steps.push_back({step.step, parts_.variable[step.variable.index]});
+        for (const Equations::Firing& firing : equations.firings)
+            words.transitions.push_back({firing.transition, parts_.variable[firing.variable.index]});
+        return words;
+    }
+
+private:
+    Network& network() { return composition_.network; }
+    Id<Expr> always() { return network().exprs.constant(true); }
+    bool every_cycle() const { return parts_.mode == ExecutionMode::EveryCycle; }
+
+    Location location(const char* name) { return automaton_.locations.add({name, {}, parts_.origin}); }
+    Procedure procedure(const char* name, std::vector<Network::Assignment> body) {
+        return automaton_.procedures.add({name, std::move(body)});
+    }
+    void edge(Location from, Location to, Id<Expr> guard, std::vector<Network::Assignment> assignments,
+              std::vector<Procedure> calls) {
+        automaton_.edges.add({.from = from,
+                              .to = to,
+                              .urgent = true,
+                              .guard = guard,
+                              .assignments = std::move(assignments),
+                              .calls = std::move(calls),
+                              .origin = parts_.origin});
+    }
+
+    void phases(std::vector<Network::Assignment> forget) {
+        const Location read = location("P0"), fired = location("P1"), evolved = location("P2");
+        edge(waiting_, read, cycle_guard(composition_, parts_), flags_reset(network(), parts_), {});
+        edge(read, fired, always(), {}, {fire_});
+        edge(fired, evolved, always(), {}, {evolve_});
+        if (every_cycle()) return edge(evolved, waiting_, always(), {}, {write_});
+        const Id<Expr> stable = leaf(network(), parts_.stable);
+        edge(evolved, waiting_, stable, {}, {write_});
+        edge(evolved, waiting_, network().exprs.negation(stable), std::move(forget), {});
+    }
+
+    Composition& composition_;
+    const ControllerParts& parts_;
+    Network::Template automaton_ = {};
+    Location waiting_ = {};
+    Procedure start_ = {}, fire_ = {}, evolve_ = {}, write_ = {};
+};
+
+}  // namespace
+
+void add_cycle(Composition& composition, const ControllerParts& parts) {
+    CycleBuilder builder(composition, parts);
+    Network::Template automaton = builder.build();
+    Network& network = composition.network;
+    Network::Process process{.name = composition.names.fresh(parts.prefix + "PLC"),
+                             .initial = automaton.initial,
+                             .kind = Network::ProcessKind::Controller,
+                             .origin = parts.origin};
+    process.automaton = network.templates.add(std::move(automaton));
+    Network::Controller controller = builder.words();
+    controller.process = network.processes.add(std::move(process));
+    network.controllers.add(std::move(controller));
+}
+
+}  // namespace grafverif

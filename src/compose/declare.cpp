@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// The variables of a controller, in the order in which its equations use them.
+#include <string_view>
+#include <unordered_map>
+
+#include "compose/controller.hpp"
+#include "compose/translation.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Variable = Network::Variable;
+
+std::vector<Id<Equations::Variable>> stored_outputs(const Equations& equations) {
+    std::vector<Id<Equations::Variable>> found;
+    for (const Equations::Stored& stored : equations.stored)
+        if (equations.variables[stored.variable].role == Equations::Role::Output) found.push_back(stored.variable);
+    return found;
+}
+
+/// The inputs and timer ends that evolve() and write() read; `written`: those that write() reads.
+std::vector<Id<Equations::Variable>> late_inputs(const Equations& equations, std::vector<bool>& written) {
+    std::vector<bool> read(equations.variables.size());
+    written.assign(equations.variables.size(), false);
+    Reads reads(equations.exprs);
+    reads.start();
+    const auto evolve = [&](Id<Expr> root) {
+        reads.each(root, [&](std::uint32_t variable) { read[variable] = true; });
+    };
+    evolve(equations.stable);
+    for (const Equations::StepActivity& step : equations.steps) evolve(step.next);
+    for (const Equations::Stored& stored : equations.stored) {
+        evolve(stored.race);
+        for (const Equations::Write& write : stored.writes) {
+            evolve(write.trigger);
+            evolve(write.value);
+        }
+    }
+    reads.start();
+    for (const Equations::Output& output : equations.outputs)
+        reads.each(output.value, [&](std::uint32_t variable) { written[variable] = true; });
+
+    std::vector<Id<Equations::Variable>> found;
+    for (const Id<Equations::Variable> variable : equations.variables.ids()) {
+        const Equations::Role role = equations.variables[variable].role;
+        const bool late = read[variable.index] || written[variable.index];
+        if (late && (role == Equations::Role::Input || role == Equations::Role::TimerEnd)) found.push_back(variable);
+    }
+    return found;
+}
+
+/// Adds variables of one controller under its prefix.
+class Declarer {
+public:
+    Declarer(Composition& composition, ControllerParts& parts) : composition_(composition), parts_(parts) {}
+
+    Id<Variable> flag(const char* name) { return fresh({.name = name, .role = Network::Role::Flag}); }
+
+    Id<Variable> fresh(Variable variable) {
+        variable.name = composition_.names.fresh(parts_.prefix + variable.name);
+        return composition_.network.variables.add(std::move(variable));
+    }
+
+    void all_of(Equations::Role role, Network::Role as, bool scratch) {
+        for (const Id<Equations::Variable> id : parts_.equations->variables.ids()) {
+            const Equations::Variable& from = parts_.equations->variables[id];
+            if (from.role != role) continue;
+            parts_.variable[id.index] = fresh({from.name, as, from.type, from.initial, scratch, from.origin});
+        }
+    }
+
+    /// Inputs and outputs are variables of the plant, under their names there.
+    void shared(const ClosedLoop& loop) {
+        std::unordered_map<std::string_view, std::uint32_t> index;
+        for (const Id<ClosedLoop::Shared> id : loop.shared.ids()) index.emplace(loop.shared[id].name, id.index);
+        for (const Id<Equations::Variable> id : parts_.equations->variables.ids()) {
+            const Equations::Variable& from = parts_.equations->variables[id];
+            if (from.role != Equations::Role::Input && from.role != Equations::Role::Output) continue;
+            const auto found = index.find(from.name);
+            const Network::Role role =
+                from.role == Equations::Role::Input ? Network::Role::Input : Network::Role::Output;
+            parts_.variable[id.index] = found != index.end()
+                                            ? Id<Variable>{found->second}
+                                            : fresh({from.name, role, from.type, from.initial, false, from.origin});
+        }
+    }
+
+    void images() {
+        for (const Id<Equations::Variable> output : stored_outputs(*parts_.equations)) {
+            const Equations::Variable& from = parts_.equations->variables[output];
+            parts_.image[output.index] =
+                fresh({from.name + "_image", Network::Role::Image, type_of(output), from.initial, false, from.origin});
+        }
+    }
+
+    void samples() {
+        parts_.sampled = late_inputs(*parts_.equations, parts_.sample_written);
+        for (const Id<Equations::Variable> input : parts_.sampled) {
+            const Variable& from = composition_.network.variables[parts_.variable[input.index]];
+            Variable sample{parts_.equations->variables[input].name + "_sample",
+                            Network::Role::Sample,
+                            from.type,
+                            0,
+                            false,
+                            from.origin};
+            if (sample.type.low > 0 || sample.type.high < 0) sample.initial = sample.type.low;
+            parts_.sample[input.index] = fresh(std::move(sample));
+        }
+    }
+
+    void pending() {
+        for (const Equations::Timer& timer : parts_.equations->timers) {
+            const bool active = parts_.equations->variables[timer.step].initial != 0;
+            parts_.pending.push_back(fresh({.name = timer.name + "_P",
+                                            .role = Network::Role::TimerPending,
+                                            .initial = active,
+                                            .origin = timer.origin}));
+        }
+    }
+
+private:
+    Type type_of(Id<Equations::Variable> id) const {
+        return composition_.network.variables[parts_.variable[id.index]].type;
+    }
+
+    Composition& composition_;
+    ControllerParts& parts_;
+};
+
+}  // namespace
+
+void declare(Composition& composition, const ClosedLoop& loop, ControllerParts& parts) {
+    const std::size_t count = parts.equations->variables.size();
+    for (auto* list : {&parts.variable, &parts.image, &parts.sample}) list->resize(count);
+    const bool phased = composition.network.grain == Grain::Phased;
+    Declarer add(composition, parts);
+    add.shared(loop);
+    add.all_of(Equations::Role::Step, Network::Role::Step, false);
+    add.all_of(Equations::Role::Internal, Network::Role::Internal, false);
+    add.all_of(Equations::Role::FiringCondition, Network::Role::FiringCondition, !phased);
+    add.all_of(Equations::Role::TimerEnd, Network::Role::TimerEnd, false);
+    if (!composition.ablations.timers_as_published) add.pending();
+    add.images();
+    if (phased) add.samples();
+    parts.evol_pl = add.flag("EVOL_PL");
+    if (!parts.equations->timers.empty()) parts.evol_ti = add.flag("EVOL_TI");
+    parts.stable = add.flag("stable");
+}
+
+}  // namespace grafverif

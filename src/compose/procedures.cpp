@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include "compose/procedures.hpp"
+
+#include <algorithm>
+
+#include "compose/translation.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Assignments = std::vector<Network::Assignment>;
+using Variable = Id<Equations::Variable>;
+
+/// A new value of `target` and the terms that it is computed from, all over the values before the procedure.
+struct Update {
+    Variable target = {};
+    std::vector<Id<Expr>> terms = {};
+};
+
+class Builder {
+public:
+    Builder(Composition& composition, const ControllerParts& parts)
+        : composition_(composition),
+          network_(composition.network),
+          equations_(*parts.equations),
+          parts_(parts),
+          phased_(network_.grain == Grain::Phased),
+          every_cycle_(parts.mode == ExecutionMode::EveryCycle),
+          stored_(equations_.variables.size()),
+          old_(equations_.variables.size()) {}
+
+    Procedures build() {
+        for (const Variable variable : equations_.variables.ids()) stored_[variable.index] = leaf_of(storage(variable));
+        Procedures result;
+        result.fire = fire();
+        result.evolve = evolve();
+        result.write = write();
+        for (const Variable input : parts_.sampled)
+            if (parts_.sample_written[input.index]) result.forget.push_back(forgotten(input));
+        const bool acts = std::ranges::any_of(equations_.stored, [&](const Equations::Stored& stored) {
+            return !is_itself(stored.first, stored.variable) || !is_false(equations_.exprs, stored.first_race);
+        });
+        result.starts = acts || every_cycle_;
+        if (result.starts) result.start = start();
+        return result;
+    }
+
+private:
+    Exprs& exprs() { return network_.exprs; }
+    Id<Expr> leaf_of(Id<Network::Variable> variable) { return leaf(network_, variable); }
+
+    /// Where the controller keeps the variable: outputs of stored actions have an image.
+    Id<Network::Variable> storage(Variable variable) const {
+        const Id<Network::Variable> image = parts_.image[variable.index];
+        return image.valid() ? image : parts_.variable[variable.index];
+    }
+
+    bool is_itself(Id<Expr> value, Variable variable) const {
+        const Expr& node = equations_.exprs[value];
+        return node.op == Op::Variable && node.value == variable.index;
+    }
+
+    /// What the variables of the equations stand for: inputs as they are or as sampled, and `olds` in their old value.
+    std::vector<Id<Expr>> meaning(bool sampled, const std::vector<Variable>& olds = {}) {
+        std::vector<Id<Expr>> leaves = stored_;
+        if (sampled)
+            for (const Variable input : parts_.sampled) leaves[input.index] = leaf_of(parts_.sample[input.index]);
+        for (const Variable variable : olds) leaves[variable.index] = leaf_of(old_[variable.index]);
+        return leaves;
+    }
+
+    /// The meaning for outputs. A step that this cycle has left runs its timer no longer (IEC 60848, 4.4), though the
+    /// timer itself learns so after the cycle; in a stable cycle no step is left.
+    std::vector<Id<Expr>> after_cycle() {
+        std::vector<Id<Expr>> leaves = meaning(true);
+        if (!every_cycle_) return leaves;
+        for (const Equations::Timer& timer : equations_.timers)
+            leaves[timer.end.index] =
+                exprs().conjunction(leaves[timer.end.index], leaf_of(parts_.variable[timer.step.index]));
+        return leaves;
+    }
+
+    Network::Assignment forgotten(Variable input) {
+        const Network::Variable sample = network_.variables[parts_.sample[input.index]];
+        const Id<Expr> initial =
+            sample.type.boolean ? exprs().constant(sample.initial != 0) : exprs().integer(sample.initial);
+        return {leaf_of(parts_.sample[input.index]), initial};
+    }
+
+    Assignments fire() {
+        Assignments list;
+        Translation now(equations_.exprs, exprs(), meaning(false));
+        list.reserve(equations_.firings.size() + parts_.sampled.size());
+        for (const Equations::Firing& firing : equations_.firings)
+            list.push_back({stored_[firing.variable.index], now(firing.condition)});
+        for (const Variable input : parts_.sampled)
+            list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
+        return list;
+    }
+
+    /// Step activities, stored actions, `stable` and the timers to start or stop: all from the values before the cycle.
+    Assignments evolve() {
+        Translation before(equations_.exprs, exprs(), meaning(true));
+        Assignments list = pending(before);
+        list.push_back({leaf_of(parts_.stable), before(equations_.stable)});
+        std::vector<Id<Expr>> races;
+        for (const Equations::Stored& stored : equations_.stored) races.push_back(before(stored.race));
+        note_race(races, list);
+
+        std::vector<Update> updates;
+        for (const Equations::Stored& stored : equations_.stored)
+            for (const Equations::Write& write : stored.writes)
+                updates.push_back({stored.variable, {write.trigger, write.value}});
+        for (const Equations::StepActivity& step : equations_.steps) updates.push_back({step.variable, {step.next}});
+        const std::vector<Variable> olds = keep_old(updates, list);
+        Translation kept(equations_.exprs, exprs(), meaning(true, olds));
+        Translation& old = olds.empty() ? before : kept;
+        for (const Update& update : updates) {
+            const Id<Expr> target = stored_[update.target.index];
+            const bool is_step = update.terms.size() == 1;
+            list.push_back(
+                {target, is_step ? old(update.terms[0]) : stored(target, old(update.terms[0]), old(update.terms[1]))});
+        }
+        if (!phased_) return list;
+        for (const Equations::Firing& firing : equations_.firings)
+            list.push_back({stored_[firing.variable.index], exprs().constant(false)});
+        for (const Variable input : parts_.sampled)
+            if (!parts_.sample_written[input.index]) list.push_back(forgotten(input));
+        return list;
+    }
+
+    /// `value` when `trigger` holds, else what `target` holds already.
+    Id<Expr> stored(Id<Expr> target, Id<Expr> trigger, Id<Expr> value) {
+        if (is_true(exprs(), value)) return exprs().disjunction(target, trigger);
+        if (is_false(exprs(), value)) return exprs().conjunction(target, exprs().negation(trigger));
+        return exprs().conditional(trigger, value, target);
+    }
+
+    Assignments pending(Translation& before) {
+        Assignments list;
+        if (parts_.pending.empty()) return list;
+        std::vector<const Equations::StepActivity*> activity(equations_.variables.size(), nullptr);
+        for (const Equations::StepActivity& step : equations_.steps) activity[step.variable.index] = &step;
+        for (std::size_t i = 0; i < equations_.timers.size(); ++i) {
+            const Equations::StepActivity& step = *activity[equations_.timers[i].step.index];
+            const Id<Expr> changed = exprs().disjunction(before(step.activated), before(step.deactivated));
+            list.push_back({leaf_of(parts_.pending[i]), changed});
+        }
+        return list;
+    }
+
+    void note_race(std::vector<Id<Expr>> races, Assignments& list) {
+        if (!composition_.race.valid() || exprs().disjunction(races) == exprs().constant(false)) return;
+        races.insert(races.begin(), leaf_of(composition_.race));
+        list.push_back({races.front(), exprs().disjunction(races)});
+    }
+
+    /// Finds the variables that an update reads after an earlier one has overwritten them, and saves their values
+    /// first.
+    std::vector<Variable> keep_old(const std::vector<Update>& updates, Assignments& list) {
+        std::vector<bool> overwritten(equations_.variables.size()), kept(equations_.variables.size());
+        std::vector<Variable> olds;
+        Reads reads(equations_.exprs);
+        for (const Update& update : updates) {
+            reads.start();
+            for (const Id<Expr> term : update.terms) {
+                reads.each(term, [&](std::uint32_t variable) {
+                    if (!overwritten[variable] || kept[variable]) return;
+                    kept[variable] = true;
+                    olds.push_back({variable});
+                });
+            }
+            overwritten[update.target.index] = true;
+        }
+        std::ranges::sort(olds);
+        for (const Variable variable : olds) list.push_back({leaf_of(old(variable)), leaf_of(storage(variable))});
+        return olds;
+    }
+
+    Id<Network::Variable> old(Variable variable) {
+        Id<Network::Variable>& scratch = old_[variable.index];
+        if (scratch.valid()) return scratch;
+        const Network::Variable now = network_.variables[storage(variable)];
+        const std::string name = parts_.prefix + equations_.variables[variable].name + "_old";
+        scratch =
+            network_.variables.add({composition_.names.fresh(name), now.role, now.type, now.initial, true, now.origin});
+        return scratch;
+    }
+
+    Assignments write() {
+        Assignments list;
+        Translation after(equations_.exprs, exprs(), after_cycle());
+        for (const Equations::Output& output : equations_.outputs)
+            put(parts_.variable[output.variable.index], after(output.value), list);
+        for (const Equations::Stored& stored : equations_.stored)
+            if (const auto image = parts_.image[stored.variable.index]; image.valid())
+                put(parts_.variable[stored.variable.index], leaf_of(image), list);
+        for (const Variable input : parts_.sampled)
+            if (parts_.sample_written[input.index]) list.push_back(forgotten(input));
+        return list;
+    }
+
+    /// `output := value`; controllers that read the output are told where it changes.
+    void put(Id<Network::Variable> output, Id<Expr> value, Assignments& list) {
+        const Id<Expr> target = leaf_of(output);
+        if (!phased_ && !every_cycle_) value = exprs().conditional(leaf_of(parts_.stable), value, target);
+        for (const std::uint32_t reader : composition_.readers[output.index]) {
+            const Id<Expr> flag = leaf_of(composition_.controllers[reader].evol_pl);
+            list.push_back({flag, exprs().disjunction(flag, exprs().apply(Op::NotEqual, value, target))});
+        }
+        list.push_back({target, value});
+    }
+
+    /// The first evolution: the actions on activation of the initial steps (Stored::first).
+    Assignments start() {
+        Assignments list;
+        Translation now(equations_.exprs, exprs(), meaning(false));
+        std::vector<Id<Expr>> races;
+        for (const Equations::Stored& stored : equations_.stored) races.push_back(now(stored.first_race));
+        note_race(races, list);
+        std::vector<Update> updates;
+        for (const Equations::Stored& stored : equations_.stored)
+            if (!is_itself(stored.first, stored.variable)) updates.push_back({stored.variable, {stored.first}});
+        const std::vector<Variable> olds = keep_old(updates, list);
+        Translation old(equations_.exprs, exprs(), meaning(false, olds));
+        for (const Update& update : updates) list.push_back({stored_[update.target.index], old(update.terms[0])});
+        if (!every_cycle_) return list;
+        for (const Variable input : parts_.sampled)  // write() follows
+            if (parts_.sample_written[input.index])
+                list.push_back({leaf_of(parts_.sample[input.index]), leaf_of(parts_.variable[input.index])});
+        return list;
+    }
+
+    Composition& composition_;
+    Network& network_;
+    const Equations& equations_;
+    const ControllerParts& parts_;
+    bool phased_;
+    bool every_cycle_;
+    std::vector<Id<Expr>> stored_;            ///< per variable of the equations: the leaf of its storage
+    std::vector<Id<Network::Variable>> old_;  ///< likewise: what holds its value while it is overwritten
+};
+
+}  // namespace
+
+Procedures procedures(Composition& composition, const ControllerParts& parts) {
+    return Builder(composition, parts).build();
+}
+
+}  // namespace grafverif

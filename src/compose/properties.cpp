@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// The properties of a loop in terms of its network, and what `settled` means there.
+#include <string_view>
+#include <unordered_map>
+
+#include "compose/controller.hpp"
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// The variables of one controller by what the chart calls them.
+struct Names {
+    std::unordered_map<std::string_view, Id<Network::Variable>> steps = {}, internals = {};
+};
+
+Names names_of(const ControllerParts& parts) {
+    Names names;
+    for (const Equations::StepActivity& step : parts.equations->steps)
+        names.steps.emplace(step.step, parts.variable[step.variable.index]);
+    for (const Id<Equations::Variable> id : parts.equations->variables.ids()) {
+        const Equations::Variable& variable = parts.equations->variables[id];
+        if (variable.role == Equations::Role::Internal)
+            names.internals.emplace(variable.name, parts.variable[id.index]);
+    }
+    return names;
+}
+
+/// The step as the equations name it: `2`, or `G2.2` in the named partial chart G2.
+std::string step_name(const Chart& chart, Id<Chart::Step> id) {
+    const Chart::Step& step = chart.steps[id];
+    const std::string& partial = chart.partial_charts[step.chart].name;
+    return partial.empty() ? step.name : partial + "." + step.name;
+}
+
+Id<Expr> formula_of(const ClosedLoop::Symbol& symbol, Network& network, const Model& model, const ClosedLoop& loop,
+                    const std::vector<Names>& names) {
+    const auto chart = [&](Id<ClosedLoop::Controller> controller) -> const Chart& {
+        return model.charts[loop.controllers[controller].chart];
+    };
+    return std::visit(
+        overloaded{
+            [&](const ClosedLoop::SharedSymbol& of) { return leaf(network, {of.shared.index}); },
+            [&](const ClosedLoop::InternalSymbol& of) {
+                const std::string& name = chart(of.controller).variables[of.variable].name;
+                return leaf(network, names[of.controller.index].internals.at(name));
+            },
+            [&](const ClosedLoop::StepSymbol& of) {
+                return leaf(network, names[of.controller.index].steps.at(step_name(chart(of.controller), of.step)));
+            },
+            [&](const ClosedLoop::LocationSymbol& of) {
+                return network.exprs.at(of.instance.index, of.location.index);
+            },
+        },
+        symbol);
+}
+
+/// One formula per urgent edge of the plant: the process is where the edge starts, and its guard holds.
+void add_enabled(Network& network, Id<Network::Process> id, std::vector<Id<Expr>>& found) {
+    const Network::Process& process = network.processes[id];
+    const Network::Template& automaton = network.templates[process.automaton];
+    for (const Network::Edge& edge : automaton.edges) {
+        if (!edge.urgent) continue;
+        const Id<Expr> guard = translate(network.exprs, edge.guard, network.exprs, [&](const Expr& node) {
+            const auto parameter = static_cast<std::uint32_t>(node.value);
+            const Network::Argument& argument = process.arguments[parameter];
+            if (const auto* variable = std::get_if<Id<Network::Variable>>(&argument)) return leaf(network, *variable);
+            const std::int64_t value = std::get<std::int64_t>(argument);
+            return automaton.parameters[{parameter}].type.boolean ? network.exprs.constant(value != 0)
+                                                                  : network.exprs.integer(value);
+        });
+        const Id<Expr> here = network.exprs.at(id.index, edge.from.index);
+        found.push_back(
+            network.exprs.conjunction(automaton.locations.size() == 1 ? network.exprs.constant(true) : here, guard));
+    }
+}
+
+}  // namespace
+
+Id<Expr> settled(Composition& composition) {
+    Network& network = composition.network;
+    std::vector<Id<Expr>> conjuncts;
+    for (const Id<Network::Controller> id : network.controllers.ids()) {
+        const Network::Controller& controller = network.controllers[id];
+        const ControllerParts& parts = composition.controllers[id.index];
+        conjuncts.push_back(network.exprs.at(controller.process.index, controller.waiting.index));
+        conjuncts.push_back(leaf(network, parts.stable));
+        conjuncts.push_back(network.exprs.negation(leaf(network, parts.evol_pl)));
+        if (parts.evol_ti.valid()) conjuncts.push_back(network.exprs.negation(leaf(network, parts.evol_ti)));
+        for (const Id<Network::Variable> pending : parts.pending)
+            conjuncts.push_back(network.exprs.negation(leaf(network, pending)));
+    }
+    std::vector<Id<Expr>> enabled;
+    for (const Id<Network::Process> id : network.processes.ids()) {
+        const Network::ProcessKind kind = network.processes[id].kind;
+        const bool timer = kind == Network::ProcessKind::Timer && !composition.ablations.timers_as_published;
+        if (kind != Network::ProcessKind::Controller && !timer) add_enabled(network, id, enabled);
+    }
+    for (const Id<Expr> edge : enabled) conjuncts.push_back(network.exprs.negation(edge));
+    return network.exprs.conjunction(conjuncts);
+}
+
+void add_properties(Composition& composition, const Model& model, const ClosedLoop& loop) {
+    Network& network = composition.network;
+    std::vector<Names> names;
+    for (const ControllerParts& parts : composition.controllers)
+        names.push_back(loop.symbols.empty() ? Names{} : names_of(parts));
+    UniqueNames taken;
+    for (const Property& from : loop.properties) {
+        Property property = from;
+        for (Id<Expr>& operand : property.operands) {
+            operand = translate(loop.exprs, operand, network.exprs, [&](const Expr& node) {
+                return formula_of(loop.symbols[{static_cast<std::uint32_t>(node.value)}], network, model, loop, names);
+            });
+        }
+        if (property.pattern == Pattern::ReachableAllSteps)
+            for (const ControllerParts& parts : composition.controllers)
+                for (const Equations::StepActivity& step : parts.equations->steps)
+                    property.operands.push_back(leaf(network, parts.variable[step.variable.index]));
+        taken.fresh(property.name);
+        network.properties.add(std::move(property));
+    }
+    if (!composition.race.valid()) return;
+    network.properties.add({.name = taken.fresh("no_race"),
+                            .text = "no two stored actions give one variable different values",
+                            .pattern = Pattern::Never,
+                            .operands = {leaf(network, composition.race)}});
+}
+
+}  // namespace grafverif

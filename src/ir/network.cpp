@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+// The invariants of a Network. Each check adds one sentence per fault; terms are walked once per template.
+#include "grafverif/ir/network.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <string_view>
+#include <unordered_set>
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+bool in_range(const Type& type, std::int64_t value) { return type.low <= value && value <= type.high; }
+
+/// Whether `constraint` excludes no clock value that `other` admits; both are upper bounds on one clock.
+bool implied(Op relation, std::int64_t bound, Op other_relation, std::int64_t other_bound) {
+    if (other_bound != bound) return other_bound < bound;
+    return relation == Op::LessEqual || other_relation == Op::Less;
+}
+
+/// Walks the terms of one network, and says what is wrong with them.
+class Verifier {
+public:
+    explicit Verifier(const Network& network) : network_(network), seen_(network.exprs.size(), 0) {}
+
+    std::vector<std::string> faults() {
+        check_variables();
+        for (const Network::Template& automaton : network_.templates) check_template(automaton);
+        for (const Network::Process& process : network_.processes) check_process(process);
+        if (!faults_.empty()) return std::move(faults_);
+        for (const Network::Process& process : network_.processes) check_urgency(process);
+        for (const Network::Controller& controller : network_.controllers) check_controller(controller);
+        check_properties();
+        return std::move(faults_);
+    }
+
+private:
+    void fault(std::string sentence) { faults_.push_back(std::move(sentence)); }
+
+    void check_variables() {
+        std::unordered_set<std::string_view> names;
+        for (const Network::Variable& variable : network_.variables) {
+            if (!names.insert(variable.name).second) fault("variable " + variable.name + ": its name is taken");
+            if (variable.type.low > variable.type.high) fault("variable " + variable.name + ": its range is empty");
+            if (!in_range(variable.type, variable.initial))
+                fault("variable " + variable.name + ": its initial value is out of range");
+        }
+        if (network_.time_unit_ms <= 0) fault("the time unit is not positive");
+    }
+
+    void check_template(const Network::Template& automaton) {
+        here_ = &automaton;
+        ++walk_;
+        const std::string where = "template " + automaton.name;
+        if (!automaton.locations.contains(automaton.initial)) fault(where + ": no initial location");
+        for (const Network::Location& location : automaton.locations) {
+            check_constraints(location.invariant, where + ", location " + location.name);
+            for (const Network::ClockConstraint& bound : location.invariant)
+                if (bound.relation != Op::Less && bound.relation != Op::LessEqual)
+                    fault(where + ", location " + location.name + ": a lower bound in an invariant");
+        }
+        for (const Network::Procedure& procedure : automaton.procedures)
+            check_assignments(procedure.assignments, where + ", procedure " + procedure.name);
+        for (const Network::Edge& edge : automaton.edges) check_edge(edge, where);
+    }
+
+    void check_edge(const Network::Edge& edge, const std::string& where) {
+        const Network::Template& automaton = *here_;
+        if (!automaton.locations.contains(edge.from) || !automaton.locations.contains(edge.to))
+            return fault(where + ": an edge leads nowhere");
+        const std::string place =
+            where + ", edge " + automaton.locations[edge.from].name + " -> " + automaton.locations[edge.to].name;
+        if (!is_boolean(edge.guard, place)) fault(place + ": its guard is not Boolean");
+        check_constraints(edge.constraint, place);
+        if (edge.urgent && !edge.constraint.empty()) fault(place + ": an urgent edge with a clock constraint");
+        check_assignments(edge.assignments, place);
+        for (const Id<Network::Clock> clock : edge.resets)
+            if (!automaton.clocks.contains(clock)) fault(place + ": resets an unknown clock");
+        for (const Id<Network::Procedure> call : edge.calls)
+            if (!automaton.procedures.contains(call)) return fault(place + ": calls an unknown procedure");
+        check_scratch(edge, place);
+    }
+
+    void check_constraints(const std::vector<Network::ClockConstraint>& constraints, const std::string& where) {
+        for (const Network::ClockConstraint& constraint : constraints) {
+            if (!here_->clocks.contains(constraint.clock)) fault(where + ": bounds an unknown clock");
+            const bool relation = is_comparison(constraint.relation) && constraint.relation != Op::NotEqual;
+            if (!relation) fault(where + ": a clock is compared with an unknown relation");
+            if (is_boolean(constraint.bound, where)) fault(where + ": a clock bound is Boolean");
+            for (const Id<Expr> leaf : leaves(network_.exprs, constraint.bound)) {
+                const Expr& node = network_.exprs[leaf];
+                const Id<Network::Parameter> parameter{static_cast<std::uint32_t>(node.value)};
+                const bool constant = node.op == Op::Parameter && here_->parameters.contains(parameter) &&
+                                      here_->parameters[parameter].kind == Network::ParameterKind::Constant;
+                if (!constant) fault(where + ": a clock bound reads a variable");
+            }
+        }
+    }
+
+    void check_assignments(const std::vector<Network::Assignment>& assignments, const std::string& where) {
+        for (const Network::Assignment& assignment : assignments) {
+            if (!network_.exprs.contains(assignment.target)) {
+                fault(where + ": an assignment without target");
+                continue;
+            }
+            const bool boolean = is_boolean(assignment.target, where);
+            const Expr& node = network_.exprs[assignment.target];
+            const Id<Network::Parameter> parameter{static_cast<std::uint32_t>(node.value)};
+            const bool written = node.op == Op::Parameter && here_->parameters.contains(parameter) &&
+                                 here_->parameters[parameter].kind == Network::ParameterKind::Written;
+            if (!written && node.op != Op::Variable) fault(where + ": assigns what cannot be written");
+            if (is_boolean(assignment.value, where) != boolean) fault(where + ": assigns a value of another type");
+        }
+    }
+
+    /// Scratch variables are written before they are read, within the edge.
+    void check_scratch(const Network::Edge& edge, const std::string& where) {
+        std::unordered_set<std::uint32_t> written;
+        const auto run = [&](const std::vector<Network::Assignment>& assignments) {
+            for (const Network::Assignment& assignment : assignments) {
+                if (!network_.exprs.contains(assignment.target) || !network_.exprs.contains(assignment.value)) continue;
+                for (const Id<Expr> leaf : leaves(network_.exprs, assignment.value))
+                    if (const auto variable = scratch(leaf); variable && !written.contains(*variable))
+                        fault(where + ": reads " + network_.variables[{*variable}].name + " before it is written");
+                if (const auto variable = scratch(assignment.target)) written.insert(*variable);
+            }
+        };
+        run(edge.assignments);
+        for (const Id<Network::Procedure> call : edge.calls) run(here_->procedures[call].assignments);
+    }
+
+    std::optional<std::uint32_t> scratch(Id<Expr> leaf) const {
+        const Expr& node = network_.exprs[leaf];
+        const Id<Network::Variable> variable{static_cast<std::uint32_t>(node.value)};
+        if (node.op != Op::Variable || !network_.variables.contains(variable)) return {};
+        return network_.variables[variable].scratch ? std::optional(variable.index) : std::nullopt;
+    }
+
+    void check_process(const Network::Process& process) {
+        const std::string where = "process " + process.name;
+        if (!network_.templates.contains(process.automaton)) return fault(where + ": no template");
+        const Network::Template& automaton = network_.templates[process.automaton];
+        if (!automaton.locations.contains(process.initial)) fault(where + ": no initial location");
+        if (process.arguments.size() != automaton.parameters.size())
+            return fault(where + ": arguments and parameters differ in number");
+        for (const Id<Network::Parameter> id : automaton.parameters.ids())
+            check_argument(automaton.parameters[id], process.arguments[id.index], where);
+    }
+
+    void check_argument(const Network::Parameter& parameter, const Network::Argument& argument,
+                        const std::string& where) {
+        const bool constant = parameter.kind == Network::ParameterKind::Constant;
+        if (const auto* variable = std::get_if<Id<Network::Variable>>(&argument)) {
+            if (constant) return fault(where + ": a variable for the constant " + parameter.name);
+            if (!network_.variables.contains(*variable)) return fault(where + ": no variable for " + parameter.name);
+            if (network_.variables[*variable].type != parameter.type)
+                fault(where + ": " + parameter.name + " has another type than its argument");
+            return;
+        }
+        if (!constant) return fault(where + ": a number for the variable " + parameter.name);
+        if (!in_range(parameter.type, std::get<std::int64_t>(argument)))
+            fault(where + ": the argument for " + parameter.name + " is out of range");
+    }
+
+    void check_urgency(const Network::Process& process) {
+        for (const Network::Edge& edge : network_.templates[process.automaton].edges)
+            if (edge.urgent && !keeps_target_invariant(network_, process, edge))
+                fault("process " + process.name + ": an urgent edge whose target invariant may fail");
+    }
+
+    void check_controller(const Network::Controller& controller) {
+        const std::string where = "controller " + controller.name;
+        if (!network_.processes.contains(controller.process)) return fault(where + ": no process");
+        const Network::Template& automaton = network_.templates[network_.processes[controller.process].automaton];
+        if (!automaton.locations.contains(controller.waiting)) fault(where + ": no waiting location");
+        if (!network_.variables.contains(controller.stable)) fault(where + ": no variable says whether it is stable");
+        for (const Id<Network::Process> timer : controller.timers)
+            if (!network_.processes.contains(timer)) fault(where + ": an unknown timer");
+        check_words(controller, where);
+    }
+
+    void check_words(const Network::Controller& controller, const std::string& where) {
+        const auto known = [&](Id<Network::Variable> variable) { return network_.variables.contains(variable); };
+        for (const auto& timing : controller.timing)
+            if (!known(timing.step) || !known(timing.end)) fault(where + ": a timer of an unknown step or end");
+        for (const auto& symbol : controller.symbols)
+            if (!known(symbol.variable)) fault(where + ": a variable of the chart without one here");
+        for (const auto* list : {&controller.steps, &controller.transitions})
+            for (const auto& [name, variable] : *list)
+                if (!known(variable)) fault(where + ": `" + name + "` stands for no variable");
+    }
+
+    void check_properties() {
+        here_ = nullptr;
+        ++walk_;
+        std::unordered_set<std::string_view> names;
+        for (const Property& property : network_.properties) {
+            if (!names.insert(property.name).second) fault("property " + property.name + ": its name is taken");
+            for (const Id<Expr> operand : property.operands)
+                if (!is_boolean(operand, "property " + property.name))
+                    fault("property " + property.name + ": an operand is not Boolean");
+        }
+        if (network_.settled.valid() && !is_boolean(network_.settled, "settled")) fault("settled is not Boolean");
+    }
+
+    /// Whether the term is Boolean; adds the faults inside it, once per template.
+    bool is_boolean(Id<Expr> root, const std::string& where) {
+        if (!network_.exprs.contains(root)) {
+            fault(where + ": a term is missing");
+            return true;
+        }
+        const Expr& node = network_.exprs[root];
+        const bool first = seen_[root.index] != walk_;
+        seen_[root.index] = walk_;
+        const auto operands = network_.exprs.operands(root);
+        const auto want = [&](std::size_t from, bool boolean) {
+            if (!first) return;
+            for (std::size_t i = from; i < operands.size(); ++i)
+                if (is_boolean(operands[i], where) != boolean) fault(where + ": an operand has the wrong type");
+        };
+        switch (node.op) {
+            case Op::False:
+            case Op::True: return true;
+            case Op::Integer: return false;
+            case Op::Variable: return variable_is_boolean(node, where);
+            case Op::Parameter: return parameter_is_boolean(node, where);
+            case Op::At: check_at(node, where); return true;
+            case Op::Duration:
+            case Op::Step:
+            case Op::Timed:
+            case Op::Rise:
+            case Op::Fall: fault(where + ": a term that has no place in a network"); return true;
+            case Op::Not:
+            case Op::And:
+            case Op::Or: want(0, true); return true;
+            case Op::Equal:
+            case Op::NotEqual:
+                if (first) want(1, is_boolean(operands[0], where));
+                return true;
+            case Op::Less:
+            case Op::LessEqual:
+            case Op::Greater:
+            case Op::GreaterEqual: want(0, false); return true;
+            case Op::Negate:
+            case Op::Plus:
+            case Op::Minus:
+            case Op::Times:
+            case Op::Divide:
+            case Op::Modulo: want(0, false); return false;
+            case Op::Conditional: {
+                if (first && !is_boolean(operands[0], where)) fault(where + ": a condition is not Boolean");
+                const bool boolean = is_boolean(operands[1], where);
+                want(2, boolean);
+                return boolean;
+            }
+        }
+        unreachable();
+    }
+
+    bool variable_is_boolean(const Expr& node, const std::string& where) {
+        const Id<Network::Variable> variable{static_cast<std::uint32_t>(node.value)};
+        if (network_.variables.contains(variable)) return network_.variables[variable].type.boolean;
+        fault(where + ": an unknown variable");
+        return true;
+    }
+
+    bool parameter_is_boolean(const Expr& node, const std::string& where) {
+        const Id<Network::Parameter> parameter{static_cast<std::uint32_t>(node.value)};
+        if (here_ && here_->parameters.contains(parameter)) return here_->parameters[parameter].type.boolean;
+        fault(where + ": an unknown parameter");
+        return true;
+    }
+
+    void check_at(const Expr& node, const std::string& where) {
+        const Id<Network::Process> process{at_process(node)};
+        if (here_ || !network_.processes.contains(process)) return fault(where + ": asks where an unknown process is");
+        const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
+        if (!automaton.locations.contains({at_location(node)})) fault(where + ": asks for an unknown location");
+    }
+
+    const Network& network_;
+    const Network::Template* here_ = nullptr;  // the template whose parameters the terms read
+    std::vector<std::uint32_t> seen_;          // the walk in which a term was last checked
+    std::uint32_t walk_ = 0;
+    std::vector<std::string> faults_ = {};
+};
+
+}  // namespace
+
+std::vector<std::string> verify(const Network& network) { return Verifier(network).faults(); }
+
+std::int64_t bound_value(const Network& network, const Network::Process& process, Id<Expr> bound) {
+    const auto value = evaluate(network.exprs, bound, [&](const Expr& leaf) {
+        assert(leaf.op == Op::Parameter);
+        return std::get<std::int64_t>(process.arguments[static_cast<std::size_t>(leaf.value)]);
+    });
+    return value.value_or(0);
+}
+
+bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge) {
+    const Network::Template& automaton = network.templates[process.automaton];
+    return std::ranges::all_of(automaton.locations[edge.to].invariant, [&](const Network::ClockConstraint& wanted) {
+        const std::int64_t bound = bound_value(network, process, wanted.bound);
+        if (std::ranges::find(edge.resets, wanted.clock) != edge.resets.end())
+            return wanted.relation == Op::Less ? bound > 0 : bound >= 0;
+        return std::ranges::any_of(
+            automaton.locations[edge.from].invariant, [&](const Network::ClockConstraint& given) {
+                return given.clock == wanted.clock &&
+                       implied(wanted.relation, bound, given.relation, bound_value(network, process, given.bound));
+            });
+    });
+}
+
+}  // namespace grafverif

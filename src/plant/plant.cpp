@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/plant/plant.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "grafverif/support/overloaded.hpp"
+#include "plant/checks.hpp"
+#include "plant/time_unit.hpp"
+#include "plant/variables.hpp"
+#include "plant/widen.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// Copies the terms of one component into the network: durations become time units, own variables parameters.
+class Terms {
+public:
+    Terms(const Component& component, std::int64_t unit, Exprs& to) : component_(component), unit_(unit), to_(to) {}
+
+    Id<Expr> operator()(Id<Expr> root) {
+        const Expr& node = component_.exprs[root];
+        if (node.op == Op::Duration) return to_.integer(node.value / unit_);
+        if (node.op == Op::Integer) return to_.integer(node.value);
+        if (node.op == Op::True || node.op == Op::False) return to_.constant(node.op == Op::True);
+        if (node.op == Op::Parameter) return to_.leaf(Op::Parameter, static_cast<std::uint32_t>(node.value));
+        if (node.op == Op::Variable)
+            return to_.leaf(Op::Parameter, static_cast<std::uint32_t>(component_.parameters.size() +
+                                                                      static_cast<std::size_t>(node.value)));
+        std::vector<Id<Expr>> operands;
+        for (const Id<Expr> operand : component_.exprs.operands(root)) operands.push_back((*this)(operand));
+        return to_.apply(node.op, operands);
+    }
+
+    std::vector<Network::ClockConstraint> constraints(const std::vector<Component::ClockConstraint>& from) {
+        std::vector<Network::ClockConstraint> list;
+        for (const Component::ClockConstraint& constraint : from)
+            list.push_back({{constraint.clock.index}, constraint.relation, (*this)(constraint.bound)});
+        return list;
+    }
+
+private:
+    const Component& component_;
+    std::int64_t unit_;
+    Exprs& to_;
+};
+
+Table<Network::Parameter> parameters(const Component& component) {
+    const auto type = [](Component::ValueKind value) {
+        return value == Component::ValueKind::Boolean ? Type{} : integer_type(least_integer, greatest_integer);
+    };
+    const auto kind = [](Component::ParameterKind from) {
+        switch (from) {
+            case Component::ParameterKind::Input: return Network::ParameterKind::Read;
+            case Component::ParameterKind::Output: return Network::ParameterKind::Written;
+            case Component::ParameterKind::Constant: return Network::ParameterKind::Constant;
+        }
+        unreachable();
+    };
+    Table<Network::Parameter> list;
+    for (const Component::Parameter& parameter : component.parameters)
+        list.add({parameter.name, kind(parameter.kind), type(parameter.value)});
+    for (const Component::Variable& variable : component.variables)
+        list.add({variable.name, Network::ParameterKind::Written, type(variable.value)});
+    return list;
+}
+
+Network::Edge edge_of(const Component::Edge& from, Terms& terms) {
+    Network::Edge edge{.from = {from.from.index}, .to = {from.to.index}, .urgent = from.urgent};
+    edge.guard = terms(from.guard);
+    edge.constraint = terms.constraints(from.constraint);
+    for (const Component::Assignment& assignment : from.assignments)
+        edge.assignments.push_back({terms(assignment.target), terms(assignment.value)});
+    for (const Id<Component::Clock> clock : from.resets) edge.resets.push_back({clock.index});
+    edge.origin = from.origin;
+    return edge;
+}
+
+Network::Template template_of(const Component& component, std::int64_t unit, Exprs& exprs) {
+    Terms terms(component, unit, exprs);
+    Network::Template automaton;
+    automaton.name = component.name;
+    automaton.parameters = parameters(component);
+    for (const Component::Clock& clock : component.clocks) automaton.clocks.add({clock.name});
+    for (const Component::Location& location : component.locations)
+        automaton.locations.add({location.name, terms.constraints(location.invariant), location.origin});
+    automaton.initial = {component.initial.valid() ? component.initial.index : 0};
+    for (const Component::Edge& edge : component.edges) automaton.edges.add(edge_of(edge, terms));
+    automaton.origin = component.origin;
+    return automaton;
+}
+
+/// One argument per parameter, then the instance's own variables.
+Network::Process process_of(const ClosedLoop::Instance& instance, const Component& component, std::int64_t unit,
+                            const std::vector<Id<Network::Variable>>& own) {
+    Network::Process process{.name = instance.name, .initial = {instance.initial.index}, .origin = instance.origin};
+    process.kind = instance.environment ? Network::ProcessKind::Environment : Network::ProcessKind::Plant;
+    for (const Id<Component::Parameter> id : component.parameters.ids()) {
+        const bool duration = component.parameters[id].value == Component::ValueKind::Duration;
+        process.arguments.push_back(std::visit(
+            overloaded{
+                [](Id<ClosedLoop::Shared> shared) -> Network::Argument { return Id<Network::Variable>{shared.index}; },
+                [&](std::int64_t constant) -> Network::Argument { return duration ? constant / unit : constant; },
+            },
+            instance.arguments[id.index]));
+    }
+    process.arguments.insert(process.arguments.end(), own.begin(), own.end());
+    return process;
+}
+
+/// Constants have the range of UPPAAL's integers, or of their arguments where those are larger.
+void admit_arguments(Network& network) {
+    for (const Network::Process& process : network.processes) {
+        Table<Network::Parameter>& list = network.templates[process.automaton].parameters;
+        for (const Id<Network::Parameter> parameter : list.ids()) {
+            const auto* value = std::get_if<std::int64_t>(&process.arguments[parameter.index]);
+            if (!value || list[parameter].type.boolean) continue;
+            list[parameter].type.low = std::min(list[parameter].type.low, *value);
+            list[parameter].type.high = std::max(list[parameter].type.high, *value);
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<Network> plant(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics) {
+    const std::optional<std::int64_t> unit = time_unit(model, loop, diagnostics);
+    std::optional<PlantVariables> variables = plant_variables(model, loop, diagnostics);
+    if (!unit || !variables) return {};
+
+    Network network;
+    network.name = loop.name;
+    network.grain = loop.grain;
+    network.time_unit_ms = *unit;
+    network.variables = std::move(variables->variables);
+    std::vector<Id<Network::Template>> templates(model.components.size());
+    for (const Id<ClosedLoop::Instance> id : loop.instances.ids()) {
+        const ClosedLoop::Instance& instance = loop.instances[id];
+        const Component& component = model.components[instance.component];
+        Id<Network::Template>& automaton = templates[instance.component.index];
+        if (!automaton.valid()) automaton = network.templates.add(template_of(component, *unit, network.exprs));
+        Network::Process process = process_of(instance, component, *unit, variables->own[id.index]);
+        process.automaton = automaton;
+        network.processes.add(std::move(process));
+    }
+    unify_ranges(network);
+    admit_arguments(network);
+
+    const std::size_t errors = diagnostics.errors();
+    check_urgent_invariants(network, diagnostics);
+    warn_skipped_ranges(network, diagnostics);
+    if (diagnostics.errors() != errors) return {};
+    assert(verify(network).empty());
+    return network;
+}
+
+}  // namespace grafverif
