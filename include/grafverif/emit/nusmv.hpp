@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// TransitionSystem -> NuSMV model, as DESDES06 section 6 writes them: `main` with the free variables, the instances and
+// the specifications, then one module per controller: VAR, ASSIGN with init and next, DEFINE.
+//
+// What becomes what:
+//   variable     `x : boolean;` or `n : 0..10;`, in the order of the symbols, which is the order of the BDD variables
+//   always, never, exactly one of   INVARSPEC      at stable: `settled -> ...`
+//   reachable    SPEC EF p         at stable: EF (settled & p)
+//   inevitable   SPEC AF p         at stable: AF (settled & p)
+//   p leads to q SPEC AG (p -> AF q)   at stable: settled & on both sides
+//   always possible  SPEC AG EF p  at stable: AG EF (settled & p)
+//   ctl, ltl     SPEC, LTLSPEC, as written
+// Every specification has a name. A property that is omitted leaves a comment with the reason in its place.
+// A value by cases is `case ... esac`; names are legalised once (syntax/legal_names), the map is in the header.
+#pragma once
+
+#include <iosfwd>
+
+#include "grafverif/ir/transition_system.hpp"
+
+namespace grafverif::nusmv {
+
+/// Requires verify(system).empty().
+void emit(const TransitionSystem& system, std::ostream& out);
+
+}  // namespace grafverif::nusmv

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// The modules of a NuSMV model: header, declarations, assignments, definitions.
+#include "grafverif/emit/nusmv.hpp"
+
+#include <ostream>
+#include <sstream>
+#include <variant>
+
+#include "emit/nusmv_text.hpp"
+
+namespace grafverif::nusmv {
+
+namespace {
+
+using System = TransitionSystem;
+
+struct ModulePrinter {
+    std::ostream& out;
+    const System& system;
+    const Names& names;
+    Id<System::Module> id = {};
+    LeafPrinter leaf = leaf_printer(names, id);
+
+    const System::Module& module() const { return system.modules[id]; }
+    const std::string& name(Id<System::Symbol> symbol) const { return names.symbols[id.index][symbol.index]; }
+    void term(Id<Expr> value) const { print_expr(out, system.exprs, value, nusmv_spelling, leaf); }
+};
+
+/// The keyword of a part, written before the first entry; a comment before each section of entries.
+struct Part {
+    std::ostream& out;
+    const char* keyword = "";
+    bool open = false;
+    std::string_view section = {};
+
+    void entry(std::string_view of_section) {
+        if (!open) out << keyword << '\n';
+        if (!of_section.empty() && (!open || of_section != section)) out << "  -- " << of_section << '\n';
+        open = true;
+        section = of_section;
+    }
+};
+
+/// A value; one of more than two cases is laid out as such.
+void print_value(const ModulePrinter& printer, Id<Expr> value) {
+    const Exprs& exprs = printer.system.exprs;
+    const auto is_conditional = [&](Id<Expr> term) { return exprs[term].op == Op::Conditional; };
+    if (!is_conditional(value) || !is_conditional(exprs.operands(value)[2])) {
+        printer.term(value);
+        return;
+    }
+    printer.out << "case\n";
+    for (; is_conditional(value); value = exprs.operands(value)[2]) {
+        printer.out << "    ";
+        printer.term(exprs.operands(value)[0]);
+        printer.out << " : ";
+        printer.term(exprs.operands(value)[1]);
+        printer.out << ";\n";
+    }
+    printer.out << "    TRUE : ";
+    printer.term(value);
+    printer.out << ";\n  esac";
+}
+
+void print_signature(const ModulePrinter& printer) {
+    printer.out << "\nMODULE " << printer.names.modules[printer.id.index];
+    const char* separator = "(";
+    for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
+        if (!std::holds_alternative<System::ParameterSymbol>(printer.module().symbols[id].kind)) continue;
+        printer.out << separator << printer.name(id);
+        separator = ", ";
+    }
+    printer.out << (*separator == ',' ? ")\n" : "\n");
+}
+
+void print_instance(const ModulePrinter& printer, Id<System::Instance> id) {
+    const System::Instance& instance = printer.system.instances[id];
+    printer.out << "  " << printer.names.instances[id.index] << " : " << printer.names.modules[instance.module.index];
+    const char* separator = "(";
+    for (const Id<System::Symbol> argument : instance.arguments) {
+        printer.out << separator << printer.name(argument);
+        separator = ", ";
+    }
+    printer.out << (*separator == ',' ? ");\n" : ";\n");
+}
+
+void print_variables(const ModulePrinter& printer) {
+    Part part{printer.out, "VAR"};
+    for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
+        const System::Symbol& symbol = printer.module().symbols[id];
+        if (!std::holds_alternative<System::StateSymbol>(symbol.kind)) continue;
+        part.entry(symbol.comment);
+        printer.out << "  " << printer.name(id) << " : ";
+        if (symbol.type.boolean) printer.out << "boolean;\n";
+        else printer.out << symbol.type.low << ".." << symbol.type.high << ";\n";
+    }
+    if (printer.id != printer.system.main) return;
+    const char* section = printer.system.instances.size() == 1 ? "the controller" : "the controllers";
+    for (const Id<System::Instance> id : printer.system.instances.ids()) {
+        part.entry(section);
+        print_instance(printer, id);
+    }
+}
+
+void print_assignments(const ModulePrinter& printer) {
+    Part part{printer.out, "ASSIGN"};
+    for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
+        const System::Symbol& symbol = printer.module().symbols[id];
+        const auto* state = std::get_if<System::StateSymbol>(&symbol.kind);
+        const auto assignment = [&](const char* of, Id<Expr> value) {
+            part.entry(symbol.comment);
+            printer.out << "  " << of << '(' << printer.name(id) << ") := ";
+            print_value(printer, value);
+            printer.out << ";\n";
+        };
+        if (state == nullptr) continue;
+        if (state->initial) assignment("init", *state->initial);
+        if (state->next) assignment("next", *state->next);
+    }
+}
+
+void print_definitions(const ModulePrinter& printer) {
+    Part part{printer.out, "DEFINE"};
+    for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
+        const System::Symbol& symbol = printer.module().symbols[id];
+        const auto* define = std::get_if<System::DefineSymbol>(&symbol.kind);
+        if (define == nullptr) continue;
+        part.entry(symbol.comment);
+        printer.out << "  " << printer.name(id) << " := ";
+        print_value(printer, define->value);
+        printer.out << ";\n";
+    }
+}
+
+void print_constraints(const ModulePrinter& printer) {
+    const auto each = [&](const char* keyword, const std::vector<Id<Expr>>& terms) {
+        for (const Id<Expr> term : terms) {
+            printer.out << keyword << ' ';
+            printer.term(term);
+            printer.out << ";\n";
+        }
+    };
+    each("INVAR", printer.module().invariants);
+    each("JUSTICE", printer.module().justice);
+}
+
+void print_module(const ModulePrinter& printer) {
+    print_signature(printer);
+    print_variables(printer);
+    print_assignments(printer);
+    print_definitions(printer);
+    print_constraints(printer);
+    if (printer.id == printer.system.main) print_properties(printer.out, printer.system, printer.names);
+}
+
+void print_header(std::ostream& out, const System& system, const Names& names) {
+    out << "-- " << system.name << ": NuSMV model written by grafverif\n";
+    if (!system.scope.empty()) {
+        out << "--\n";
+        print_comment(out, system.scope);
+    }
+    if (names.changed.empty()) return;
+    out << "--\n-- names that NuSMV does not take as they are\n";
+    for (const Names::Changed& scope : names.changed) {
+        out << "--   " << scope.scope << ":\n";
+        for (const Renaming& renaming : scope.renamings) out << "--     " << renaming.name << " is " << renaming.legal << '\n';
+    }
+}
+
+}  // namespace
+
+void emit(const System& system, std::ostream& out) {
+    const Names names = names_of(system);
+    std::ostringstream model;
+    print_header(model, system, names);
+    print_module({model, system, names, system.main});
+    for (const Id<System::Module> id : system.modules.ids())
+        if (id != system.main) print_module({model, system, names, id});
+    print_wrapped(out, model.view());
+}
+
+}  // namespace grafverif::nusmv

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "emit/nusmv_text.hpp"
+
+#include <ostream>
+#include <variant>
+
+namespace grafverif::nusmv {
+
+namespace {
+
+using System = TransitionSystem;
+
+/// Legal names for `names`; what changed is noted under `scope`.
+std::vector<std::string> legal(Names& result, const std::string& scope, const std::vector<std::string>& names) {
+    std::vector<std::string> made = legal_names(Target::Nusmv, names);
+    std::vector<Renaming> changes = renamings(names, made);
+    if (!changes.empty()) result.changed.push_back({scope, std::move(changes)});
+    return made;
+}
+
+/// The names of a module's own symbols; in main those of instances behind them, which share the scope.
+void name_symbols(Names& result, const System& system, Id<System::Module> id) {
+    const System::Module& module = system.modules[id];
+    std::vector<std::string> wishes;
+    std::vector<std::size_t> owners;
+    for (const Id<System::Symbol> symbol : module.symbols.ids()) {
+        if (std::holds_alternative<System::MemberSymbol>(module.symbols[symbol].kind)) continue;
+        wishes.push_back(module.symbols[symbol].name);
+        owners.push_back(symbol.index);
+    }
+    if (id == system.main)
+        for (const System::Instance& instance : system.instances) wishes.push_back(instance.name);
+    const std::vector<std::string> made = legal(result, "in module " + result.modules[id.index], wishes);
+    std::vector<std::string>& symbols = result.symbols[id.index];
+    symbols.resize(module.symbols.size());
+    for (std::size_t i = 0; i < owners.size(); ++i) symbols[owners[i]] = made[i];
+    if (id == system.main) result.instances.assign(made.begin() + static_cast<std::ptrdiff_t>(owners.size()), made.end());
+}
+
+void name_members(Names& result, const System& system) {
+    const System::Module& main = system.modules[system.main];
+    for (const Id<System::Symbol> id : main.symbols.ids()) {
+        const auto* member = std::get_if<System::MemberSymbol>(&main.symbols[id].kind);
+        if (member == nullptr) continue;
+        const System::Instance& instance = system.instances[member->instance];
+        result.symbols[system.main.index][id.index] =
+            result.instances[member->instance.index] + "." + result.symbols[instance.module.index][member->symbol.index];
+    }
+}
+
+}  // namespace
+
+Names names_of(const System& system) {
+    Names result;
+    std::vector<std::string> modules, properties;
+    for (const System::Module& module : system.modules) modules.push_back(module.name);
+    for (const Property& property : system.properties) properties.push_back(property.name);
+    result.modules = legal(result, "of modules", modules);
+    result.symbols.resize(modules.size());
+    for (const Id<System::Module> id : system.modules.ids()) name_symbols(result, system, id);
+    name_members(result, system);
+    result.properties = legal(result, "of properties", properties);
+    return result;
+}
+
+LeafPrinter leaf_printer(const Names& names, Id<System::Module> module) {
+    return [&symbols = names.symbols[module.index]](std::ostream& out, const Expr& leaf) {
+        out << symbols[static_cast<std::size_t>(leaf.value)];
+    };
+}
+
+void print_comment(std::ostream& out, std::string_view text) {
+    constexpr std::size_t width = 97;
+    while (!text.empty()) {
+        std::size_t length = text.size();
+        if (length > width) {
+            const std::size_t space = text.rfind(' ', width);
+            length = space != std::string_view::npos && space > 0 ? space : std::min(text.find(' ', width), text.size());
+        }
+        out << "-- " << text.substr(0, length) << '\n';
+        text.remove_prefix(length);
+        while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    }
+}
+
+void print_wrapped(std::ostream& out, std::string_view model) {
+    constexpr std::size_t width = 118;
+    while (!model.empty()) {
+        std::string_view line = model.substr(0, model.find('\n'));
+        model.remove_prefix(std::min(line.size() + 1, model.size()));
+        const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+        const bool comment = line.substr(indent).starts_with("--");
+        const std::string margin(indent + 4, ' ');
+        while (!comment && line.size() > width) {
+            const std::size_t space = line.rfind(' ', width);
+            if (space == std::string_view::npos || space <= margin.size()) break;
+            out << line.substr(0, space) << '\n' << margin;
+            line.remove_prefix(space + 1);
+        }
+        out << line << '\n';
+    }
+}
+
+}  // namespace grafverif::nusmv

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Whether the things drawn in a UPPAAL project overlap. A character is 8 pixels wide, a line 16 high, a location a
+// circle of radius 12.
+#pragma once
+
+#include <string>
+
+namespace grafverif::test {
+
+/// One line per overlap of two locations, names or labels of one template; empty for a clean project.
+std::string overlaps(const std::string& xml);
+
+}  // namespace grafverif::test

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "grafverif/emit/uppaal.hpp"
+#include "support/law_size.hpp"
+#include "support/random_network.hpp"
+#include "unit/emit_uppaal/hand_networks.hpp"
+
+namespace grafverif {
+namespace {
+
+bool has_xmllint() { return std::system("xmllint --version > /dev/null 2>&1") == 0; }
+
+/// Whether xmllint finds the document valid; what it says otherwise goes to standard output.
+bool is_valid(const std::string& xml) {
+    const auto file = std::filesystem::temp_directory_path() / ("grafverif_dtd_" + std::to_string(::getpid()) + ".xml");
+    std::ofstream(file) << xml;
+    const std::string catalog = GRAFVERIF_SOURCE_DIR "/tests/support/uppaal_dtd/catalog.xml";
+    const std::string command = "XML_CATALOG_FILES='" + catalog + "' xmllint --noout --nonet --valid " + file.string() + " 2>&1";
+    const int status = std::system(command.c_str());
+    std::filesystem::remove(file);
+    return status == 0;
+}
+
+std::string project(const Network& network) {
+    std::ostringstream out;
+    uppaal::emit(uppaal::lower(network), out);
+    return out.str();
+}
+
+TEST(UppaalDtd, HoldsForProjects) {
+    if (!has_xmllint()) GTEST_SKIP() << "xmllint (libxml2-utils) is not installed";
+    EXPECT_TRUE(is_valid(project(test::station())));
+    EXPECT_TRUE(is_valid(project(test::awkward_names())));
+    EXPECT_TRUE(is_valid(project(test::crowded())));
+    for (int seed = 0; seed < law_size(20); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        EXPECT_TRUE(is_valid(project(random_network(random)))) << "seed " << seed;
+    }
+}
+
+TEST(UppaalDtd, SeesAMisplacedElement) {
+    if (!has_xmllint()) GTEST_SKIP() << "xmllint (libxml2-utils) is not installed";
+    std::string xml = project(test::station());
+    const std::size_t init = xml.find("\t\t<init ");
+    const std::string element = xml.substr(init, xml.find('\n', init) + 1 - init);
+    xml.erase(init, element.size()).insert(xml.find("\t\t<location"), element);
+    EXPECT_FALSE(is_valid(xml));
+}
+
+}  // namespace
+}  // namespace grafverif
