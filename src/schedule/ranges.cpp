@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "schedule/ranges.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif::schedule {
+
+namespace {
+
+constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+constexpr std::int64_t greatest = std::numeric_limits<std::int64_t>::max();
+
+std::int64_t sum(std::int64_t a, std::int64_t b) {
+    std::int64_t result = 0;
+    if (!__builtin_add_overflow(a, b, &result)) return result;
+    return a < 0 ? least : greatest;
+}
+
+std::int64_t difference(std::int64_t a, std::int64_t b) {
+    std::int64_t result = 0;
+    if (!__builtin_sub_overflow(a, b, &result)) return result;
+    return a < 0 ? least : greatest;
+}
+
+std::int64_t product(std::int64_t a, std::int64_t b) {
+    std::int64_t result = 0;
+    if (!__builtin_mul_overflow(a, b, &result)) return result;
+    return (a < 0) == (b < 0) ? greatest : least;
+}
+
+Interval product(Interval a, Interval b) {
+    const auto [low, high] = std::minmax({product(a.low, b.low), product(a.low, b.high),
+                                          product(a.high, b.low), product(a.high, b.high)});
+    return {low, high};
+}
+
+std::int64_t magnitude(Interval a) { return std::max(a.high, a.low == least ? greatest : -a.low); }
+
+/// Truncated towards zero, a quotient is never farther from zero than its dividend.
+Interval quotient(Interval a, Interval b) {
+    if (b.low == b.high && b.low > 0) return {a.low / b.low, a.high / b.low};
+    const std::int64_t bound = magnitude(a);
+    return {-bound, bound};
+}
+
+/// A remainder has the sign of its dividend and is nearer to zero than both operands allow.
+Interval remainder(Interval a, Interval b) {
+    const std::int64_t bound = std::min(magnitude(a), std::max<std::int64_t>(magnitude(b) - 1, 0));
+    return {a.low < 0 ? -bound : 0, a.high > 0 ? bound : 0};
+}
+
+}  // namespace
+
+Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
+    const Expr& node = exprs[term];
+    if (node.op == Op::Integer || node.op == Op::Duration) return {node.value, node.value};
+    if (is_leaf(node.op)) {
+        const Type type = type_of(node);
+        return {type.low, type.high};
+    }
+    if (!is_arithmetic(node.op) && node.op != Op::Conditional) return {0, 1};
+
+    const std::span<const Id<Expr>> operands = exprs.operands(term);
+    const Interval right = interval(exprs, operands.back(), type_of);
+    if (node.op == Op::Negate) return {difference(0, right.high), difference(0, right.low)};
+    const Interval left = interval(exprs, operands[operands.size() - 2], type_of);
+    switch (node.op) {
+    case Op::Plus:        return {sum(left.low, right.low), sum(left.high, right.high)};
+    case Op::Minus:       return {difference(left.low, right.high), difference(left.high, right.low)};
+    case Op::Times:       return product(left, right);
+    case Op::Divide:      return quotient(left, right);
+    case Op::Modulo:      return remainder(left, right);
+    case Op::Conditional: return {std::min(left.low, right.low), std::max(left.high, right.high)};
+    default:              unreachable();
+    }
+}
+
+namespace {
+
+/// `condition ? then : otherwise` of Booleans, as people write it where one of both is constant.
+Id<Expr> either(Exprs& exprs, Id<Expr> condition, Id<Expr> then, Id<Expr> otherwise) {
+    if (is_false(exprs, then)) return exprs.conjunction(exprs.negation(condition), otherwise);
+    if (is_false(exprs, otherwise)) return exprs.conjunction(condition, then);
+    return exprs.conditional(condition, then, otherwise);
+}
+
+bool may_be_zero(const Exprs& exprs, Id<Expr> divisor, const TypeOf& type_of) {
+    const Interval values = interval(exprs, divisor, type_of);
+    return values.low <= 0 && values.high >= 0;
+}
+
+std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term) {
+    return {exprs.operands(term).begin(), exprs.operands(term).end()};
+}
+
+bool divides(Op op) { return op == Op::Divide || op == Op::Modulo; }
+
+}  // namespace
+
+Id<Expr> divides_by_zero(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
+    const Op op = exprs[term].op;
+    const std::vector<Id<Expr>> operands = operands_of(exprs, term);
+    const auto fault = [&](std::size_t i) { return divides_by_zero(exprs, operands[i], type_of); };
+    if (op == Op::Conditional)
+        return exprs.disjunction(fault(0), either(exprs, operands[0], fault(1), fault(2)));
+    // `and` and `or` stop at the first operand that decides them.
+    Id<Expr> result = exprs.constant(false);
+    for (std::size_t i = operands.size(); i-- > 0;) {
+        if ((op == Op::And || op == Op::Or) && !is_false(exprs, result)) {
+            const Id<Expr> goes_on = op == Op::And ? operands[i] : exprs.negation(operands[i]);
+            result = exprs.conjunction(goes_on, result);
+        }
+        result = exprs.disjunction(fault(i), result);
+    }
+    if (!divides(op) || !may_be_zero(exprs, operands[1], type_of)) return result;
+    return exprs.disjunction(result, exprs.apply(Op::Equal, operands[1], exprs.integer(0)));
+}
+
+Id<Expr> with_safe_divisors(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
+    const Op op = exprs[term].op;
+    if (is_leaf(op) || is_constant(op)) return term;
+    std::vector<Id<Expr>> operands = operands_of(exprs, term);
+    const bool unsafe = divides(op) && may_be_zero(exprs, operands[1], type_of);
+    for (Id<Expr>& operand : operands) operand = with_safe_divisors(exprs, operand, type_of);
+    if (unsafe) {
+        const Id<Expr> zero = exprs.apply(Op::Equal, operands[1], exprs.integer(0));
+        operands[1] = exprs.conditional(zero, exprs.integer(1), operands[1]);
+    }
+    return exprs.apply(op, operands);
+}
+
+Id<Expr> leaves_range(Exprs& exprs, Id<Expr> term, Type range, const TypeOf& type_of) {
+    const std::vector<Id<Expr>> operands = operands_of(exprs, term);
+    if (exprs[term].op == Op::Conditional) {
+        const Id<Expr> then = leaves_range(exprs, operands[1], range, type_of);
+        return either(exprs, operands[0], then, leaves_range(exprs, operands[2], range, type_of));
+    }
+    const Interval values = interval(exprs, term, type_of);
+    Id<Expr> result = exprs.constant(false);
+    if (values.low < range.low) result = exprs.apply(Op::Less, term, exprs.integer(range.low));
+    if (values.high > range.high)
+        result = exprs.disjunction(result, exprs.apply(Op::Greater, term, exprs.integer(range.high)));
+    return result;
+}
+
+}  // namespace grafverif::schedule

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// UPPAAL's own parser on our projects: `syntaxcheck` of utap reads a file and types it as UPPAAL does.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "grafverif/emit/uppaal.hpp"
+#include "support/law_size.hpp"
+#include "support/random_network.hpp"
+
+namespace grafverif {
+namespace {
+
+/// What syntaxcheck complains about, warnings apart.
+std::string complaints(const std::string& xml) {
+    const auto file = std::filesystem::temp_directory_path() / ("grafverif_utap_" + std::to_string(::getpid()) + ".xml");
+    const auto log = std::filesystem::path(file).replace_extension(".log");
+    std::ofstream(file) << xml;
+    const int status = std::system(("syntaxcheck " + file.string() + " > " + log.string() + " 2>&1").c_str());
+    std::ifstream lines(log);
+    std::string errors = WEXITSTATUS(status) > 2 ? "it broke off\n" : "";
+    for (std::string line; std::getline(lines, line);) {
+        // A strict invariant or an update of scratch variables alone draws a warning.
+        const bool warning = line.find("$Strict_invariant") != std::string::npos || line.find("$Expression_does_not_have_any_effect") != std::string::npos;
+        if (!warning) errors += line + '\n';
+    }
+    std::filesystem::remove(file);
+    std::filesystem::remove(log);
+    return errors;
+}
+
+TEST(Utap, AcceptsEveryProject) {
+    if (std::system("command -v syntaxcheck > /dev/null 2>&1") != 0) GTEST_SKIP() << "syntaxcheck of utap is not on the PATH";
+    for (int seed = 0; seed < law_size(50); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        std::ostringstream xml;
+        uppaal::emit(uppaal::lower(random_network(random)), xml);
+        EXPECT_EQ(complaints(xml.str()), "") << "seed " << seed;
+    }
+}
+
+TEST(Utap, RefusesABrokenProject) {
+    if (std::system("command -v syntaxcheck > /dev/null 2>&1") != 0) GTEST_SKIP() << "syntaxcheck of utap is not on the PATH";
+    EXPECT_NE(complaints("<nta><declaration>bool a b;</declaration><system>system;</system></nta>"), "");
+}
+
+}  // namespace
+}  // namespace grafverif

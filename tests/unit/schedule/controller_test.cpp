@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// Single controllers as transition systems, stepped by hand.
+#include "grafverif/schedule/controller.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "support/play.hpp"
+#include "support/run_transition_system.hpp"
+
+namespace grafverif {
+namespace {
+
+/// A system that is stepped with named inputs; all others are false or the least of their range.
+struct Stepper {
+    TransitionSystem system = {};
+    SystemState state = {};
+
+    void set(const std::map<std::string, std::int64_t>& inputs) {
+        for (const auto& [name, value] : inputs) set_value(system, state, name, value);
+    }
+    /// One cycle that reads `inputs`.
+    void step(const std::map<std::string, std::int64_t>& inputs = {}) {
+        set(inputs);
+        state = next_state(system, state, [](std::string_view, Type type) { return type.low; });
+    }
+    std::int64_t operator[](const std::string& name) const { return value_of(system, state, system.instances[{0}].name + "." + name); }
+    bool settled() const { return value_of(system, state, system.settled) != 0; }
+};
+
+/// In state 0, after a first evolution that read `first`.
+Stepper start(std::string_view chart, ExecutionMode mode, const std::map<std::string, std::int64_t>& first = {}) {
+    Stepper stepper{schedule_controller(equations(chart), mode)};
+    EXPECT_EQ(verify(stepper.system), std::vector<std::string>{});
+    stepper.state = first_state(stepper.system, [&](std::string_view path, Type type) {
+        for (const auto& [name, value] : first)
+            if (path.ends_with("." + name + "_first")) return value;
+        return type.low;
+    });
+    return stepper;
+}
+
+std::vector<std::string> property_names(const TransitionSystem& system) {
+    std::vector<std::string> names;
+    for (const Property& property : system.properties) names.push_back(property.name);
+    return names;
+}
+
+constexpr auto searching = ExecutionMode::StabilitySearch;
+constexpr auto cyclic = ExecutionMode::EveryCycle;
+
+TEST(ScheduleController, MakesOneCycleOfOneStep) {
+    Stepper s = start("input a; initial step 1; step 2; step 3; transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when a;", cyclic);
+    EXPECT_EQ(s["X_1"], 1);
+    s.step({{"a", 1}});
+    EXPECT_EQ(s["X_1"], 0);
+    EXPECT_EQ(s["X_2"], 1);
+    EXPECT_EQ(s["X_3"], 0) << "one evolution per cycle";
+}
+
+TEST(ScheduleController, WritesOutputsOnlyWhenStableUnderStabilitySearch) {
+    Stepper s = start("input a; output A, B; initial step 1; step 2 { A; } step 3 { B; }"
+                      "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when true;", searching);
+    s.step({{"a", 1}});
+    EXPECT_EQ(s["X_2"], 1);
+    EXPECT_EQ(s["A"], 0) << "step 2 is transient: its output is never seen";
+    s.step({{"a", 1}});
+    EXPECT_EQ(s["X_3"], 1);
+    EXPECT_EQ(s["B"], 0);
+    EXPECT_FALSE(s.settled()) << "stable, but B is not written";
+    s.step({{"a", 1}});
+    EXPECT_EQ(s["B"], 1);
+    EXPECT_EQ(s["A"], 0);
+    EXPECT_TRUE(s.settled());
+}
+
+TEST(ScheduleController, KeepsOutputsUnwrittenInStateZeroUnderStabilitySearch) {
+    Stepper s = start("output A; initial step 1 { A; }", searching);
+    EXPECT_EQ(s["A"], 0);
+    s.step();
+    EXPECT_EQ(s["A"], 1);
+}
+
+TEST(ScheduleController, DefinesOutputsOverTheActivitiesWhenEveryCycleWrites) {
+    Stepper s = start("input a; output A, B; initial step 1 { A; } step 2 { B; } transition t1: 1 -> 2 when a;", cyclic);
+    EXPECT_EQ(s["A"], 1);
+    s.step({{"a", 1}});
+    EXPECT_EQ(s["A"], 0);
+    EXPECT_EQ(s["B"], 1);
+}
+
+TEST(ScheduleController, SamplesTheInputsOfAnOutputInTheCycleThatWritesIt) {
+    Stepper s = start("input a; output A; initial step 1 { A if a; }", cyclic, {{"a", 1}});
+    EXPECT_EQ(s["A"], 1) << "the first evolution writes, too";
+    s.set({{"a", 0}});
+    EXPECT_EQ(s["A"], 1) << "the input moves, the output stays until the next cycle";
+    EXPECT_FALSE(s.settled());
+    s.step();
+    EXPECT_EQ(s["A"], 0);
+    s.step({{"a", 1}});
+    EXPECT_EQ(s["A"], 1);
+}
+
+TEST(ScheduleController, KeepsStoredOutputsInAnImageUntilTheyAreWritten) {
+    Stepper s = start("input a; output L, O; initial step 1; step 2 { L := true on activation; } step 3 { O; }"
+                      "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when true;", searching);
+    s.step({{"a", 1}});
+    EXPECT_EQ(s["L_image"], 1);
+    EXPECT_EQ(s["L"], 0);
+    s.step();
+    EXPECT_EQ(s["L"], 0);
+    s.step();
+    EXPECT_EQ(s["L"], 1) << "written with the others";
+    EXPECT_EQ(s["O"], 1);
+    EXPECT_FALSE(has_symbol(s.system, s.system.instances[{0}].name + ".O_image"));
+}
+
+TEST(ScheduleController, RunsTheActionsOfInitialStepsBeforeStateZero) {
+    const char* text = "input level: int 0..3; internal n: int 0..5 = 1, m: int 0..5 = 2;"
+                       "initial step 1 { n := level + 1 on activation; }";
+    const Stepper s = start(text, searching, {{"level", 3}});
+    EXPECT_EQ(s["n"], 4);
+    EXPECT_EQ(s["m"], 2);
+    const Stepper t = start(text, searching, {{"level", 0}});
+    EXPECT_EQ(t["n"], 1);
+}
+
+TEST(ScheduleController, ForgetsTheInputsOfTheFirstEvolution) {
+    Stepper s = start("input a; internal n = false; initial step 1 { n := a on activation; }", searching, {{"a", 1}});
+    EXPECT_EQ(s["a_first"], 1);
+    EXPECT_EQ(s["n"], 1);
+    s.step();
+    EXPECT_EQ(s["a_first"], 0);
+    EXPECT_EQ(s["n"], 1);
+}
+
+TEST(ScheduleController, KeepsAValueThatWouldLeaveItsRangeAndRemembersTheFault) {
+    Stepper s = start("internal n: int 0..2 = 0; initial step 1; step 2 { n := n + 1 on activation; }"
+                      "transition t1: 1 -> 2 when true; transition t2: 2 -> 1 when true;", cyclic);
+    for (const std::int64_t expected : {1, 1, 2, 2}) {
+        s.step();
+        EXPECT_EQ(s["n"], expected);
+        EXPECT_EQ(s["out_of_range"], 0);
+    }
+    s.step();
+    EXPECT_EQ(s["n"], 2) << "it does not wrap";
+    EXPECT_EQ(s["out_of_range"], 1);
+    s.step();
+    EXPECT_EQ(s["out_of_range"], 1) << "for ever";
+    ASSERT_EQ(property_names(s.system), std::vector<std::string>{"no_out_of_range"});
+    const Property& property = s.system.properties[{0}];
+    EXPECT_EQ(property.pattern, Pattern::Never);
+    EXPECT_NE(property.text.find(": n"), std::string::npos) << property.text;
+    EXPECT_EQ(value_of(s.system, s.state, property.operands[0]), 1);
+}
+
+TEST(ScheduleController, WatchesNoRangeThatTypesKeep) {
+    const Stepper s = start("input level: int 0..3; internal n: int 0..4 = 0; initial step 1 { n := level % 3 + 1 on activation; }"
+                            "step 2 { n := 4 - level on activation; } transition t1: 1 -> 2 when level > 1;", cyclic);
+    EXPECT_TRUE(s.system.properties.empty());
+    EXPECT_FALSE(has_symbol(s.system, s.system.instances[{0}].name + ".out_of_range"));
+}
+
+TEST(ScheduleController, CountsADivisionByZeroAsAFault) {
+    Stepper s = start("input d: int 0..2; initial step 1; step 2; transition t1: 1 -> 2 when 2 / d == 1;", cyclic);
+    s.step({{"d", 0}});
+    EXPECT_EQ(s["X_1"], 1) << "the condition has no value: the transition is not cleared";
+    EXPECT_EQ(s["out_of_range"], 1);
+    Stepper t = start("input d: int 0..2; initial step 1; step 2; transition t1: 1 -> 2 when 2 / d == 1;", cyclic);
+    t.step({{"d", 2}});
+    EXPECT_EQ(t["X_2"], 1);
+    EXPECT_EQ(t["out_of_range"], 0);
+    Stepper guarded = start("input d: int 0..2; initial step 1; step 2; transition t1: 1 -> 2 when d != 0 && 2 / d == 1;", cyclic);
+    guarded.step({{"d", 0}});
+    EXPECT_EQ(guarded["out_of_range"], 0) << "`and` stops at the first false operand";
+}
+
+TEST(ScheduleController, RemembersARace) {
+    Stepper s = start("input a; internal n: int 0..2 = 0; initial step 1; initial step 2;"
+                      "step 3 { n := 1 on activation; } step 4 { n := 2 on activation; }"
+                      "transition t1: 1 -> 3 when a; transition t2: 2 -> 4 when true;", cyclic);
+    ASSERT_EQ(property_names(s.system), std::vector<std::string>{"no_race"});
+    Stepper alone = s;
+    alone.step();
+    alone.step({{"a", 1}});
+    EXPECT_EQ(alone["race"], 0);
+    s.step({{"a", 1}});
+    EXPECT_EQ(s["race"], 1);
+    s.step();
+    EXPECT_EQ(s["race"], 1) << "for ever";
+}
+
+TEST(ScheduleController, LeavesInputsAndTimerEndsFree) {
+    const Stepper s = start("input a; initial step 1; step 2; transition t1: 1 -> 2 when 3s/X1 && a;", searching);
+    const TransitionSystem::Module& main = s.system.modules[s.system.main];
+    std::vector<std::string> free;
+    for (const TransitionSystem::Symbol& symbol : main.symbols) {
+        const auto* state = std::get_if<TransitionSystem::StateSymbol>(&symbol.kind);
+        if (state != nullptr && !state->initial && !state->next) free.push_back(symbol.name);
+    }
+    EXPECT_EQ(free, (std::vector<std::string>{"a", "T_X1_3s_Q"}));
+}
+
+TEST(ScheduleController, TakesAnInternalThatNothingWritesForAConstant) {
+    const Stepper s = start("internal armed = true; initial step 1; step 2; transition t1: 1 -> 2 when armed;", searching);
+    EXPECT_EQ(s["armed"], 1);
+    Stepper moved = s;
+    moved.step();
+    EXPECT_EQ(moved["X_2"], 1);
+}
+
+TEST(ScheduleController, GivesItsOwnSymbolsNamesThatTheChartLeaves) {
+    const Stepper s = start("input stable, settled; output A; internal A_now = false; initial step 1 { A if stable; }", searching);
+    EXPECT_TRUE(has_symbol(s.system, s.system.instances[{0}].name + ".stable_2"));
+    EXPECT_TRUE(has_symbol(s.system, s.system.instances[{0}].name + ".A_now_2"));
+}
+
+TEST(ScheduleController, SaysWhatItsVerdictsAreWorth) {
+    const TransitionSystem search = schedule_controller(equations("initial step 1;"), searching);
+    EXPECT_NE(search.scope.find("holds with every plant in grain atomic"), std::string::npos);
+    EXPECT_NE(search.scope.find("written when the situation is stable"), std::string::npos);
+    const TransitionSystem every = schedule_controller(equations("initial step 1;"), cyclic);
+    EXPECT_NE(every.scope.find("written in every cycle"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace grafverif
