@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The timed engine: explicit-state search of a Network in integer time.
+//
+// Semantics: ir/network.hpp. One exploration, breadth first, decides every property about single states at once;
+// liveness is decided on the graph it leaves behind. Liveness as UPPAAL defines it: a maximal run is infinite or ends
+// where nothing can happen any more; staying in a state for ever counts as a run; `p leads to q` is kept by a state
+// where p and q hold together.
+//
+// Exactness (design: "properties, verdicts, traces"; argued in docs/engines.md). With closed clock constraints integer
+// time reaches the discrete states of dense time, so `always`, `never`, `reachable` are exact; a strict constraint makes
+// them one-sided. `inevitable`, `leads to`, `no deadlock`, `no timelock` are violated when an integer run violates them,
+// and hold only where no time-lock can hide between the ticks; else they are unknown, with the place named.
+//
+// Counterexamples about single states are shortest: fewest moves, a delay of any length counting one.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+#include "grafverif/ir/verdict.hpp"
+
+namespace grafverif {
+
+struct TimedProgress {
+    std::uint64_t states = 0;
+    std::uint64_t transitions = 0;
+    std::uint64_t queue = 0;     ///< states found, their moves not yet looked at
+    std::uint64_t bytes = 0;
+    double seconds = 0;
+};
+
+struct TimedOptions {
+    std::vector<std::string> properties = {};       ///< names; empty: all. `no timelock` is always decided
+    std::uint64_t max_states = 500'000'000;
+    std::uint64_t max_memory = std::uint64_t{4} << 30U;   ///< bytes
+    std::optional<std::chrono::steady_clock::time_point> deadline = {};
+    const std::atomic<bool>* stop = nullptr;        ///< set by somebody else: end with what is known
+    std::function<void(const TimedProgress&)> progress = {};   ///< called a few times per second
+};
+
+struct TimedResult {
+    std::vector<Verdict> verdicts = {};        ///< in the order of the properties, `no timelock` last if undeclared
+    std::vector<ModelError> errors = {};       ///< at most one per kind, edge and variable
+    std::uint64_t states = 0;
+    std::uint64_t transitions = 0;             ///< edges and delays of one unit
+    std::uint64_t bytes = 0;                   ///< most memory held at once
+    double seconds = 0;
+    bool complete = true;                      ///< every reachable state was looked at
+    bool time_passes = false;                  ///< in some reachable state
+};
+
+/// Requires verify(network).empty().
+TimedResult check_timed(const Network& network, const TimedOptions& options = {});
+
+}  // namespace grafverif

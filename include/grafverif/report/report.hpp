@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Report: what an engine found out about one model, ready to be shown. The writers of this room turn it into text, JSON
+// and JUnit XML; a single trace also into a waveform and a drawing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+#include "grafverif/ir/trace.hpp"
+#include "grafverif/ir/verdict.hpp"
+#include "grafverif/report/tell.hpp"
+
+namespace grafverif {
+
+/// What every verdict of a report rests on.
+struct Basis {
+    std::string engine = {};            ///< `timed`
+    std::string mode = {};              ///< `stability-search`, `every-cycle`; both where controllers differ
+    std::string grain = {};             ///< `phased`, `atomic`
+    std::int64_t time_unit_ms = 1000;
+
+    bool operator==(const Basis&) const = default;
+};
+
+/// Of the controllers and the grain of `network`.
+Basis basis_of(const Network& network, std::string engine);
+
+struct Answer {
+    Verdict verdict = {};
+    std::string text = {};              ///< of the property, as the model has it
+    std::optional<Trace> trace = {};    ///< tells the verdict's run
+
+    bool operator==(const Answer&) const = default;
+};
+
+/// A place where the model breaks off.
+struct Breakdown {
+    std::string code = {};              ///< `out-of-range`, `action-race`, `no-value`
+    std::string message = {};
+    Trace trace = {};
+
+    bool operator==(const Breakdown&) const = default;
+};
+
+struct Report {
+    std::string model = {};             ///< the closed loop
+    Basis basis = {};
+    std::vector<Answer> answers = {};
+    std::vector<Breakdown> breakdowns = {};
+
+    bool operator==(const Report&) const = default;
+};
+
+/// `verdict` with the text of its property; its run is told, and dropped.
+Answer answer_of(const Network& network, Verdict verdict, Detail detail);
+Breakdown breakdown_of(const Network& network, const ModelError& error, Detail detail);
+
+/// How many verdicts there are of each kind. An unknown verdict that the model does not ask for is only a note.
+struct Tally {
+    std::size_t holds = 0, violated = 0, unknown = 0, undeclared_unknown = 0;
+    std::size_t unexpected = 0;         ///< decided, and not as the model expects
+    bool operator==(const Tally&) const = default;
+};
+Tally tally(const Report& report);
+
+}  // namespace grafverif

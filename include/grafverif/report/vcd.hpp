@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A trace as a value change dump (IEEE 1364-2005, 18), for GTKWave and its kind: modules `inputs`, `outputs`,
+// `internals`, `plant`, and `steps` with the step variables; `loop` is 1 from where the trace repeats for ever.
+//
+// One unit is a microsecond. Steps within one instant stand a microsecond apart, so that their order can be seen.
+#pragma once
+
+#include <iosfwd>
+
+#include "grafverif/ir/trace.hpp"
+
+namespace grafverif {
+
+void print_vcd(const Trace& trace, std::ostream& out);
+
+}  // namespace grafverif

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Properties -> code and watches. `at stable` is a part of the code: `always p at stable` looks for settled and not p,
+// every other operand p becomes settled and p.
+#include "check/questions.hpp"
+
+#include <algorithm>
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif::timed {
+
+namespace {
+
+/// `X7` of the step variable `X_7`, `press.X7` of `press_X_7` where several controllers stand side by side.
+std::string step_name(const Network& network, const std::string& variable) {
+    if (variable.starts_with("X_")) return "X" + variable.substr(2);
+    for (const Network::Controller& controller : network.controllers)
+        if (const std::string prefix = controller.name + "_X_"; variable.starts_with(prefix))
+            return controller.name + ".X" + variable.substr(prefix.size());
+    return variable;
+}
+
+bool reads_operands(Pattern pattern) {
+    return pattern != Pattern::NoDeadlock && pattern != Pattern::NoTimelock && pattern != Pattern::RawUppaal &&
+           pattern != Pattern::RawCtl && pattern != Pattern::RawLtl;
+}
+
+}  // namespace
+
+Questions::Questions(const Network& network, Machine& machine, Watch& watch)
+    : network_(network), machine_(machine), watch_(watch), inexact_(inexact_place(network)) {}
+
+std::uint32_t Questions::settled_and(const Property& property, Id<Expr> operand) {
+    const std::uint32_t code = machine_.compiler().condition(operand, Program::yes, Program::no);
+    return property.at_stable ? machine_.compiler().condition(network_.settled, code, Program::no) : code;
+}
+
+std::uint32_t Questions::settled_but_not(const Property& property, Id<Expr> operand) {
+    const std::uint32_t code = machine_.compiler().condition(operand, Program::no, Program::yes);
+    return property.at_stable ? machine_.compiler().condition(network_.settled, code, Program::no) : code;
+}
+
+/// Yes where none or two of the operands hold. Written from the last operand backwards, for none and for one met so far.
+std::uint32_t Questions::not_exactly_one(const Property& property) {
+    Compiler& compiler = machine_.compiler();
+    std::uint32_t after_none = Program::yes;
+    std::uint32_t after_one = Program::no;
+    for (auto operand = property.operands.rbegin(); operand != property.operands.rend(); ++operand) {
+        after_none = compiler.condition(*operand, after_one, after_none);
+        after_one = compiler.condition(*operand, Program::yes, after_one);
+    }
+    return property.at_stable ? compiler.condition(network_.settled, after_none, Program::no) : after_none;
+}
+
+void Questions::ask_steps(const Property& property, const Question& prototype) {
+    std::vector<Id<Network::Variable>> steps;
+    for (const Id<Expr> operand : property.operands) steps.push_back({static_cast<std::uint32_t>(network_.exprs[operand].value)});
+    if (steps.empty())
+        for (const Id<Network::Variable> variable : network_.variables.ids())
+            if (network_.variables[variable].role == Network::Role::Step) steps.push_back(variable);
+    const std::uint32_t settled =
+        property.at_stable ? machine_.compiler().condition(network_.settled, Program::yes, Program::no) : Program::yes;
+    for (const Id<Network::Variable> step : steps) {
+        Question question = prototype;
+        question.verdict.property += "." + step_name(network_, network_.variables[step].name);
+        question.watch = watch_.add_bit(machine_.layout().variables[step.index], settled);
+        questions_.push_back(std::move(question));
+    }
+}
+
+void Questions::ask(const Property& property, bool declared) {
+    Question question{.property = &property, .at_stable = property.at_stable};
+    question.verdict.property = property.name;
+    question.verdict.pattern = property.pattern;
+    question.verdict.declared = declared;
+    question.verdict.expected_violated = property.expected_violated;
+    question.verdict.origin = property.origin;
+    if (property.at_stable && reads_operands(property.pattern) && !network_.settled.valid()) {
+        question.verdict.obstacle = Obstacle::Unsupported;
+        question.verdict.reason = "nothing says which states of this network are settled";
+        questions_.push_back(std::move(question));
+        return;
+    }
+    if (property.at_stable && reads_operands(property.pattern) && settled_watch_ == none)
+        settled_watch_ = watch_.add(machine_.compiler().condition(network_.settled, Program::yes, Program::no));
+    if (property.pattern == Pattern::ReachableAllSteps) return ask_steps(property, question);
+    compile(question);
+    questions_.push_back(std::move(question));
+}
+
+void Questions::compile(Question& question) {
+    const Property& property = *question.property;
+    switch (property.pattern) {
+    case Pattern::Always: question.watch = watch_.add(settled_but_not(property, property.operands[0])); return;
+    case Pattern::Never:
+    case Pattern::Reachable: question.watch = watch_.add(settled_and(property, property.operands[0])); return;
+    case Pattern::ExactlyOneOf: question.watch = watch_.add(not_exactly_one(property)); return;
+    case Pattern::Inevitable: question.q = settled_and(property, property.operands[0]); return;
+    case Pattern::LeadsTo:
+        question.p = settled_and(property, property.operands[0]);
+        question.q = settled_and(property, property.operands[1]);
+        question.watch = watch_.add(question.p);
+        return;
+    case Pattern::AlwaysPossible: question.p = settled_and(property, property.operands[0]); return;
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock:
+    case Pattern::ReachableAllSteps: return;
+    case Pattern::RawUppaal:
+    case Pattern::RawCtl:
+    case Pattern::RawLtl:
+        question.verdict.obstacle = Obstacle::Unsupported;
+        question.verdict.reason = "the timed engine reads no raw formulas";
+        return;
+    }
+    unreachable();
+}
+
+}  // namespace grafverif::timed

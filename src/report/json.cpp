@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/report/json.hpp"
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace grafverif {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json values(const std::vector<Trace::Signal>& signals, const std::vector<std::int64_t>& list) {
+    Json object = Json::object();
+    for (std::size_t i = 0; i < signals.size(); ++i)
+        object[signals[i].name] = signals[i].type.boolean ? Json(list[i] != 0) : Json(list[i]);
+    return object;
+}
+
+Json step(const Trace& trace, const Trace::Step& step) {
+    Json fired = Json::array();
+    for (const std::vector<std::string>& evolution : step.fired)
+        for (const std::string& transition : evolution) fired.push_back(transition);
+    Json situation = Json::array();
+    for (const std::uint32_t active : step.after.situation) situation.push_back(trace.steps_of_charts[active]);
+    return {{"time", step.after.time_ms},
+            {"kind", word(step.kind)},
+            {"component", text_or_null(step.component)},
+            {"inputs", values(trace.inputs, step.after.inputs)},
+            {"fired", std::move(fired)},
+            {"situation", std::move(situation)},
+            {"outputs", values(trace.outputs, step.after.outputs)}};
+}
+
+Json trace(const Trace& trace) {
+    Json steps = Json::array();
+    for (const Trace::Step& each : trace.steps) steps.push_back(step(trace, each));
+    return {{"loop_from", trace.loop_from ? Json(*trace.loop_from) : Json(nullptr)}, {"steps", std::move(steps)}};
+}
+
+Json property(const Report& report, const Answer& answer) {
+    const Verdict& verdict = answer.verdict;
+    return {{"name", verdict.property},
+            {"text", text_or_null(answer.text)},
+            {"verdict", word(verdict.outcome)},
+            {"expected", verdict.expected_violated ? "violated" : "holds"},
+            {"engine", report.basis.engine},
+            {"mode", report.basis.mode},
+            {"grain", report.basis.grain},
+            {"states", verdict.states},
+            {"transitions", verdict.transitions},
+            {"seconds", verdict.seconds},
+            {"reason", text_or_null(verdict.reason)},
+            {"vacuous", verdict.vacuous},
+            {"notes", verdict.notes},
+            {"trace", answer.trace ? trace(*answer.trace) : Json(nullptr)}};
+}
+
+}  // namespace
+
+void print_json(const Report& report, std::ostream& out) {
+    Json properties = Json::array();
+    for (const Answer& answer : report.answers) properties.push_back(property(report, answer));
+    Json document = {{"model", report.model}, {"properties", std::move(properties)}};
+    if (!report.breakdowns.empty()) {
+        Json errors = Json::array();
+        for (const Breakdown& breakdown : report.breakdowns)
+            errors.push_back({{"code", breakdown.code}, {"message", breakdown.message}, {"trace", trace(breakdown.trace)}});
+        document["errors"] = std::move(errors);
+    }
+    out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace grafverif

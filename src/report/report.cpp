@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// The property that a verdict is about; one that expands is named before the first point (`S.X7`).
+const Property* property_of(const Network& network, const std::string& name) {
+    const auto named = [&](std::string_view wanted) {
+        return std::ranges::find_if(network.properties, [&](const Property& property) { return property.name == wanted; });
+    };
+    auto found = named(name);
+    if (found == network.properties.end()) found = named(std::string_view(name).substr(0, name.find('.')));
+    return found == network.properties.end() ? nullptr : &*found;
+}
+
+std::string edge_words(const Network& network, const ModelError& error) {
+    const Network::Process& process = network.processes[error.process];
+    const Network::Template& automaton = network.templates[process.automaton];
+    const Network::Edge& edge = automaton.edges[error.edge];
+    return fmt::format("`{}`: {} -> {}", process.name, automaton.locations[edge.from].name, automaton.locations[edge.to].name);
+}
+
+std::string message_of(const Network& network, const ModelError& error) {
+    const std::string name = error.variable.valid() ? network.variables[error.variable].name : "";
+    switch (error.kind) {
+    case ModelError::Kind::OutOfRange: {
+        const Type& type = network.variables[error.variable].type;
+        return fmt::format("`{}` would leave its range {}..{} ({})", name, type.low, type.high, edge_words(network, error));
+    }
+    case ModelError::Kind::ActionRace: return "two stored actions give one variable different values in one evolution";
+    case ModelError::Kind::NoValue:    return fmt::format("division by zero ({})", edge_words(network, error));
+    }
+    unreachable();
+}
+
+}  // namespace
+
+Basis basis_of(const Network& network, std::string engine) {
+    bool searches = false, cycles = false;
+    for (const Network::Controller& controller : network.controllers)
+        (controller.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
+    std::string mode = searches ? "stability-search" : "";
+    if (cycles) mode += searches ? ", every-cycle" : "every-cycle";
+    return {std::move(engine), mode, network.grain == Grain::Atomic ? "atomic" : "phased", network.time_unit_ms};
+}
+
+Answer answer_of(const Network& network, Verdict verdict, Detail detail) {
+    Answer answer;
+    if (const Property* property = property_of(network, verdict.property)) answer.text = property->text;
+    if (verdict.run) answer.trace = tell(network, *verdict.run, detail);
+    verdict.run.reset();
+    answer.verdict = std::move(verdict);
+    return answer;
+}
+
+Breakdown breakdown_of(const Network& network, const ModelError& error, Detail detail) {
+    return {std::string(word(error.kind)), message_of(network, error), tell(network, error.run, detail)};
+}
+
+Tally tally(const Report& report) {
+    Tally tally;
+    for (const Answer& answer : report.answers) {
+        const Verdict& verdict = answer.verdict;
+        if (verdict.outcome == Outcome::Holds) ++tally.holds;
+        if (verdict.outcome == Outcome::Violated) ++tally.violated;
+        if (verdict.outcome == Outcome::Unknown) ++(verdict.declared ? tally.unknown : tally.undeclared_unknown);
+        if (verdict.outcome != Outcome::Unknown && !as_expected(verdict)) ++tally.unexpected;
+    }
+    return tally;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// Layout: the title, then the header with slanted labels, then the times, then the rows in groups, then the foot. All
+// lengths are in pixels; a character is taken as `character` wide.
+#include "grafverif/report/svg.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <vector>
+
+#include "report/table.hpp"
+#include "support/xml_text.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::size_t character = 7, column_width = 36, row_height = 26, margin = 16;
+constexpr std::size_t longest_label = 40, longest_name = 32;
+constexpr std::size_t wave_high = 5, wave_low = 20;   // within a row
+/// What a character adds to a label's extent, upwards and to the right, in hundredths: at 60 degrees from the level.
+constexpr std::size_t rise_per_hundred = 87 * character, run_per_hundred = 50 * character;
+
+/// One row: a name and its value in each step.
+struct Row {
+    std::string name = {};
+    bool boolean = true;
+    std::vector<std::int64_t> values = {};
+};
+struct Group {
+    std::string title = {};
+    std::string style = {};
+    std::vector<Row> rows = {};
+};
+
+std::string shortened(std::string text, std::size_t length) {
+    if (text.size() > length) text = text.substr(0, length - 1) + "\u2026";
+    return text;
+}
+
+Group group(std::string title, const Trace& trace, const std::vector<Trace::Signal>& signals,
+            std::vector<std::int64_t> Trace::State::*values) {
+    Group group{title, title, {}};
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+        Row row{signals[i].name, signals[i].type.boolean, {}};
+        for (const Trace::Step& step : trace.steps) row.values.push_back((step.after.*values)[i]);
+        group.rows.push_back(std::move(row));
+    }
+    return group;
+}
+
+Group steps(const Trace& trace) {
+    Group group{"steps", "steps", {}};
+    for (const std::string& name : trace.steps_of_charts)
+        group.rows.push_back({name, true, std::vector<std::int64_t>(trace.steps.size(), 0)});
+    for (std::size_t i = 0; i < trace.steps.size(); ++i)
+        for (const std::uint32_t active : trace.steps[i].after.situation) group.rows[active].values[i] = 1;
+    return group;
+}
+
+class Drawing {
+public:
+    Drawing(const Trace& trace, std::string_view title) : trace_(trace), title_(title) {
+        groups_ = {group("inputs", trace, trace.inputs, &Trace::State::inputs),
+                   group("outputs", trace, trace.outputs, &Trace::State::outputs),
+                   group("internals", trace, trace.internals, &Trace::State::internals),
+                   group("plant", trace, trace.plant, &Trace::State::plant), steps(trace)};
+        drop_idle();
+        measure();
+    }
+
+    void print(std::ostream& out) {
+        draw_header();
+        std::size_t y = top_;
+        for (const Group& group : groups_) {
+            if (group.rows.empty()) continue;
+            text(margin, y + wave_low, "title", group.title);
+            y += row_height;
+            for (const Row& each : group.rows) {
+                draw(each, group.style, y);
+                y += row_height;
+            }
+        }
+        for (const std::string& line : foot_) text(margin, y += row_height, "foot", line);
+        const std::size_t height = y + margin;
+        out << fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n", width_,
+                           height);
+        out << style << fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", width_, height);
+        draw_loop(out);
+        for (const std::size_t x : rules_)
+            out << fmt::format("<line class=\"rule\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", x, top_ - row_height, last_row_);
+        out << body_ << "</svg>\n";
+    }
+
+private:
+    static constexpr const char* style =
+        "<style>\n"
+        "text { font: 12px sans-serif; fill: #222 }\n"
+        ".heading { font-size: 15px; font-weight: bold }\n"
+        ".title { font-weight: bold; fill: #555 }\n"
+        ".foot { fill: #777 }\n"
+        ".time { font-size: 11px; fill: #555 }\n"
+        ".value { font-size: 11px; text-anchor: middle }\n"
+        ".paper { fill: #fff }\n"
+        ".loop { fill: #fff3d6 }\n"
+        ".rule { stroke: #ddd }\n"
+        ".wave { fill: none; stroke-width: 1.5 }\n"
+        ".inputs { stroke: #1f6fb2 } .outputs { stroke: #b2401f } .internals { stroke: #7a3fa0 }\n"
+        ".plant { stroke: #2e8b57 } .steps { stroke: #444 }\n"
+        ".fill-inputs { fill: #d8e8f5 } .fill-outputs { fill: #f7ddd4 } .fill-internals { fill: #eadcf2 }\n"
+        ".fill-plant { fill: #dcefe4 } .fill-steps { fill: #e2e2e2 }\n"
+        "</style>\n";
+
+    void drop_idle() {
+        std::string idle;
+        for (Group& group : groups_) {
+            const auto is_idle = [](const Row& row) { return std::ranges::all_of(row.values, [](std::int64_t v) { return v == 0; }); };
+            for (const Row& row : group.rows)
+                if (is_idle(row)) idle += (idle.empty() ? "" : ", ") + (group.title == "steps" ? "step " + row.name : row.name);
+            std::erase_if(group.rows, is_idle);
+        }
+        if (!idle.empty()) foot_.push_back("0 throughout: " + idle);
+    }
+
+    void measure() {
+        std::size_t name = 10, label = 4, past = 0;
+        for (const Group& group : groups_)
+            for (const Row& row : group.rows) name = std::max(name, std::min(row.name.size(), longest_name));
+        left_ = margin + name * character + margin;
+        for (std::size_t i = 0; i < trace_.steps.size(); ++i) {
+            labels_.push_back(shortened(happening(trace_, i), longest_label));
+            label = std::max(label, labels_.back().size());
+            past = std::max(past, left_ + i * column_width + column_width / 2 + labels_.back().size() * run_per_hundred / 100);
+        }
+        top_ = margin + 2 * row_height + label * rise_per_hundred / 100 + row_height;
+        width_ = std::max(left_ + trace_.steps.size() * column_width, past) + margin;
+        width_ = std::max(width_, margin * 2 + title_.size() * (character + 2));
+        last_row_ = top_;
+        for (const Group& group : groups_)
+            if (!group.rows.empty()) last_row_ += row_height * (1 + group.rows.size());
+        wrap_foot();
+    }
+
+    void wrap_foot() {
+        std::vector<std::string> lines;
+        const std::size_t room = (width_ - 2 * margin) / character;
+        for (std::string rest : foot_) {
+            while (rest.size() > room) {
+                const std::size_t blank = rest.rfind(' ', room);
+                const std::size_t end = blank == std::string::npos || blank == 0 ? room : blank;
+                lines.push_back(rest.substr(0, end));
+                rest = rest.substr(end);
+            }
+            lines.push_back(rest);
+        }
+        foot_ = std::move(lines);
+    }
+
+    std::size_t x(std::size_t step) const { return left_ + step * column_width; }
+
+    void text(std::size_t x, std::size_t y, std::string_view kind, std::string_view words) {
+        body_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">", kind, x, y);
+        escape_xml(words, body_);
+        body_ += "</text>\n";
+    }
+
+    void draw_header() {
+        text(margin, margin + wave_low, "heading", title_);
+        for (std::size_t i = 0; i < trace_.steps.size(); ++i) {
+            const std::size_t at = x(i) + column_width / 2, y = top_ - row_height - 4;
+            body_ += fmt::format("<text class=\"event\" transform=\"translate({},{}) rotate(-60)\">", at, y);
+            escape_xml(labels_[i], body_);
+            body_ += "</text>\n";
+            if (i > 0 && trace_.steps[i].after.time_ms == trace_.steps[i - 1].after.time_ms) continue;
+            rules_.push_back(x(i));
+            text(x(i) + 3, top_ - 8, "time", seconds_text(trace_.steps[i].after.time_ms));
+        }
+    }
+
+    void draw_loop(std::ostream& out) const {
+        if (!trace_.loop_from) return;
+        const std::size_t from = x(*trace_.loop_from), end = x(trace_.steps.size());
+        out << fmt::format("<rect class=\"loop\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>for ever</title></rect>\n", from,
+                           top_ - row_height, end - from, last_row_ - top_ + row_height);
+    }
+
+    void draw(const Row& each, const std::string& kind, std::size_t y) {
+        text(margin, y + wave_low - 3, "name", shortened(each.name, longest_name));
+        for (std::size_t begin = 0; begin < each.values.size();) {
+            std::size_t end = begin + 1;
+            while (end < each.values.size() && each.values[end] == each.values[begin]) ++end;
+            if (each.boolean) draw_level(begin, end, each.values[begin] != 0, begin > 0, kind, y);
+            else draw_value(begin, end, each.values[begin], kind, y);
+            begin = end;
+        }
+    }
+
+    /// A piece of a wave, with the slope from the one before it.
+    void draw_level(std::size_t begin, std::size_t end, bool high, bool slope, const std::string& kind, std::size_t y) {
+        const std::size_t level = y + (high ? wave_high : wave_low);
+        if (high)
+            body_ += fmt::format("<rect class=\"fill-{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", kind, x(begin), level,
+                                 x(end) - x(begin), wave_low - wave_high);
+        const std::string from = slope ? fmt::format("M{} {}V{}", x(begin), y + (high ? wave_low : wave_high), level)
+                                       : fmt::format("M{} {}", x(begin), level);
+        body_ += fmt::format("<path class=\"wave {}\" d=\"{}H{}\"/>\n", kind, from, x(end));
+    }
+
+    /// A value as a box with slanted ends.
+    void draw_value(std::size_t begin, std::size_t end, std::int64_t value, const std::string& kind, std::size_t y) {
+        const std::size_t high = y + wave_high, low = y + wave_low, middle = (high + low) / 2, slant = 4;
+        body_ += fmt::format("<path class=\"wave {} fill-{}\" d=\"M{} {}L{} {}H{}L{} {}L{} {}H{}Z\"/>\n", kind, kind, x(begin), middle,
+                             x(begin) + slant, high, x(end) - slant, x(end), middle, x(end) - slant, low, x(begin) + slant);
+        text((x(begin) + x(end)) / 2, low - 4, "value", std::to_string(value));
+    }
+
+    const Trace& trace_;
+    std::string title_;
+    std::vector<Group> groups_ = {};
+    std::vector<std::string> labels_ = {}, foot_ = {};
+    std::vector<std::size_t> rules_ = {};   ///< where time goes on
+    std::size_t left_ = 0, top_ = 0, width_ = 0, last_row_ = 0;
+    std::string body_ = {};
+};
+
+}  // namespace
+
+void print_svg(const Trace& trace, std::string_view title, std::ostream& out) { Drawing(trace, title).print(out); }
+
+}  // namespace grafverif

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The table of a trace.
+#include "grafverif/report/terminal.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <ostream>
+#include <string_view>
+
+#include "report/table.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::size_t widest_line = 100;
+constexpr std::size_t gutter = 2;      // before the table: the bar of a loop
+constexpr std::size_t between = 2;     // between columns
+constexpr std::size_t least_width = 8;
+
+/// The lines of `text` in `width` columns, broken at blanks, or anywhere in a word that is too long.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
+    std::vector<std::string> lines;
+    while (text.size() > width) {
+        std::size_t end = text.rfind(' ', width);
+        const bool at_blank = end != std::string_view::npos && end > 0;
+        if (!at_blank) end = width;
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(at_blank ? end + 1 : end);
+    }
+    lines.emplace_back(text);
+    return lines;
+}
+
+void print_cells(const Cells& cells, std::string_view bar, const TableWidths& widths, std::ostream& out) {
+    std::array<std::vector<std::string>, std::tuple_size_v<Cells>> columns;
+    std::size_t height = 1;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        columns[i] = wrapped(cells[i], widths[i]);
+        height = std::max(height, columns[i].size());
+    }
+    for (std::size_t line = 0; line < height; ++line) {
+        std::string text(bar);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const std::string cell = line < columns[i].size() ? columns[i][line] : "";
+            const std::string blank(widths[i] - std::min(widths[i], cell.size()), ' ');
+            text += i == 0 ? blank + cell : cell + blank;
+            text += std::string(between, ' ');
+        }
+        text.erase(text.find_last_not_of(' ') + 1);
+        out << text << '\n';
+    }
+}
+
+/// As wide as the contents, the widest columns narrowed until all fit.
+TableWidths fitting(const Trace& trace) {
+    TableWidths widths{};
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = column_titles[i].size();
+    for (std::size_t step = 0; step < trace.steps.size(); ++step) {
+        const Cells row = cells(trace, step, step + 1 == trace.steps.size());
+        for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    const std::size_t room = widest_line - gutter - between * (widths.size() - 1);
+    for (std::size_t sum = std::accumulate(widths.begin(), widths.end(), std::size_t{0}); sum > room;) {
+        const auto widest = std::ranges::max_element(widths);
+        const auto rest = sum - *widest;
+        // Down to the next widest column, or as far as needed.
+        std::size_t next = least_width;
+        for (auto width = widths.begin(); width != widths.end(); ++width)
+            if (width != widest) next = std::max(next, *width);
+        const std::size_t needed = room > rest ? room - rest : least_width;
+        *widest = std::max({needed, std::min(next, *widest - 1), least_width});
+        sum = rest + *widest;
+    }
+    return widths;
+}
+
+bool in_loop(const Trace& trace, std::size_t index) { return trace.loop_from && index >= *trace.loop_from; }
+
+}  // namespace
+
+void print_header(const TableWidths& widths, std::ostream& out) {
+    print_cells(column_titles, std::string(gutter, ' '), widths, out);
+}
+
+void print_row(const Trace& trace, std::size_t index, bool complete, const TableWidths& widths, std::ostream& out) {
+    print_cells(cells(trace, index, complete), in_loop(trace, index) ? "| " : "  ", widths, out);
+}
+
+void print_trace(const Trace& trace, std::ostream& out) {
+    const TableWidths widths = fitting(trace);
+    print_header(widths, out);
+    for (std::size_t i = 0; i < trace.steps.size(); ++i) {
+        if (trace.loop_from == i) out << "+-- from here on, for ever:\n";
+        print_row(trace, i, i + 1 == trace.steps.size(), widths, out);
+    }
+}
+
+}  // namespace grafverif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Verdicts as text: a line each, what it rests on under it, then notes and the trace.
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "grafverif/report/terminal.hpp"
+
+namespace grafverif {
+
+namespace {
+
+class Printer {
+public:
+    Printer(const Report& report, const TextOptions& options, std::ostream& out)
+        : report_(report), options_(options), out_(out) {}
+
+    void print() {
+        for (const Breakdown& breakdown : report_.breakdowns) print(breakdown);
+        for (const Answer& answer : report_.answers) print(answer);
+        print_tally();
+    }
+
+private:
+    /// `text` in the colour of what it says.
+    std::string painted(std::string_view text, int colour) const {
+        if (options_.colour == Colour::Plain) return std::string(text);
+        return fmt::format("\033[1;{}m{}\033[0m", colour, text);
+    }
+
+    std::string outcome(const Verdict& verdict) const {
+        constexpr int red = 31, green = 32, yellow = 33;
+        if (verdict.outcome == Outcome::Unknown) return painted("unknown", yellow);
+        std::string text(word(verdict.outcome));
+        if (verdict.vacuous) text += ", vacuously";
+        if (verdict.expected_violated) text += as_expected(verdict) ? ", as expected" : ", but expected to be violated";
+        return painted(text, as_expected(verdict) ? green : red);
+    }
+
+    std::string basis(const Verdict& verdict) const {
+        const Basis& basis = report_.basis;
+        return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero; {} states", basis.engine,
+                           basis.mode, basis.grain, seconds_text(basis.time_unit_ms), verdict.states);
+    }
+
+    void print(const Answer& answer) {
+        const Verdict& verdict = answer.verdict;
+        out_ << verdict.property;
+        if (!answer.text.empty()) out_ << " \"" << answer.text << '"';
+        if (!verdict.declared) out_ << " (not declared)";
+        out_ << ": " << outcome(verdict) << "\n    " << basis(verdict) << '\n';
+        if (!verdict.reason.empty()) out_ << "    why: " << verdict.reason << '\n';
+        for (const std::string& note : verdict.notes) out_ << "    note: " << note << '\n';
+        if (!answer.trace) return;
+        const bool witness = verdict.outcome == Outcome::Holds;
+        if (witness && !options_.verbose) return;
+        print_told(witness ? "witness" : "counterexample", *answer.trace);
+    }
+
+    void print_told(std::string_view what, const Trace& trace) {
+        out_ << '\n' << what << ":\n";
+        print_trace(trace, out_);
+        out_ << '\n';
+    }
+
+    void print(const Breakdown& breakdown) {
+        out_ << painted("the model breaks off", 31) << ": " << breakdown.message << " [" << breakdown.code << "]\n";
+        print_told("the way there", breakdown.trace);
+    }
+
+    void print_tally() {
+        const Tally count = tally(report_);
+        std::string line;
+        const auto add = [&line](std::size_t number, std::string_view one, std::string_view many) {
+            if (number != 0) line += fmt::format("{}{} {}", line.empty() ? "" : ", ", number, number == 1 ? one : many);
+        };
+        add(count.holds, "holds", "hold");
+        add(count.violated, "violated", "violated");
+        add(count.unknown + count.undeclared_unknown, "unknown", "unknown");
+        add(report_.breakdowns.size(), "place where the model breaks off", "places where the model breaks off");
+        out_ << report_.model << ": " << (line.empty() ? "no properties" : line);
+        if (count.unexpected != 0) out_ << "; " << count.unexpected << " against expectation";
+        if (options_.verbose && !report_.answers.empty()) out_ << fmt::format(" ({:.3f} s)", report_.answers.back().verdict.seconds);
+        out_ << '\n';
+    }
+
+    const Report& report_;
+    const TextOptions& options_;
+    std::ostream& out_;
+};
+
+}  // namespace
+
+void print_report(const Report& report, const TextOptions& options, std::ostream& out) { Printer(report, options, out).print(); }
+
+}  // namespace grafverif

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "app/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace grafverif::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = GRAFVERIF_SOURCE_DIR;
+
+struct Result {
+    ExitCode code = ExitCode::Failure;
+    std::string out = {}, err = {};
+};
+
+Result grafverif(const std::vector<std::string>& arguments) {
+    std::istringstream in;
+    std::ostringstream out, err;
+    const ExitCode code = run(arguments, {in, out, err, false});
+    return {code, out.str(), err.str()};
+}
+
+/// A folder of its own for one test, gone with it.
+class Folder {
+public:
+    Folder() {
+        std::string pattern = (fs::temp_directory_path() / "grafverif-test-XXXXXX").string();
+        path_ = ::mkdtemp(pattern.data());
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder() { fs::remove_all(path_); }
+
+    std::string file(const std::string& name) const { return (path_ / name).string(); }
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name, std::ios::binary) << text;
+        return file(name);
+    }
+    std::string read(const std::string& name) const {
+        std::ifstream in(path_ / name, std::ios::binary);
+        std::ostringstream text;
+        text << in.rdbuf();
+        return text.str();
+    }
+    std::size_t entries() const {
+        return static_cast<std::size_t>(std::distance(fs::recursive_directory_iterator(path_), fs::recursive_directory_iterator()));
+    }
+
+private:
+    fs::path path_ = {};
+};
+
+const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
+
+TEST(Program, SaysWhatItIsAndItsVersion) {
+    EXPECT_EQ(grafverif({"--version"}).out, "grafverif " GRAFVERIF_VERSION "\n");
+    const Result help = grafverif({"--help"});
+    EXPECT_EQ(help.code, ExitCode::Done);
+    EXPECT_NE(help.out.find("Usage: grafverif VERB"), std::string::npos);
+}
+
+TEST(Program, RefusesWrongUsageWithExitCodeTwo) {
+    struct Case { std::vector<std::string> arguments; std::string complaint; };
+    for (const Case& c : std::vector<Case>{
+             {{}, "no verb given"},
+             {{"frobnicate"}, "there is no verb `frobnicate`"},
+             {{"build"}, "`FILE` is missing"},
+             {{"build", station, "second"}, "one argument too many: `second`"},
+             {{"build", station, "--grain", "coarse"}, "`--grain` takes one of `phased`, `atomic`; not `coarse`"},
+             {{"equations", station, "--format", "pdf"}, "not `pdf`"},
+             {{"build", station, "--frob"}, "unrecognised option '--frob'"},
+             {{"uppaal", station, "-o"}, "the required argument for option '--output' is missing"},
+         }) {
+        SCOPED_TRACE(c.complaint);
+        const Result result = grafverif(c.arguments);
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find(c.complaint), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find("--help`"), std::string::npos);
+        EXPECT_EQ(result.out, "");
+    }
+}
+
+TEST(Build, WritesTheProjectItsQueriesAndTheNusmvModel) {
+    const Folder folder;
+    const Result result = grafverif({"build", station, "-o", folder.file("out")});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    EXPECT_TRUE(folder.read("out/station.xml").starts_with("<?xml"));
+    EXPECT_NE(folder.read("out/station.q").find("-->"), std::string::npos);
+    EXPECT_NE(folder.read("out/station.smv").find("MODULE main"), std::string::npos);
+    for (const char* name : {"station.xml", "station.q", "station.smv"}) EXPECT_NE(result.out.find(name), std::string::npos);
+    EXPECT_EQ(folder.entries(), 4u);
+}
+
+TEST(Build, TellsItsFilesAsJson) {
+    const Folder folder;
+    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--format", "json", "--target", "uppaal"});
+    const auto files = nlohmann::json::parse(result.out)["files"];
+    ASSERT_EQ(files.size(), 2u);
+    EXPECT_EQ(files[0]["path"], folder.file("out/station.xml"));
+    EXPECT_EQ(files[0]["bytes"], folder.read("out/station.xml").size());
+}
+
+TEST(Build, IsDeterministic) {
+    const Folder folder;
+    grafverif({"build", station, "-o", folder.file("one")});
+    grafverif({"build", station, "-o", folder.file("two")});
+    for (const char* name : {"station.xml", "station.q", "station.smv"}) {
+        EXPECT_FALSE(folder.read(std::string("one/") + name).empty());
+        EXPECT_EQ(folder.read(std::string("one/") + name), folder.read(std::string("two/") + name));
+    }
+}
+
+TEST(Build, WritesNothingWhenTheInputIsWrong) {
+    const Folder folder;
+    const std::string broken = folder.write("broken.grafcet", "grafcet a { input x; step 1; }\n");
+    const Result result = grafverif({"build", broken, "-o", folder.file("out")});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("[no-initial-step]"), std::string::npos) << result.err;
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(Build, LeavesExistingOutputsUntouchedOnError) {
+    const Folder folder;
+    ASSERT_EQ(grafverif({"build", station, "-o", folder.file("out")}).code, ExitCode::Done);
+    const std::string before = folder.read("out/station.xml");
+    fs::remove(folder.file("out/station.q"));
+    fs::create_directory(folder.file("out/station.q"));   // cannot be written over
+    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--grain", "atomic"});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_EQ(folder.read("out/station.xml"), before);
+    EXPECT_EQ(folder.entries(), 4u) << "a draft was left behind";
+}
+
+TEST(Build, TakesOnlyAClosedLoop) {
+    const Folder folder;
+    const std::string chart = folder.write("lone.grafcet", "grafcet a { input x; output L; initial step 0; step 1 { L; }\n"
+                                                           "transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n");
+    const Result result = grafverif({"build", chart, "-o", folder.file("out")});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("[no-closed-loop]"), std::string::npos) << result.err;
+    EXPECT_EQ(grafverif({"nusmv", chart}).code, ExitCode::Done);
+}
+
+TEST(Build, ReportsAMissingFileAndAFolder) {
+    const Folder folder;
+    for (const std::string& path : {folder.file("nowhere.grafcet"), folder.file("")}) {
+        const Result result = grafverif({"build", path});
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find("[cannot-read]"), std::string::npos) << result.err;
+    }
+}
+
+TEST(Diagnostics, ComeAsJsonWhenAsked) {
+    const Folder folder;
+    const std::string broken = folder.write("broken.grafcet", "grafcet a { input x; step 1; }\n");
+    const Result result = grafverif({"build", broken, "--diagnostics", "json"});
+    const auto parsed = nlohmann::json::parse(result.err);
+    ASSERT_FALSE(parsed.empty());
+    EXPECT_EQ(parsed[0]["file"], broken);
+    EXPECT_EQ(parsed[0]["severity"], "error");
+}
+
+TEST(Choice, NamesTheCandidatesWhereAFileHasSeveral) {
+    const Folder folder;
+    const std::string chart = "{ input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n";
+    const std::string two = folder.write("two.grafcet", "grafcet first " + chart + "grafcet second " + chart);
+    const Result result = grafverif({"equations", two});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("`first`, `second`"), std::string::npos) << result.err;
+    EXPECT_EQ(grafverif({"equations", two, "--chart", "second"}).code, ExitCode::Done);
+    EXPECT_NE(grafverif({"equations", two, "--chart", "third"}).err.find("`third`"), std::string::npos);
+}
+
+TEST(Components, AreListedAndShown) {
+    const Result list = grafverif({"components"});
+    EXPECT_EQ(list.code, ExitCode::Done);
+    EXPECT_NE(list.out.find("cylinder_5_3 "), std::string::npos);
+    EXPECT_NE(grafverif({"components", "cylinder_5_3"}).out.find("component cylinder_5_3("), std::string::npos);
+    const Result unknown = grafverif({"components", "cylinder_5_4"});
+    EXPECT_EQ(unknown.code, ExitCode::Input);
+    EXPECT_NE(unknown.err.find("cylinder_5_3"), std::string::npos);
+    const auto json = nlohmann::json::parse(grafverif({"components", "push_button", "--format", "json"}).out);
+    EXPECT_EQ(json["name"], "push_button");
+}
+
+TEST(Fmt, RewritesInPlaceAndChecks) {
+    const Folder folder;
+    const std::string file = folder.write("a.grafcet", "grafcet a{input x;output L;initial step 0;step 1{L;}\n"
+                                                       "transition t:0->1 when x;transition u:1->0 when not x;}");
+    EXPECT_EQ(grafverif({"fmt", file, "--check"}).code, ExitCode::Verdict);
+    const std::string printed = grafverif({"fmt", file}).out;
+    EXPECT_EQ(grafverif({"fmt", file, "-i"}).code, ExitCode::Done);
+    EXPECT_EQ(folder.read("a.grafcet"), printed);
+    EXPECT_EQ(grafverif({"fmt", file, "--check"}).code, ExitCode::Done);
+}
+
+}  // namespace
+}  // namespace grafverif::app

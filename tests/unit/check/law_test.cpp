@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+// The engine against the reference semantics, on random networks: the same discrete states, the same verdicts by a
+// naive fixpoint on the naive graph; and the fineness of the time unit changes no verdict.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "support/law_size.hpp"
+#include "support/naive_tadd.hpp"
+#include "support/random_loop.hpp"
+#include "support/random_network.hpp"
+#include "unit/check/networks.hpp"
+
+namespace grafverif {
+namespace {
+
+/// Every reachable state with its moves, by the reference semantics.
+struct Explored {
+    std::vector<TaddState> states = {};
+    std::vector<std::vector<std::size_t>> next = {};
+    std::vector<bool> passes = {}, acts = {}, faulty = {};
+    std::vector<std::size_t> later = {};   // where a unit of time leads
+    bool any_fault = false;
+};
+
+std::optional<Explored> explored(const NaiveTadd& tadd, std::size_t limit) {
+    Explored all;
+    std::map<TaddState, std::size_t> numbers;
+    const auto number = [&](const TaddState& state) {
+        const auto [place, fresh] = numbers.emplace(state, all.states.size());
+        if (fresh) all.states.push_back(state);
+        return place->second;
+    };
+    number(tadd.initial());
+    for (std::size_t i = 0; i < all.states.size(); ++i) {
+        if (all.states.size() > limit) return {};
+        all.next.emplace_back();
+        all.passes.push_back(false);
+        all.acts.push_back(false);
+        all.faulty.push_back(false);
+        all.later.push_back(i);
+        for (const TaddMove& move : tadd.successors(TaddState(all.states[i]))) {
+            if (move.out_of_range) { all.faulty[i] = all.any_fault = true; continue; }
+            const std::size_t next = number(move.next);
+            all.next[i].push_back(next);
+            (move.delay() ? all.passes : all.acts)[i] = true;
+            if (move.delay()) all.later[i] = next;
+        }
+    }
+    return all;
+}
+
+/// The states from which `met` holds at some time on every maximal run; a state that breaks off counts as met.
+std::vector<bool> inevitable(const Explored& all, std::vector<bool> met) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t i = 0; i < all.states.size(); ++i) {
+            const bool leads = !all.next[i].empty() && std::ranges::all_of(all.next[i], [&](std::size_t next) { return met[next]; });
+            if (met[i] || !(leads || all.faulty[i])) continue;
+            met[i] = changed = true;
+        }
+    }
+    return met;
+}
+
+/// The states from which a state of `goal` can be reached by moves that `by` admits.
+template <class By>
+std::vector<bool> possible(const Explored& all, std::vector<bool> goal, const By& by) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t i = 0; i < all.states.size(); ++i) {
+            if (goal[i]) continue;
+            for (const std::size_t next : all.next[i]) goal[i] = goal[i] || (goal[next] && by(i, next));
+            changed = changed || goal[i];
+        }
+    }
+    return goal;
+}
+
+/// Whether the property holds in integer time; of a model that breaks off nothing is concluded where it does.
+bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& property) {
+    const auto where = [&](std::size_t operand) {
+        std::vector<bool> set;
+        for (const TaddState& state : all.states)
+            set.push_back((!property.at_stable || tadd.settled(state)) && tadd.holds(property.operands[operand], state));
+        return set;
+    };
+    const auto everywhere = [&](const auto& test) {
+        for (std::size_t i = 0; i < all.states.size(); ++i)
+            if (!test(i)) return false;
+        return true;
+    };
+    const auto judged = [&](std::size_t i) { return !property.at_stable || tadd.settled(all.states[i]); };
+    switch (property.pattern) {
+    case Pattern::Always: return everywhere([&](std::size_t i) { return !judged(i) || tadd.holds(property.operands[0], all.states[i]); });
+    case Pattern::Never: return everywhere([&, p = where(0)](std::size_t i) { return !p[i]; });
+    case Pattern::Reachable: return !everywhere([&, p = where(0)](std::size_t i) { return !p[i]; });
+    case Pattern::ExactlyOneOf:
+        return everywhere([&](std::size_t i) {
+            return !judged(i) || std::ranges::count_if(property.operands, [&](Id<Expr> p) { return tadd.holds(p, all.states[i]); }) == 1;
+        });
+    case Pattern::Inevitable: return inevitable(all, where(0))[0];
+    case Pattern::LeadsTo: {
+        const std::vector<bool> p = where(0), q = inevitable(all, where(1));
+        return everywhere([&](std::size_t i) { return !p[i] || q[i]; });
+    }
+    case Pattern::NoDeadlock:
+        return everywhere([&](std::size_t i) {
+            std::set<std::size_t> seen;
+            for (; seen.insert(i).second; i = all.later[i])
+                if (all.acts[i] || all.faulty[i]) return true;
+            return false;
+        });
+    case Pattern::NoTimelock: {
+        std::vector<bool> goal = all.passes;
+        for (std::size_t i = 0; i < goal.size(); ++i) goal[i] = goal[i] || all.faulty[i];
+        const auto flows = possible(all, goal, [](std::size_t, std::size_t) { return true; });
+        return everywhere([&](std::size_t i) { return flows[i]; });
+    }
+    case Pattern::AlwaysPossible: {
+        std::vector<bool> goal = where(0);
+        for (std::size_t i = 0; i < goal.size(); ++i) goal[i] = goal[i] || all.faulty[i];
+        const auto reaches = possible(all, goal, [](std::size_t, std::size_t) { return true; });
+        return everywhere([&](std::size_t i) { return reaches[i]; });
+    }
+    case Pattern::ReachableAllSteps: case Pattern::RawUppaal: case Pattern::RawCtl: case Pattern::RawLtl: break;
+    }
+    return true;
+}
+
+bool about_all_states(Pattern pattern) { return pattern != Pattern::Reachable && pattern != Pattern::ReachableAllSteps; }
+
+/// Every pattern over the network's own operands, so that each law sees every kind.
+void add_questions(Network& network, Random& random) {
+    std::vector<Id<Expr>> terms;
+    for (const Id<Network::Variable> id : network.variables.ids())
+        if (network.variables[id].type.boolean && !network.variables[id].scratch) terms.push_back(network.exprs.leaf(Op::Variable, id.index));
+    for (const Id<Network::Process> process : network.processes.ids()) terms.push_back(network.exprs.at(process.index, 0));
+    const auto term = [&] {
+        Id<Expr> one = terms[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(terms.size()) - 1))];
+        if (chance(random, 30)) one = network.exprs.disjunction(one, terms.front());
+        return chance(random, 40) ? network.exprs.negation(one) : one;
+    };
+    int count = 0;
+    const auto add = [&](Pattern pattern, std::vector<Id<Expr>> operands) {
+        const bool stable = network.settled.valid() && chance(random, 30);
+        network.properties.add({.name = "q" + std::to_string(count++), .pattern = pattern, .operands = std::move(operands), .at_stable = stable});
+    };
+    for (const Pattern pattern : {Pattern::Always, Pattern::Never, Pattern::Reachable, Pattern::Inevitable, Pattern::AlwaysPossible}) add(pattern, {term()});
+    for (int k = 0; k < 3; ++k) add(Pattern::LeadsTo, {term(), term()});
+    add(Pattern::Inevitable, {term()});
+    add(Pattern::ExactlyOneOf, {term(), term()});
+    add(Pattern::NoDeadlock, {});
+    add(Pattern::NoTimelock, {});
+}
+
+struct Seen {
+    int compared = 0;
+    std::map<std::string, int> outcomes = {};
+};
+
+void compare(const Network& network, const NaiveTadd& tadd, const Explored& all, const TimedResult& result, Seen& seen) {
+    for (const Property& property : network.properties) {
+        if (property.pattern == Pattern::ReachableAllSteps || property.pattern >= Pattern::RawUppaal) continue;
+        SCOPED_TRACE("property " + property.name + ", pattern " + std::to_string(static_cast<int>(property.pattern)));
+        const Verdict& given = verdict(result, property.name);
+        ++seen.outcomes[std::to_string(static_cast<int>(property.pattern)) + " " + told(result, property.name)];
+        const bool holds = naive_verdict(tadd, all, property);
+        if (given.outcome != Outcome::Unknown) EXPECT_EQ(given.outcome == Outcome::Holds, holds);
+        else if (given.obstacle == Obstacle::Faulty) EXPECT_EQ(holds, about_all_states(property.pattern));
+        else EXPECT_EQ(given.obstacle, Obstacle::Inexact) << given.reason;
+    }
+    ++seen.compared;
+}
+
+/// What is decided at one time unit is decided alike at any finer one; what was inexact may turn out violated.
+void compare_units(const Network& network, const TimedResult& result) {
+    for (const std::int64_t factor : {2, 3}) {
+        const TimedResult finer = checked(refined(network, factor), {.max_states = 200'000});
+        if (!finer.complete) continue;
+        for (const Verdict& given : result.verdicts) {
+            SCOPED_TRACE(given.property + " in units " + std::to_string(factor) + " times as fine: " + told(finer, given.property));
+            if (given.outcome != Outcome::Unknown) EXPECT_EQ(told(result, given.property), told(finer, given.property));
+            else EXPECT_NE(verdict(finer, given.property).outcome, Outcome::Holds);
+        }
+    }
+}
+
+/// Without strict constraints.
+Network closed(Network network) {
+    const auto close = [](std::vector<Network::ClockConstraint>& constraints) {
+        for (Network::ClockConstraint& constraint : constraints) {
+            if (constraint.relation == Op::Less) constraint.relation = Op::LessEqual;
+            if (constraint.relation == Op::Greater) constraint.relation = Op::GreaterEqual;
+        }
+    };
+    for (Network::Template& automaton : network.templates) {
+        for (Network::Location& location : automaton.locations) close(location.invariant);
+        for (Network::Edge& edge : automaton.edges) close(edge.constraint);
+    }
+    return network;
+}
+
+std::set<std::pair<std::vector<std::uint32_t>, std::vector<std::int64_t>>> discrete(const Explored& all) {
+    std::set<std::pair<std::vector<std::uint32_t>, std::vector<std::int64_t>>> set;
+    for (const TaddState& state : all.states) set.emplace(state.locations, state.variables);
+    return set;
+}
+
+/// The engine reaches every discrete state of the reference semantics, and no other.
+void compare_states(Network network, const Explored& all) {
+    const auto states = discrete(all);
+    if (states.size() > 60) return;
+    network.properties = {};
+    std::vector<Id<Expr>> ones;
+    for (const auto& [locations, variables] : states) {
+        std::vector<Id<Expr>> conjuncts;
+        for (std::uint32_t process = 0; process < locations.size(); ++process) conjuncts.push_back(network.exprs.at(process, locations[process]));
+        for (const Id<Network::Variable> id : network.variables.ids()) {
+            if (network.variables[id].scratch) continue;
+            const Id<Expr> leaf = network.exprs.leaf(Op::Variable, id.index);
+            const std::int64_t is = variables[id.index];
+            if (!network.variables[id].type.boolean) conjuncts.push_back(network.exprs.apply(Op::Equal, leaf, network.exprs.integer(is)));
+            else conjuncts.push_back(is != 0 ? leaf : network.exprs.negation(leaf));
+        }
+        ones.push_back(network.exprs.conjunction(conjuncts));
+        network.properties.add({.name = "s" + std::to_string(ones.size()), .pattern = Pattern::Reachable, .operands = {ones.back()}});
+    }
+    network.properties.add({.name = "all", .pattern = Pattern::ExactlyOneOf, .operands = ones});
+    const TimedResult result = check_timed(network);
+    for (const Property& property : network.properties) {
+        if (property.pattern == Pattern::Reachable) EXPECT_EQ(told(result, property.name), "holds") << property.name;
+        else EXPECT_NE(verdict(result, property.name).outcome, Outcome::Violated);
+    }
+}
+
+void compare_all(Network network, Random& random, Seen& seen) {
+    add_questions(network, random);
+    const NaiveTadd tadd(network);
+    const auto all = explored(tadd, 1500);
+    if (!all) return;
+    const TimedResult result = checked(network);
+    EXPECT_TRUE(result.complete);
+    EXPECT_LE(result.states, all->states.size());
+    compare(network, tadd, *all, result, seen);
+    compare_units(network, result);
+    compare_states(network, *all);
+}
+
+void report(const Seen& seen) {
+    for (const auto& [outcome, count] : seen.outcomes) testing::Test::RecordProperty("outcome " + outcome, count);
+    if (std::getenv("GRAFVERIF_LAWS_TELL") == nullptr) return;
+    for (const auto& [outcome, count] : seen.outcomes) printf("%6d %s\n", count, outcome.c_str());
+}
+
+TEST(TimedEngineLaw, RandomNetworksHaveTheStatesAndVerdictsOfTheReferenceSemantics) {
+    Seen seen;
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(law_size(150)); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<Random::result_type>(seed));
+        const Network network = random_network(random);
+        compare_all(seed % 3 == 0 ? network : closed(network), random, seen);
+        if (testing::Test::HasFailure()) break;
+    }
+    EXPECT_GT(seen.compared, law_size(150) / 2);
+    report(seen);
+}
+
+}  // namespace
+}  // namespace grafverif

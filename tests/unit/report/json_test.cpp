@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/report/json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "traces.hpp"
+
+namespace grafverif {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json(const Report& report) {
+    std::ostringstream out;
+    print_json(report, out);
+    return Json::parse(out.str());
+}
+
+std::vector<std::string> keys(const Json& object) {
+    std::vector<std::string> names;
+    for (const auto& [key, value] : object.items()) names.push_back(key);
+    return names;
+}
+
+TEST(Json, HasTheKeysThatItsReadersKnow) {
+    const Json document = json(sample_report());
+    EXPECT_EQ(keys(document), (std::vector<std::string>{"model", "properties"}));
+    ASSERT_EQ(document["properties"].size(), 6u);
+    for (const Json& property : document["properties"])
+        EXPECT_EQ(keys(property), (std::vector<std::string>{"name", "text", "verdict", "expected", "engine", "mode", "grain", "states",
+                                                            "transitions", "seconds", "reason", "vacuous", "notes", "trace"}));
+    const Json& trace = document["properties"][1]["trace"];
+    EXPECT_EQ(keys(trace), (std::vector<std::string>{"loop_from", "steps"}));
+    for (const Json& step : trace["steps"])
+        EXPECT_EQ(keys(step), (std::vector<std::string>{"time", "kind", "component", "inputs", "fired", "situation", "outputs"}));
+}
+
+TEST(Json, GivesVerdictsAsTheyAre) {
+    const Json properties = json(sample_report())["properties"];
+    EXPECT_EQ(properties[0]["verdict"], "holds");
+    EXPECT_EQ(properties[0]["trace"], nullptr);
+    EXPECT_EQ(properties[0]["reason"], nullptr);
+    EXPECT_EQ(properties[1]["text"], "a <dangerous> & \"quoted\" text");
+    EXPECT_EQ(properties[2]["verdict"], "unknown");
+    EXPECT_EQ(properties[2]["text"], nullptr);
+    EXPECT_EQ(properties[2]["reason"], "12 states are not enough");
+    EXPECT_EQ(properties[4]["expected"], "violated");
+    EXPECT_EQ(properties[5]["vacuous"], true);
+    EXPECT_EQ(properties[5]["notes"][0], "time never passes");
+}
+
+TEST(Json, GivesAllInputsAndOutputsInEveryStep) {
+    const Json trace = json(sample_report())["properties"][1]["trace"];
+    EXPECT_EQ(trace["loop_from"], 3);
+    const Json& cleared = trace["steps"][2];
+    EXPECT_EQ(cleared["time"], 0);
+    EXPECT_EQ(cleared["kind"], "controller");
+    EXPECT_EQ(cleared["component"], "press");
+    EXPECT_EQ(cleared["inputs"], (Json{{"START", true}, {"LEVEL", 2}}));
+    EXPECT_EQ(cleared["fired"], (Json{"t1", "t2", "t3"}));
+    EXPECT_EQ(cleared["situation"], (Json{"1", "G2.2"}));
+    EXPECT_EQ(cleared["outputs"], (Json{{"GO", true}, {"IDLE", false}}));
+    EXPECT_EQ(trace["steps"][3]["time"], 1500);
+    EXPECT_EQ(trace["steps"][3]["component"], nullptr);
+}
+
+TEST(Json, ListsThePlacesWhereTheModelBreaksOff) {
+    Report report = sample_report();
+    report.breakdowns = {{"action-race", "two actions race", sample_trace()}};
+    const Json errors = json(report)["errors"];
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_EQ(keys(errors[0]), (std::vector<std::string>{"code", "message", "trace"}));
+}
+
+TEST(Json, SurvivesTextThatIsNoUtf8) {
+    Report report = sample_report();
+    report.answers[0].text = "caf\xE9";
+    EXPECT_EQ(json(report)["properties"][0]["text"], "caf\uFFFD");
+}
+
+}  // namespace
+}  // namespace grafverif

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/report/svg.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "traces.hpp"
+
+namespace grafverif {
+namespace {
+
+struct Drawn {
+    pugi::xml_document document = {};
+    pugi::xml_node svg = {};
+    double width = 0, height = 0;
+};
+
+void draw(const Trace& trace, Drawn& drawn) {
+    std::ostringstream out;
+    print_svg(trace, "station: P2 <violated>", out);
+    const auto parsed = drawn.document.load_string(out.str().c_str());
+    ASSERT_TRUE(parsed) << parsed.description();
+    drawn.svg = drawn.document.child("svg");
+    drawn.width = drawn.svg.attribute("width").as_double();
+    drawn.height = drawn.svg.attribute("height").as_double();
+}
+
+/// The numbers of a path of M, L, H, V and Z, as points.
+std::vector<std::pair<double, double>> points(const std::string& path) {
+    std::vector<std::pair<double, double>> list;
+    std::istringstream in(path);
+    double x = 0, y = 0;
+    for (char command = 0; in >> command;) {
+        if (command == 'M' || command == 'L') in >> x >> y;
+        else if (command == 'H') in >> x;
+        else if (command == 'V') in >> y;
+        else EXPECT_EQ(command, 'Z');
+        list.emplace_back(x, y);
+    }
+    return list;
+}
+
+std::vector<pugi::xml_node> of_class(const Drawn& drawn, const std::string& name) {
+    std::vector<pugi::xml_node> found;
+    for (const pugi::xml_node node : drawn.svg.children())
+        if (std::string(node.attribute("class").value()).starts_with(name)) found.push_back(node);
+    return found;
+}
+
+TEST(Svg, DrawsEverythingInsideItsSheet) {
+    Drawn drawn;
+    draw(sample_trace(), drawn);
+    for (const pugi::xml_node node : drawn.svg.children()) {
+        const std::string kind = node.name();
+        if (kind == "path")
+            for (const auto& [x, y] : points(node.attribute("d").value())) {
+                EXPECT_TRUE(0 <= x && x <= drawn.width) << x;
+                EXPECT_TRUE(0 <= y && y <= drawn.height) << y;
+            }
+        if (kind != "rect" && kind != "text") continue;
+        EXPECT_LE(node.attribute("x").as_double() + node.attribute("width").as_double(), drawn.width);
+        EXPECT_LE(node.attribute("y").as_double() + node.attribute("height").as_double(), drawn.height);
+    }
+}
+
+TEST(Svg, DrawsAWavePerSignalThatIsEverNotZeroAndNamesTheOthers) {
+    Drawn drawn;
+    draw(sample_trace(), drawn);
+    std::vector<std::string> names;
+    for (const pugi::xml_node node : of_class(drawn, "name")) names.push_back(node.text().get());
+    EXPECT_EQ(names, (std::vector<std::string>{"START", "LEVEL", "GO", "COUNT", "X", "0", "1", "G2.2"}));
+    const auto foot = of_class(drawn, "foot");
+    ASSERT_EQ(foot.size(), 1u);
+    EXPECT_STREQ(foot[0].text().get(), "0 throughout: IDLE");
+}
+
+TEST(Svg, EveryWaveRunsFromTheFirstColumnToTheLastWithoutGaps) {
+    Drawn drawn;
+    draw(sample_trace(), drawn);
+    std::map<double, std::pair<double, double>> reach;   // by row: from, to
+    const auto names = of_class(drawn, "name");
+    for (const pugi::xml_node wave : of_class(drawn, "wave")) {
+        const auto path = points(wave.attribute("d").value());
+        double low = 1e9, high = -1e9, top = 1e9;
+        for (const auto& [x, y] : path) low = std::min(low, x), high = std::max(high, x), top = std::min(top, y);
+        const double row = std::floor((top - names[0].attribute("y").as_double()) / 26 + 0.9);
+        auto [place, added] = reach.try_emplace(row, low, high);
+        if (!added) {
+            EXPECT_EQ(low, place->second.second) << "a gap";
+            place->second.second = high;
+        }
+    }
+    EXPECT_EQ(reach.size(), names.size());
+    for (const auto& [row, ends] : reach) EXPECT_EQ(ends, reach.begin()->second);
+}
+
+TEST(Svg, ShadesWhatRepeatsAndRulesWhereTimeGoesOn) {
+    Drawn drawn;
+    draw(sample_trace(), drawn);
+    const auto loop = of_class(drawn, "loop");
+    ASSERT_EQ(loop.size(), 1u);
+    EXPECT_EQ(loop[0].attribute("width").as_int(), 2 * 36);
+    const auto rules = of_class(drawn, "rule");
+    ASSERT_EQ(rules.size(), 2u);
+    EXPECT_EQ(rules[1].attribute("x1").as_double() - rules[0].attribute("x1").as_double(), 3 * 36);
+    std::vector<std::string> times;
+    for (const pugi::xml_node node : of_class(drawn, "time")) times.push_back(node.text().get());
+    EXPECT_EQ(times, (std::vector<std::string>{"0 s", "1.5 s"}));
+    EXPECT_EQ(of_class(drawn, "event").size(), 5u);
+    Trace finite = sample_trace();
+    finite.loop_from.reset();
+    Drawn other;
+    draw(finite, other);
+    EXPECT_TRUE(of_class(other, "loop").empty());
+}
+
+}  // namespace
+}  // namespace grafverif

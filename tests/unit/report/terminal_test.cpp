@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/report/terminal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "traces.hpp"
+
+namespace grafverif {
+namespace {
+
+std::string table(const Trace& trace) {
+    std::ostringstream out;
+    print_trace(trace, out);
+    return out.str();
+}
+
+std::string text(const Report& report, bool verbose = false) {
+    std::ostringstream out;
+    print_report(report, {verbose, Colour::Plain}, out);
+    return out.str();
+}
+
+TEST(Terminal, TellsATraceAsATableWithItsLoopMarked) {
+    EXPECT_EQ(table(sample_trace()),
+              "   time  what happened               inputs     cleared     situation  outputs\n"
+              "    0 s  press: power on             LEVEL = 2              0, G2.2    none\n"
+              "         Start                       START\n"
+              "         press: COUNT 0 -> -1                   t1; t2, t3  1, G2.2    GO\n"
+              "+-- from here on, for ever:\n"
+              "|  1.5 s  1.5 s pass\n"
+              "|         Slide: going_out, X 0 -> 4  LEVEL = 3             1, G2.2    GO\n");
+}
+
+TEST(Terminal, FitsAHundredColumnsWhateverTheNames) {
+    Trace trace = sample_trace();
+    trace.steps[1].component = std::string(300, 'n');
+    trace.steps[2].fired = {std::vector<std::string>(40, "a_transition")};
+    trace.steps[2].what = "words " + std::string(70, 'w') + " and more of them, many more than there is room for in one line";
+    trace.inputs[0].name = std::string(120, 'i');
+    std::istringstream lines(table(trace));
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 100u) << line;
+    EXPECT_GT(count, 20);
+    // Nothing is lost by wrapping.
+    const std::string whole = table(trace);
+    EXPECT_EQ(std::count(whole.begin(), whole.end(), 'n') >= 300, true);
+}
+
+TEST(Terminal, SaysUnderEachVerdictWhatItRestsOn) {
+    const std::string told = text(sample_report());
+    EXPECT_TRUE(told.starts_with("P1 \"all is well\": holds\n"
+                                 "    timed engine; stability-search, phased grain; time unit 0.5 s, cycle time taken as zero; "
+                                 "12 states\n"))
+        << told;
+    for (const char* line : {"P2 \"a <dangerous> & \"quoted\" text\": violated\n", "P3: unknown\n", "    why: 12 states are not enough\n",
+                             "no_timelock (not declared): unknown\n", "P4: violated, as expected\n", "P5: holds, vacuously\n",
+                             "    note: time never passes\n",
+                             "station: 2 hold, 2 violated, 2 unknown; 1 against expectation\n"})
+        EXPECT_NE(told.find(line), std::string::npos) << line << "in\n" << told;
+}
+
+TEST(Terminal, ShowsWitnessesOnlyWhereAskedFor) {
+    Report report = sample_report();
+    report.answers = {{{.property = "R", .pattern = Pattern::Reachable, .outcome = Outcome::Holds}, "", sample_trace()}};
+    EXPECT_EQ(text(report).find("witness"), std::string::npos);
+    EXPECT_NE(text(report, true).find("witness:\n"), std::string::npos);
+}
+
+TEST(Terminal, ShowsThePlaceWhereAModelBreaksOffFirst) {
+    Report report = sample_report();
+    report.breakdowns = {{"out-of-range", "`X` would leave its range 0..20", sample_trace()}};
+    EXPECT_TRUE(text(report).starts_with("the model breaks off: `X` would leave its range 0..20 [out-of-range]\n")) << text(report);
+    EXPECT_NE(text(report).find("1 place where the model breaks off"), std::string::npos);
+}
+
+TEST(Tally, CountsWhatIsAgainstExpectation) {
+    const Tally count = tally(sample_report());
+    EXPECT_EQ(count, (Tally{.holds = 2, .violated = 2, .unknown = 1, .undeclared_unknown = 1, .unexpected = 1}));
+}
+
+}  // namespace
+}  // namespace grafverif

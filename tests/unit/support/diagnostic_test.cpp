@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/support/diagnostic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+namespace grafverif {
+namespace {
+
+Sources one(std::string text) {
+    Sources sources;
+    sources.add({"press.grafcet", std::move(text)});
+    return sources;
+}
+
+Diagnostic error_at(std::uint32_t begin, std::uint32_t end) {
+    return {Severity::Error, "unknown-step", {Id<Source>{0}, begin, end}, "unknown step `X12`; did you mean `X2`?", {}};
+}
+
+std::string text(const std::vector<Diagnostic>& diagnostics, const Sources& sources, Colour colour = Colour::Plain) {
+    std::ostringstream out;
+    render_text(diagnostics, sources, colour, out);
+    return out.str();
+}
+
+TEST(RenderText, ShowsPlaceMessageCodeLineAndCarets) {
+    const Sources sources = one("grafcet a {\n    transition t3: X12 -> 20;\n}\n");
+    EXPECT_EQ(text({error_at(31, 34)}, sources),
+              "press.grafcet:2:20: error: unknown step `X12`; did you mean `X2`? [unknown-step]\n"
+              "        transition t3: X12 -> 20;\n"
+              "                       ^^^\n");
+}
+
+TEST(RenderText, KeepsTabsUnderTheCaretAndCountsCharactersNotBytes) {
+    EXPECT_EQ(text({error_at(4, 5)}, one("\té x")),
+              "press.grafcet:1:5: error: unknown step `X12`; did you mean `X2`? [unknown-step]\n"
+              "    \té x\n"
+              "    \t  ^\n");
+}
+
+TEST(RenderText, ClipsALongLineAroundItsCaret) {
+    const std::string shown = text({error_at(5000, 5003)}, one(std::string(10000, 'a')));
+    std::istringstream lines(shown);
+    std::string message, line, carets;
+    std::getline(lines, message);
+    std::getline(lines, line);
+    std::getline(lines, carets);
+    EXPECT_LT(line.size(), 120u);
+    EXPECT_EQ(line.substr(0, 7), "    ...");
+    EXPECT_EQ(line.substr(line.size() - 3), "...");
+    EXPECT_EQ(carets.size() - carets.find('^'), 3u);
+    EXPECT_LT(carets.size(), line.size());
+}
+
+TEST(RenderText, MarksOnePlaceAtTheEndOfTheFile) {
+    EXPECT_EQ(text({error_at(3, 3)}, one("abc")),
+              "press.grafcet:1:4: error: unknown step `X12`; did you mean `X2`? [unknown-step]\n    abc\n       ^\n");
+}
+
+TEST(RenderText, ShowsUnprintableBytesAsQuestionMarks) {
+    EXPECT_NE(text({error_at(0, 1)}, one(std::string("\x01\x1b[31m", 6))).find("    ??[31m\n"), std::string::npos);
+}
+
+TEST(RenderText, OrdersByPlaceAndKeepsNotesWithTheirError) {
+    const Sources sources = one("a\nb\n");
+    Diagnostic second = error_at(2, 3);
+    second.notes.push_back({Severity::Note, "", {Id<Source>{0}, 0, 1}, "first declared here", {}});
+    const std::string shown = text({second, error_at(0, 1)}, sources);
+    EXPECT_LT(shown.find(":1:1: error"), shown.find(":2:1: error"));
+    EXPECT_LT(shown.find(":2:1: error"), shown.find(":1:1: note: first declared here"));
+}
+
+TEST(RenderText, ColoursOnlyWhenAsked) {
+    const Sources sources = one("abc");
+    EXPECT_EQ(text({error_at(0, 1)}, sources).find('\x1b'), std::string::npos);
+    EXPECT_NE(text({error_at(0, 1)}, sources, Colour::Ansi).find("\x1b[1;31merror"), std::string::npos);
+}
+
+TEST(RenderJson, GivesLinesAndColumnsAndSurvivesInvalidUtf8) {
+    Diagnostic broken = error_at(2, 3);
+    broken.message = "bad byte \xff";
+    std::ostringstream out;
+    render_json({broken}, one("a\nb\n"), out);
+    const auto parsed = nlohmann::json::parse(out.str());
+    ASSERT_EQ(parsed.size(), 1u);
+    EXPECT_EQ(parsed[0]["file"], "press.grafcet");
+    EXPECT_EQ(parsed[0]["line"], 2);
+    EXPECT_EQ(parsed[0]["column"], 1);
+    EXPECT_EQ(parsed[0]["end_column"], 2);
+    EXPECT_EQ(parsed[0]["severity"], "error");
+}
+
+TEST(Diagnostics, StoresABoundedNumberAndCountsAll) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(diagnostics.has_errors());
+    for (int i = 0; i < 1000; ++i) diagnostics.add(error_at(0, 1));
+    EXPECT_EQ(diagnostics.errors(), 1000u);
+    EXPECT_EQ(diagnostics.all().size(), Diagnostics::limit);
+    EXPECT_TRUE(diagnostics.full());
+}
+
+}  // namespace
+}  // namespace grafverif
