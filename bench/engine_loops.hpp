@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Closed loops for the measurements of the engines, read from the samples or made as text, and composed.
+#pragma once
+
+#include <string>
+
+#include "grafverif/ir/network.hpp"
+
+namespace grafverif::bench {
+
+/// The text of `samples/PATH`.
+std::string sample(const std::string& path);
+
+/// The first loop of `text`, composed; `folder` is the sample that its includes are relative to. Throws
+/// std::invalid_argument with the first errors where it does not read.
+Network loop(const std::string& text, Grain grain = Grain::Phased);
+
+/// Two testing stations side by side in one network, which share nothing but time.
+Network two_stations(Grain grain = Grain::Phased);
+
+/// One chart that drives `cylinders` cylinders, each out and in again with its three sensors, all started together.
+std::string cylinders(int cylinders);
+
+}  // namespace grafverif::bench

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+# Writes OUTPUT, a C++ source that holds the text of each of FILES (the component library), so that the program finds
+# its library wherever it is installed.
+set(entries "")
+foreach(file IN LISTS FILES)
+    file(READ "${file}" text)
+    get_filename_component(name "${file}" NAME_WE)
+    string(APPEND entries "    {.name = \"${name}\", .text = R\"~~~(${text})~~~\", .path = \"<library>/${name}.grafcet\"},\n")
+endforeach()
+file(WRITE "${OUTPUT}" "// SPDX-License-Identifier: MIT
+#include \"app/library.hpp\"
+
+namespace grafverif::app {
+
+namespace {
+
+const LibraryEntry entries[] = {
+${entries}};
+
+}  // namespace
+
+std::span<const LibraryEntry> library() { return entries; }
+
+}  // namespace grafverif::app
+")

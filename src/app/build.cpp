@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// `build`: the main job, a closed loop to a UPPAAL project and a NuSMV model, both or nothing.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/files.hpp"
+#include "app/verbs.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+struct Product {
+    OutputFile file = {};
+    std::string use = {};   ///< what to do with it
+};
+
+std::vector<Product> products(const Model& model, Id<ClosedLoop> loop, Job& job) {
+    const std::string& name = model.loops[loop].name;
+    const std::filesystem::path folder = job.options.output.value_or("./" + name + ".grafverif");
+    std::vector<Product> made;
+    if (job.options.target != Target::Nusmv) {
+        if (const auto network = network_of(model, loop, job)) {
+            UppaalProject project = uppaal_project(*network, job);
+            made.push_back({{folder / (name + ".xml"), std::move(project.project)},
+                            "UPPAAL project of the closed loop: open it in UPPAAL, or run `verifyta` on it"});
+            made.push_back({{folder / (name + ".q"), std::move(project.queries)}, "its queries alone, for `verifyta`"});
+        }
+    }
+    if (job.options.target != Target::Uppaal) {
+        if (const auto system = controllers_of(model, loop, job))
+            made.push_back({{folder / (name + ".smv"), nusmv_model(*system, job)},
+                            "NuSMV model of the controller, inputs and timer ends free: run `NuSMV` on it"});
+    }
+    return made;
+}
+
+void print_products(const std::vector<Product>& made, Format format, std::ostream& out) {
+    if (format == Format::Json) {
+        nlohmann::ordered_json files = nlohmann::ordered_json::array();
+        for (const Product& product : made)
+            files.push_back({{"path", product.file.path.string()}, {"bytes", product.file.content.size()}, {"use", product.use}});
+        out << nlohmann::ordered_json{{"files", files}}.dump(2) << '\n';
+        return;
+    }
+    out << "wrote\n";
+    for (const Product& product : made) out << fmt::format("  {}\n      {}\n", product.file.path.string(), product.use);
+}
+
+}  // namespace
+
+ExitCode build(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    if (!model) return ExitCode::Input;
+    const auto loop = chosen_loop(*model, job);
+    if (!loop) return ExitCode::Input;
+    const std::vector<Product> made = products(*model, *loop, job);
+    if (job.diagnostics.has_errors()) return ExitCode::Input;
+
+    std::vector<OutputFile> files;
+    for (const Product& product : made) files.push_back(product.file);
+    write_files(files);
+    if (!job.options.quiet) print_products(made, job.options.format, streams.out);
+    return ExitCode::Done;
+}
+
+Verb build_usage() {
+    return {"build", "FILE", 1, 1, "write the UPPAAL project and the NuSMV model of a closed loop",
+            "Reads FILE (.grafcet) and writes, for its closed loop NAME,\n"
+            "  NAME.xml  the UPPAAL project of the timed closed loop, with its queries\n"
+            "  NAME.q    the same queries alone\n"
+            "  NAME.smv  the NuSMV model of the controller, inputs and timer ends free\n"
+            "All are written, or none: what cannot be translated exactly is refused with its line.",
+            {"grafverif build samples/testing_station/testing_station.grafcet",
+             "grafverif build station.grafcet -o models --grain atomic --target uppaal"},
+            {Accepts::OutputDirectory, Accepts::Target, Accepts::Loop, Accepts::Mode, Accepts::Grain, Accepts::Format}};
+}
+
+}  // namespace grafverif::app

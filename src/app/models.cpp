@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// `uppaal` and `nusmv`: one model, to a file or to standard output.
+#include "app/verbs.hpp"
+
+namespace grafverif::app {
+
+ExitCode uppaal(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
+    const auto network = loop ? network_of(*model, *loop, job) : std::nullopt;
+    if (!network) return ExitCode::Input;
+    const UppaalProject project = uppaal_project(*network, job);
+    if (!job.diagnostics.has_errors()) deliver(project.project, job, streams);
+    return ExitCode::Done;
+}
+
+ExitCode nusmv(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    if (!model) return ExitCode::Input;
+    std::optional<TransitionSystem> system;
+    const bool of_a_chart = job.options.chart || (!job.options.loop && model->loops.empty());
+    if (of_a_chart) {
+        if (const auto chart = chosen_chart(*model, job)) system = controller_of(*model, *chart, job);
+    } else if (const auto loop = chosen_loop(*model, job)) {
+        system = controllers_of(*model, *loop, job);
+    }
+    if (!system) return ExitCode::Input;
+    const std::string text = nusmv_model(*system, job);
+    if (!job.diagnostics.has_errors()) deliver(text, job, streams);
+    return ExitCode::Done;
+}
+
+Verb uppaal_usage() {
+    return {"uppaal", "FILE", 1, 1, "write the UPPAAL project of a closed loop",
+            "Writes the UPPAAL project of the timed closed loop of FILE: one template per component, the PLC cycle with\n"
+            "its timers, and the properties as queries.",
+            {"grafverif uppaal samples/oven_door/oven_door.grafcet -o oven_door.xml",
+             "grafverif uppaal station.grafcet --mode every-cycle --grain atomic"},
+            {Accepts::Output, Accepts::Loop, Accepts::Mode, Accepts::Grain}};
+}
+
+Verb nusmv_usage() {
+    return {"nusmv", "FILE", 1, 1, "write the NuSMV model of a controller",
+            "Writes the NuSMV model of the controller of FILE's closed loop, or of a chart alone: one step of the model is one\n"
+            "PLC cycle; inputs and timer ends are free. What a verdict says of the real plant stands in the model's header.",
+            {"grafverif nusmv samples/tanks/tanks.grafcet -o tanks.smv",
+             "grafverif nusmv station.grafcet --chart testing_station --mode every-cycle"},
+            {Accepts::Output, Accepts::Loop, Accepts::Chart, Accepts::Mode}};
+}
+
+}  // namespace grafverif::app

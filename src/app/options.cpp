@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "app/options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <charconv>
+#include <limits>
+#include <ostream>
+
+namespace grafverif::app {
+
+namespace {
+
+namespace po = boost::program_options;
+
+bool accepts(const Verb& verb, Accepts what) { return std::ranges::find(verb.accepts, what) != verb.accepts.end(); }
+
+po::options_description visible_options(const Verb& verb) {
+    const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
+    po::options_description options("Options", 100);
+    auto add = options.add_options();
+    if (accepts(verb, Accepts::Output)) add("output,o", text("FILE"), "write to FILE instead of standard output");
+    if (accepts(verb, Accepts::OutputDirectory))
+        add("output,o", text("DIR"), "write into DIR, made if missing (default: ./NAME.grafverif)");
+    if (accepts(verb, Accepts::Target)) add("target", text("uppaal|nusmv"), "write one target only (default: both)");
+    if (accepts(verb, Accepts::Loop)) add("loop", text("NAME"), "the closed loop, where the file has several");
+    if (accepts(verb, Accepts::Chart)) add("chart", text("NAME"), "the chart, where the file has several");
+    if (accepts(verb, Accepts::Mode))
+        add("mode", text("stability-search|every-cycle"), "when outputs are written; wins over what the file says");
+    if (accepts(verb, Accepts::Grain))
+        add("grain", text("phased|atomic"), "whether the plant may move within a PLC cycle; wins over the file");
+    if (accepts(verb, Accepts::Format)) add("format", text("text|json"), "form of the output (default: text)");
+    if (accepts(verb, Accepts::FormatLatex)) add("format", text("text|latex|json"), "form of the output (default: text)");
+    if (accepts(verb, Accepts::Search)) {
+        add("property", po::value<std::vector<std::string>>()->value_name("NAME"), "check this property only; may be repeated");
+        add("engine", text("auto|timed"), "the engine that proves (default: auto)");
+        add("max-states", text("N"), "give up after N states (default: 500000000)");
+        add("max-memory", text("SIZE"), "give up above SIZE, such as 500M or 2G (default: 4G)");
+        add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
+        add("junit", text("FILE"), "write a JUnit report to FILE");
+    }
+    if (accepts(verb, Accepts::Traces)) {
+        add("trace-vcd", text("FILE"), "write the first trace as a waveform for GTKWave to FILE");
+        add("trace-svg", text("FILE"), "write the first trace as a timing diagram to FILE");
+    }
+    if (accepts(verb, Accepts::Walk)) {
+        add("script", text("FILE"), "take commands from FILE instead of standard input");
+        add("random", text("SEED"), "make a random walk instead");
+        add("steps", text("N"), "moves of the random walk (default: 100)");
+    }
+    if (accepts(verb, Accepts::Verbose)) add("verbose,v", po::bool_switch(), "tell what is internal too");
+    if (accepts(verb, Accepts::InPlace)) {
+        add("in-place,i", po::bool_switch(), "rewrite FILE itself");
+        add("check", po::bool_switch(), "write nothing; exit 1 if FILE is not in canonical form");
+    }
+    add("diagnostics", text("text|json"), "form of errors and warnings on standard error (default: text)");
+    add("color", text("auto|always|never"), "colours in errors and warnings (default: auto)");
+    add("quiet,q", po::bool_switch(), "no warnings, no list of files");
+    add("help,h", po::bool_switch(), "show this help");
+    return options;
+}
+
+/// A word of an option's value and what it means.
+template <class T>
+struct Choice {
+    std::string_view word = {};
+    T value = {};
+};
+
+/// Sets `target` from option `name` if it was given; a complaint if its value is none of `choices`.
+template <class T, class Place>
+std::string choose(const po::variables_map& values, const char* name, std::initializer_list<Choice<T>> choices,
+                   Place& target) {
+    if (values.count(name) == 0) return {};
+    const std::string& given = values[name].as<std::string>();
+    std::string known;
+    for (const Choice<T>& choice : choices) {
+        if (choice.word == given) {
+            target = choice.value;
+            return {};
+        }
+        known += fmt::format("{}`{}`", known.empty() ? "" : ", ", choice.word);
+    }
+    return fmt::format("`--{}` takes one of {}; not `{}`", name, known, given);
+}
+
+std::string choose_all(const Verb& verb, const po::variables_map& values, Options& options) {
+    std::string complaint;
+    const auto keep = [&complaint](std::string found) {
+        if (complaint.empty()) complaint = std::move(found);
+    };
+    keep(choose<ExecutionMode>(values, "mode", {{"stability-search", ExecutionMode::StabilitySearch},
+                                                {"every-cycle", ExecutionMode::EveryCycle}}, options.mode));
+    keep(choose<Grain>(values, "grain", {{"phased", Grain::Phased}, {"atomic", Grain::Atomic}}, options.grain));
+    keep(choose<Target>(values, "target", {{"uppaal", Target::Uppaal}, {"nusmv", Target::Nusmv}}, options.target));
+    if (accepts(verb, Accepts::FormatLatex))
+        keep(choose<Format>(values, "format", {{"text", Format::Text}, {"latex", Format::Latex}, {"json", Format::Json}},
+                            options.format));
+    else
+        keep(choose<Format>(values, "format", {{"text", Format::Text}, {"json", Format::Json}}, options.format));
+    keep(choose<DiagnosticFormat>(values, "diagnostics",
+                                  {{"text", DiagnosticFormat::Text}, {"json", DiagnosticFormat::Json}}, options.diagnostics));
+    keep(choose<ColourChoice>(values, "color", {{"auto", ColourChoice::Auto}, {"always", ColourChoice::Always},
+                                                {"never", ColourChoice::Never}}, options.colour));
+    return complaint;
+}
+
+/// A whole number, times the factor of its suffix; `suffixes`: the first is that of a number without one.
+std::string read_number(const po::variables_map& values, const char* name, std::initializer_list<Choice<std::uint64_t>> suffixes,
+                        std::optional<std::uint64_t>& target) {
+    if (values.count(name) == 0) return {};
+    const std::string& given = values[name].as<std::string>();
+    const std::string complaint = fmt::format("`--{}` takes a whole number{}; not `{}`", name,
+                                              suffixes.size() == 0 ? "" : " with a unit", given);
+    std::uint64_t number = 0;
+    const auto [end, failure] = std::from_chars(given.data(), given.data() + given.size(), number);
+    if (failure != std::errc{}) return complaint;
+    const std::string_view suffix(end, static_cast<std::size_t>(given.data() + given.size() - end));
+    std::uint64_t factor = suffix.empty() && suffixes.size() == 0 ? 1 : 0;
+    for (const Choice<std::uint64_t>& known : suffixes)
+        if (known.word == suffix) factor = known.value;
+    if (factor == 0 || number > std::numeric_limits<std::uint64_t>::max() / factor) return complaint;
+    target = number * factor;
+    return {};
+}
+
+std::string read_numbers(const po::variables_map& values, Options& options) {
+    constexpr std::uint64_t mega = std::uint64_t{1} << 20U;
+    std::optional<std::uint64_t> steps = options.steps;
+    for (const std::string& complaint :
+         {read_number(values, "max-states", {}, options.max_states),
+          read_number(values, "max-memory", {{"", mega}, {"K", mega >> 10U}, {"M", mega}, {"G", mega << 10U}}, options.max_memory),
+          read_number(values, "timeout", {{"", 1000}, {"ms", 1}, {"s", 1000}, {"min", 60'000}, {"h", 3'600'000}}, options.timeout_ms),
+          read_number(values, "random", {}, options.random_seed), read_number(values, "steps", {}, steps)})
+        if (!complaint.empty()) return complaint;
+    options.steps = *steps;
+    return {};
+}
+
+/// The one engine there is; others are known by name.
+std::string check_engine(const po::variables_map& values) {
+    if (values.count("engine") == 0) return {};
+    const std::string& given = values["engine"].as<std::string>();
+    if (given == "auto" || given == "timed") return {};
+    for (const char* planned : {"symbolic", "verifyta", "NuSMV", "nuXmv"})
+        if (given == planned) return fmt::format("`--engine {}` is not supported yet; the embedded engine is `timed`", given);
+    return fmt::format("`--engine` takes one of `auto`, `timed`; not `{}`", given);
+}
+
+}  // namespace
+
+ParsedOptions parse_options(const Verb& verb, std::span<const std::string> arguments) {
+    po::options_description all = visible_options(verb);
+    all.add_options()("operand", po::value<std::vector<std::string>>());
+    po::positional_options_description positional;
+    positional.add("operand", -1);
+
+    po::variables_map values;
+    try {
+        const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+        po::store(po::command_line_parser(std::vector<std::string>(arguments.begin(), arguments.end()))
+                      .options(all).positional(positional).style(style).run(), values);
+        po::notify(values);
+    } catch (const po::error& failure) {
+        return {{}, failure.what()};
+    }
+
+    Options options;
+    const auto text = [&values](const char* name) -> std::optional<std::string> {
+        return values.count(name) == 0 ? std::nullopt : std::optional(values[name].as<std::string>());
+    };
+    const auto flag = [&values](const char* name) { return values.count(name) != 0 && values[name].as<bool>(); };
+    if (values.count("operand") != 0) options.operands = values["operand"].as<std::vector<std::string>>();
+    options.output = text("output");
+    options.loop = text("loop");
+    options.chart = text("chart");
+    options.in_place = flag("in-place");
+    options.check = flag("check");
+    options.junit = text("junit");
+    options.trace_vcd = text("trace-vcd");
+    options.trace_svg = text("trace-svg");
+    options.script = text("script");
+    if (values.count("property") != 0) options.properties = values["property"].as<std::vector<std::string>>();
+    options.verbose = flag("verbose");
+    options.quiet = flag("quiet");
+    options.help = flag("help");
+    if (std::string complaint = choose_all(verb, values, options); !complaint.empty()) return {{}, complaint};
+    if (std::string complaint = check_engine(values); !complaint.empty()) return {{}, complaint};
+    if (std::string complaint = read_numbers(values, options); !complaint.empty()) return {{}, complaint};
+    if (options.help) return {options, {}};
+    if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
+    if (options.operands.size() > verb.most_operands)
+        return {{}, fmt::format("one argument too many: `{}`", options.operands[verb.most_operands])};
+    return {options, {}};
+}
+
+void print_help(const Verb& verb, std::ostream& out) {
+    out << fmt::format("Usage: grafverif {} {}[options]\n\n{}\n\n", verb.name,
+                       verb.operand.empty() ? "" : verb.operand + " ", verb.description);
+    out << visible_options(verb) << "\nExamples:\n";
+    for (const std::string& example : verb.examples) out << "  " << example << '\n';
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The command line of every verb: one set of options, each verb naming those it takes.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/closed_loop.hpp"
+
+namespace grafverif::app {
+
+enum class Format { Text, Json, Latex };
+enum class DiagnosticFormat { Text, Json };
+enum class ColourChoice { Auto, Always, Never };
+enum class Target { Both, Uppaal, Nusmv };
+
+struct Options {
+    std::vector<std::string> operands = {};          ///< FILE, or NAME for `components`
+    std::optional<std::string> output = {};          ///< -o
+    std::optional<std::string> loop = {};
+    std::optional<std::string> chart = {};
+    std::optional<ExecutionMode> mode = {};
+    std::optional<Grain> grain = {};
+    Target target = Target::Both;
+    Format format = Format::Text;
+    DiagnosticFormat diagnostics = DiagnosticFormat::Text;
+    ColourChoice colour = ColourChoice::Auto;
+    bool in_place = false;
+    bool check = false;
+    bool quiet = false;
+    bool verbose = false;
+    bool help = false;
+
+    std::vector<std::string> properties = {};        ///< of `check`; empty: all
+    std::optional<std::uint64_t> max_states = {};
+    std::optional<std::uint64_t> max_memory = {};    ///< bytes
+    std::optional<std::uint64_t> timeout_ms = {};
+    std::optional<std::string> junit = {};
+    std::optional<std::string> trace_vcd = {}, trace_svg = {};
+    std::optional<std::string> script = {};          ///< of `simulate`
+    std::optional<std::uint64_t> random_seed = {};
+    std::uint64_t steps = 100;                       ///< of a random walk
+};
+
+/// The options a verb may take besides --help, --quiet, --color and --diagnostics, which all take.
+enum class Accepts { Output, OutputDirectory, Loop, Chart, Mode, Grain, Target, Format, FormatLatex, InPlace,
+                     Search, Traces, Walk, Verbose };
+
+struct Verb {
+    std::string name = {};
+    std::string operand = {};                        ///< as shown in the usage line: `FILE`, `[NAME]`
+    std::size_t least_operands = 1, most_operands = 1;
+    std::string summary = {};                        ///< one line, for the list of verbs
+    std::string description = {};                    ///< for --help
+    std::vector<std::string> examples = {};
+    std::vector<Accepts> accepts = {};
+};
+
+/// The options of `verb` from `arguments` (the verb's name left out), or a message that says what is wrong.
+struct ParsedOptions {
+    std::optional<Options> options = {};
+    std::string complaint = {};
+};
+ParsedOptions parse_options(const Verb& verb, std::span<const std::string> arguments);
+
+/// `grafverif VERB --help`.
+void print_help(const Verb& verb, std::ostream& out);
+
+}  // namespace grafverif::app

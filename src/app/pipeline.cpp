@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "app/pipeline.hpp"
+
+#include <filesystem>
+#include <sstream>
+#include <vector>
+
+#include "app/files.hpp"
+#include "app/library.hpp"
+#include "grafverif/compose/compose.hpp"
+#include "grafverif/derive/derive.hpp"
+#include "grafverif/emit/nusmv.hpp"
+#include "grafverif/emit/uppaal.hpp"
+#include "grafverif/plant/plant.hpp"
+#include "grafverif/read/text.hpp"
+#include "grafverif/schedule/controller.hpp"
+#include "grafverif/support/messages.hpp"
+
+namespace grafverif::app {
+
+std::optional<Id<Source>> read_source(const std::string& path, Job& job) {
+    std::string why;
+    auto text = read_file(path, why);
+    if (!text) {
+        job.diagnostics.add(messages::cannot_read(path, why));
+        return {};
+    }
+    return job.sources.add({path, std::move(*text)});
+}
+
+std::optional<Model> read_model(const std::string& path, Job& job) {
+    const auto file = read_source(path, job);
+    if (!file) return {};
+    const ReadContext context{[](const std::string& included, std::string& why) { return read_file(included, why); }, library()};
+    return read_text(*file, job.sources, context, job.diagnostics);
+}
+
+namespace {
+
+/// The entity called `wanted`, or the only one; an error naming the candidates otherwise.
+template <class T>
+std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::string>& wanted, std::string_view kind,
+                            std::string_view option, Job& job) {
+    std::vector<std::string> names;
+    for (const Id<T> id : table.ids()) {
+        if (wanted && table[id].name == *wanted) return id;
+        names.push_back(table[id].name);
+    }
+    if (!wanted && table.size() == 1) return *table.ids().begin();
+    if (wanted) job.diagnostics.add(messages::no_such_choice(kind, *wanted, names));
+    else job.diagnostics.add(messages::ambiguous_choice(kind, option, names));
+    return {};
+}
+
+/// The equations of every controller of the loop, in order.
+std::optional<std::vector<Equations>> equations_of_controllers(const Model& model, const ClosedLoop& loop, Job& job) {
+    std::vector<Equations> all;
+    for (const ClosedLoop::Controller& controller : loop.controllers)
+        if (auto equations = derive(model.charts[controller.chart], job.diagnostics)) all.push_back(std::move(*equations));
+    if (all.size() != loop.controllers.size()) return {};
+    return all;
+}
+
+}  // namespace
+
+std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, Job& job) {
+    if (model.loops.empty() && !job.options.loop) {
+        job.diagnostics.add(messages::no_closed_loop());
+        return {};
+    }
+    return chosen(model.loops, job.options.loop, "closed loop", "--loop", job);
+}
+
+std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job) {
+    return chosen(model.charts, job.options.chart, "chart", "--chart", job);
+}
+
+std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Job& job) {
+    return derive(model.charts[chart], job.diagnostics);
+}
+
+std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, Job& job) {
+    const ClosedLoop& loop = model.loops[id];
+    const auto equations = equations_of_controllers(model, loop, job);
+    const auto plant_network = plant(model, loop, job.diagnostics);
+    if (!equations || !plant_network) return {};
+    const ComposeOptions options{job.options.grain, job.options.mode, {}};
+    return compose(*plant_network, model, loop, *equations, options, job.diagnostics);
+}
+
+std::optional<TransitionSystem> controllers_of(const Model& model, Id<ClosedLoop> id, Job& job) {
+    const ClosedLoop& loop = model.loops[id];
+    const auto equations = equations_of_controllers(model, loop, job);
+    if (!equations) return {};
+    return schedule_controllers(model, loop, *equations, {job.options.mode});
+}
+
+std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> chart, Job& job) {
+    const auto equations = equations_of(model, chart, job);
+    if (!equations) return {};
+    return schedule_controller(*equations, job.options.mode.value_or(ExecutionMode::StabilitySearch));
+}
+
+UppaalProject uppaal_project(const Network& network, Job& job) {
+    const Network lowered = uppaal::lower(network);
+    for (const uppaal::Inexpressible& left_out : uppaal::inexpressible(lowered)) {
+        const Property& property = lowered.properties[left_out.property];
+        job.diagnostics.add(messages::not_expressible(property.origin, property.name, "UPPAAL", left_out.reason));
+    }
+    std::ostringstream project, queries;
+    uppaal::emit(lowered, project);
+    uppaal::emit_queries(lowered, queries);
+    return {std::move(project).str(), std::move(queries).str()};
+}
+
+std::string nusmv_model(const TransitionSystem& system, Job& job) {
+    for (const TransitionSystem::Omitted& omitted : system.omitted)
+        job.diagnostics.add(messages::not_expressible(omitted.property.origin, omitted.property.name, "NuSMV", omitted.reason));
+    std::ostringstream out;
+    nusmv::emit(system, out);
+    return std::move(out).str();
+}
+
+}  // namespace grafverif::app

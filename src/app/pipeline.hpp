@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The pipeline: the only place where the verbs of the house meet, in order. Each function runs the arrows up to one
+// noun and returns it, or nothing after adding an error to the job's diagnostics.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/options.hpp"
+#include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/equations.hpp"
+#include "grafverif/ir/network.hpp"
+#include "grafverif/ir/transition_system.hpp"
+#include "grafverif/support/diagnostic.hpp"
+
+namespace grafverif::app {
+
+/// One run of a verb: what was asked, what was read, what is wrong with it.
+struct Job {
+    Options options = {};
+    Sources sources = {};
+    Diagnostics diagnostics = {};
+};
+
+/// The text of the file at `path`, as a source of the job.
+std::optional<Id<Source>> read_source(const std::string& path, Job& job);
+
+/// text -> Model
+std::optional<Model> read_model(const std::string& path, Job& job);
+
+/// The loop or chart that the options name, or the only one there is.
+std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, Job& job);
+std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job);
+
+/// Chart -> Equations
+std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Job& job);
+
+/// ClosedLoop -> plant -> Network
+std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Job& job);
+
+/// Equations -> TransitionSystem of the controllers alone: of the loop, or of a lone chart.
+std::optional<TransitionSystem> controllers_of(const Model& model, Id<ClosedLoop> loop, Job& job);
+std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> chart, Job& job);
+
+/// Network -> UPPAAL project and its queries; TransitionSystem -> NuSMV model. Warn of properties left out.
+struct UppaalProject {
+    std::string project = {};
+    std::string queries = {};
+};
+UppaalProject uppaal_project(const Network& network, Job& job);
+std::string nusmv_model(const TransitionSystem& system, Job& job);
+
+}  // namespace grafverif::app

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "app/program.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <exception>
+#include <ostream>
+#include <system_error>
+
+#include "app/files.hpp"
+#include "app/verbs.hpp"
+#include "grafverif/support/messages.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+struct Entry {
+    Verb (*usage)() = nullptr;
+    ExitCode (*run)(Job&, const Streams&) = nullptr;
+};
+
+constexpr std::array entries = {
+    Entry{build_usage, build},           Entry{uppaal_usage, uppaal},         Entry{nusmv_usage, nusmv},
+    Entry{equations_usage, equations},   Entry{components_usage, components}, Entry{fmt_usage, fmt},
+    Entry{check_usage, check},           Entry{simulate_usage, simulate},
+};
+
+void print_overview(std::ostream& out) {
+    out << "grafverif: GRAFCET charts (IEC 60848) and their plants as models that model checkers prove\n\n"
+           "Usage: grafverif VERB [FILE] [options]\n\nVerbs:\n";
+    for (const Entry& entry : entries) out << fmt::format("  {:<12}{}\n", entry.usage().name, entry.usage().summary);
+    out << "\n`grafverif VERB --help` tells the options of a verb, with examples; `grafverif --version` the version.\n"
+           "Exit codes: 0 done; 1 a verdict against expectation; 2 input or usage wrong; 3 a verdict unknown; 4 our failure.\n";
+}
+
+ExitCode usage_error(const Streams& streams, const std::string& complaint, const std::string& help) {
+    streams.err << fmt::format("grafverif: error: {}; see `grafverif {}--help`\n", complaint, help);
+    return ExitCode::Input;
+}
+
+void render_diagnostics(const Job& job, const Streams& streams) {
+    std::vector<Diagnostic> shown;
+    for (const Diagnostic& diagnostic : job.diagnostics.all())
+        if (!job.options.quiet || diagnostic.severity == Severity::Error) shown.push_back(diagnostic);
+    if (job.options.diagnostics == DiagnosticFormat::Json) {
+        if (!shown.empty()) render_json(shown, job.sources, streams.err);
+        return;
+    }
+    const bool coloured = job.options.colour == ColourChoice::Always ||
+                          (job.options.colour == ColourChoice::Auto && streams.err_is_terminal);
+    render_text(shown, job.sources, coloured ? Colour::Ansi : Colour::Plain, streams.err);
+    if (job.diagnostics.errors() > Diagnostics::limit)
+        streams.err << fmt::format("and {} more errors\n", job.diagnostics.errors() - Diagnostics::limit);
+}
+
+ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, const Streams& streams) {
+    const Verb verb = entry.usage();
+    ParsedOptions parsed = parse_options(verb, arguments);
+    if (!parsed.options) return usage_error(streams, parsed.complaint, verb.name + " ");
+    if (parsed.options->help) {
+        print_help(verb, streams.out);
+        return ExitCode::Done;
+    }
+    Job job{*parsed.options, {}, {}};
+    ExitCode code = ExitCode::Done;
+    try {
+        code = entry.run(job, streams);
+    } catch (const std::system_error& failure) {
+        job.diagnostics.add(messages::world_failed(failure.what()));
+    }
+    render_diagnostics(job, streams);
+    return job.diagnostics.has_errors() ? ExitCode::Input : code;
+}
+
+}  // namespace
+
+ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
+    if (arguments.empty()) return usage_error(streams, "no verb given", "");
+    const std::string& name = arguments.front();
+    if (name == "--help" || name == "-h" || name == "help") {
+        print_overview(streams.out);
+        return ExitCode::Done;
+    }
+    if (name == "--version") {
+        streams.out << "grafverif " GRAFVERIF_VERSION "\n";
+        return ExitCode::Done;
+    }
+    for (const Entry& entry : entries)
+        if (entry.usage().name == name) return run_verb(entry, arguments.subspan(1), streams);
+    return usage_error(streams, fmt::format("there is no verb `{}`", name), "");
+}
+
+void deliver(const std::string& content, const Job& job, const Streams& streams) {
+    if (job.options.output) write_files({{*job.options.output, content}});
+    else streams.out << content;
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The program as a function: arguments in, streams in and out, exit code back; so that tests run it in-process.
+#pragma once
+
+#include <iosfwd>
+#include <span>
+#include <string>
+
+namespace grafverif::app {
+
+/// Exit codes; where several apply: Failure before Input before Verdict before Unknown.
+enum class ExitCode {
+    Done = 0,      ///< done, every verdict as expected
+    Verdict = 1,   ///< a verdict against expectation
+    Input = 2,     ///< input or usage wrong
+    Unknown = 3,   ///< a verdict unknown, or stopped
+    Failure = 4,   ///< a failure on our side
+};
+
+/// The standard streams, and whether err is a terminal (colours, progress).
+struct Streams {
+    std::istream& in;
+    std::ostream& out;
+    std::ostream& err;
+    bool err_is_terminal = false;
+};
+
+/// Runs `grafverif ARGUMENTS`, the program's name left out.
+ExitCode run(std::span<const std::string> arguments, const Streams& streams);
+
+}  // namespace grafverif::app

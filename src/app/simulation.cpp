@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "app/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "grafverif/report/report.hpp"
+#include "grafverif/run/network_walk.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+bool of_plant(const Network& network, const Fire& fire) {
+    const Network::ProcessKind kind = network.processes[fire.process].kind;
+    return kind == Network::ProcessKind::Plant || kind == Network::ProcessKind::Environment;
+}
+
+const Network::Edge& edge_of(const Network& network, const Fire& fire) {
+    return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += fmt::format("{}`{}`", text.empty() ? "" : ", ", word);
+    return text;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Network& network, Detail detail)
+    : network_(network), detail_(detail), state_(initial_state(network)), teller_(std::in_place, network, detail) {}
+
+std::vector<Fire> Simulation::choices() const {
+    if (network_.race.valid() && state_.variables[network_.race.index] != 0) return {};
+    std::vector<Fire> moves = enabled(network_, state_);
+    if (detail_ == Detail::Chart && !broken_) std::erase_if(moves, [&](const Fire& fire) { return !of_plant(network_, fire); });
+    return moves;
+}
+
+std::string Simulation::problem_of(const Step& step, const Move& move) const {
+    if (step.result == Step::Result::Blocked) return "this cannot happen now";
+    const Fire& fire = std::get<Fire>(move);
+    const auto kind = step.result == Step::Result::OutOfRange ? ModelError::Kind::OutOfRange : ModelError::Kind::NoValue;
+    return breakdown_of(network_, {kind, step.variable, fire.process, fire.edge, {}}, Detail::Chart).message;
+}
+
+bool Simulation::move(const Move& move, std::string& problem) {
+    const NetworkState before = state_;
+    const Step step = perform(network_, state_, move);
+    if (step.result != Step::Result::Done) {
+        broken_ = broken_ || step.result != Step::Result::Blocked;
+        problem = problem_of(step, move);
+        return false;
+    }
+    run_.moves.push_back(move);
+    teller_->move(move, before, state_);
+    if (!network_.race.valid() || state_.variables[network_.race.index] == 0) return true;
+    broken_ = true;
+    problem = "two stored actions give one variable different values in one evolution";
+    return false;
+}
+
+std::optional<Fire> Simulation::next_by_itself() const {
+    const std::vector<Fire> moves = enabled(network_, state_);
+    std::vector<std::size_t> options(network_.processes.size(), 0);
+    for (const Fire& fire : moves) ++options[fire.process.index];
+    const std::vector<Id<Network::Process>> hurried = impatient(network_, state_);
+    const auto first = [&](const auto& wanted) -> std::optional<Fire> {
+        const auto found = std::ranges::find_if(moves, wanted);
+        return found == moves.end() ? std::nullopt : std::optional(*found);
+    };
+    const auto alone = [&](const Fire& fire) { return of_plant(network_, fire) && options[fire.process.index] == 1; };
+    const auto of_kind = [&](Network::ProcessKind kind) {
+        return first([&](const Fire& fire) { return network_.processes[fire.process].kind == kind; });
+    };
+    if (const auto urgent = first([&](const Fire& fire) { return alone(fire) && edge_of(network_, fire).urgent; })) return urgent;
+    if (const auto timer = of_kind(Network::ProcessKind::Timer)) return timer;
+    if (const auto cycle = of_kind(Network::ProcessKind::Controller)) return cycle;
+    return first([&](const Fire& fire) { return alone(fire) && std::ranges::find(hurried, fire.process) != hurried.end(); });
+}
+
+/// What happens by itself within this instant. Brent's search notices when it goes on for ever.
+std::string Simulation::follow() {
+    if (detail_ == Detail::Everything) return {};
+    NetworkState kept = state_;
+    std::size_t since_kept = 0, patience = 1;
+    std::string problem;
+    while (!broken_) {
+        const std::optional<Fire> next = next_by_itself();
+        if (!next) return {};
+        if (!move(*next, problem)) return problem;
+        if (state_ == kept) {
+            broken_ = true;
+            return "this goes on for ever within the instant: the situation never becomes stable with these inputs";
+        }
+        if (++since_kept < patience) continue;
+        kept = state_;
+        since_kept = 0;
+        patience *= 2;
+    }
+    return {};
+}
+
+std::string Simulation::settle() {
+    std::string problem = follow();
+    teller_->flush(state_);
+    return problem;
+}
+
+std::string Simulation::choose(const Fire& fire) {
+    commands_.push_back(run_.moves.size());
+    std::string problem;
+    if (!move(fire, problem)) return problem;
+    return settle();
+}
+
+std::string Simulation::waiting_for() const {
+    const std::vector<Id<Network::Process>> hurried = impatient(network_, state_);
+    std::vector<std::string> words;
+    for (const Fire& fire : choices())
+        if (std::ranges::find(hurried, fire.process) != hurried.end()) words.push_back(choice_words(network_, state_, fire));
+    if (words.empty()) return "time cannot pass any more: nothing can happen that must";
+    return "time cannot pass before one of these happens: " + listed(words);
+}
+
+std::string Simulation::pass(std::int64_t units) {
+    while (units > 0) {
+        if (std::string problem = follow(); !problem.empty()) return problem;
+        const Leeway way = leeway(network_, state_);
+        if (!way.may_pass) return waiting_for();
+        const std::int64_t step = std::min(units, way.limit.value_or(units));
+        std::string problem;
+        if (!move(Delay{step}, problem)) return problem;
+        units -= step;
+    }
+    return follow();
+}
+
+std::string Simulation::wait(std::int64_t units) {
+    commands_.push_back(run_.moves.size());
+    std::string problem = pass(units);
+    teller_->flush(state_);
+    return problem;
+}
+
+std::string Simulation::wait() {
+    const Leeway way = leeway(network_, state_);
+    if (!way.may_pass) return waiting_for();
+    const std::int64_t units = std::min(way.limit.value_or(0), way.change.value_or(0));
+    const std::int64_t soonest = units > 0 ? units : std::max(way.limit.value_or(0), way.change.value_or(0));
+    if (soonest == 0) return "nothing will happen by itself; say how long to wait";
+    return wait(soonest);
+}
+
+std::string Simulation::set(std::string_view name, std::int64_t value) {
+    const auto found = std::ranges::find(network_.variables, name, &Network::Variable::name);
+    const bool known = found != network_.variables.end() &&
+                       (found->role == Network::Role::Input || found->role == Network::Role::Plant);
+    if (!known) return fmt::format("there is no input `{}`", name);
+    const auto index = static_cast<std::size_t>(found - network_.variables.begin());
+    if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, value);
+    for (const Fire& fire : choices()) {
+        NetworkState after = state_;
+        if (perform(network_, after, fire).result == Step::Result::Done && after.variables[index] == value) return choose(fire);
+    }
+    return fmt::format("nothing can make `{}` {} now", name, value);
+}
+
+std::string Simulation::act(std::string_view instance, std::string_view location) {
+    for (const Fire& fire : choices()) {
+        const Network::Process& process = network_.processes[fire.process];
+        const Network::Location& target = network_.templates[process.automaton].locations[edge_of(network_, fire).to];
+        if (process.name == instance && (location.empty() || target.name == location)) return choose(fire);
+    }
+    return fmt::format("`{}`{} cannot happen now", instance, location.empty() ? "" : fmt::format(" to `{}`", location));
+}
+
+bool Simulation::back() {
+    if (commands_.empty()) return false;
+    Run shorter = std::move(run_);
+    shorter.moves.resize(commands_.back());
+    commands_.pop_back();
+    state_ = initial_state(network_);
+    teller_.emplace(network_, detail_);
+    run_ = {};
+    broken_ = false;
+    std::string ignored;
+    auto command = commands_.begin();
+    for (std::size_t i = 0; i < shorter.moves.size(); ++i) {
+        for (; command != commands_.end() && *command == i; ++command) teller_->flush(state_);
+        move(shorter.moves[i], ignored);
+    }
+    teller_->flush(state_);
+    return true;
+}
+
+}  // namespace grafverif::app

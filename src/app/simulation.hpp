@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Simulation: a closed loop, moved by hand. Whoever moves it chooses what the plant and its environment do, sets inputs
+// and lets time pass; the rest follows by itself, in a fixed order, until somebody has to choose again:
+//
+//   1  urgent edges of the plant and its environment, where an instance has one only: sensors follow the plant
+//   2  timers
+//   3  PLC cycles
+//   4  edges that an invariant forces now, where an instance has one only: movements go on
+//
+// With Detail::Everything nothing follows by itself: every edge is a choice.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+#include "grafverif/ir/network_run.hpp"
+#include "grafverif/report/tell.hpp"
+
+namespace grafverif::app {
+
+class Simulation {
+public:
+    /// `network` outlives the simulation.
+    Simulation(const Network& network, Detail detail);
+
+    const Network& network() const { return network_; }
+    const NetworkState& state() const { return state_; }
+    const Run& run() const { return run_; }
+    const Trace& trace() const { return teller_->trace(); }
+
+    /// What may be chosen now; empty after a race.
+    std::vector<Fire> choices() const;
+    /// Whether the model has broken off, or a controller goes on for ever: nothing follows by itself any more.
+    bool broken() const { return broken_; }
+
+    /// Each of these is one command: it makes its moves and lets the rest follow. The answer says what went wrong; empty: all
+    /// is well. A command that went wrong may have made some moves.
+    std::string settle();
+    std::string choose(const Fire& fire);
+    std::string wait(std::int64_t units);
+    /// Until something changes by itself, or can.
+    std::string wait();
+    /// Makes the first choice after which `name` has `value`.
+    std::string set(std::string_view name, std::int64_t value);
+    /// Makes the first choice of `instance` that leads to `location`; empty: the first.
+    std::string act(std::string_view instance, std::string_view location);
+    /// Undoes the last command; false: there is none.
+    bool back();
+
+    /// One edge, nothing follows: what a random walk makes. False: it cannot be made, or broke the model off.
+    bool move(const Move& move, std::string& problem);
+
+private:
+    std::string follow();
+    std::optional<Fire> next_by_itself() const;
+    std::string pass(std::int64_t units);
+    std::string waiting_for() const;
+    std::string problem_of(const Step& step, const Move& move) const;
+
+    const Network& network_;
+    Detail detail_;
+    NetworkState state_;
+    Run run_ = {};
+    std::optional<Teller> teller_;
+    std::vector<std::size_t> commands_ = {};   ///< the length of the run before each
+    bool broken_ = false;
+};
+
+}  // namespace grafverif::app

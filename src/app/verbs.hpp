@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The verbs of the command line. Each reads job.options, adds what is wrong to job.diagnostics, which the caller
+// renders, and writes its result to streams.out or to files.
+#pragma once
+
+#include "app/pipeline.hpp"
+#include "app/program.hpp"
+
+namespace grafverif::app {
+
+ExitCode build(Job& job, const Streams& streams);
+ExitCode uppaal(Job& job, const Streams& streams);
+ExitCode nusmv(Job& job, const Streams& streams);
+ExitCode equations(Job& job, const Streams& streams);
+ExitCode components(Job& job, const Streams& streams);
+ExitCode fmt(Job& job, const Streams& streams);
+ExitCode check(Job& job, const Streams& streams);
+ExitCode simulate(Job& job, const Streams& streams);
+
+Verb build_usage();
+Verb uppaal_usage();
+Verb nusmv_usage();
+Verb equations_usage();
+Verb components_usage();
+Verb fmt_usage();
+Verb check_usage();
+Verb simulate_usage();
+
+/// Writes `content` to the file of `-o`, or to standard output without it.
+void deliver(const std::string& content, const Job& job, const Streams& streams);
+
+}  // namespace grafverif::app

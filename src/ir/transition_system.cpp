@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// verify: the invariants of a TransitionSystem, one function each.
+#include "grafverif/ir/transition_system.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using System = TransitionSystem;
+using Faults = std::vector<std::string>;
+
+enum class Sort { None, Boolean, Integer };
+
+Sort sort_of(Type type) { return type.boolean ? Sort::Boolean : Sort::Integer; }
+
+/// The sorts of terms as one module reads them; None for a term that makes no sense there.
+struct Sorts {
+    const Exprs& exprs;
+    const System::Module& module;
+    std::unordered_map<std::uint32_t, Sort> known = {};
+
+    Sort operator()(Id<Expr> term) {
+        if (!exprs.contains(term)) return Sort::None;
+        if (const auto found = known.find(term.index); found != known.end()) return found->second;
+        const Sort sort = computed(term);
+        known.emplace(term.index, sort);
+        return sort;
+    }
+
+private:
+    bool all(Id<Expr> term, Sort sort) {
+        return std::ranges::all_of(exprs.operands(term), [&](Id<Expr> operand) { return (*this)(operand) == sort; });
+    }
+
+    Sort computed(Id<Expr> term) {
+        const Expr& node = exprs[term];
+        const std::span<const Id<Expr>> operands = exprs.operands(term);
+        switch (node.op) {
+        case Op::False:
+        case Op::True: return Sort::Boolean;
+        case Op::Integer: return Sort::Integer;
+        case Op::Variable: {
+            if (node.value < 0 || static_cast<std::size_t>(node.value) >= module.symbols.size()) return Sort::None;
+            return sort_of(module.symbols[{static_cast<std::uint32_t>(node.value)}].type);
+        }
+        case Op::Duration: case Op::Step: case Op::Timed: case Op::Parameter: case Op::At: case Op::Rise: case Op::Fall:
+            return Sort::None;
+        case Op::Not:
+        case Op::And:
+        case Op::Or: return all(term, Sort::Boolean) ? Sort::Boolean : Sort::None;
+        case Op::Equal:
+        case Op::NotEqual: {
+            const Sort left = (*this)(operands[0]);
+            return left == (*this)(operands[1]) && left != Sort::None ? Sort::Boolean : Sort::None;
+        }
+        case Op::Less: case Op::LessEqual: case Op::Greater: case Op::GreaterEqual:
+            return all(term, Sort::Integer) ? Sort::Boolean : Sort::None;
+        case Op::Negate: case Op::Plus: case Op::Minus: case Op::Times: case Op::Divide: case Op::Modulo:
+            return all(term, Sort::Integer) ? Sort::Integer : Sort::None;
+        case Op::Conditional: {
+            const Sort then = (*this)(operands[1]);
+            return (*this)(operands[0]) == Sort::Boolean && then == (*this)(operands[2]) ? then : Sort::None;
+        }
+        }
+        unreachable();
+    }
+};
+
+void check_term(Sorts& sorts, Id<Expr> term, Sort sort, const std::string& what, Faults& faults) {
+    if (sorts(term) != sort) faults.push_back(what + " is no term of its type over the symbols of its module");
+}
+
+void check_member(const System& system, bool in_main, const System::Symbol& symbol, const System::MemberSymbol& member,
+                  Faults& faults) {
+    const std::string where = "`" + symbol.name + "`";
+    if (!in_main) return faults.push_back(where + " belongs to an instance, outside main");
+    if (!system.instances.contains(member.instance)) return faults.push_back(where + " names no instance");
+    const Id<System::Module> module = system.instances[member.instance].module;
+    if (!system.modules.contains(module) || !system.modules[module].symbols.contains(member.symbol))
+        return faults.push_back(where + " names no symbol of its instance");
+    if (system.modules[module].symbols[member.symbol].type != symbol.type)
+        faults.push_back(where + " has another type than the symbol it stands for");
+}
+
+void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Faults& faults) {
+    const System::Module& module = system.modules[id];
+    std::unordered_set<std::string_view> names;
+    bool parameters_over = false;
+    for (const System::Symbol& symbol : module.symbols) {
+        const std::string where = module.name + ": `" + symbol.name + "`";
+        if (symbol.name.empty() || !names.insert(symbol.name).second) faults.push_back(where + " has no name of its own");
+        if (symbol.type.low > symbol.type.high) faults.push_back(where + " has an empty range");
+        const bool parameter = std::holds_alternative<System::ParameterSymbol>(symbol.kind);
+        if (parameter && (parameters_over || id == system.main)) faults.push_back(where + " is a parameter out of place");
+        parameters_over = parameters_over || !parameter;
+        std::visit(overloaded{
+            [](const System::ParameterSymbol&) {},
+            [&](const System::StateSymbol& state) {
+                if (state.initial) check_term(sorts, *state.initial, sort_of(symbol.type), where + ": initial", faults);
+                if (state.next) check_term(sorts, *state.next, sort_of(symbol.type), where + ": next", faults);
+            },
+            [&](const System::DefineSymbol& define) {
+                check_term(sorts, define.value, sort_of(symbol.type), where + ": definition", faults);
+            },
+            [&](const System::MemberSymbol& member) { check_member(system, id == system.main, symbol, member, faults); },
+        }, symbol.kind);
+    }
+    for (const Id<Expr> term : module.invariants) check_term(sorts, term, Sort::Boolean, module.name + ": invariant", faults);
+    for (const Id<Expr> term : module.justice) check_term(sorts, term, Sort::Boolean, module.name + ": justice", faults);
+}
+
+/// The definitions of a module, or its initial values, form no cycle. Kahn: take away whatever depends on nothing left.
+void check_acyclic(const System& system, const System::Module& module, bool initial, Faults& faults) {
+    std::vector<std::size_t> open(module.symbols.size());
+    std::vector<std::vector<std::uint32_t>> dependants(module.symbols.size());
+    for (const Id<System::Symbol> id : module.symbols.ids()) {
+        Id<Expr> value;
+        if (const auto* define = std::get_if<System::DefineSymbol>(&module.symbols[id].kind)) value = define->value;
+        else if (const auto* state = std::get_if<System::StateSymbol>(&module.symbols[id].kind))
+            if (initial && state->initial) value = *state->initial;
+        if (!value.valid() || !system.exprs.contains(value)) continue;
+        for (const Id<Expr> leaf : leaves(system.exprs, value)) {
+            const auto read = static_cast<std::size_t>(system.exprs[leaf].value);
+            if (read >= dependants.size()) continue;
+            dependants[read].push_back(id.index);
+            ++open[id.index];
+        }
+    }
+    std::vector<std::uint32_t> ready;
+    for (std::uint32_t index = 0; index < open.size(); ++index)
+        if (open[index] == 0) ready.push_back(index);
+    std::size_t done = 0;
+    for (; done < ready.size(); ++done)
+        for (const std::uint32_t dependant : dependants[ready[done]])
+            if (--open[dependant] == 0) ready.push_back(dependant);
+    if (done != open.size())
+        faults.push_back(module.name + (initial ? ": initial values depend on themselves" : ": definitions depend on themselves"));
+}
+
+void check_instances(const System& system, Faults& faults) {
+    const System::Module& main = system.modules[system.main];
+    for (const System::Instance& instance : system.instances) {
+        const std::string where = "instance `" + instance.name + "`";
+        if (!system.modules.contains(instance.module) || instance.module == system.main) {
+            faults.push_back(where + " has no module that can be instantiated");
+            continue;
+        }
+        std::vector<Type> parameters;
+        for (const System::Symbol& symbol : system.modules[instance.module].symbols)
+            if (std::holds_alternative<System::ParameterSymbol>(symbol.kind)) parameters.push_back(symbol.type);
+        if (parameters.size() != instance.arguments.size()) {
+            faults.push_back(where + " has another number of arguments than its module of parameters");
+            continue;
+        }
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            if (!main.symbols.contains(instance.arguments[i]) || main.symbols[instance.arguments[i]].type != parameters[i])
+                faults.push_back(where + ": an argument is no symbol of main of its parameter's type");
+    }
+}
+
+/// How many operands a property of this pattern has; empty: one or more.
+std::optional<std::size_t> arity(Pattern pattern) {
+    switch (pattern) {
+    case Pattern::Always: case Pattern::Never: case Pattern::Reachable: case Pattern::Inevitable:
+    case Pattern::AlwaysPossible:
+        return 1;
+    case Pattern::LeadsTo: return 2;
+    case Pattern::ExactlyOneOf: return {};
+    case Pattern::NoDeadlock: case Pattern::NoTimelock: case Pattern::ReachableAllSteps: case Pattern::RawUppaal:
+    case Pattern::RawCtl: case Pattern::RawLtl:
+        return 0;
+    }
+    unreachable();
+}
+
+void check_properties(const System& system, Sorts& sorts, Faults& faults) {
+    for (const Property& property : system.properties) {
+        const std::string where = "property `" + property.name + "`";
+        const auto expected = arity(property.pattern);
+        if (expected ? property.operands.size() != *expected : property.operands.empty())
+            faults.push_back(where + " has the wrong number of operands");
+        const bool foreign = property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock ||
+                             property.pattern == Pattern::RawUppaal || property.pattern == Pattern::ReachableAllSteps;
+        if (foreign) faults.push_back(where + " is none of a transition system");
+        for (const Id<Expr> operand : property.operands)
+            check_term(sorts, operand, Sort::Boolean, where + ": operand", faults);
+    }
+    if (system.settled.valid()) check_term(sorts, system.settled, Sort::Boolean, "settled", faults);
+    for (const System::Omitted& omitted : system.omitted)
+        if (omitted.before > system.properties.size()) faults.push_back("an omitted property has no place");
+}
+
+}  // namespace
+
+std::vector<std::string> verify(const TransitionSystem& system) {
+    if (!system.modules.contains(system.main)) return {"there is no main module"};
+    Faults faults;
+    for (const Id<System::Module> id : system.modules.ids()) {
+        Sorts sorts{system.exprs, system.modules[id]};
+        check_symbols(system, id, sorts, faults);
+        if (id == system.main) check_properties(system, sorts, faults);
+        check_acyclic(system, system.modules[id], false, faults);
+        check_acyclic(system, system.modules[id], true, faults);
+    }
+    check_instances(system, faults);
+    return faults;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/ir/verdict.hpp"
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+std::string_view word(Outcome outcome) {
+    switch (outcome) {
+    case Outcome::Holds:    return "holds";
+    case Outcome::Violated: return "violated";
+    case Outcome::Unknown:  return "unknown";
+    }
+    unreachable();
+}
+
+std::string_view word(Obstacle obstacle) {
+    switch (obstacle) {
+    case Obstacle::None:        return "";
+    case Obstacle::Bound:       return "bound";
+    case Obstacle::Memory:      return "memory";
+    case Obstacle::Stopped:     return "stopped";
+    case Obstacle::Inexact:     return "inexact";
+    case Obstacle::Unsupported: return "unsupported";
+    case Obstacle::Faulty:      return "faulty";
+    }
+    unreachable();
+}
+
+std::string_view word(ModelError::Kind kind) {
+    switch (kind) {
+    case ModelError::Kind::OutOfRange: return "out-of-range";
+    case ModelError::Kind::ActionRace: return "action-race";
+    case ModelError::Kind::NoValue:    return "no-value";
+    }
+    unreachable();
+}
+
+bool as_expected(const Verdict& verdict) {
+    return verdict.outcome == (verdict.expected_violated ? Outcome::Violated : Outcome::Holds);
+}
+
+}  // namespace grafverif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The whole translation of each sample in one folder: tests/golden/<sample>/. GRAFVERIF_UPDATE_GOLDEN=1 rewrites the
+// files instead of comparing; review the difference before committing it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/pipeline.hpp"
+#include "grafverif/syntax/print_chart.hpp"
+#include "grafverif/syntax/print_equations.hpp"
+#include "grafverif/syntax/print_network.hpp"
+
+namespace grafverif::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = GRAFVERIF_SOURCE_DIR;
+
+void expect_golden(const fs::path& file, const std::string& actual) {
+    if (std::getenv("GRAFVERIF_UPDATE_GOLDEN") != nullptr) {
+        fs::create_directories(file.parent_path());
+        std::ofstream(file, std::ios::binary) << actual;
+    }
+    std::ifstream in(file, std::ios::binary);
+    ASSERT_TRUE(in) << file << " is missing; GRAFVERIF_UPDATE_GOLDEN=1 makes it";
+    std::ostringstream expected;
+    expected << in.rdbuf();
+    EXPECT_EQ(expected.str(), actual) << file;
+}
+
+template <class Print, class Noun>
+std::string printed(Print print, const Noun& noun) {
+    std::ostringstream out;
+    print(out, noun);
+    return out.str();
+}
+
+class Golden : public testing::TestWithParam<std::string> {};
+
+TEST_P(Golden, EveryStageIsAsReviewed) {
+    const std::string sample = GetParam();
+    const std::string stem = fs::path(sample).filename().string();
+    const fs::path folder = root / "tests/golden" / stem;
+    Job job;
+    const auto model = read_model((root / "samples" / (sample + ".grafcet")).string(), job);
+    ASSERT_TRUE(model);
+    const auto chart = chosen_chart(*model, job);
+    const auto loop = chosen_loop(*model, job);
+    ASSERT_TRUE(chart && loop);
+    EXPECT_TRUE(verify(*model).empty());
+    const auto equations = equations_of(*model, *chart, job);
+    const auto network = network_of(*model, *loop, job);
+    const auto system = controllers_of(*model, *loop, job);
+    ASSERT_TRUE(equations && network && system);
+    EXPECT_TRUE(verify(*equations).empty());
+    EXPECT_TRUE(verify(*network).empty());
+    EXPECT_TRUE(verify(*system).empty());
+    const UppaalProject project = uppaal_project(*network, job);
+
+    expect_golden(folder / "1-chart.txt", printed([](auto& out, const Model& m) { print_model(out, m); }, *model));
+    expect_golden(folder / "2-equations.txt", printed([](auto& out, const Equations& e) { print_equations(out, e); }, *equations));
+    expect_golden(folder / "3-network.txt", printed([](auto& out, const Network& n) { print_network(out, n); }, *network));
+    expect_golden(folder / "4-uppaal.xml", project.project);
+    expect_golden(folder / "4-uppaal.q", project.queries);
+    expect_golden(folder / "5-model.smv", nusmv_model(*system, job));
+    EXPECT_FALSE(job.diagnostics.has_errors());
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, Golden,
+                         testing::Values("testing_station/testing_station", "testing_station/faulty",
+                                         "oven_door/oven_door", "tanks/tanks", "blinker/blinker"),
+                         [](const auto& info) { return fs::path(info.param).filename().string(); });
+
+}  // namespace
+}  // namespace grafverif::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Every kind of diagnostic a user can meet is shown by a reject: tests/rejects/<code>[-n].grafcet.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = GRAFVERIF_SOURCE_DIR;
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+/// The codes that messages.cpp hands out: the first string of each error(...) or warning(...).
+std::set<std::string> codes() {
+    static const std::regex pattern(R"re((?:error|warning)\(\s*"([a-z0-9-]+)")re");
+    const std::string text = text_of(root / "src/support/messages.cpp");
+    std::set<std::string> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) found.insert((*match)[1]);
+    return found;
+}
+
+/// What no chart alone can show: files that are missing, too large or cannot be written, and choices of the command line.
+const std::set<std::string> of_the_world = {"cannot-read", "world", "too-large", "no-closed-loop", "no-such-choice", "ambiguous-choice"};
+
+TEST(House, EveryDiagnosticHasAReject) {
+    const std::set<std::string> all = codes();
+    ASSERT_GT(all.size(), 30u);
+    std::set<std::string> shown;
+    static const std::regex bracketed(R"re(\[([a-z0-9-]+)\])re");
+    for (const auto& entry : fs::directory_iterator(root / "tests/rejects")) {
+        if (entry.path().extension() != ".expected") continue;
+        const std::string text = text_of(entry.path());
+        for (std::sregex_iterator match(text.begin(), text.end(), bracketed), end; match != end; ++match)
+            shown.insert((*match)[1]);
+    }
+    for (const std::string& code : all)
+        EXPECT_TRUE(shown.contains(code) || of_the_world.contains(code)) << "no reject shows `" << code << '`';
+}
+
+}  // namespace

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// What the documents show is what the program does: each `$ grafverif ...` of a console block is run and its output
+// compared (a line `...` stands for any lines), and each grafcet block parses.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = GRAFVERIF_SOURCE_DIR;
+const fs::path program = GRAFVERIF_PROGRAM;
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+struct Block {
+    std::string language = {};
+    std::vector<std::string> lines = {};
+    std::size_t line = 0;   ///< of the opening fence, from 1
+};
+
+std::vector<Block> blocks_of(const fs::path& document) {
+    std::vector<Block> blocks;
+    bool inside = false;
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(text_of(document))) {
+        ++number;
+        if (line.starts_with("```")) {
+            if (!inside) blocks.push_back({line.substr(3), {}, number});
+            inside = !inside;
+        } else if (inside) {
+            blocks.back().lines.push_back(line);
+        }
+    }
+    return blocks;
+}
+
+std::vector<fs::path> documents() {
+    std::vector<fs::path> found = {root / "README.md", root / "CONTRIBUTING.md"};
+    for (const char* folder : {"docs", "samples"})
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+            if (entry.path().extension() == ".md") found.push_back(entry.path());
+    std::ranges::sort(found);
+    return found;
+}
+
+/// A folder where the documents' commands run: the samples beside it, as in the repository's root.
+class Workplace {
+public:
+    Workplace() {
+        std::string pattern = (fs::temp_directory_path() / "grafverif-docs-XXXXXX").string();
+        folder_ = ::mkdtemp(pattern.data());
+        for (const char* name : {"samples", "templates"}) fs::create_directory_symlink(root / name, folder_ / name);
+    }
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+    ~Workplace() { fs::remove_all(folder_); }
+
+    /// Both streams of `command`, run by a shell in the folder.
+    std::string output_of(const std::string& command) const {
+        const std::string line = "cd '" + folder_.string() + "' && PATH='" + program.parent_path().string() + "':$PATH; { " +
+                                 command + "; } 2>&1";
+        const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(line.c_str(), "r"), ::pclose);
+        std::string text;
+        std::array<char, 4096> buffer = {};
+        for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), pipe.get())) > 0;)
+            text.append(buffer.data(), got);
+        return text;
+    }
+
+private:
+    fs::path folder_ = {};
+};
+
+/// Whether `actual` is `expected`, a line `...` of which stands for any number of lines.
+bool matches(const std::vector<std::string>& expected, std::size_t e, const std::vector<std::string>& actual, std::size_t a) {
+    if (e == expected.size()) return a == actual.size();
+    if (expected[e] == "...") {
+        for (std::size_t next = a; next <= actual.size(); ++next)
+            if (matches(expected, e + 1, actual, next)) return true;
+        return false;
+    }
+    return a < actual.size() && expected[e] == actual[a] && matches(expected, e + 1, actual, a + 1);
+}
+
+TEST(Documents, ShowTheRealOutputOfTheirCommands) {
+    std::size_t commands = 0;
+    for (const fs::path& document : documents()) {
+        for (const Block& block : blocks_of(document)) {
+            if (block.language != "console") continue;
+            const Workplace workplace;
+            for (std::size_t i = 0; i < block.lines.size();) {
+                const std::string command = block.lines[i].starts_with("$ ") ? block.lines[i].substr(2) : "";
+                std::vector<std::string> expected;
+                for (++i; i < block.lines.size() && !block.lines[i].starts_with("$ "); ++i) expected.push_back(block.lines[i]);
+                if (!command.starts_with("grafverif ")) continue;
+                ++commands;
+                const std::string output = workplace.output_of(command);
+                EXPECT_TRUE(matches(expected, 0, lines_of(output), 0))
+                    << document << ':' << block.line << ": `" << command << "` prints\n" << output;
+            }
+        }
+    }
+    EXPECT_GT(commands, 3u);
+}
+
+TEST(Documents, ShowChartsThatParse) {
+    std::size_t charts = 0;
+    for (const fs::path& document : documents()) {
+        for (const Block& block : blocks_of(document)) {
+            if (block.language != "grafcet") continue;
+            ++charts;
+            const Workplace workplace;
+            const std::string here = workplace.output_of("pwd");
+            const fs::path file = fs::path(here.substr(0, here.size() - 1)) / "block.grafcet";
+            std::ofstream out(file);
+            for (const std::string& line : block.lines) out << line << '\n';
+            out.close();
+            EXPECT_EQ(workplace.output_of("grafverif fmt block.grafcet >/dev/null"), "")
+                << document << ':' << block.line;
+        }
+    }
+    EXPECT_GT(charts, 10u);
+}
+
+TEST(Documents, NameOnlyFilesThatExist) {
+    for (const fs::path& document : documents()) {
+        const std::string text = text_of(document);
+        for (std::size_t at = text.find("]("); at != std::string::npos; at = text.find("](", at + 1)) {
+            const std::size_t end = text.find(')', at);
+            std::string target = text.substr(at + 2, end - at - 2);
+            target = target.substr(0, target.find('#'));
+            if (target.empty() || target.find("://") != std::string::npos) continue;
+            EXPECT_TRUE(fs::exists(document.parent_path() / target)) << document << " links to " << target;
+        }
+    }
+}
+
+TEST(Help, EveryVerbExplainsItselfWithExamples) {
+    const Workplace workplace;
+    const std::string overview = workplace.output_of("grafverif --help");
+    for (const char* verb : {"build", "uppaal", "nusmv", "equations", "components", "fmt"}) {
+        EXPECT_NE(overview.find(std::string("\n  ") + verb), std::string::npos) << verb;
+        const std::string help = workplace.output_of(std::string("grafverif ") + verb + " --help");
+        EXPECT_TRUE(help.starts_with(std::string("Usage: grafverif ") + verb)) << help;
+        EXPECT_NE(help.find("Examples:\n  grafverif "), std::string::npos) << help;
+    }
+}
+
+}  // namespace

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// The ladder of the house: who may include whom. Link dependencies alone would not hold it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = GRAFVERIF_SOURCE_DIR;
+
+const std::map<std::string, int> rungs = {
+    {"support", 0}, {"ir", 1},      {"syntax", 2},   {"run", 2},  {"bdd", 2},   {"read", 3},    {"derive", 3}, {"plant", 3},
+    {"compose", 3}, {"schedule", 3}, {"emit", 3}, {"check", 3}, {"conform", 3}, {"report", 3}, {"app", 4},
+};
+
+struct Inclusion {
+    fs::path file = {};
+    std::string room = {};
+    std::string header = {};   ///< as written between the quotes or brackets
+};
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::vector<fs::path> sources(const std::vector<fs::path>& folders) {
+    std::vector<fs::path> found;
+    for (const fs::path& folder : folders)
+        for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+            if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp") found.push_back(entry.path());
+    std::ranges::sort(found);
+    return found;
+}
+
+std::vector<Inclusion> inclusions() {
+    static const std::regex pattern(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
+    std::vector<Inclusion> found;
+    for (const fs::path& file : sources({"include", "src"})) {
+        std::istringstream lines(text_of(file));
+        for (std::string line; std::getline(lines, line);) {
+            std::smatch match;
+            if (std::regex_search(line, match, pattern))
+                found.push_back({file, file.parent_path().filename().string(), match[1]});
+        }
+    }
+    return found;
+}
+
+/// The room of one of our own headers, else empty.
+std::string room_of(const std::string& header) {
+    const fs::path path(header);
+    if (header.starts_with("grafverif/")) return std::next(path.begin())->string();
+    const std::string first = path.begin()->string();
+    return rungs.contains(first) && path.has_parent_path() ? first : "";
+}
+
+TEST(Ladder, EveryFolderIsARoomWithARung) {
+    for (const fs::path& file : sources({"include/grafverif", "src"}))
+        EXPECT_TRUE(rungs.contains(file.parent_path().filename().string())) << file;
+}
+
+TEST(Ladder, NobodyIncludesARoomAboveOrAnotherVerb) {
+    const std::vector<Inclusion> all = inclusions();
+    ASSERT_GT(all.size(), 100u);
+    for (const Inclusion& inclusion : all) {
+        const std::string target = room_of(inclusion.header);
+        if (target.empty() || target == inclusion.room) continue;
+        ASSERT_TRUE(rungs.contains(target)) << inclusion.file << " includes " << inclusion.header;
+        EXPECT_LT(rungs.at(target), rungs.at(inclusion.room)) << inclusion.file << " includes " << inclusion.header;
+    }
+}
+
+TEST(Ladder, ThirdPartyLibrariesStayInTheirRooms) {
+    struct Rule {
+        std::string prefix = {};
+        std::set<std::string> places = {};   ///< rooms, or room/file prefixes
+    };
+    const std::vector<Rule> rules = {
+        {"pugixml", {"read", "emit/uppaal"}}, {"bdd.h", {"bdd"}}, {"boost/program_options", {"app"}}, {"gtest", {}},
+    };
+    for (const Inclusion& inclusion : inclusions()) {
+        for (const Rule& rule : rules) {
+            if (!inclusion.header.starts_with(rule.prefix)) continue;
+            const std::string place = inclusion.room + "/" + inclusion.file.filename().string();
+            const bool allowed = std::ranges::any_of(rule.places, [&](const std::string& where) {
+                return inclusion.room == where || place.starts_with(where);
+            });
+            EXPECT_TRUE(allowed) << inclusion.file << " includes " << inclusion.header;
+        }
+    }
+}
+
+TEST(Ladder, PublicHeadersNameNoThirdParty) {
+    for (const Inclusion& inclusion : inclusions()) {
+        if (inclusion.file.string().find("/include/grafverif/") == std::string::npos) continue;
+        const bool ours = inclusion.header.starts_with("grafverif/");
+        const bool standard = inclusion.header.find('/') == std::string::npos && inclusion.header.find('.') == std::string::npos;
+        EXPECT_TRUE(ours || standard) << inclusion.file << " includes " << inclusion.header;
+    }
+}
+
+TEST(Ladder, OnlyTheAppSeesStreamsOfTheProcessAndItsFiles) {
+    static const std::regex pattern(R"(std::c(in|out|err)\b|std::(i|o)?fstream|std::filesystem|\bgetenv\b)");
+    for (const fs::path& file : sources({"include/grafverif", "src"})) {
+        if (file.parent_path().filename() == "app") continue;
+        EXPECT_FALSE(std::regex_search(text_of(file), pattern)) << file;
+    }
+}
+
+TEST(House, EveryFileBeginsWithItsLicence) {
+    for (const fs::path& file : sources({"include", "src", "tests"}))
+        EXPECT_TRUE(text_of(file).starts_with("// SPDX-License-Identifier: MIT\n")) << file;
+}
+
+TEST(House, NoSourceGrowsOutOfHand) {
+    for (const fs::path& file : sources({"include", "src"})) {
+        const std::string text = text_of(file);
+        EXPECT_LE(std::ranges::count(text, '\n'), 500) << file << ": split it by idea";
+    }
+}
+
+TEST(House, EveryPublicHeaderIsInstalled) {
+    const std::string listed = text_of(root / "include" / "CMakeLists.txt");
+    for (const fs::path& file : sources({"include"})) {
+        const std::string name = fs::relative(file, root / "include").string();
+        EXPECT_NE(listed.find(name), std::string::npos) << name << " is missing in include/CMakeLists.txt";
+    }
+}
+
+}  // namespace
