@@ -57,7 +57,7 @@ public:
             out_ << "back to:\n";
         }
         for (; shown_ < trace.steps.size(); ++shown_)
-            print_row(trace, shown_, shown_ + 1 == trace.steps.size(), usual_widths, out_);
+            if (is_shown(trace, shown_)) print_row(trace, shown_, shown_ + 1 == trace.steps.size(), usual_widths, out_);
         if (!problem.empty()) out_ << "! " << problem << '\n';
         if (prompts_ && !over_) prompt();
         out_ << std::flush;

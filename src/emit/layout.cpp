@@ -12,12 +12,12 @@
 namespace grafverif::layout {
 namespace {
 
-constexpr std::size_t many_links = 300;   // beyond, links are not kept off the labels
+constexpr std::size_t many_links = 300;  // beyond, links are not kept off the labels
 
 struct Candidate {
     Box box = {};
     double penalty = 0;
-    bool astray = false;   ///< so far off that one has to look for what it belongs to
+    bool astray = false;  ///< so far off that one has to look for what it belongs to
 };
 
 Box centred(Vector centre, Size size) {
@@ -34,13 +34,15 @@ bool is_empty(Size size) { return size.width == 0 || size.height == 0; }
 
 /// Around a node: above, below, at the corners, at the sides; then farther away.
 std::vector<Candidate> around(Vector node, Size size) {
-    static constexpr std::array<Vector, 8> sides = {{{0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {1, 0}, {-1, 0}}};
+    static constexpr std::array<Vector, 8> sides = {
+        {{0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {1, 0}, {-1, 0}}};
     std::vector<Candidate> list;
     double penalty = 0;
     for (const double gap : {4.0, 12.0, 28.0, 50.0}) {
         for (const Vector side : sides) {
-            const Vector off = {side.x * (size.width / 2.0 + (side.y == 0 ? node_radius + gap : gap)),
-                                side.y * (size.height / 2.0 + (side.x == 0 ? node_radius + gap : node_radius + gap / 2))};
+            const Vector off = {
+                side.x * (size.width / 2.0 + (side.y == 0 ? node_radius + gap : gap)),
+                side.y * (size.height / 2.0 + (side.x == 0 ? node_radius + gap : node_radius + gap / 2))};
             list.push_back({centred(node + off, size), penalty, gap > 20});
             penalty += 2;
         }
@@ -70,7 +72,8 @@ std::vector<Candidate> beyond(const Route& route, Size size) {
     const Vector across = normal(route.outward);
     for (const double gap : {5.0, 14.0, 30.0, 60.0}) {
         for (const double shift : {0.0, -0.25, 0.25, -0.5, 0.5}) {
-            const Vector off = (gap + reach(size, route.outward)) * route.outward + (2 * shift * reach(size, across)) * across;
+            const Vector off =
+                (gap + reach(size, route.outward)) * route.outward + (2 * shift * reach(size, across)) * across;
             list.push_back({centred(route.middle.from + off, size), std::abs(shift) * 20 + gap, gap > 20});
         }
     }
@@ -93,7 +96,8 @@ public:
         attempt_ = &attempt;
         draw_lines();
         for (std::size_t i = 0; i < graph_.nodes.size(); ++i)
-            put(graph_.nodes[i], attempt.drawing.nodes[i].label, [&](Size size) { return around(skeleton_.nodes[i], size); });
+            put(graph_.nodes[i], attempt.drawing.nodes[i].label,
+                [&](Size size) { return around(skeleton_.nodes[i], size); });
         for (const bool loops : {true, false}) {
             for (std::size_t i = 0; i < graph_.links.size(); ++i) {
                 const Graph::Link& link = graph_.links[i];
@@ -176,7 +180,7 @@ Drawing draw(const Graph& graph) {
     for (std::size_t i = 0; i < scales.size(); ++i) {
         const Skeleton lines = skeleton(graph, order, scales[i]);
         Attempt attempt;
-        attempt.drawing.nodes.reserve(graph.nodes.size());   // labels are kept by address
+        attempt.drawing.nodes.reserve(graph.nodes.size());  // labels are kept by address
         attempt.drawing.links.reserve(graph.links.size());
         Placer(graph, lines).place(attempt);
         const auto faults = [](const Attempt& a) { return std::pair(a.homeless.size(), a.crossings + a.astray); };

@@ -18,7 +18,7 @@ std::uint64_t key(int column, int row) {
 bool runs_through(const Segment& segment, const Box& box) {
     const Vector step = segment.to - segment.from;
     double first = 0, last = 1;
-    const auto clip = [&](double slope, double room) {   // keeps the t with slope * t <= room
+    const auto clip = [&](double slope, double room) {  // keeps the t with slope * t <= room
         if (std::abs(slope) < 1e-9) return room >= 0;
         if (slope > 0) last = std::min(last, room / slope);
         else first = std::max(first, room / slope);
@@ -64,7 +64,8 @@ bool Plane::is_free(const Box& box) const {
 }
 
 int Plane::crossings(const Box& box) const {
-    return static_cast<int>(std::ranges::count_if(segments_, [&](const Segment& line) { return runs_through(line, box); }));
+    return static_cast<int>(
+        std::ranges::count_if(segments_, [&](const Segment& line) { return runs_through(line, box); }));
 }
 
 }  // namespace grafverif::layout

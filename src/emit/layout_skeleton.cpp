@@ -15,8 +15,8 @@ namespace {
 using Pair = std::pair<std::size_t, std::size_t>;
 
 constexpr double pi = std::numbers::pi;
-constexpr std::size_t longest_line = 6;      // nodes; a longer path is drawn as a ring
-constexpr std::size_t fully_ordered = 8;     // nodes up to which every order on the ring is tried
+constexpr std::size_t longest_line = 6;   // nodes; a longer path is drawn as a ring
+constexpr std::size_t fully_ordered = 8;  // nodes up to which every order on the ring is tried
 constexpr std::size_t somewhat_ordered = 60;
 constexpr double lane_offset = 16;
 constexpr double label_gap = 6;
@@ -28,14 +28,20 @@ std::set<Pair> connections(const Graph& graph) {
     return pairs;
 }
 
-/// The nodes from one end of the path to the other; empty where the links form no path over all nodes.
-std::vector<std::size_t> path_order(std::size_t nodes, const std::set<Pair>& pairs) {
-    if (nodes == 0 || nodes > longest_line || pairs.size() + 1 != nodes) return {};
+/// Per node, the nodes it is linked with.
+std::vector<std::vector<std::size_t>> neighbours(std::size_t nodes, const std::set<Pair>& pairs) {
     std::vector<std::vector<std::size_t>> next(nodes);
     for (const auto& [a, b] : pairs) {
         next[a].push_back(b);
         next[b].push_back(a);
     }
+    return next;
+}
+
+/// The nodes from one end of the path to the other; empty where the links form no path over all nodes.
+std::vector<std::size_t> path_order(std::size_t nodes, const std::set<Pair>& pairs) {
+    if (nodes == 0 || nodes > longest_line || pairs.size() + 1 != nodes) return {};
+    const std::vector<std::vector<std::size_t>> next = neighbours(nodes, pairs);
     if (std::ranges::any_of(next, [](const auto& list) { return list.size() > 2; })) return {};
     const auto end = std::ranges::find_if(next, [](const auto& list) { return list.size() < 2; });
     std::vector<std::size_t> order = {static_cast<std::size_t>(end - next.begin())};
@@ -55,7 +61,7 @@ std::vector<std::size_t> path_order(std::size_t nodes, const std::set<Pair>& pai
 
 /// How far apart linked nodes stand on the ring: the squares punish long links.
 std::size_t spread(const std::vector<std::size_t>& order, const std::set<Pair>& pairs) {
-    std::vector<std::size_t> place(order.size());
+    std::vector<std::size_t> place(*std::ranges::max_element(order) + 1);
     for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
     std::size_t sum = 0;
     for (const auto& [a, b] : pairs) {
@@ -67,9 +73,9 @@ std::size_t spread(const std::vector<std::size_t>& order, const std::set<Pair>& 
 }
 
 /// The nodes around the ring: the order as written, unless another one has shorter links.
-std::vector<std::size_t> ring_order(std::size_t nodes, const std::set<Pair>& pairs) {
-    std::vector<std::size_t> best(nodes);
-    std::iota(best.begin(), best.end(), std::size_t{0});
+std::vector<std::size_t> ring_order(std::vector<std::size_t> best, const std::set<Pair>& pairs) {
+    const std::size_t nodes = best.size();
+    if (nodes <= 3) return best;
     std::size_t least = spread(best, pairs);
     const auto consider = [&](const std::vector<std::size_t>& order) {
         const std::size_t sum = spread(order, pairs);
@@ -78,7 +84,6 @@ std::vector<std::size_t> ring_order(std::size_t nodes, const std::set<Pair>& pai
             best = order;
         }
     };
-    if (nodes <= 3) return best;
     if (nodes <= fully_ordered) {
         std::vector<std::size_t> order = best;
         while (std::next_permutation(order.begin() + 1, order.end())) consider(order);
@@ -95,6 +100,24 @@ std::vector<std::size_t> ring_order(std::size_t nodes, const std::set<Pair>& pai
         }
     }
     return best;
+}
+
+/// Nodes with one neighbour stand outside the ring, as long as the others make one.
+Arrangement ring_with_pendants(std::size_t nodes, const std::set<Pair>& pairs) {
+    const std::vector<std::vector<std::size_t>> next = neighbours(nodes, pairs);
+    const auto is_pendant = [&](std::size_t node) {
+        return next[node].size() == 1 && next[next[node].front()].size() > 1;
+    };
+    Arrangement ring;
+    std::vector<std::size_t> others;
+    for (std::size_t node = 0; node < nodes; ++node) {
+        if (is_pendant(node)) ring.pendants.push_back({node, next[node].front()});
+        else others.push_back(node);
+    }
+    std::set<Pair> inner = pairs;
+    for (const auto& [node, beside] : ring.pendants) inner.erase(std::minmax(node, beside));
+    ring.order = ring_order(std::move(others), inner);
+    return ring;
 }
 
 int widest(const Graph& graph) {
@@ -119,16 +142,53 @@ std::vector<Vector> on_line(const Graph& graph, const std::vector<std::size_t>& 
 }
 
 std::vector<Vector> on_ring(const Graph& graph, const std::vector<std::size_t>& order, double scale) {
+    if (order.size() == 1) return std::vector<Vector>(graph.nodes.size());
     const auto count = static_cast<double>(order.size());
     const double side = scale * std::clamp(0.75 * widest(graph), 170.0, 320.0);
     const double radius = side / (2 * std::sin(pi / count));
-    const double start = -pi / 2 - (order.size() % 2 == 0 ? pi / count : 0);   // an even ring has a flat top
+    const double start = -pi / 2 - (order.size() % 2 == 0 ? pi / count : 0);  // an even ring has a flat top
     std::vector<Vector> places(graph.nodes.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Vector towards = direction(start + 2 * pi * static_cast<double>(i) / count);
         places[order[i]] = {1.3 * radius * towards.x, 0.9 * radius * towards.y};
     }
     return places;
+}
+
+/// Beside their neighbours, away from the middle; several of one neighbour fan out.
+void place_pendants(const Graph& graph, const std::vector<Arrangement::Pendant>& pendants, double scale,
+                    std::vector<Vector>& places) {
+    constexpr double fan = 0.7;
+    std::map<std::size_t, int> placed;
+    for (const auto& [node, beside] : pendants) {
+        Size label = {60, 40};
+        for (const Graph::Link& link : graph.links) {
+            if (link.from != node && link.to != node) continue;
+            label = {std::max(label.width, link.label.width), std::max(label.height, link.label.height)};
+        }
+        const Vector at = places[beside];
+        const double away = std::abs(at.x) < 1 ? (at.y < 0 ? -pi / 2 : pi / 2) : (at.x < 0 ? pi : 0);
+        const int turn = placed[beside]++;
+        const double angle = away + fan * (turn % 2 == 0 ? turn / 2 : -(turn + 1) / 2);
+        places[node] = at + std::sqrt(scale) * (2 * reach(label, direction(angle)) + 70) * direction(angle);
+    }
+}
+
+/// Where the nodes stand, on a grid of eight pixels.
+std::vector<Vector> places(const Graph& graph, const Arrangement& arrangement, double scale) {
+    std::vector<Vector> list =
+        arrangement.line ? on_line(graph, arrangement.order, scale) : on_ring(graph, arrangement.order, scale);
+    place_pendants(graph, arrangement.pendants, scale, list);
+    for (Vector& place : list) place = {8 * std::round(place.x / 8), 8 * std::round(place.y / 8)};
+    return list;
+}
+
+/// Whether no two nodes stand close together.
+bool is_roomy(const std::vector<Vector>& places) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (length(places[i] - places[j]) < 100) return false;
+    return true;
 }
 
 /// The links between two nodes, each to the side on which it runs.
@@ -138,9 +198,11 @@ struct Bundle {
 
 /// Links that go forward in the order of the nodes run outside, those that go back inside; where all go one way, they
 /// share both sides.
-std::map<Pair, Bundle> bundles(const Graph& graph, const std::vector<std::size_t>& order) {
+std::map<Pair, Bundle> bundles(const Graph& graph, const Arrangement& arrangement) {
     std::vector<std::size_t> place(graph.nodes.size());
-    for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+    for (std::size_t i = 0; i < arrangement.order.size(); ++i) place[arrangement.order[i]] = i;
+    for (std::size_t i = 0; i < arrangement.pendants.size(); ++i)
+        place[arrangement.pendants[i].node] = arrangement.order.size() + i;
     std::map<Pair, Bundle> all;
     for (std::size_t i = 0; i < graph.links.size(); ++i) {
         const auto& [from, to, label] = graph.links[i];
@@ -229,9 +291,12 @@ private:
     void route_loop(std::size_t link, std::size_t node, double size, double angle, double spread) {
         const Vector centre = skeleton_.nodes[node];
         const Vector tip = centre + size * std::cos(spread) * direction(angle);
-        skeleton_.routes[link] = {{centre + size * direction(angle - spread), centre + size * direction(angle + spread)},
-                                  {tip, tip}, direction(angle)};
-        for (const double side : {angle - spread, angle + spread}) angles_[node].push_back(std::remainder(side, 2 * pi));
+        skeleton_.routes[link] = {
+            {centre + size * direction(angle - spread), centre + size * direction(angle + spread)},
+            {tip, tip},
+            direction(angle)};
+        for (const double side : {angle - spread, angle + spread})
+            angles_[node].push_back(std::remainder(side, 2 * pi));
     }
 
     /// The middle of the widest gap between `angles`; of equal gaps the one that points up most.
@@ -254,7 +319,7 @@ private:
 
     const Graph& graph_;
     Skeleton& skeleton_;
-    std::vector<std::vector<double>> angles_;   // of what leaves each node
+    std::vector<std::vector<double>> angles_;  // of what leaves each node
     Vector centre_ = {};
 };
 
@@ -262,18 +327,24 @@ private:
 
 Arrangement arrangement(const Graph& graph) {
     const std::set<Pair> pairs = connections(graph);
-    const std::vector<std::size_t> line = path_order(graph.nodes.size(), pairs);
-    return line.empty() ? Arrangement{false, ring_order(graph.nodes.size(), pairs)} : Arrangement{true, line};
+    const std::size_t nodes = graph.nodes.size();
+    if (std::vector<std::size_t> line = path_order(nodes, pairs); !line.empty()) return {true, std::move(line), {}};
+    if (nodes <= somewhat_ordered) {
+        Arrangement ring = ring_with_pendants(nodes, pairs);
+        if (is_roomy(places(graph, ring, 1))) return ring;
+    }
+    std::vector<std::size_t> order(nodes);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    return {false, ring_order(std::move(order), pairs), {}};
 }
 
 Skeleton skeleton(const Graph& graph, const Arrangement& arrangement, double scale) {
     Skeleton skeleton;
-    skeleton.nodes = arrangement.line ? on_line(graph, arrangement.order, scale) : on_ring(graph, arrangement.order, scale);
-    for (Vector& place : skeleton.nodes) place = {8 * std::round(place.x / 8), 8 * std::round(place.y / 8)};
+    skeleton.nodes = places(graph, arrangement, scale);
     skeleton.routes.resize(graph.links.size());
     if (graph.nodes.empty()) return skeleton;
     Router router(graph, skeleton);
-    router.route_bundles(bundles(graph, arrangement.order));
+    router.route_bundles(bundles(graph, arrangement));
     router.route_loops(scale);
     return skeleton;
 }

@@ -12,7 +12,11 @@ namespace grafverif::layout {
 /// How the nodes are arranged, whatever the scale.
 struct Arrangement {
     bool line = false;                      ///< on a horizontal line; else on an ellipse, clockwise
-    std::vector<std::size_t> order = {};    ///< the nodes, first to last
+    std::vector<std::size_t> order = {};    ///< the nodes on it, first to last
+    struct Pendant {
+        std::size_t node = 0, beside = 0;   ///< linked with one node only: stands outside, beside it
+    };
+    std::vector<Pendant> pendants = {};
 };
 
 Arrangement arrangement(const Graph& graph);

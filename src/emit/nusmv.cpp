@@ -154,7 +154,8 @@ void print_module(const ModulePrinter& printer) {
 }
 
 void print_header(std::ostream& out, const System& system, const Names& names) {
-    out << "-- " << system.name << ": NuSMV model written by grafverif\n";
+    out << "-- " << system.name << ": NuSMV model written by grafverif\n"
+        << "-- to check it: NuSMV -dynamic FILE (which orders the variables as it goes: far faster on large models)\n";
     if (!system.scope.empty()) {
         out << "--\n";
         print_comment(out, system.scope);

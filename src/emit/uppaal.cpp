@@ -20,8 +20,8 @@ namespace grafverif::uppaal {
 namespace {
 
 constexpr int char_width = 8, line_height = 17;
-constexpr std::size_t label_width = 34;          // columns
-constexpr std::size_t longest_guard = 160;       // characters; beyond, the guard becomes a function
+constexpr std::size_t label_width = 34;     // columns
+constexpr std::size_t longest_guard = 160;  // characters; beyond, the guard becomes a function
 
 /// One label of a location or an edge; several are stacked.
 struct Label {
@@ -33,7 +33,8 @@ using Labels = std::vector<Label>;
 layout::Size size_of(const Labels& labels) {
     layout::Size size;
     for (const Label& label : labels) {
-        for (const std::string& line : label.lines) size.width = std::max(size.width, char_width * static_cast<int>(line.size()));
+        for (const std::string& line : label.lines)
+            size.width = std::max(size.width, char_width * static_cast<int>(line.size()));
         size.height += line_height * static_cast<int>(label.lines.size());
     }
     return size;
@@ -48,7 +49,10 @@ struct Captions {
 class Captioner {
 public:
     Captioner(const Network& network, const Names& names, Id<Network::Template> id)
-        : network_(network), automaton_(network.templates[id]), names_(names), local_(names.locals[id.index]),
+        : network_(network),
+          automaton_(network.templates[id]),
+          names_(names),
+          local_(names.locals[id.index]),
           terms_(network, names, id) {}
 
     Captions captions() {
@@ -67,9 +71,11 @@ private:
 
     Labels edge(const Network::Edge& edge) {
         Labels labels;
-        if (const std::string text = guard(edge); !text.empty()) labels.push_back({"guard", wrapped(text, label_width)});
+        if (const std::string text = guard(edge); !text.empty())
+            labels.push_back({"guard", wrapped(text, label_width)});
         if (edge.urgent) labels.push_back({"synchronisation", {names_.channel + '!'}});
-        if (const std::string text = updates(edge); !text.empty()) labels.push_back({"assignment", wrapped(text, label_width)});
+        if (const std::string text = updates(edge); !text.empty())
+            labels.push_back({"assignment", wrapped(text, label_width)});
         return labels;
     }
 
@@ -88,7 +94,8 @@ private:
         const auto same = std::ranges::find(captions_.guards, body, &GuardFunction::body);
         if (same != captions_.guards.end()) return same->name + "()";
         std::string name;
-        while (name.empty() || local_.taken.contains(name)) name = std::string(guard_prefix) + std::to_string(++last_guard_);
+        while (name.empty() || local_.taken.contains(name))
+            name = std::string(guard_prefix) + std::to_string(++last_guard_);
         captions_.guards.push_back({name, std::move(body)});
         return name + "()";
     }
@@ -127,10 +134,11 @@ public:
     Project(const Network& network, std::string& xml) : network_(network), names_(names(network)), xml_(xml) {}
 
     void write() {
-        xml_ += "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
-                "<!DOCTYPE nta PUBLIC '-//Uppaal Team//DTD Flat System 1.6//EN' "
-                "'http://www.it.uu.se/research/group/darts/uppaal/flat-1_6.dtd'>\n"
-                "<nta>\n";
+        xml_ +=
+            "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
+            "<!DOCTYPE nta PUBLIC '-//Uppaal Team//DTD Flat System 1.6//EN' "
+            "'http://www.it.uu.se/research/group/darts/uppaal/flat-1_6.dtd'>\n"
+            "<nta>\n";
         program("declaration", "\t", [&](std::ostream& out) { write_global_declarations(out, network_, names_); });
         for (const Id<Network::Template> id : network_.templates.ids()) write_template(id);
         program("system", "\t", [&](std::ostream& out) { write_system(out, network_, names_); });
@@ -165,10 +173,10 @@ private:
         element("\t\t", "name", names_.templates[id.index]);
         if (!automaton.parameters.empty())
             element("\t\t", "parameter", parameter_list(automaton, names_.locals[id.index]));
-        program("declaration", "\t\t", [&](std::ostream& out) {
-            write_template_declarations(out, network_, names_, id, captions.guards);
-        });
-        for (std::size_t i = 0; i < captions.locations.size(); ++i) write_location(i, captions.locations[i], drawing.nodes[i]);
+        program("declaration", "\t\t",
+                [&](std::ostream& out) { write_template_declarations(out, network_, names_, id, captions.guards); });
+        for (std::size_t i = 0; i < captions.locations.size(); ++i)
+            write_location(i, captions.locations[i], drawing.nodes[i]);
         xml_ += "\t\t<init ref=\"" + location_id(automaton.initial.index) + "\"/>\n";
         for (const Id<Network::Edge> edge : automaton.edges.ids())
             write_edge(automaton.edges[edge], captions.edges[edge.index], drawing.links[edge.index]);
@@ -220,11 +228,12 @@ private:
         const std::vector<Query> list = queries(network_, names_);
         const auto is_said = [](const Query& query) { return !query.formula.empty(); };
         const auto last = std::ranges::find_if(list.rbegin(), list.rend(), is_said);
-        if (last == list.rend()) return;   // the header tells of those left out
+        if (last == list.rend()) return;  // the header tells of those left out
         const auto end = last.base();
         xml_ += "\t<queries>\n";
         for (auto query = list.begin(); query != end; ++query) {
-            if (query + 1 == end) std::for_each(end, list.end(), [&](const Query& left_out) { write_left_out(left_out); });
+            if (query + 1 == end)
+                std::for_each(end, list.end(), [&](const Query& left_out) { write_left_out(left_out); });
             if (is_said(*query)) write_query(*query);
             else write_left_out(*query);
         }
@@ -236,7 +245,8 @@ private:
         element("\t\t\t", "formula", query.formula);
         element("\t\t\t", "comment", query.comment);
         if (query.satisfied)
-            ((xml_ += "\t\t\t<expect outcome=\"") += *query.satisfied ? "success" : "failure") += "\" type=\"symbolic\"/>\n";
+            ((xml_ += "\t\t\t<expect outcome=\"") += *query.satisfied ? "success" : "failure") +=
+                "\" type=\"symbolic\"/>\n";
         xml_ += "\t\t</query>\n";
     }
 
@@ -253,7 +263,7 @@ private:
     std::size_t first_location_ = 0;
 };
 
-bool is_lowered(const Network& network) {
+[[maybe_unused]] bool is_lowered(const Network& network) {
     return std::ranges::all_of(network.processes, [&](const Network::Process& process) {
         return process.initial == network.templates[process.automaton].initial;
     });

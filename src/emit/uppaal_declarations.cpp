@@ -15,8 +15,9 @@ namespace {
 using Kind = Network::ParameterKind;
 using Role = Network::Role;
 
-constexpr std::array roles = {Role::Input, Role::Output, Role::Internal, Role::Step, Role::FiringCondition, Role::Sample,
-                              Role::Image, Role::TimerEnd, Role::TimerPending, Role::Flag, Role::Plant};
+constexpr std::array roles = {Role::Input, Role::Output, Role::Internal, Role::Step,
+                              Role::FiringCondition, Role::Sample, Role::Image, Role::TimerEnd,
+                              Role::TimerPending, Role::Flag, Role::Plant};
 
 std::string_view title(Role role) {
     switch (role) {
@@ -55,7 +56,7 @@ std::string_view grain_text(Grain grain) {
 
 std::string_view mode_text(ExecutionMode mode) {
     switch (mode) {
-    case ExecutionMode::StabilitySearch: return "with stability search (outputs are written when the situation is stable)";
+    case ExecutionMode::StabilitySearch: return "with stability search (outputs are written in stable situations)";
     case ExecutionMode::EveryCycle:      return "without stability search (outputs are written in every cycle)";
     }
     unreachable();
@@ -125,11 +126,12 @@ void write_procedure(std::ostream& out, const Network& network, const Terms& ter
 }
 
 /// `reads G_IN, G_OUT`, or nothing where no parameter is of that kind.
-std::string parameters_of_kind(const Network::Template& automaton, const LocalNames& names, Kind kind, std::string verb) {
+std::string parameters_of_kind(const Network::Template& automaton, const LocalNames& names, Kind kind,
+                               std::string_view verb) {
     std::string text;
     for (const Id<Network::Parameter> id : automaton.parameters.ids()) {
         if (automaton.parameters[id].kind != kind) continue;
-        text += text.empty() ? std::move(verb) + ' ' : ", ";
+        text += text.empty() ? std::string(verb) + ' ' : ", ";
         text += names.parameters[id.index];
     }
     return text;

@@ -35,7 +35,7 @@ void split_by_start(Network& network) {
     for (const Template& automaton : network.templates) taken.insert(automaton.name);
 
     Table<Template> templates;
-    std::vector<std::vector<Id<Template>>> variants(network.templates.size());   // beside `used`
+    std::vector<std::vector<Id<Template>>> variants(network.templates.size());  // beside `used`
     for (const Id<Template> id : network.templates.ids()) {
         const Template& automaton = network.templates[id];
         const std::vector<Id<Location>>& list = used[id.index];

@@ -124,7 +124,8 @@ LocalNames local_names(const Network& network, const Network::Template& automato
     local.procedures = inner.take(automaton.procedures.size());
     local.locations = places.take(automaton.locations.size());
     for (const Scope* scope : {&inner, &places})
-        for (const auto& [name, legal] : scope->changed()) names.changed.push_back({automaton.name + '.' + name, legal});
+        for (const auto& [name, legal] : scope->changed())
+            names.changed.push_back({automaton.name + '.' + name, legal});
     return local;
 }
 

@@ -57,8 +57,8 @@ private:
         if (property.pattern == Pattern::ReachableAllSteps) return add_steps(list, property);
         const bool satisfied = !property.expected_violated;
         const std::string outcome = satisfied ? "expected: satisfied" : "expected: not satisfied";
-        list.push_back({formula(property), headline(property, property.name) + '\n' + std::string(remark(property)) + outcome,
-                        satisfied});
+        const std::string comment = headline(property, property.name) + '\n' + std::string(remark(property)) + outcome;
+        list.push_back({formula(property), comment, satisfied});
     }
 
     /// One query per step. Expected violated: some step is out of reach, so no single query is told what to expect.
@@ -162,7 +162,8 @@ void emit_queries(const Network& network, std::ostream& out) {
     std::string text;
     for (const auto& [formula, comment, satisfied] : queries(network, names(network))) {
         std::string quoted = comment;
-        for (std::size_t at = quoted.find("*/"); at != std::string::npos; at = quoted.find("*/", at)) quoted.insert(at + 1, " ");
+        for (std::size_t at = quoted.find("*/"); at != std::string::npos; at = quoted.find("*/", at))
+            quoted.insert(at + 1, " ");
         text += (text.empty() ? "/*\n" : "\n/*\n") + quoted + "\n*/\n";
         if (!formula.empty()) text += formula + '\n';
     }

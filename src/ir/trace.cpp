@@ -23,8 +23,22 @@ void check_state(const Trace& trace, const Trace::State& state, const std::strin
 
 }  // namespace
 
+bool is_shown(const Trace& trace, std::size_t index) {
+    const bool last = index + 1 == trace.steps.size();
+    const bool at_loop = trace.loop_from && (index == *trace.loop_from || index + 1 == *trace.loop_from);
+    return trace.steps[index].kind != Trace::Kind::Delay || last || at_loop;
+}
+
+std::vector<std::size_t> shown_steps(const Trace& trace) {
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < trace.steps.size(); ++i)
+        if (is_shown(trace, i)) shown.push_back(i);
+    return shown;
+}
+
 std::vector<std::string> verify(const Trace& trace) {
     std::vector<std::string> faults;
+    if (trace.short_names.size() != trace.steps_of_charts.size()) faults.emplace_back("not every step has a short name");
     if (trace.steps.empty()) faults.emplace_back("the power-on is missing");
     std::int64_t time = 0;
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {

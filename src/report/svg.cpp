@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <ostream>
 #include <vector>
 
@@ -22,7 +23,7 @@ constexpr std::size_t wave_high = 5, wave_low = 20;   // within a row
 /// What a character adds to a label's extent, upwards and to the right, in hundredths: at 60 degrees from the level.
 constexpr std::size_t rise_per_hundred = 87 * character, run_per_hundred = 50 * character;
 
-/// One row: a name and its value in each step.
+/// One row: a name and its value in each column.
 struct Row {
     std::string name = {};
     bool boolean = true;
@@ -39,33 +40,42 @@ std::string shortened(std::string text, std::size_t length) {
     return text;
 }
 
-Group group(std::string title, const Trace& trace, const std::vector<Trace::Signal>& signals,
+/// The trace as it is drawn: what is shown of it, one step a column.
+using Columns = std::vector<const Trace::Step*>;
+
+Group group(std::string title, const Columns& columns, const std::vector<Trace::Signal>& signals,
             std::vector<std::int64_t> Trace::State::*values) {
     Group group{title, title, {}};
     for (std::size_t i = 0; i < signals.size(); ++i) {
         Row row{signals[i].name, signals[i].type.boolean, {}};
-        for (const Trace::Step& step : trace.steps) row.values.push_back((step.after.*values)[i]);
+        for (const Trace::Step* step : columns) row.values.push_back((step->after.*values)[i]);
         group.rows.push_back(std::move(row));
     }
     return group;
 }
 
-Group steps(const Trace& trace) {
+Group steps(const Trace& trace, const Columns& columns) {
     Group group{"steps", "steps", {}};
-    for (const std::string& name : trace.steps_of_charts)
-        group.rows.push_back({name, true, std::vector<std::int64_t>(trace.steps.size(), 0)});
-    for (std::size_t i = 0; i < trace.steps.size(); ++i)
-        for (const std::uint32_t active : trace.steps[i].after.situation) group.rows[active].values[i] = 1;
+    for (const std::string& name : trace.short_names)
+        group.rows.push_back({name, true, std::vector<std::int64_t>(columns.size(), 0)});
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        for (const std::uint32_t active : columns[i]->after.situation) group.rows[active].values[i] = 1;
     return group;
 }
 
 class Drawing {
 public:
-    Drawing(const Trace& trace, std::string_view title) : trace_(trace), title_(title) {
-        groups_ = {group("inputs", trace, trace.inputs, &Trace::State::inputs),
-                   group("outputs", trace, trace.outputs, &Trace::State::outputs),
-                   group("internals", trace, trace.internals, &Trace::State::internals),
-                   group("plant", trace, trace.plant, &Trace::State::plant), steps(trace)};
+    Drawing(const Trace& trace, std::string_view title) : title_(title) {
+        for (const std::size_t index : shown_steps(trace)) {
+            if (trace.loop_from == index) loop_from_ = columns_.size();
+            columns_.push_back(&trace.steps[index]);
+            const std::string cleared = cleared_words(trace.steps[index]);
+            labels_.push_back(shortened(happening(trace, index) + (cleared.empty() ? "" : ": " + cleared), longest_label));
+        }
+        groups_ = {group("inputs", columns_, trace.inputs, &Trace::State::inputs),
+                   group("outputs", columns_, trace.outputs, &Trace::State::outputs),
+                   group("internals", columns_, trace.internals, &Trace::State::internals),
+                   group("plant", columns_, trace.plant, &Trace::State::plant), steps(trace, columns_)};
         drop_idle();
         measure();
     }
@@ -128,13 +138,12 @@ private:
         for (const Group& group : groups_)
             for (const Row& row : group.rows) name = std::max(name, std::min(row.name.size(), longest_name));
         left_ = margin + name * character + margin;
-        for (std::size_t i = 0; i < trace_.steps.size(); ++i) {
-            labels_.push_back(shortened(happening(trace_, i), longest_label));
-            label = std::max(label, labels_.back().size());
-            past = std::max(past, left_ + i * column_width + column_width / 2 + labels_.back().size() * run_per_hundred / 100);
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            label = std::max(label, labels_[i].size());
+            past = std::max(past, x(i) + column_width / 2 + labels_[i].size() * run_per_hundred / 100);
         }
         top_ = margin + 2 * row_height + label * rise_per_hundred / 100 + row_height;
-        width_ = std::max(left_ + trace_.steps.size() * column_width, past) + margin;
+        width_ = std::max(x(columns_.size()), past) + margin;
         width_ = std::max(width_, margin * 2 + title_.size() * (character + 2));
         last_row_ = top_;
         for (const Group& group : groups_)
@@ -157,7 +166,7 @@ private:
         foot_ = std::move(lines);
     }
 
-    std::size_t x(std::size_t step) const { return left_ + step * column_width; }
+    std::size_t x(std::size_t column) const { return left_ + column * column_width; }
 
     void text(std::size_t x, std::size_t y, std::string_view kind, std::string_view words) {
         body_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">", kind, x, y);
@@ -167,20 +176,20 @@ private:
 
     void draw_header() {
         text(margin, margin + wave_low, "heading", title_);
-        for (std::size_t i = 0; i < trace_.steps.size(); ++i) {
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
             const std::size_t at = x(i) + column_width / 2, y = top_ - row_height - 4;
             body_ += fmt::format("<text class=\"event\" transform=\"translate({},{}) rotate(-60)\">", at, y);
             escape_xml(labels_[i], body_);
             body_ += "</text>\n";
-            if (i > 0 && trace_.steps[i].after.time_ms == trace_.steps[i - 1].after.time_ms) continue;
+            if (i > 0 && columns_[i]->after.time_ms == columns_[i - 1]->after.time_ms) continue;
             rules_.push_back(x(i));
-            text(x(i) + 3, top_ - 8, "time", seconds_text(trace_.steps[i].after.time_ms));
+            text(x(i) + 3, top_ - 8, "time", seconds_text(columns_[i]->after.time_ms));
         }
     }
 
     void draw_loop(std::ostream& out) const {
-        if (!trace_.loop_from) return;
-        const std::size_t from = x(*trace_.loop_from), end = x(trace_.steps.size());
+        if (!loop_from_) return;
+        const std::size_t from = x(*loop_from_), end = x(columns_.size());
         out << fmt::format("<rect class=\"loop\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>for ever</title></rect>\n", from,
                            top_ - row_height, end - from, last_row_ - top_ + row_height);
     }
@@ -215,8 +224,9 @@ private:
         text((x(begin) + x(end)) / 2, low - 4, "value", std::to_string(value));
     }
 
-    const Trace& trace_;
     std::string title_;
+    Columns columns_ = {};
+    std::optional<std::size_t> loop_from_ = {};   ///< a column
     std::vector<Group> groups_ = {};
     std::vector<std::string> labels_ = {}, foot_ = {};
     std::vector<std::size_t> rules_ = {};   ///< where time goes on

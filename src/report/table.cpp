@@ -18,6 +18,8 @@ std::string changed_words(const std::vector<Trace::Signal>& signals, const std::
     return list;
 }
 
+}  // namespace
+
 std::string cleared_words(const Trace::Step& step) {
     std::string list;
     for (const std::vector<std::string>& evolution : step.fired) {
@@ -28,8 +30,6 @@ std::string cleared_words(const Trace::Step& step) {
     return list;
 }
 
-}  // namespace
-
 std::string standing_words(const std::vector<Trace::Signal>& signals, const std::vector<std::int64_t>& values) {
     std::string list;
     for (std::size_t i = 0; i < signals.size(); ++i)
@@ -39,7 +39,7 @@ std::string standing_words(const std::vector<Trace::Signal>& signals, const std:
 
 std::string situation_words(const Trace& trace, const Trace::State& state) {
     std::string list;
-    for (const std::uint32_t step : state.situation) append(list, trace.steps_of_charts[step]);
+    for (const std::uint32_t step : state.situation) append(list, trace.short_names[step]);
     return list.empty() ? "none" : list;
 }
 
@@ -59,7 +59,9 @@ std::string happening(const Trace& trace, std::size_t index) {
 Cells cells(const Trace& trace, std::size_t index, bool complete) {
     const Trace::State& now = trace.steps[index].after;
     const bool first = index == 0;
-    const Trace::State& before = trace.steps[first ? 0 : index - 1].after;
+    std::size_t previous = first ? 0 : index - 1;
+    while (previous > 0 && !is_shown(trace, previous)) --previous;
+    const Trace::State& before = trace.steps[previous].after;
     Cells cells;
     if (first || now.time_ms != before.time_ms) cells[0] = seconds_text(now.time_ms);
     cells[1] = happening(trace, index);

@@ -14,8 +14,11 @@ namespace grafverif {
 using Cells = std::array<std::string, 6>;
 inline constexpr Cells column_titles = {"time", "what happened", "inputs", "cleared", "situation", "outputs"};
 
-/// `complete`: situation and outputs even where they have not changed.
+/// Of step `index`, against the step shown before it. `complete`: situation and outputs even where they have not changed.
 Cells cells(const Trace& trace, std::size_t index, bool complete);
+
+/// `T0; TW0`
+std::string cleared_words(const Trace::Step& step);
 
 /// `V_Act: going_out, V 0 -> 1`; of a controller also what it has stored.
 std::string happening(const Trace& trace, std::size_t index);

@@ -56,7 +56,7 @@ void print_cells(const Cells& cells, std::string_view bar, const TableWidths& wi
 TableWidths fitting(const Trace& trace) {
     TableWidths widths{};
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = column_titles[i].size();
-    for (std::size_t step = 0; step < trace.steps.size(); ++step) {
+    for (const std::size_t step : shown_steps(trace)) {
         const Cells row = cells(trace, step, step + 1 == trace.steps.size());
         for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
     }
@@ -90,7 +90,7 @@ void print_row(const Trace& trace, std::size_t index, bool complete, const Table
 void print_trace(const Trace& trace, std::ostream& out) {
     const TableWidths widths = fitting(trace);
     print_header(widths, out);
-    for (std::size_t i = 0; i < trace.steps.size(); ++i) {
+    for (const std::size_t i : shown_steps(trace)) {
         if (trace.loop_from == i) out << "+-- from here on, for ever:\n";
         print_row(trace, i, i + 1 == trace.steps.size(), widths, out);
     }

@@ -126,11 +126,9 @@ Diagnostic duration_too_long(Span where, std::int64_t milliseconds, std::int64_t
 }
 
 Diagnostic many_time_units(Span where, std::int64_t milliseconds, std::int64_t unit_ms) {
-    Diagnostic diagnostic = error("many-time-units", where,
+    return warning("many-time-units", where,
         fmt::format("`{}` is {} time units of `{}`, and engines that count units will be slow; choose durations with a "
                     "larger common divisor", time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
-    diagnostic.severity = Severity::Warning;
-    return diagnostic;
 }
 
 Diagnostic no_value(Span where, std::string_view instance) {
@@ -162,11 +160,9 @@ Diagnostic urgent_invariant(Span where, std::string_view component, std::string_
 
 Diagnostic range_skipped(Span where, std::string_view variable, std::string_view mover, std::int64_t step,
                          std::string_view detector, std::int64_t low, std::int64_t high) {
-    Diagnostic diagnostic = error("range-skipped", where,
+    return warning("range-skipped", where,
         fmt::format("`{}` moves `{}` in steps of {}, which can jump over the range {}..{} that `{}` detects; choose steps "
                     "of at most {}", mover, variable, step, low, high, detector, high - low + 1));
-    diagnostic.severity = Severity::Warning;
-    return diagnostic;
 }
 
 // -- schedule and emit -------------------------------------------------------------------------------------------------

@@ -23,7 +23,7 @@ Diagnostic unknown_component(Span where, std::string_view name, std::string_view
 }
 
 Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first) {
-    Diagnostic diagnostic = error("duplicate-name", where, fmt::format("there is already a {} `{}`; rename one of both", kind,
+    Diagnostic diagnostic = error("duplicate-name", where, fmt::format("a second {} is named `{}`; rename one of both", kind,
                                                                        clipped(name)));
     diagnostic.notes.push_back(note(first, "the first one is here"));
     return diagnostic;

@@ -73,14 +73,20 @@ std::string assignments(const tree::File& file, const std::vector<tree::Assignme
     return joined(parts);
 }
 
-/// `HEAD when CONDITION do ASSIGNMENTS;`, broken before `do` where that helps.
-Lines guarded(const tree::File& file, std::string head, Id<tree::Expr> condition, const std::vector<tree::Assignment>& actions,
-              std::size_t column) {
-    if (condition.valid()) head += " when " + formatted(file, condition);
-    if (actions.empty()) return {head + ';'};
-    const std::string rest = "do " + assignments(file, actions) + ';';
-    if (column + head.size() + 1 + rest.size() <= widest) return {head + ' ' + rest};
-    return {head, "    " + rest};
+/// `HEAD when CONDITION do ASSIGNMENTS;`, broken before `when`, and before `do` as well, where it is too long.
+Lines guarded(const tree::File& file, const std::string& head, Id<tree::Expr> condition,
+              const std::vector<tree::Assignment>& actions, std::size_t column) {
+    std::vector<std::string> clauses;
+    if (condition.valid()) clauses.push_back("when " + formatted(file, condition));
+    if (!actions.empty()) clauses.push_back("do " + assignments(file, actions));
+    std::string all;
+    for (const std::string& clause : clauses) all += ' ' + clause;
+    if (column + head.size() + all.size() < widest || clauses.empty()) return {head + all + ';'};
+    if (column + 3 + all.size() < widest) return {head, "   " + all + ';'};
+    Lines lines = {head};
+    for (const std::string& clause : clauses) lines.push_back("    " + clause);
+    lines.back() += ';';
+    return lines;
 }
 
 }  // namespace
@@ -109,7 +115,7 @@ Lines item_lines(const tree::File& file, const tree::Transition& written, std::s
     if (!written.from.empty()) head += names(file, written.from) + ' ';
     head += "->";
     if (!written.to.empty()) head += ' ' + names(file, written.to);
-    return guarded(file, std::move(head), written.condition, written.assignments, column);
+    return guarded(file, head, written.condition, written.assignments, column);
 }
 
 Lines item_lines(const tree::File& file, const tree::ContinuousAction& written, std::size_t) {
@@ -188,20 +194,32 @@ Lines item_lines(const tree::File& file, const tree::Edge& written, std::size_t 
 
 std::string component_head(const tree::File& file, const tree::Component& component) {
     const std::string head = "component " + text(file, component.name) + '(';
-    std::vector<Lines> groups;
-    std::string line = head;
+    std::vector<std::string> parts;   // whole groups, or variables where a group is too long
     for (const tree::Variables& group : component.parameters) {
-        const bool last = &group == &component.parameters.back();
         const std::string word = group.kind == tree::VariableKind::Input ? "input " : group.kind == tree::VariableKind::Output ? "output " : "";
-        groups.push_back(filled(word, variables(file, group), last ? ")" : ";", head.size()));
-        for (const std::string& part : filled(word, variables(file, group), last ? ")" : ";", 0)) line += (line.back() == '(' ? "" : " ") + part.substr(part.find_first_not_of(' '));
+        std::vector<std::string> declared = variables(file, group);
+        declared.front() = word + declared.front();
+        const std::string whole = joined(declared);
+        if (head.size() + whole.size() + 3 <= widest) declared = {whole};
+        for (std::size_t i = 0; i + 1 < declared.size(); ++i) declared[i] += ',';
+        declared.back() += &group == &component.parameters.back() ? "" : ";";
+        parts.insert(parts.end(), declared.begin(), declared.end());
     }
-    if (component.parameters.empty()) line += ')';
-    if (line.size() + 2 <= widest) return line;
-    line = head;
-    for (const Lines& group : groups)
-        for (const std::string& part : group) line += (line.size() == head.size() ? "" : '\n' + std::string(head.size(), ' ')) + part;
-    return line;
+    std::string lines = head;
+    std::size_t width = head.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::size_t end = i + 1 < parts.size() ? 0 : 3;   // `) {`
+        if (i > 0 && width + 1 + parts[i].size() + end > widest) {
+            lines += '\n' + std::string(head.size(), ' ');
+            width = head.size();
+        } else if (i > 0) {
+            lines += ' ';
+            ++width;
+        }
+        lines += parts[i];
+        width += parts[i].size();
+    }
+    return lines + ')';
 }
 
 // -- closed loops --------------------------------------------------------------------------------------------------------
@@ -261,7 +279,7 @@ Lines item_lines(const tree::File& file, const tree::Property& written, std::siz
     if (written.expected_violated) head += " expected violated";
     head += ':';
     const std::string rest = pattern(file, written) + (written.at_stable ? " at stable;" : ";");
-    if (column + head.size() + 1 + rest.size() <= comfortable) return {head + ' ' + rest};
+    if (column + head.size() + 1 + rest.size() <= widest) return {head + ' ' + rest};
     return {head, "    " + rest};
 }
 

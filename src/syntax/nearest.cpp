@@ -35,8 +35,17 @@ std::size_t distance(std::string_view a, std::string_view b, std::size_t bound) 
 
 }  // namespace
 
-Nearest::Nearest(std::string_view name)
-    : name_(name.substr(0, longest + 1)), distance_(std::min<std::size_t>(2, std::max<std::size_t>(1, name.size() / 3)) + 1) {}
+namespace {
+
+/// How far a candidate may be: numbers and single letters are near to everything, and tell nothing.
+std::size_t tolerance(std::string_view name) {
+    if (name.size() < 2 || name.find_first_not_of("0123456789") == std::string_view::npos) return 0;
+    return name.size() < 6 ? 1 : 2;
+}
+
+}  // namespace
+
+Nearest::Nearest(std::string_view name) : name_(name.substr(0, longest + 1)), distance_(tolerance(name) + 1) {}
 
 void Nearest::offer(std::string_view candidate) {
     const std::size_t found = distance(name_, candidate, distance_);

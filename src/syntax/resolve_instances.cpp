@@ -70,7 +70,7 @@ void match_arguments(LoopScope& scope, Binding& binding) {
             for (const Parameter& parameter : component.parameters) nearest.offer(parameter.name);
             fail(scope, binding, messages::unknown(argument.parameter.where, "parameter", name, nearest.best()));
         } else if (const tree::Argument*& given = binding.given[found->second.index]; given != nullptr) {
-            fail(scope, binding, messages::duplicate_name(argument.parameter.where, "argument for", name, given->parameter.where));
+            fail(scope, binding, messages::duplicate_name(argument.parameter.where, "argument", name, given->parameter.where));
         } else {
             given = &argument;
         }

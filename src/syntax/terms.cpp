@@ -136,8 +136,7 @@ std::optional<std::int64_t> Terms::constant(Id<tree::Expr> id, Kind kind, std::s
 }
 
 Term Terms::mismatch(const tree::Expr& operand, Kind found, std::string_view user, std::string_view expected) {
-    if (found == Kind::Clock) diagnostics_->add(messages::clock_not_conjunct(operand.where));
-    else if (found != Kind::Wrong) diagnostics_->add(messages::type_mismatch(operand.where, user, expected, described(found)));
+    if (found != Kind::Wrong) diagnostics_->add(messages::type_mismatch(operand.where, user, expected, described(found)));
     return {};
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
-#include "grafverif/syntax/print_chart.hpp"
+#include "grafverif/syntax/print_model.hpp"
 #include "grafverif/syntax/print_equations.hpp"
 #include "grafverif/syntax/print_network.hpp"
 
@@ -63,7 +63,7 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
     EXPECT_TRUE(verify(*system).empty());
     const UppaalProject project = uppaal_project(*network, job);
 
-    expect_golden(folder / "1-chart.txt", printed([](auto& out, const Model& m) { print_model(out, m); }, *model));
+    expect_golden(folder / "1-chart.txt", printed([](auto& out, const Model& m) { print(out, m); }, *model));
     expect_golden(folder / "2-equations.txt", printed([](auto& out, const Equations& e) { print_equations(out, e); }, *equations));
     expect_golden(folder / "3-network.txt", printed([](auto& out, const Network& n) { print_network(out, n); }, *network));
     expect_golden(folder / "4-uppaal.xml", project.project);
@@ -75,7 +75,7 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
 INSTANTIATE_TEST_SUITE_P(Samples, Golden,
                          testing::Values("testing_station/testing_station", "testing_station/faulty",
                                          "oven_door/oven_door", "tanks/tanks", "blinker/blinker"),
-                         [](const auto& info) { return fs::path(info.param).filename().string(); });
+                         [](const auto& sample) { return fs::path(sample.param).filename().string(); });
 
 }  // namespace
 }  // namespace grafverif::app

@@ -22,10 +22,12 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
-/// The codes that messages.cpp hands out: the first string of each error(...) or warning(...).
+/// The codes that src/support/messages*.cpp hand out: the first string of each error(...) or warning(...).
 std::set<std::string> codes() {
     static const std::regex pattern(R"re((?:error|warning)\(\s*"([a-z0-9-]+)")re");
-    const std::string text = text_of(root / "src/support/messages.cpp");
+    std::string text;
+    for (const auto& entry : fs::directory_iterator(root / "src/support"))
+        if (entry.path().filename().string().starts_with("messages")) text += text_of(entry.path());
     std::set<std::string> found;
     for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) found.insert((*match)[1]);
     return found;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // UPPAAL's own parser on our projects: `syntaxcheck` of utap reads a file and types it as UPPAAL does.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-
-#include <unistd.h>
 
 #include "grafverif/emit/uppaal.hpp"
 #include "support/law_size.hpp"
@@ -18,7 +17,8 @@ namespace {
 
 /// What syntaxcheck complains about, warnings apart.
 std::string complaints(const std::string& xml) {
-    const auto file = std::filesystem::temp_directory_path() / ("grafverif_utap_" + std::to_string(::getpid()) + ".xml");
+    const auto file =
+        std::filesystem::temp_directory_path() / ("grafverif_utap_" + std::to_string(::getpid()) + ".xml");
     const auto log = std::filesystem::path(file).replace_extension(".log");
     std::ofstream(file) << xml;
     const int status = std::system(("syntaxcheck " + file.string() + " > " + log.string() + " 2>&1").c_str());
@@ -26,7 +26,8 @@ std::string complaints(const std::string& xml) {
     std::string errors = WEXITSTATUS(status) > 2 ? "it broke off\n" : "";
     for (std::string line; std::getline(lines, line);) {
         // A strict invariant or an update of scratch variables alone draws a warning.
-        const bool warning = line.find("$Strict_invariant") != std::string::npos || line.find("$Expression_does_not_have_any_effect") != std::string::npos;
+        const bool warning = line.find("$Strict_invariant") != std::string::npos ||
+                             line.find("$Expression_does_not_have_any_effect") != std::string::npos;
         if (!warning) errors += line + '\n';
     }
     std::filesystem::remove(file);
@@ -35,7 +36,8 @@ std::string complaints(const std::string& xml) {
 }
 
 TEST(Utap, AcceptsEveryProject) {
-    if (std::system("command -v syntaxcheck > /dev/null 2>&1") != 0) GTEST_SKIP() << "syntaxcheck of utap is not on the PATH";
+    if (std::system("command -v syntaxcheck > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "syntaxcheck of utap is not on the PATH";
     for (int seed = 0; seed < law_size(50); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         std::ostringstream xml;
@@ -44,8 +46,19 @@ TEST(Utap, AcceptsEveryProject) {
     }
 }
 
+TEST(Utap, AcceptsTheProjectsOfTheSamples) {
+    if (std::system("command -v syntaxcheck > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "syntaxcheck of utap is not on the PATH";
+    for (const auto& entry : std::filesystem::directory_iterator(GRAFVERIF_SOURCE_DIR "/tests/golden")) {
+        std::ifstream file(entry.path() / "4-uppaal.xml");
+        if (!file) continue;
+        EXPECT_EQ(complaints({std::istreambuf_iterator<char>(file), {}}), "") << entry.path();
+    }
+}
+
 TEST(Utap, RefusesABrokenProject) {
-    if (std::system("command -v syntaxcheck > /dev/null 2>&1") != 0) GTEST_SKIP() << "syntaxcheck of utap is not on the PATH";
+    if (std::system("command -v syntaxcheck > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "syntaxcheck of utap is not on the PATH";
     EXPECT_NE(complaints("<nta><declaration>bool a b;</declaration><system>system;</system></nta>"), "");
 }
 

@@ -10,9 +10,11 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 
 void QueryReader::read(pugi::xml_node queries) {
     for (const pugi::xml_node query : queries.children("query")) {
-        const std::string comment = query.child_value("comment"), outcome = query.child("expect").attribute("outcome").value();
+        const std::string comment = query.child_value("comment"),
+                          outcome = query.child("expect").attribute("outcome").value();
         const bool fails = holds(comment.substr(comment.find('\n')), "not satisfied");
-        const bool agrees = outcome.empty() ? fails && holds(comment, "every step") : outcome == (fails ? "failure" : "success");
+        const bool agrees =
+            outcome.empty() ? fails && holds(comment, "every step") : outcome == (fails ? "failure" : "success");
         if (!agrees) throw std::runtime_error("comment and expected outcome differ: " + comment);
         read_query(query.child_value("formula"), comment);
     }
@@ -46,7 +48,9 @@ void QueryReader::read_query(const std::string& formula, const std::string& comm
 
 void QueryReader::read_formula(Cursor& cursor, Property& property) {
     if (cursor.accept("A[]")) return read_universal(cursor, property);
-    property.pattern = cursor.at("E<>") ? Pattern::Reachable : cursor.at("A<>") ? Pattern::Inevitable : Pattern::LeadsTo;
+    property.pattern = cursor.at("E<>")   ? Pattern::Reachable
+                       : cursor.at("A<>") ? Pattern::Inevitable
+                                          : Pattern::LeadsTo;
     if (property.pattern != Pattern::LeadsTo) cursor.take();
     property.operands.push_back(read_operand(cursor, property));
     if (property.pattern != Pattern::LeadsTo) return;

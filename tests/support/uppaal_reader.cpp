@@ -19,15 +19,17 @@ using Role = Network::Role;
 using Template = Network::Template;
 
 const std::map<std::string, Role> roles = {
-    {"inputs of the controller", Role::Input}, {"outputs of the controller", Role::Output},
-    {"internal variables", Role::Internal}, {"step activities", Role::Step}, {"firing conditions", Role::FiringCondition},
-    {"inputs as sampled in this cycle", Role::Sample}, {"outputs not yet written", Role::Image},
-    {"ends of timers", Role::TimerEnd}, {"timers to start or stop", Role::TimerPending},
-    {"flags between controller, timers and plant", Role::Flag}, {"variables of the plant", Role::Plant}};
+    {"inputs of the controller", Role::Input},       {"outputs of the controller", Role::Output},
+    {"internal variables", Role::Internal},          {"step activities", Role::Step},
+    {"firing conditions", Role::FiringCondition},    {"inputs as sampled in this cycle", Role::Sample},
+    {"outputs not yet written", Role::Image},        {"ends of timers", Role::TimerEnd},
+    {"timers to start or stop", Role::TimerPending}, {"flags between controller, timers and plant", Role::Flag},
+    {"variables of the plant", Role::Plant}};
 
-const std::map<std::string, Network::ProcessKind> kinds = {
-    {"plant", Network::ProcessKind::Plant}, {"environment", Network::ProcessKind::Environment},
-    {"controller", Network::ProcessKind::Controller}, {"timers", Network::ProcessKind::Timer}};
+const std::map<std::string, Network::ProcessKind> kinds = {{"plant", Network::ProcessKind::Plant},
+                                                           {"environment", Network::ProcessKind::Environment},
+                                                           {"controller", Network::ProcessKind::Controller},
+                                                           {"timers", Network::ProcessKind::Timer}};
 
 /// What stands between the first `before` and the next `after`.
 std::string between(const std::string& text, const std::string& before, const std::string& after) {
@@ -99,7 +101,9 @@ private:
             const std::string unit = between(line, "unit: ", ".");
             network_.time_unit_ms = std::stoll(unit) * (unit.ends_with("ms") ? 1 : 1000);
         } else if (line.starts_with("// Controller ")) {
-            const ExecutionMode mode = line.find(" with stability search (") != std::string::npos ? ExecutionMode::StabilitySearch : ExecutionMode::EveryCycle;
+            const ExecutionMode mode = line.find(" with stability search (") != std::string::npos
+                                           ? ExecutionMode::StabilitySearch
+                                           : ExecutionMode::EveryCycle;
             controllers_.push_back({.name = between(line, "// Controller ", " with"), .mode = mode});
         } else if (line.starts_with("//   process ")) {
             ControllerLine& last = controllers_.back();
@@ -157,7 +161,7 @@ private:
         std::string name = {};
         std::unordered_map<std::string, Id<Network::Parameter>> parameters = {};
         std::unordered_map<std::string, Id<Network::Clock>> clocks = {};
-        std::unordered_map<std::string, Id<Network::Location>> locations = {};   // by XML id
+        std::unordered_map<std::string, Id<Network::Location>> locations = {};  // by XML id
         std::unordered_map<std::string, Id<Network::Procedure>> procedures = {};
         std::unordered_map<std::string, Id<Expr>> guards = {};
     };
@@ -166,7 +170,8 @@ private:
         return {network_.exprs,
                 [this, scope](const std::string& name) {
                     const auto local = scope ? scope->parameters.find(name) : decltype(scope->parameters.end()){};
-                    if (scope && local != scope->parameters.end()) return network_.exprs.leaf(Op::Parameter, local->second.index);
+                    if (scope && local != scope->parameters.end())
+                        return network_.exprs.leaf(Op::Parameter, local->second.index);
                     return network_.exprs.leaf(Op::Variable, find(variables_, name).index);
                 },
                 [this](const std::string& process, const std::string& location) { return at(process, location); },
@@ -186,14 +191,17 @@ private:
         read_parameters(node.child_value("parameter"), automaton, scope);
         auto& names = location_names_.emplace_back();
         for (const pugi::xml_node location : node.children("location")) {
-            const Id<Network::Location> id = automaton.locations.add({original(location.child_value("name"), scope.name), {}, {}});
+            const Id<Network::Location> id =
+                automaton.locations.add({original(location.child_value("name"), scope.name), {}, {}});
             scope.locations.emplace(location.attribute("id").value(), id);
             names.emplace(location.child_value("name"), id);
         }
         read_template_declarations(node.child_value("declaration"), automaton, scope);
         for (const pugi::xml_node location : node.children("location")) {
             const pugi::xml_node label = location.child("label");
-            if (label) read_guard(label.child_value(), scope, automaton.locations[find(scope.locations, location.attribute("id").value())].invariant);
+            if (label)
+                read_guard(label.child_value(), scope,
+                           automaton.locations[find(scope.locations, location.attribute("id").value())].invariant);
         }
         automaton.initial = find(scope.locations, node.child("init").attribute("ref").value());
         for (const pugi::xml_node transition : node.children("transition")) read_edge(transition, automaton, scope);
@@ -259,7 +267,7 @@ private:
 
     /// `x = e;`, or a chain of `if (c) x = e; else ...`, where a missing last branch keeps the value.
     Network::Assignment read_statement(Cursor& cursor, const Scope& scope) {
-        std::vector<std::pair<Id<Expr>, Id<Expr>>> branches;   // condition, value
+        std::vector<std::pair<Id<Expr>, Id<Expr>>> branches;  // condition, value
         Network::Assignment assignment;
         for (bool more = true; more;) {
             Id<Expr> condition;
@@ -278,7 +286,8 @@ private:
     }
 
     /// Data and clocks of a guard or invariant apart; gives the data part.
-    Id<Expr> read_guard(const std::string& text, const Scope& scope, std::vector<Network::ClockConstraint>& constraints) {
+    Id<Expr> read_guard(const std::string& text, const Scope& scope,
+                        std::vector<Network::ClockConstraint>& constraints) {
         Cursor cursor(text);
         const TermReader reader = terms(&scope);
         const std::size_t start = cursor.mark();
@@ -293,8 +302,13 @@ private:
             }
             cursor.take();
             const std::string relation = cursor.take().text;
-            constraints.push_back({clock->second, relation == "<" ? Op::Less : relation == "<=" ? Op::LessEqual : relation == "==" ? Op::Equal
-                                   : relation == ">=" ? Op::GreaterEqual : Op::Greater, reader.sum(cursor)});
+            constraints.push_back({clock->second,
+                                   relation == "<"    ? Op::Less
+                                   : relation == "<=" ? Op::LessEqual
+                                   : relation == "==" ? Op::Equal
+                                   : relation == ">=" ? Op::GreaterEqual
+                                                      : Op::Greater,
+                                   reader.sum(cursor)});
         } while (cursor.accept("&&"));
         if (!cursor.at_end()) throw std::runtime_error("left over in `" + text + "`");
         return network_.exprs.conjunction(data);
@@ -356,7 +370,8 @@ private:
             if (kind == Network::ProcessKind::Timer) timers_[owner].push_back(id);
         }
         for (const Id<Network::Process> id : network_.processes.ids()) {
-            if (find(processes_, cursor.name()) != id) throw std::runtime_error("the system lists its processes in another order");
+            if (find(processes_, cursor.name()) != id)
+                throw std::runtime_error("the system lists its processes in another order");
             cursor.expect(id.index + 1 == network_.processes.size() ? ";" : ",");
         }
     }
@@ -382,7 +397,8 @@ private:
 
     void add_controller(const ControllerLine& line) {
         const Id<Network::Process> process = find(processes_, line.process);
-        const Id<Network::Location> waiting = find(location_names_[network_.processes[process].automaton.index], line.waiting);
+        const Id<Network::Location> waiting =
+            find(location_names_[network_.processes[process].automaton.index], line.waiting);
         network_.controllers.add({line.name, line.mode, process, waiting, find(variables_, line.stable),
                                   timers_[controllers_.size() > 1 ? line.name : ""]});
     }
@@ -408,7 +424,8 @@ Network as_read_back(Network network) {
     Table<Property> said;
     bool asks_for_settled = false;
     for (const Id<Property> id : network.properties.ids()) {
-        if (std::ranges::any_of(left_out, [&](const uppaal::Inexpressible& other) { return other.property == id; })) continue;
+        if (std::ranges::any_of(left_out, [&](const uppaal::Inexpressible& other) { return other.property == id; }))
+            continue;
         const Property& property = network.properties[id];
         asks_for_settled = asks_for_settled || (property.at_stable && property.pattern != Pattern::RawUppaal);
         said.add(property);

@@ -12,7 +12,8 @@ namespace {
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-constexpr std::array<std::string_view, 14> symbols = {"-->", "E<>", "A<>", "A[]", "&&", "||", "==", "!=", "<=", ">=", "[]", "<>", ":=", "->"};
+constexpr std::array<std::string_view, 14> symbols = {
+    "-->", "E<>", "A<>", "A[]", "&&", "||", "==", "!=", "<=", ">=", "[]", "<>", ":=", "->"};
 
 Token next_token(std::string_view text) {
     const auto run = [&](auto belongs) {

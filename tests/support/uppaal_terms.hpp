@@ -35,7 +35,7 @@ public:
     void expect(std::string_view text);
     Token take();
     std::string name();
-    std::int64_t number();   ///< with an optional minus
+    std::int64_t number();  ///< with an optional minus
 
     std::size_t mark() const { return next_; }
     void back_to(std::size_t mark) { next_ = mark; }
@@ -53,9 +53,9 @@ struct TermReader {
     std::function<Id<Expr>(const std::string&, const std::string&)> member = {};
     std::function<Id<Expr>(const std::string&)> function = {};
 
-    Id<Expr> term(Cursor& cursor) const;       ///< with `? :`
-    Id<Expr> conjunct(Cursor& cursor) const;   ///< binds tighter than `&&`
-    Id<Expr> primary(Cursor& cursor) const;    ///< a name, a number, a call, brackets; with prefixes
+    Id<Expr> term(Cursor& cursor) const;      ///< with `? :`
+    Id<Expr> conjunct(Cursor& cursor) const;  ///< binds tighter than `&&`
+    Id<Expr> primary(Cursor& cursor) const;   ///< a name, a number, a call, brackets; with prefixes
     Id<Expr> sum(Cursor& cursor) const;
 
 private:

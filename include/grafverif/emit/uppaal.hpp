@@ -3,8 +3,8 @@
 // process per instance, the equations of each PLC in functions of its template, and the properties as queries.
 //
 // What becomes what:
-//   variable, clock      `bool x;`, `int[lo,hi] n;`, `clock t;`; globals grouped by role; scratch variables are `meta`
-//   Read, Written        `bool &x`, `int[lo,hi] &n`: UPPAAL takes a variable by `const &` in calls only, not in processes
+//   variable, clock      `bool x;`, `int[lo,hi] n;`, `clock t;`; globals grouped by role, scratch variables `meta`
+//   Read, Written        `bool &x`, `int[lo,hi] &n`: UPPAAL binds no variable to a `const &` of a process
 //   Constant             `const int D`, `const bool K`
 //   urgent edge          emits on one urgent broadcast channel, which nobody needs to receive (CEP13 section 5);
 //                        UPPAAL then lets no time pass while its guard holds

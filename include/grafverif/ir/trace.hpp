@@ -50,6 +50,7 @@ struct Trace {
     };
 
     std::vector<std::string> steps_of_charts = {};   ///< `2`, `G2.2`; of several controllers `press.2`
+    std::vector<std::string> short_names = {};       ///< of the same steps; without what is not needed to tell them apart
     std::vector<Signal> inputs = {};                 ///< what the controllers read of the plant
     std::vector<Signal> outputs = {};                ///< what they have written
     std::vector<Signal> internals = {};              ///< their internal variables
@@ -59,6 +60,11 @@ struct Trace {
 
     bool operator==(const Trace&) const = default;
 };
+
+/// The steps to show to people: all but the delays whose end the next step tells anyhow, where the loop keeps its shape.
+std::vector<std::size_t> shown_steps(const Trace& trace);
+/// Whether step `index` is one of them.
+bool is_shown(const Trace& trace, std::size_t index);
 
 std::vector<std::string> verify(const Trace& trace);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Names made legal for a target, once, by a table of the target's reserved words. Our names are those of the chart and
 // the plant; a target may reserve some (`X` in UPPAAL's queries, `S` in NuSMV) or have no spelling for others (a
-// location called `2`, an expanded property `P.X7`). Emitters print what stands here and never repair a name themselves.
+// location called `2`, an expanded property `P.X7`). Emitters print what stands here and repair no name themselves.
 //
 // The map is injective over the entities of one scope and deterministic: it depends on the order of the names alone.
 // A name that is legal stays as it is, whatever the others are; of several entities with one name the first keeps it.

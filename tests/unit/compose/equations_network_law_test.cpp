@@ -3,6 +3,8 @@
 // by cycle and timer by timer, in both grains and both modes. The controller stands alone; the test plays its plant.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "grafverif/compose/compose.hpp"
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/plant/plant.hpp"

@@ -2,6 +2,7 @@
 // Laws of plant and compose on random closed loops.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "grafverif/syntax/print_network.hpp"

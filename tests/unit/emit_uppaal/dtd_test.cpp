@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "unit/emit_uppaal/dtd.hpp"
+
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
-
-#include <unistd.h>
 
 #include "grafverif/emit/uppaal.hpp"
 #include "support/law_size.hpp"
@@ -16,18 +13,8 @@
 namespace grafverif {
 namespace {
 
-bool has_xmllint() { return std::system("xmllint --version > /dev/null 2>&1") == 0; }
-
-/// Whether xmllint finds the document valid; what it says otherwise goes to standard output.
-bool is_valid(const std::string& xml) {
-    const auto file = std::filesystem::temp_directory_path() / ("grafverif_dtd_" + std::to_string(::getpid()) + ".xml");
-    std::ofstream(file) << xml;
-    const std::string catalog = GRAFVERIF_SOURCE_DIR "/tests/support/uppaal_dtd/catalog.xml";
-    const std::string command = "XML_CATALOG_FILES='" + catalog + "' xmllint --noout --nonet --valid " + file.string() + " 2>&1";
-    const int status = std::system(command.c_str());
-    std::filesystem::remove(file);
-    return status == 0;
-}
+using test::has_xmllint;
+using test::is_valid;
 
 std::string project(const Network& network) {
     std::ostringstream out;

@@ -22,8 +22,15 @@ struct EdgeOf {
 };
 
 void add_edge(Template& automaton, EdgeOf edge) {
-    automaton.edges.add({{edge.from}, {edge.to}, edge.urgent, edge.guard, std::move(edge.constraint), std::move(edge.resets),
-                         std::move(edge.assignments), std::move(edge.calls), {}});
+    automaton.edges.add({{edge.from},
+                         {edge.to},
+                         edge.urgent,
+                         edge.guard,
+                         std::move(edge.constraint),
+                         std::move(edge.resets),
+                         std::move(edge.assignments),
+                         std::move(edge.calls),
+                         {}});
 }
 
 /// CEP13 Fig. 8 and 13a.
@@ -46,9 +53,19 @@ Template cylinder(Hand& h, Type position) {
         const Id<Expr> moved = h.op(move, h.p(x), h.p(step));
         const Id<Expr> going = h.all({h.p(order), h.op(before, moved, h.p(end))});
         const Id<Expr> arriving = h.all({h.p(order), h.op(beyond, moved, h.p(end))});
-        add_edge(automaton, {.from = 0, .to = there, .urgent = true, .guard = h.all({h.p(order), h.op(before, h.p(x), h.p(end))}), .resets = {t}});
-        add_edge(automaton, {.from = there, .to = there, .guard = going, .constraint = due, .assignments = {{h.p(x), moved}}, .resets = {t}});
-        add_edge(automaton, {.from = there, .to = 0, .guard = arriving, .constraint = due, .assignments = {{h.p(x), h.p(end)}}});
+        add_edge(automaton, {.from = 0,
+                             .to = there,
+                             .urgent = true,
+                             .guard = h.all({h.p(order), h.op(before, h.p(x), h.p(end))}),
+                             .resets = {t}});
+        add_edge(automaton, {.from = there,
+                             .to = there,
+                             .guard = going,
+                             .constraint = due,
+                             .assignments = {{h.p(x), moved}},
+                             .resets = {t}});
+        add_edge(automaton,
+                 {.from = there, .to = 0, .guard = arriving, .constraint = due, .assignments = {{h.p(x), h.p(end)}}});
         add_edge(automaton, {.from = there, .to = 0, .urgent = true, .guard = h.neither(h.p(order))});
     };
     direction(1, out, Op::Plus, Op::Less, Op::GreaterEqual, high);
@@ -68,8 +85,16 @@ Template sensor(Hand& h, Type position) {
     automaton.locations.add({"there", {}, {}});
     const Id<Expr> inside = h.all({h.op(Op::GreaterEqual, h.p(x), h.p(low)), h.op(Op::LessEqual, h.p(x), h.p(high))});
     const Id<Expr> outside = h.any({h.op(Op::Less, h.p(x), h.p(low)), h.op(Op::Greater, h.p(x), h.p(high))});
-    add_edge(automaton, {.from = 0, .to = 1, .urgent = true, .guard = inside, .assignments = {{h.p(end), h.yes()}, {h.p(evol), h.yes()}}});
-    add_edge(automaton, {.from = 1, .to = 0, .urgent = true, .guard = outside, .assignments = {{h.p(end), h.no()}, {h.p(evol), h.yes()}}});
+    add_edge(automaton, {.from = 0,
+                         .to = 1,
+                         .urgent = true,
+                         .guard = inside,
+                         .assignments = {{h.p(end), h.yes()}, {h.p(evol), h.yes()}}});
+    add_edge(automaton, {.from = 1,
+                         .to = 0,
+                         .urgent = true,
+                         .guard = outside,
+                         .assignments = {{h.p(end), h.no()}, {h.p(evol), h.yes()}}});
     return automaton;
 }
 
@@ -80,8 +105,12 @@ Template button(Hand& h) {
     const Parameter evol = automaton.parameters.add({"EVOL_PL", Kind::Written, {}});
     const Id<Network::Clock> t = automaton.clocks.add({"t"});
     automaton.initial = automaton.locations.add({"1", {}, {}});
-    add_edge(automaton, {.from = 0, .to = 0, .guard = h.yes(), .constraint = {{t, Op::GreaterEqual, h.number(1)}},
-                         .assignments = {{h.p(out), h.neither(h.p(out))}, {h.p(evol), h.yes()}}, .resets = {t}});
+    add_edge(automaton, {.from = 0,
+                         .to = 0,
+                         .guard = h.yes(),
+                         .constraint = {{t, Op::GreaterEqual, h.number(1)}},
+                         .assignments = {{h.p(out), h.neither(h.p(out))}, {h.p(evol), h.yes()}},
+                         .resets = {t}});
     return automaton;
 }
 
@@ -98,54 +127,73 @@ Template timer(Hand& h) {
     automaton.locations.add({"run", {{t, Op::LessEqual, h.p(duration)}}, {}});
     automaton.locations.add({"done", {}, {}});
     const Id<Expr> start = h.all({h.p(pending), h.p(step)}), stop = h.all({h.p(pending), h.neither(h.p(step))});
-    const Network::Assignment taken{h.p(pending), h.no()}, over{h.p(end), h.yes()}, reset{h.p(end), h.no()}, tell{h.p(evol), h.yes()};
+    const Network::Assignment taken{h.p(pending), h.no()}, over{h.p(end), h.yes()}, reset{h.p(end), h.no()},
+        tell{h.p(evol), h.yes()};
     add_edge(automaton, {.from = 0, .to = 1, .urgent = true, .guard = start, .assignments = {taken}, .resets = {t}});
     add_edge(automaton, {.from = 0, .to = 0, .urgent = true, .guard = stop, .assignments = {taken}});
-    add_edge(automaton, {.from = 1, .to = 2, .guard = h.neither(h.p(pending)), .constraint = {{t, Op::Equal, h.p(duration)}}, .assignments = {over, tell}});
+    add_edge(automaton, {.from = 1,
+                         .to = 2,
+                         .guard = h.neither(h.p(pending)),
+                         .constraint = {{t, Op::Equal, h.p(duration)}},
+                         .assignments = {over, tell}});
     add_edge(automaton, {.from = 1, .to = 1, .urgent = true, .guard = start, .assignments = {taken}, .resets = {t}});
     add_edge(automaton, {.from = 1, .to = 0, .urgent = true, .guard = stop, .assignments = {taken}});
-    add_edge(automaton, {.from = 2, .to = 1, .urgent = true, .guard = start, .assignments = {taken, reset, tell}, .resets = {t}});
+    add_edge(automaton,
+             {.from = 2, .to = 1, .urgent = true, .guard = start, .assignments = {taken, reset, tell}, .resets = {t}});
     add_edge(automaton, {.from = 2, .to = 0, .urgent = true, .guard = stop, .assignments = {taken, reset, tell}});
     return automaton;
 }
 
 /// What the chart of `station` and its plant share.
 struct Wires {
-    Variable start = {}, is_in = {}, is_out = {}, go_in = {}, go_out = {}, lock = {}, count = {}, x0 = {}, x1 = {}, cf0 = {},
-             cf1 = {}, sample = {}, image = {}, old = {}, end = {}, pending = {}, evol_pl = {}, evol_ti = {}, stable = {}, race = {};
+    Variable start = {}, is_in = {}, is_out = {}, go_in = {}, go_out = {}, lock = {}, count = {}, x0 = {}, x1 = {},
+             cf0 = {}, cf1 = {}, sample = {}, image = {}, old = {}, end = {}, pending = {}, evol_pl = {}, evol_ti = {},
+             stable = {}, race = {};
 };
 
 /// CEP13 Fig. 33a for `0 -> 1 when START; 1 -> 0 when 3s/X1 && IS_OUT`.
 Template cycle(Hand& h, const Wires& w) {
     Template automaton{.name = "plc_cycle"};
-    const auto fire = automaton.procedures.add({"fire", {
-        {h.v(w.cf0), h.all({h.v(w.x0), h.v(w.start)})},
-        {h.v(w.cf1), h.all({h.v(w.x1), h.v(w.end), h.v(w.is_out)})},
-        {h.v(w.sample), h.v(w.is_in)},
-    }});
-    const auto evolve = automaton.procedures.add({"evolve", {
-        {h.v(w.old), h.v(w.count)},
-        {h.v(w.pending), h.any({h.v(w.pending), h.v(w.cf0), h.v(w.cf1)})},
-        {h.v(w.stable), h.all({h.neither(h.v(w.cf0)), h.neither(h.v(w.cf1))})},
-        {h.v(w.race), h.all({h.v(w.cf0), h.v(w.cf1)})},
-        {h.v(w.count), h.network.exprs.conditional(h.v(w.cf0), h.op(Op::Plus, h.v(w.count), h.number(1)),
-                       h.network.exprs.conditional(h.all({h.v(w.cf1), h.op(Op::Equal, h.v(w.old), h.number(9))}), h.number(-3), h.v(w.count)))},
-        {h.v(w.image), h.network.exprs.conditional(h.v(w.cf0), h.v(w.sample), h.v(w.image))},
-        {h.v(w.x0), h.any({h.v(w.cf1), h.all({h.v(w.x0), h.neither(h.v(w.cf0))})})},
-        {h.v(w.x1), h.any({h.v(w.cf0), h.all({h.v(w.x1), h.neither(h.v(w.cf1))})})},
-        {h.v(w.cf0), h.no()},
-        {h.v(w.cf1), h.no()},
-    }});
-    const auto write = automaton.procedures.add({"write", {
-        {h.v(w.go_out), h.v(w.x1)},
-        {h.v(w.go_in), h.all({h.v(w.x0), h.neither(h.v(w.sample))})},
-        {h.v(w.lock), h.v(w.image)},
-        {h.v(w.sample), h.no()},
-    }});
+    const auto fire = automaton.procedures.add({"fire",
+                                                {
+                                                    {h.v(w.cf0), h.all({h.v(w.x0), h.v(w.start)})},
+                                                    {h.v(w.cf1), h.all({h.v(w.x1), h.v(w.end), h.v(w.is_out)})},
+                                                    {h.v(w.sample), h.v(w.is_in)},
+                                                }});
+    const auto evolve = automaton.procedures.add(
+        {"evolve",
+         {
+             {h.v(w.old), h.v(w.count)},
+             {h.v(w.pending), h.any({h.v(w.pending), h.v(w.cf0), h.v(w.cf1)})},
+             {h.v(w.stable), h.all({h.neither(h.v(w.cf0)), h.neither(h.v(w.cf1))})},
+             {h.v(w.race), h.all({h.v(w.cf0), h.v(w.cf1)})},
+             {h.v(w.count),
+              h.network.exprs.conditional(
+                  h.v(w.cf0), h.op(Op::Plus, h.v(w.count), h.number(1)),
+                  h.network.exprs.conditional(h.all({h.v(w.cf1), h.op(Op::Equal, h.v(w.old), h.number(9))}),
+                                              h.number(-3), h.v(w.count)))},
+             {h.v(w.image), h.network.exprs.conditional(h.v(w.cf0), h.v(w.sample), h.v(w.image))},
+             {h.v(w.x0), h.any({h.v(w.cf1), h.all({h.v(w.x0), h.neither(h.v(w.cf0))})})},
+             {h.v(w.x1), h.any({h.v(w.cf0), h.all({h.v(w.x1), h.neither(h.v(w.cf1))})})},
+             {h.v(w.cf0), h.no()},
+             {h.v(w.cf1), h.no()},
+         }});
+    const auto write = automaton.procedures.add({"write",
+                                                 {
+                                                     {h.v(w.go_out), h.v(w.x1)},
+                                                     {h.v(w.go_in), h.all({h.v(w.x0), h.neither(h.v(w.sample))})},
+                                                     {h.v(w.lock), h.v(w.image)},
+                                                     {h.v(w.sample), h.no()},
+                                                 }});
     for (const char* name : {"W", "P0", "P1", "P2"}) automaton.locations.add({name, {}, {}});
     automaton.initial = {0};
-    const Id<Expr> begins = h.all({h.any({h.neither(h.v(w.stable)), h.v(w.evol_pl), h.v(w.evol_ti)}), h.neither(h.v(w.pending))});
-    add_edge(automaton, {.from = 0, .to = 1, .urgent = true, .guard = begins, .assignments = {{h.v(w.evol_pl), h.no()}, {h.v(w.evol_ti), h.no()}}});
+    const Id<Expr> begins =
+        h.all({h.any({h.neither(h.v(w.stable)), h.v(w.evol_pl), h.v(w.evol_ti)}), h.neither(h.v(w.pending))});
+    add_edge(automaton, {.from = 0,
+                         .to = 1,
+                         .urgent = true,
+                         .guard = begins,
+                         .assignments = {{h.v(w.evol_pl), h.no()}, {h.v(w.evol_ti), h.no()}}});
     add_edge(automaton, {.from = 1, .to = 2, .urgent = true, .guard = h.yes(), .calls = {fire}});
     add_edge(automaton, {.from = 2, .to = 3, .urgent = true, .guard = h.yes(), .calls = {evolve}});
     add_edge(automaton, {.from = 3, .to = 0, .urgent = true, .guard = h.v(w.stable), .calls = {write}});
@@ -185,17 +233,29 @@ void add_properties(Hand& h, const Wires& w, Id<Network::Process> cylinder) {
     h.property("P2", "", Pattern::Always, {h.any({h.neither(both), moving})});
     h.property("P3", "it moves <at all> & \"well\"", Pattern::Reachable, {h.at(cylinder, 1)});
     h.property("P4", "", Pattern::Inevitable, {h.v(w.is_out)});
-    h.property("P5", "it comes back", Pattern::LeadsTo, {h.neither(h.all({h.v(w.x0), h.v(w.is_in)})), h.all({h.v(w.x0), h.v(w.is_in)})});
+    h.property("P5", "it comes back", Pattern::LeadsTo,
+               {h.neither(h.all({h.v(w.x0), h.v(w.is_in)})), h.all({h.v(w.x0), h.v(w.is_in)})});
     h.property("D", "", Pattern::NoDeadlock);
     h.property("T", "time -- goes on", Pattern::NoTimelock);
     h.property("S", "", Pattern::ReachableAllSteps, {h.v(w.x0), h.v(w.x1)});
     h.property("E", "", Pattern::ExactlyOneOf, {h.v(w.x0), h.v(w.x1)});
     h.network.properties.add({.name = "U", .pattern = Pattern::RawUppaal, .raw = "A[] COUNT <= 10"});
-    h.network.properties.add({.name = "R", .text = "this one fails", .pattern = Pattern::Reachable, .operands = {both}, .expected_violated = true});
+    h.network.properties.add({.name = "R",
+                              .text = "this one fails",
+                              .pattern = Pattern::Reachable,
+                              .operands = {both},
+                              .expected_violated = true});
     for (const Pattern pattern : {Pattern::Always, Pattern::Never, Pattern::Reachable, Pattern::Inevitable})
-        h.network.properties.add({.name = "Q" + std::to_string(static_cast<int>(pattern)), .pattern = pattern, .operands = {h.any({both, h.v(w.x0)})}, .at_stable = true});
-    h.network.properties.add({.name = "Q4", .pattern = Pattern::LeadsTo, .operands = {moving, h.v(w.is_out)}, .at_stable = true});
-    h.network.properties.add({.name = "Q8", .pattern = Pattern::ExactlyOneOf, .operands = {h.v(w.x0), h.neither(h.v(w.x1))}, .at_stable = true});
+        h.network.properties.add({.name = "Q" + std::to_string(static_cast<int>(pattern)),
+                                  .pattern = pattern,
+                                  .operands = {h.any({both, h.v(w.x0)})},
+                                  .at_stable = true});
+    h.network.properties.add(
+        {.name = "Q4", .pattern = Pattern::LeadsTo, .operands = {moving, h.v(w.is_out)}, .at_stable = true});
+    h.network.properties.add({.name = "Q8",
+                              .pattern = Pattern::ExactlyOneOf,
+                              .operands = {h.v(w.x0), h.neither(h.v(w.x1))},
+                              .at_stable = true});
     h.property("A", "", Pattern::AlwaysPossible, {h.v(w.x0)});
     h.network.properties.add({.name = "C", .pattern = Pattern::RawCtl, .raw = "AG EF x"});
     h.network.properties.add({.name = "L", .pattern = Pattern::RawLtl, .raw = "G F x"});
@@ -226,7 +286,8 @@ Network station() {
         if (p.index == 0) h.network.templates[timer_template].parameters[p].type = integer_type(0, 60000);
 
     h.network.controllers.add({"handling", ExecutionMode::StabilitySearch, plc, {0}, w.stable, {t}});
-    h.network.settled = h.all({h.at(plc, 0), h.v(w.stable), h.neither(h.v(w.evol_pl)), h.neither(h.v(w.evol_ti)), h.neither(h.v(w.pending))});
+    h.network.settled = h.all(
+        {h.at(plc, 0), h.v(w.stable), h.neither(h.v(w.evol_pl)), h.neither(h.v(w.evol_ti)), h.neither(h.v(w.pending))});
     add_properties(h, w, actuator);
     return h.network;
 }
@@ -234,7 +295,8 @@ Network station() {
 Network awkward_names() {
     Hand h;
     h.network.name = "awkward";
-    const Variable x = h.boolean("X", Role::Input), kept = h.boolean("X_", Role::Input), hurry = h.boolean("hurry", Role::Output);
+    const Variable x = h.boolean("X", Role::Input), kept = h.boolean("X_", Role::Input),
+                   hurry = h.boolean("hurry", Role::Output);
     const Variable waiting = h.boolean("W", Role::Step, true), stable = h.boolean("sat", Role::Flag);
     Template first{.name = "free"};
     const Parameter out = first.parameters.add({"true", Kind::Written, {}});
@@ -253,7 +315,8 @@ Network awkward_names() {
     const auto plc = h.process("sqrt", b, {}, Network::ProcessKind::Controller);
     h.network.controllers.add({"sqrt", ExecutionMode::EveryCycle, plc, {0}, stable, {}});
     h.network.settled = h.v(stable);
-    h.property("under", "names", Pattern::Always, {h.any({h.at(plc, 0), h.at(plc, 1), h.v(x), h.v(kept), h.at({0}, 0), h.at({1}, 1)})});
+    h.property("under", "names", Pattern::Always,
+               {h.any({h.at(plc, 0), h.at(plc, 1), h.v(x), h.v(kept), h.at({0}, 0), h.at({1}, 1)})});
     return h.network;
 }
 
@@ -266,13 +329,20 @@ Network crowded() {
     Template loops{.name = "loops"};
     loops.initial = loops.locations.add({"the_only_one", {}, {}});
     for (std::size_t i = 0; i < 9; ++i)
-        add_edge(loops, {.from = 0, .to = 0, .guard = h.all({v(i), h.neither(v(i + 1))}), .assignments = {{v(i), h.no()}, {v(i + 1), h.yes()}}});
+        add_edge(loops, {.from = 0,
+                         .to = 0,
+                         .guard = h.all({v(i), h.neither(v(i + 1))}),
+                         .assignments = {{v(i), h.no()}, {v(i + 1), h.yes()}}});
     Template complete{.name = "complete"};
     for (std::uint32_t i = 0; i < 5; ++i) complete.locations.add({"location_" + std::to_string(i), {}, {}});
     complete.initial = {0};
     for (std::uint32_t i = 0; i < 5; ++i)
         for (std::uint32_t j = 0; j < 5; ++j)
-            add_edge(complete, {.from = i, .to = j, .urgent = i < j, .guard = h.all({v(i), v(j + 5), h.neither(v(j + 6))}), .assignments = {{v(j), v(i + 3)}}});
+            add_edge(complete, {.from = i,
+                                .to = j,
+                                .urgent = i < j,
+                                .guard = h.all({v(i), v(j + 5), h.neither(v(j + 6))}),
+                                .assignments = {{v(j), v(i + 3)}}});
     Template guarded{.name = "guarded"};
     guarded.initial = guarded.locations.add({"here", {}, {}});
     std::vector<Id<Expr>> terms;

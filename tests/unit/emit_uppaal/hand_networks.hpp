@@ -23,7 +23,9 @@ struct Hand {
     Id<Expr> all(std::initializer_list<Id<Expr>> operands) { return network.exprs.conjunction(std::vector(operands)); }
     Id<Expr> any(std::initializer_list<Id<Expr>> operands) { return network.exprs.disjunction(std::vector(operands)); }
     Id<Expr> op(Op operation, Id<Expr> left, Id<Expr> right) { return network.exprs.apply(operation, left, right); }
-    Id<Expr> at(Id<Network::Process> process, std::uint32_t location) { return network.exprs.at(process.index, location); }
+    Id<Expr> at(Id<Network::Process> process, std::uint32_t location) {
+        return network.exprs.at(process.index, location);
+    }
 
     Id<Network::Variable> boolean(std::string name, Network::Role role, bool initial = false) {
         return network.variables.add({std::move(name), role, {}, initial ? 1 : 0, false, {}});
@@ -31,12 +33,14 @@ struct Hand {
     Id<Network::Variable> integer(std::string name, Network::Role role, std::int64_t low, std::int64_t high) {
         return network.variables.add({std::move(name), role, integer_type(low, high), low, false, {}});
     }
-    Id<Network::Process> process(std::string name, Id<Network::Template> automaton, std::vector<Network::Argument> arguments,
-                                 Network::ProcessKind kind, std::uint32_t initial = 0) {
+    Id<Network::Process> process(std::string name, Id<Network::Template> automaton,
+                                 std::vector<Network::Argument> arguments, Network::ProcessKind kind,
+                                 std::uint32_t initial = 0) {
         return network.processes.add({std::move(name), automaton, std::move(arguments), {initial}, kind, {}});
     }
     void property(std::string name, std::string text, Pattern pattern, std::vector<Id<Expr>> operands = {}) {
-        network.properties.add({.name = std::move(name), .text = std::move(text), .pattern = pattern, .operands = std::move(operands)});
+        network.properties.add(
+            {.name = std::move(name), .text = std::move(text), .pattern = pattern, .operands = std::move(operands)});
     }
 };
 

@@ -38,8 +38,9 @@ TEST(UppaalLayout, HasNoTwoThingsInOnePlaceInAnyNetwork) {
 
 // The check of this test is no better than its eyes.
 TEST(UppaalLayout, OverlapsAreSeenByTheTest) {
-    const std::string project = "<nta><template><name>a</name><location id='i' x='0' y='0'><name x='20' y='0'>w</name></location>"
-                                "<location id='j' x='%' y='0'/></template></nta>";
+    const std::string project =
+        "<nta><template><name>a</name><location id='i' x='0' y='0'><name x='20' y='0'>w</name></location>"
+        "<location id='j' x='%' y='0'/></template></nta>";
     const auto with = [&](const std::string& x) { return std::string(project).replace(project.find('%'), 1, x); };
     EXPECT_NE(overlaps(with("10")), "");
     EXPECT_NE(overlaps(with("30")), "");
@@ -72,7 +73,8 @@ TEST(UppaalLayout, GivesLoopsAndParallelEdgesNails) {
     for (const pugi::xml_node automaton : document.child("nta").children("template")) {
         std::map<std::pair<std::string, std::string>, int> straight;
         for (const pugi::xml_node edge : automaton.children("transition")) {
-            const std::string from = edge.child("source").attribute("ref").value(), to = edge.child("target").attribute("ref").value();
+            const std::string from = edge.child("source").attribute("ref").value(),
+                              to = edge.child("target").attribute("ref").value();
             if (edge.child("nail")) continue;
             EXPECT_NE(from, to);
             EXPECT_EQ(++straight[std::minmax(from, to)], 1) << "two edges in one line";
@@ -90,9 +92,28 @@ Network wheel(std::uint32_t locations) {
     for (std::uint32_t i = 0; i < locations; ++i) automaton.locations.add({"l" + std::to_string(i), {}, {}});
     automaton.initial = {0};
     for (std::uint32_t i = 0; i < locations; ++i)
-        for (const std::uint32_t to : {i, (i + 1) % locations}) automaton.edges.add({.from = {i}, .to = {to}, .urgent = true, .guard = h.yes()});
+        for (const std::uint32_t to : {i, (i + 1) % locations})
+            automaton.edges.add({.from = {i}, .to = {to}, .urgent = true, .guard = h.yes()});
     h.process("p", h.network.templates.add(std::move(automaton)), {}, Network::ProcessKind::Plant);
     return h.network;
+}
+
+/// A template of a hub and `leaves` locations that are linked with it alone.
+Network star(std::uint32_t leaves) {
+    test::Hand h;
+    h.network.name = "star";
+    Network::Template automaton{.name = "star"};
+    for (std::uint32_t i = 0; i <= leaves; ++i) automaton.locations.add({"l" + std::to_string(i), {}, {}});
+    automaton.initial = {0};
+    for (std::uint32_t i = 1; i <= leaves; ++i)
+        automaton.edges.add({.from = {0}, .to = {i}, .urgent = true, .guard = h.yes()});
+    h.process("p", h.network.templates.add(std::move(automaton)), {}, Network::ProcessKind::Plant);
+    return h.network;
+}
+
+TEST(UppaalLayout, FindsRoomForManyLeaves) {
+    for (const std::uint32_t leaves : {3U, 4U, 7U, 20U, 59U, 200U})
+        EXPECT_EQ(overlaps(project(star(leaves))), "") << leaves << " leaves";
 }
 
 TEST(UppaalLayout, DrawsLargeTemplatesToo) { EXPECT_EQ(overlaps(project(wheel(3000))), ""); }

@@ -23,12 +23,24 @@ TEST(LegalNames, AvoidTheWordsOfTheTarget) {
         std::string name = {}, legal = {};
     };
     const std::vector<Case> cases = {
-        {Target::Uppaal, "X", "X_"},          {Target::UppaalLocal, "X", "X"},    {Target::Nusmv, "X", "X_"},
-        {Target::Uppaal, "S", "S"},           {Target::Nusmv, "S", "S_"},         {Target::Uppaal, "init", "init_"},
-        {Target::UppaalLocal, "init", "init_"}, {Target::Uppaal, "sat", "sat_"},  {Target::Nusmv, "sat", "sat"},
-        {Target::Uppaal, "M_PI", "M_PI_"},    {Target::Uppaal, "int8_t", "int8_t_"}, {Target::Nusmv, "self", "self_"},
-        {Target::Nusmv, "next", "next_"},     {Target::Uppaal, "next", "next"},   {Target::Uppaal, "deadlock", "deadlock_"},
-        {Target::Uppaal, "location", "location_"}, {Target::Nusmv, "F", "F_"},    {Target::Uppaal, "X12", "X12"},
+        {Target::Uppaal, "X", "X_"},
+        {Target::UppaalLocal, "X", "X"},
+        {Target::Nusmv, "X", "X_"},
+        {Target::Uppaal, "S", "S"},
+        {Target::Nusmv, "S", "S_"},
+        {Target::Uppaal, "init", "init_"},
+        {Target::UppaalLocal, "init", "init_"},
+        {Target::Uppaal, "sat", "sat_"},
+        {Target::Nusmv, "sat", "sat"},
+        {Target::Uppaal, "M_PI", "M_PI_"},
+        {Target::Uppaal, "int8_t", "int8_t_"},
+        {Target::Nusmv, "self", "self_"},
+        {Target::Nusmv, "next", "next_"},
+        {Target::Uppaal, "next", "next"},
+        {Target::Uppaal, "deadlock", "deadlock_"},
+        {Target::Uppaal, "location", "location_"},
+        {Target::Nusmv, "F", "F_"},
+        {Target::Uppaal, "X12", "X12"},
     };
     for (const auto& [target, name, legal] : cases) {
         SCOPED_TRACE(name);
@@ -37,7 +49,8 @@ TEST(LegalNames, AvoidTheWordsOfTheTarget) {
 }
 
 TEST(LegalNames, SpellWhatNoIdentifierMayHold) {
-    EXPECT_EQ(legal_names(Target::Uppaal, Names{"2", "P.X7", "a-b", "", "\xC3\xA9"}), (Names{"_2", "P_X7", "a_b", "_", "__"}));
+    EXPECT_EQ(legal_names(Target::Uppaal, Names{"2", "P.X7", "a-b", "", "\xC3\xA9"}),
+              (Names{"_2", "P_X7", "a_b", "_", "__"}));
 }
 
 TEST(LegalNames, LeaveALegalNameToItsOwnerHoweverLateItComes) {
@@ -68,14 +81,15 @@ TEST(LegalNames, AreLegalAndDistinctForAnyNames) {
         }
         for (const Target target : {Target::Uppaal, Target::UppaalLocal, Target::Nusmv}) {
             const Names legal = legal_names(target, names);
-            EXPECT_EQ(std::unordered_set<std::string>(legal.begin(), legal.end()).size(), names.size()) << "round " << round;
+            EXPECT_EQ(std::unordered_set<std::string>(legal.begin(), legal.end()).size(), names.size())
+                << "round " << round;
             for (const std::string& name : legal) EXPECT_TRUE(is_legal(target, name)) << name << " in round " << round;
         }
     }
 }
 
 TEST(LegalNames, CostNoMoreThanTheirNumber) {
-    const Names names(200'000, "X");   // quadratic search would take minutes
+    const Names names(200'000, "X");  // quadratic search would take minutes
     EXPECT_EQ(legal_names(Target::Uppaal, names).back(), "X_200000");
 }
 

@@ -19,7 +19,8 @@ std::string template_of(const Network& network, std::uint32_t process) {
 
 TEST(LowerForUppaal, SplitsATemplateWhoseProcessesStartAtSeveralLocations) {
     const Network network = uppaal::lower(test::station());
-    EXPECT_EQ(template_names(network), (std::vector<std::string>{"cylinder_5_3", "end_sensor_there", "end_sensor", "push_button", "plc_cycle", "timer"}));
+    EXPECT_EQ(template_names(network), (std::vector<std::string>{"cylinder_5_3", "end_sensor_there", "end_sensor",
+                                                                 "push_button", "plc_cycle", "timer"}));
     EXPECT_EQ(template_of(network, 1), "end_sensor_there");
     EXPECT_EQ(template_of(network, 2), "end_sensor");
 }
@@ -45,7 +46,7 @@ TEST(LowerForUppaal, KeepsTheMeaning) {
 
 TEST(LowerForUppaal, KeepsTheNameWhereAllStartAtOneOtherLocation) {
     Network network = test::station();
-    network.processes[{2}].initial = {1};   // now both sensors start there
+    network.processes[{2}].initial = {1};  // now both sensors start there
     const Network lowered = uppaal::lower(network);
     EXPECT_EQ(template_of(lowered, 1), "end_sensor");
     EXPECT_EQ(template_of(lowered, 2), "end_sensor");

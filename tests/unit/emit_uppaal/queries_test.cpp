@@ -34,7 +34,8 @@ std::map<std::string, Query> queries(const Network& network) {
     std::map<std::string, Query> found;
     for (const pugi::xml_node node : document.child("nta").child("queries").children("query")) {
         const std::string comment = node.child_value("comment"), title = comment.substr(0, comment.find('\n'));
-        found[title.substr(0, title.find(':'))] = {node.child_value("formula"), comment, node.child("expect").attribute("outcome").value()};
+        found[title.substr(0, title.find(':'))] = {node.child_value("formula"), comment,
+                                                   node.child("expect").attribute("outcome").value()};
         EXPECT_STREQ(node.child("expect").attribute("type").value(), "symbolic");
     }
     return found;
@@ -84,8 +85,10 @@ TEST(UppaalQueries, ExpectNothingOfASingleStepWhereSomeStepIsOutOfReach) {
     Network network = test::station();
     network.properties[{7}].expected_violated = true;
     ASSERT_EQ(network.properties[{7}].pattern, Pattern::ReachableAllSteps);
-    EXPECT_NE(queries_text(network).find("S.X0\nevery step; expected of one step at least: not satisfied"), std::string::npos);
-    EXPECT_EQ(project(network).find("<expect", project(network).find("S.X0")), project(network).find("<expect", project(network).find("A[] X_0 + X_1")));
+    EXPECT_NE(queries_text(network).find("S.X0\nevery step; expected of one step at least: not satisfied"),
+              std::string::npos);
+    EXPECT_EQ(project(network).find("<expect", project(network).find("S.X0")),
+              project(network).find("<expect", project(network).find("A[] X_0 + X_1")));
 }
 
 TEST(UppaalQueries, LeaveOutWithACommentWhatCannotBeSaid) {

@@ -72,7 +72,7 @@ TEST(Svg, DrawsAWavePerSignalThatIsEverNotZeroAndNamesTheOthers) {
     draw(sample_trace(), drawn);
     std::vector<std::string> names;
     for (const pugi::xml_node node : of_class(drawn, "name")) names.push_back(node.text().get());
-    EXPECT_EQ(names, (std::vector<std::string>{"START", "LEVEL", "GO", "COUNT", "X", "0", "1", "G2.2"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"START", "LEVEL", "GO", "COUNT", "X", "0", "1", "2"}));
     const auto foot = of_class(drawn, "foot");
     ASSERT_EQ(foot.size(), 1u);
     EXPECT_STREQ(foot[0].text().get(), "0 throughout: IDLE");
@@ -87,7 +87,7 @@ TEST(Svg, EveryWaveRunsFromTheFirstColumnToTheLastWithoutGaps) {
         const auto path = points(wave.attribute("d").value());
         double low = 1e9, high = -1e9, top = 1e9;
         for (const auto& [x, y] : path) low = std::min(low, x), high = std::max(high, x), top = std::min(top, y);
-        const double row = std::floor((top - names[0].attribute("y").as_double()) / 26 + 0.9);
+        const double row = std::floor((top - names[0].attribute("y").as_double()) / 26 + 0.5);
         auto [place, added] = reach.try_emplace(row, low, high);
         if (!added) {
             EXPECT_EQ(low, place->second.second) << "a gap";

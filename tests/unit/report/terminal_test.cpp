@@ -25,12 +25,17 @@ std::string text(const Report& report, bool verbose = false) {
 TEST(Terminal, TellsATraceAsATableWithItsLoopMarked) {
     EXPECT_EQ(table(sample_trace()),
               "   time  what happened               inputs     cleared     situation  outputs\n"
-              "    0 s  press: power on             LEVEL = 2              0, G2.2    none\n"
+              "    0 s  press: power on             LEVEL = 2              0, 2       none\n"
               "         Start                       START\n"
-              "         press: COUNT 0 -> -1                   t1; t2, t3  1, G2.2    GO\n"
+              "         press: COUNT 0 -> -1                   t1; t2, t3  1, 2       GO\n"
               "+-- from here on, for ever:\n"
-              "|  1.5 s  1.5 s pass\n"
-              "|         Slide: going_out, X 0 -> 4  LEVEL = 3             1, G2.2    GO\n");
+              "| 1.5 s  1.5 s pass\n"
+              "|        Slide: going_out, X 0 -> 4  LEVEL = 3              1, 2       GO\n");
+    Trace finite = sample_trace();
+    finite.loop_from.reset();
+    EXPECT_EQ(table(finite).substr(table(finite).rfind("  1.5 s")),
+              "  1.5 s  Slide: going_out, X 0 -> 4  LEVEL = 3              1, 2       GO\n")
+        << "a delay is told by the time of what comes next";
 }
 
 TEST(Terminal, FitsAHundredColumnsWhateverTheNames) {

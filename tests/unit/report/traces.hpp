@@ -10,6 +10,7 @@ namespace grafverif {
 inline Trace sample_trace() {
     Trace trace;
     trace.steps_of_charts = {"0", "1", "G2.2"};
+    trace.short_names = {"0", "1", "2"};
     trace.inputs = {{"START", {}}, {"LEVEL", integer_type(0, 9)}};
     trace.outputs = {{"GO", {}}, {"IDLE", {}}};
     trace.internals = {{"COUNT", integer_type(-4, 4)}};

@@ -43,7 +43,10 @@ TEST(NetworkWalk, AnInvariantLimitsHowFarTimeGoes) {
     const auto hurried = impatient(loop.network, state);
     ASSERT_EQ(hurried.size(), 1u);
     EXPECT_EQ(loop.network.processes[hurried[0]].name, "Valve");
-    EXPECT_FALSE(leeway(loop.network, rested(loop.network, state)).limit) << "the valve is open for good";
+    state = rested(loop.network, state);   // the valve is open, the order has fallen, and it closes
+    ASSERT_EQ(leeway(loop.network, state), (Leeway{true, travel, travel}));
+    ASSERT_EQ(perform(loop.network, state, Delay{travel}).result, Step::Result::Done);
+    EXPECT_EQ(leeway(loop.network, rested(loop.network, state)), (Leeway{true, {}, {}}));
 }
 
 TEST(NetworkWalkLaw, LeewaySaysExactlyHowFarTimeMayPass) {

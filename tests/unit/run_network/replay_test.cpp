@@ -33,11 +33,11 @@ TEST(Replay, EveryWalkThroughTheSamplesReplays) {
                                "testing_station/testing_station.grafcet", "testing_station/faulty.grafcet"}) {
         for (const ComposeOptions& options : all_options()) {
             const LoopUnderTest loop = read_sample(sample, options);
-            for (int seed = 1; seed <= law_size(5); ++seed) {
+            for (int seed = 1; seed <= law_size(2); ++seed) {
                 SCOPED_TRACE(std::string(sample) + ", seed " + std::to_string(seed));
                 Random random(static_cast<std::uint64_t>(seed));
-                const auto run = random_walk(loop.network, random, 400);
-                EXPECT_EQ(run.moves.size(), 400u);
+                const auto run = random_walk(loop.network, random, 300);
+                EXPECT_EQ(run.moves.size(), 300u);
                 ASSERT_EQ(complaint(loop, run), "");
                 for (const Move& move : run.moves) cleared += std::holds_alternative<Fire>(move);
             }
@@ -68,7 +68,7 @@ void meet(const Network& network, const Run& run, Met& met) {
 
 TEST(ReplayLaw, EveryWalkThroughARandomLoopReplays) {
     Met met;
-    for (int seed = 1; seed <= law_size(150); ++seed) {
+    for (int seed = 1; seed <= law_size(60); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const Model model = random_loop(random);
@@ -83,9 +83,9 @@ TEST(ReplayLaw, EveryWalkThroughARandomLoopReplays) {
         }
         ++met.loops;
     }
-    EXPECT_GT(met.loops, law_size(75));
-    EXPECT_GT(met.evolutions, law_size(1000));
-    EXPECT_GT(met.timers, law_size(10));
+    EXPECT_GT(met.loops, law_size(30));
+    EXPECT_GT(met.evolutions, law_size(400));
+    EXPECT_GT(met.timers, law_size(4));
     EXPECT_GT(met.races, 0);
 }
 
@@ -104,9 +104,9 @@ TEST(Replay, CatchesADroppedAssignment) {
             auto& assignments = plc(mutant.network).procedures[procedure].assignments;
             assignments.erase(assignments.begin() + static_cast<std::ptrdiff_t>(dropped));
             bool seen = false;
-            for (std::uint64_t seed = 1; seed <= 6 && !seen; ++seed) {
+            for (std::uint64_t seed = 1; seed <= 4 && !seen; ++seed) {
                 Random random(seed);
-                seen = !complaint(mutant, random_walk(mutant.network, random, 1200)).empty();
+                seen = !complaint(mutant, random_walk(mutant.network, random, 500)).empty();
             }
             ++mutants;
             caught += seen;

@@ -7,8 +7,11 @@ namespace grafverif {
 namespace {
 
 TEST(PassiveActuators, FollowTheirOrderAtOnce) {
-    struct Case { std::string name, order, off, on; };
-    for (const auto& [name, order, off, on] : {Case{"lamp", "ON", "dark", "lit"}, {"buzzer", "ON", "silent", "sounding"},
+    struct Case {
+        std::string name, order, off, on;
+    };
+    for (const auto& [name, order, off, on] : {Case{"lamp", "ON", "dark", "lit"},
+                                               {"buzzer", "ON", "silent", "sounding"},
                                                {"lock", "LOCK", "unlocked", "locked"},
                                                {"suction_pad", "P", "released", "sucking"}}) {
         SCOPED_TRACE(name);

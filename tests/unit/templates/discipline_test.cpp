@@ -113,7 +113,8 @@ TEST_P(EveryComponent, ReachesEachOfItsLocations) {
     std::set<std::string> reached;
     for (const TaddState& state : all.states) reached.insert(tadd.location(state, "it"));
     if (GetParam() == "part_feeder") reached.insert("sliding");  // only where it is endless
-    for (const Component::Location& location : component.locations) EXPECT_TRUE(reached.contains(location.name)) << location.name;
+    for (const Component::Location& location : component.locations)
+        EXPECT_TRUE(reached.contains(location.name)) << location.name;
 }
 
 TEST_P(EveryComponent, KeepsItsVariablesInTheirRanges) { EXPECT_FALSE(all.out_of_range); }
@@ -147,6 +148,36 @@ TEST_P(EveryComponent, StartsItsClockWithEachMovement) {
         for (const Component::ClockConstraint& bound : component.locations[edge.to].invariant)
             EXPECT_TRUE(std::ranges::find(edge.resets, bound.clock) != edge.resets.end())
                 << component.locations[edge.from].name << " -> " << component.locations[edge.to].name;
+}
+
+TEST_P(EveryComponent, HasNoMovementEndWhileSomethingInstantaneousIsDue) {
+    for (const TaddState& state : all.states) {
+        if (!tadd.urgent_enabled(state)) continue;
+        for (const TaddMove& move : tadd.successors(state)) {
+            const Network::Template& automaton = *network.templates.begin();
+            const Network::Edge& edge = automaton.edges[move.edge];
+            EXPECT_TRUE(edge.urgent || automaton.locations[edge.from].invariant.empty()) << tadd.location(state, "it");
+        }
+    }
+}
+
+TEST_P(EveryComponent, StartsInEachLocationWithTheOutputsItHasThere) {
+    const auto outputs = [&](const NaiveTadd& automaton, const TaddState& state) {
+        std::vector<std::int64_t> values;
+        for (const Component::Parameter& parameter : component.parameters)
+            if (parameter.kind == Component::ParameterKind::Output && parameter.value == Component::ValueKind::Boolean)
+                values.push_back(automaton.variable(state, parameter.name));
+        return values;
+    };
+    std::map<std::string, std::set<std::vector<std::int64_t>>> seen;
+    for (const TaddState& state : all.states) seen[tadd.location(state, "it")].insert(outputs(tadd, state));
+    for (const Component::Location& location : component.locations) {
+        const Network started = lone_component(component, chosen.constants, location.name);
+        const NaiveTadd automaton(started);
+        if (seen.contains(location.name)) {
+            EXPECT_TRUE(seen[location.name].contains(outputs(automaton, automaton.initial()))) << location.name;
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Library, EveryComponent, testing::ValuesIn(library_names()),

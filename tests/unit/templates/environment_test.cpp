@@ -19,7 +19,10 @@ struct Pace {
 };
 Pace pace(const Network& network, const std::string& variable, std::int64_t from, std::int64_t horizon) {
     const NaiveTadd tadd(network);
-    struct Run { TaddState state; std::int64_t since; };
+    struct Run {
+        TaddState state;
+        std::int64_t since;
+    };
     Pace result;
     std::set<std::pair<TaddState, std::int64_t>> seen;
     std::deque<Run> open{{tadd.initial(), -1}};  // -1: no change seen yet
@@ -75,7 +78,9 @@ TEST(Switch2, ClosesExactlyOneContact) {
         seen.insert(tadd.variable(state, "SECOND"));
     }
     EXPECT_EQ(seen, (Values{0, 1}));
-    EXPECT_EQ(pace(network, "FIRST", 1, 5).least, 1);
+    const Network slow = component_in_seconds("switch_2", {{"GAP", 3000}});
+    for (const std::int64_t from : {0, 1}) EXPECT_EQ(pace(slow, "FIRST", from, 9).least, 3);
+    EXPECT_EQ(pace(slow, "FIRST", 1, 9).greatest, 9);
 }
 
 TEST(Free, ChangesWithinOneInstant) {
@@ -88,6 +93,14 @@ TEST(Free, ChangesWithinOneInstant) {
 TEST(FreeInteger, ReachesEveryValueOfItsRangeAndNoOther) {
     const Bench input = bench("free_integer", {{"LOW", -2}, {"HIGH", 2}});
     EXPECT_EQ(input.values("OUT"), (Values{-2, -1, 0, 1, 2}));
+    const Network network = lone_component(library_component("free_integer"), {{"LOW", -2}, {"HIGH", 2}});
+    const NaiveTadd tadd(network);
+    for (const TaddState& state : reachable(network, 100).states) {
+        Values next;
+        for (const TaddMove& move : tadd.successors(state)) next.insert(tadd.variable(move.next, "OUT"));
+        const std::int64_t value = tadd.variable(state, "OUT");
+        EXPECT_EQ(next, (Values{std::max<std::int64_t>(value - 1, -2), value, std::min<std::int64_t>(value + 1, 2)}));
+    }
 }
 
 }  // namespace

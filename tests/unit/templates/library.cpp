@@ -44,7 +44,8 @@ Network component_in_seconds(const std::string& name, const std::map<std::string
     loop.name = "in_seconds";
     loop.time_unit_ms = 1000;
     const Component component = library_component(name);
-    ClosedLoop::Instance instance{.name = "it", .component = model.components.add(component), .initial = component.initial};
+    ClosedLoop::Instance instance{
+        .name = "it", .component = model.components.add(component), .initial = component.initial};
     for (const Component::Parameter& parameter : component.parameters) {
         const auto given = constants.find(parameter.name);
         if (parameter.kind != Component::ParameterKind::Constant)

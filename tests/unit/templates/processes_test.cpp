@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "library.hpp"
 
 namespace grafverif {
@@ -54,6 +56,20 @@ TEST(TankLevel, RisesAndFallsByItsPortionAndClamps) {
     EXPECT_EQ(only(tank, "LEVEL"), 0);
 }
 
+TEST(TankLevel, LandsOnItsEndsExactly) {
+    Bench tank = bench("tank_level", {{"LEVEL_max", 4}, {"D_LEVEL", 2}});
+    tank.set("FILL", 1);
+    tank.wait(2);
+    EXPECT_EQ(only(tank, "LEVEL"), 4);
+    EXPECT_EQ(place_of(tank), "steady");
+    tank.set("FILL", 0);
+    tank.set("DRAIN", 1);
+    tank.wait(2);
+    EXPECT_EQ(only(tank, "LEVEL"), 0);
+    EXPECT_EQ(place_of(tank), "steady");
+    EXPECT_EQ(only(bench("tank_level", {{"LEVEL_max", 4}, {"LEVEL_start", 3}}), "LEVEL"), 3);
+}
+
 TEST(TankLevel, StaysWhileAsMuchFlowsOutAsIn) {
     Bench tank = bench("tank_level", {{"LEVEL_max", 5}});
     tank.set("FILL", 1);
@@ -82,8 +98,10 @@ TEST(PartFeeder, AnEndlessOneRefillsInItsTime) {
 
 TEST(PartFeeder, AnyOtherMayRunDry) {
     Bench feeder = bench("part_feeder");
+    feeder.wait(5);
     feeder.set("TAKE", 1);
     feeder.set("TAKE", 0);
+    EXPECT_EQ(place_of(feeder), "waiting");
     EXPECT_EQ(only(feeder, "PRESENT"), 0);
     feeder.wait(1);
     EXPECT_EQ(feeder.values("PRESENT"), (Values{0, 1}));
@@ -102,7 +120,10 @@ TEST(StuckFault, StrikesAtAnyTimeAndStays) {
 }
 
 TEST(StuckSensors, FollowTheirReadingUntilTheyStickForEver) {
-    struct Case { std::string name; std::int64_t stuck; };
+    struct Case {
+        std::string name;
+        std::int64_t stuck;
+    };
     for (const auto& [name, stuck] : {Case{"sensor_stuck_at_0", 0}, {"sensor_stuck_at_1", 1}}) {
         SCOPED_TRACE(name);
         const Network network = lone_component(library_component(name));
@@ -112,6 +133,8 @@ TEST(StuckSensors, FollowTheirReadingUntilTheyStickForEver) {
             sensor.set("REAL", real);
             bool sound = false, broken = false;
             for (const TaddState& state : sensor.states()) {
+                const auto sticks = [&](const TaddMove& move) { return tadd.location(move.next, "it") == "stuck"; };
+                EXPECT_TRUE(std::ranges::any_of(tadd.successors(state), sticks));
                 const bool is_stuck = tadd.location(state, "it") == "stuck";
                 EXPECT_EQ(tadd.variable(state, "READ"), is_stuck ? stuck : real);
                 (is_stuck ? broken : sound) = true;

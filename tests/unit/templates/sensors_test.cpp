@@ -27,8 +27,8 @@ TEST(PositionSensors2, SwitchExactlyAtTheirBoundsBothWays) {
 }
 
 TEST(PositionSensors3, SwitchExactlyAtTheirBoundsBothWays) {
-    Bench sensors = bench("position_sensors_3",
-                          {{"X_IN_max", 2}, {"X_MID_min", 9}, {"X_MID_max", 11}, {"X_OUT_min", 18}}, "in");
+    Bench sensors =
+        bench("position_sensors_3", {{"X_IN_max", 2}, {"X_MID_min", 9}, {"X_MID_max", 11}, {"X_OUT_min", 18}}, "in");
     const auto expected = [](std::int64_t x) {
         return x < 2 ? "100" : x >= 9 && x <= 11 ? "010" : x >= 18 ? "001" : "000";
     };
@@ -42,9 +42,26 @@ TEST(PositionSensors3, SwitchExactlyAtTheirBoundsBothWays) {
     }
 }
 
+TEST(PositionSensors3, FollowEveryJump) {
+    const std::map<std::string, std::int64_t> bounds{
+        {"X_IN_max", 2}, {"X_MID_min", 9}, {"X_MID_max", 11}, {"X_OUT_min", 18}};
+    const auto expected = [](std::int64_t x) {
+        return x < 2 ? "100" : x >= 9 && x <= 11 ? "010" : x >= 18 ? "001" : "000";
+    };
+    for (std::int64_t from = 0; from <= 20; ++from) {
+        for (std::int64_t to = 0; to <= 20; ++to) {
+            Bench sensors = bench("position_sensors_3", bounds, "in");
+            sensors.set("X", from);
+            sensors.set("X", to);
+            EXPECT_EQ(readings(sensors, {"IN", "MID", "OUT"}), expected(to)) << from << " -> " << to;
+        }
+    }
+}
+
 TEST(PositionSensors3, AJumpOverTheMiddleGivesNoPulse) {
-    Network network = lone_component(library_component("position_sensors_3"),
-                                     {{"X_IN_max", 2}, {"X_MID_min", 9}, {"X_MID_max", 11}, {"X_OUT_min", 18}}, "in_mid");
+    Network network =
+        lone_component(library_component("position_sensors_3"),
+                       {{"X_IN_max", 2}, {"X_MID_min", 9}, {"X_MID_max", 11}, {"X_OUT_min", 18}}, "in_mid");
     for (const std::int64_t x : {5, 15}) {
         for (Network::Variable& variable : network.variables)
             if (variable.name == "X") variable.initial = x;
@@ -86,6 +103,10 @@ TEST(CombinationSensor, DetectsTheCombinationOfEitherPolarity) {
             }
         }
     }
+}
+
+TEST(CombinationSensor, CanStartOn) {
+    EXPECT_EQ(place_of(bench("combination_sensor", {{"A_ON", 0}, {"B_ON", 0}}, "on")), "on");
 }
 
 }  // namespace

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// The arrows of the main job on generated charts of 1,000 to 100,000 steps: read, derive, plant and compose, emit.
+// Each is reported per step; growth must be linear.
+#include <benchmark/benchmark.h>
+
+#include <sstream>
+#include <string>
+
+#include "app/library.hpp"
+#include "generate.hpp"
+#include "grafverif/compose/compose.hpp"
+#include "grafverif/derive/derive.hpp"
+#include "grafverif/emit/nusmv.hpp"
+#include "grafverif/emit/uppaal.hpp"
+#include "grafverif/plant/plant.hpp"
+#include "grafverif/read/text.hpp"
+#include "grafverif/schedule/controller.hpp"
+
+namespace grafverif {
+namespace {
+
+Model read(const std::string& text) {
+    Sources sources;
+    Diagnostics diagnostics;
+    const Id<Source> file = sources.add({"ring.grafcet", text});
+    return read_text(file, sources, {{}, app::library()}, diagnostics).value();
+}
+
+Equations derived(const Model& model) {
+    Diagnostics diagnostics;
+    return derive(*model.charts.begin(), diagnostics).value();
+}
+
+Network composed(const Model& model, const Equations& equations) {
+    Diagnostics diagnostics;
+    const ClosedLoop& loop = *model.loops.begin();
+    const Network alone = plant(model, loop, diagnostics).value();
+    return compose(alone, model, loop, {&equations, 1}, {}, diagnostics).value();
+}
+
+void per_step(benchmark::State& state) {
+    state.counters["steps/s"] =
+        benchmark::Counter(static_cast<double>(state.range(0)) * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    state.SetComplexityN(state.range(0));
+}
+
+void read_chart(benchmark::State& state) {
+    const std::string text = bench::ring(static_cast<std::size_t>(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(read(text));
+    per_step(state);
+}
+
+void derive_equations(benchmark::State& state) {
+    const Model model = read(bench::ring(static_cast<std::size_t>(state.range(0))));
+    for (auto _ : state) benchmark::DoNotOptimize(derived(model));
+    per_step(state);
+}
+
+void compose_network(benchmark::State& state) {
+    const Model model = read(bench::ring(static_cast<std::size_t>(state.range(0))));
+    const Equations equations = derived(model);
+    for (auto _ : state) benchmark::DoNotOptimize(composed(model, equations));
+    per_step(state);
+}
+
+void emit_uppaal(benchmark::State& state) {
+    const Model model = read(bench::ring(static_cast<std::size_t>(state.range(0))));
+    const Network network = composed(model, derived(model));
+    for (auto _ : state) {
+        std::ostringstream out;
+        uppaal::emit(uppaal::lower(network), out);
+        benchmark::DoNotOptimize(out.tellp());
+    }
+    per_step(state);
+}
+
+void emit_nusmv(benchmark::State& state) {
+    const Model model = read(bench::ring(static_cast<std::size_t>(state.range(0))));
+    const Equations equations = derived(model);
+    for (auto _ : state) {
+        std::ostringstream out;
+        nusmv::emit(schedule_controllers(model, *model.loops.begin(), {&equations, 1}), out);
+        benchmark::DoNotOptimize(out.tellp());
+    }
+    per_step(state);
+}
+
+void text_to_uppaal(benchmark::State& state) {
+    const std::string text = bench::ring(static_cast<std::size_t>(state.range(0)));
+    for (auto _ : state) {
+        const Model model = read(text);
+        std::ostringstream out;
+        uppaal::emit(uppaal::lower(composed(model, derived(model))), out);
+        benchmark::DoNotOptimize(out.tellp());
+    }
+    per_step(state);
+}
+
+}  // namespace
+
+BENCHMARK(read_chart)->RangeMultiplier(10)->Range(1'000, 100'000)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(derive_equations)->RangeMultiplier(10)->Range(1'000, 100'000)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(compose_network)->RangeMultiplier(10)->Range(1'000, 100'000)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(emit_uppaal)->RangeMultiplier(10)->Range(1'000, 100'000)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(emit_nusmv)->RangeMultiplier(10)->Range(1'000, 100'000)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(text_to_uppaal)->RangeMultiplier(10)->Range(1'000, 100'000)->Complexity()->Unit(benchmark::kMillisecond);
+
+}  // namespace grafverif
+
+BENCHMARK_MAIN();

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// A closed loop as a tree. Arguments that have their default value are written all the same: the IR does not tell.
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "grafverif/support/overloaded.hpp"
+#include "syntax/print_model.hpp"
+
+namespace grafverif {
+
+namespace {
+
+class LoopPrinter {
+public:
+    LoopPrinter(const ClosedLoop& loop, const Model& model, Trees& trees) : loop_(loop), model_(model), trees_(trees) {
+        for (const ClosedLoop::Controller& controller : loop.controllers) {
+            const Chart& chart = model.charts[controller.chart];
+            for (const Chart::Step& step : chart.steps) ++namesakes_["X" + step.name];
+            for (const Chart::Variable& variable : chart.variables)
+                if (variable.kind == Chart::VariableKind::Internal) ++namesakes_[variable.name];
+        }
+        for (const ClosedLoop::Shared& shared : loop.shared) ++namesakes_[shared.name];
+    }
+
+    tree::ClosedLoop print() {
+        tree::ClosedLoop printed;
+        printed.name = trees_.name(loop_.name);
+        printed.where = trees_.next();
+        for (const ClosedLoop::Controller& controller : loop_.controllers) {
+            const bool search = controller.mode == ExecutionMode::StabilitySearch;
+            const Span where = trees_.next();
+            printed.items.emplace_back(tree::Controller{trees_.name(controller.name), {trees_.name(search ? "stability_search" : "every_cycle")}, where});
+        }
+        if (loop_.grain == Grain::Atomic) printed.items.emplace_back(tree::Grain{trees_.name("atomic"), trees_.next()});
+        if (loop_.time_unit_ms) {
+            const Span where = trees_.next();
+            printed.items.emplace_back(tree::TimeUnit{trees_.duration(*loop_.time_unit_ms), where});
+        }
+        bool first = true;
+        for (const ClosedLoop::Instance& one : loop_.instances) printed.items.emplace_back(instance(one, std::exchange(first, false)));
+        first = true;
+        for (const Id<Expr> condition : loop_.constraints) {
+            const Span where = trees_.next(std::exchange(first, false));
+            printed.items.emplace_back(tree::Constraint{expression(condition), where});
+        }
+        first = true;
+        for (const Property& one : loop_.properties) printed.items.emplace_back(property(one, std::exchange(first, false)));
+        trees_.end(printed.where);
+        return printed;
+    }
+
+private:
+    Id<tree::Expr> constant(Component::ValueKind kind, std::int64_t value) {
+        switch (kind) {
+        case Component::ValueKind::Boolean:  return trees_.node(value != 0 ? tree::Op::True : tree::Op::False, {});
+        case Component::ValueKind::Integer:  return trees_.number(value);
+        case Component::ValueKind::Duration: return trees_.duration(value);
+        }
+        unreachable();
+    }
+
+    tree::Instance instance(const ClosedLoop::Instance& declared, bool first) {
+        const Component& component = model_.components[declared.component];
+        tree::Instance written;
+        written.where = trees_.next(first);
+        written.environment = declared.environment;
+        written.name = trees_.name(declared.name);
+        written.component = trees_.name(component.name);
+        for (const Id<Component::Parameter> id : component.parameters.ids()) {
+            const Component::Parameter& parameter = component.parameters[id];
+            const Id<tree::Expr> value = std::visit(overloaded{
+                [&](Id<ClosedLoop::Shared> shared) { return trees_.path(loop_.shared[shared].name); },
+                [&](std::int64_t number) { return constant(parameter.value, number); },
+            }, declared.arguments[id.index]);
+            written.arguments.push_back({trees_.name(parameter.name), value, {}});
+        }
+        if (declared.initial != component.initial) written.initial = trees_.name(component.locations[declared.initial].name);
+        return written;
+    }
+
+    // -- names in properties -----------------------------------------------------------------------------------------------
+
+    std::string in_controller(Id<ClosedLoop::Controller> controller, const std::string& name) const {
+        return namesakes_.at(name) == 1 ? name : loop_.controllers[controller].name + '.' + name;
+    }
+
+    std::string step_name(const ClosedLoop::StepSymbol& of) const {
+        const Chart& chart = model_.charts[loop_.controllers[of.controller].chart];
+        const Chart::Step& step = chart.steps[of.step];
+        const std::string& partial = chart.partial_charts[step.chart].name;
+        if (namesakes_.at("X" + step.name) == 1) return "X" + step.name;
+        return loop_.controllers[of.controller].name + '.' + (partial.empty() ? "" : partial + '.') + "X" + step.name;
+    }
+
+    std::string name_of(const ClosedLoop::Symbol& symbol) const {
+        return std::visit(overloaded{
+            [&](const ClosedLoop::SharedSymbol& of) { return loop_.shared[of.shared].name; },
+            [&](const ClosedLoop::InternalSymbol& of) {
+                return in_controller(of.controller, model_.charts[loop_.controllers[of.controller].chart].variables[of.variable].name);
+            },
+            [&](const ClosedLoop::StepSymbol& of) { return step_name(of); },
+            [&](const ClosedLoop::LocationSymbol& of) {
+                const ClosedLoop::Instance& owner = loop_.instances[of.instance];
+                return owner.name + '.' + model_.components[owner.component].locations[of.location].name;
+            },
+        }, symbol);
+    }
+
+    Id<tree::Expr> expression(Id<Expr> root) {
+        return trees_.expression(loop_.exprs, root, [&](const Expr& leaf) {
+            return trees_.path(name_of(loop_.symbols[Id<ClosedLoop::Symbol>{static_cast<std::uint32_t>(leaf.value)}]));
+        });
+    }
+
+    tree::Property property(const Property& declared, bool first) {
+        tree::Property written;
+        written.where = trees_.next(first);
+        written.name = trees_.name(declared.name);
+        written.text = declared.text;
+        written.expected_violated = declared.expected_violated;
+        written.pattern = declared.pattern;
+        for (const Id<Expr> operand : declared.operands) written.operands.push_back(expression(operand));
+        written.raw = declared.raw;
+        written.at_stable = declared.at_stable;
+        return written;
+    }
+
+    const ClosedLoop& loop_;
+    const Model& model_;
+    Trees& trees_;
+    std::unordered_map<std::string, std::size_t> namesakes_ = {};
+};
+
+}  // namespace
+
+tree::ClosedLoop tree_of(const ClosedLoop& loop, const Model& model, tree::File&, Trees& trees) {
+    return LoopPrinter(loop, model, trees).print();
+}
+
+}  // namespace grafverif

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The trees of the parts of a model.
+#pragma once
+
+#include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/syntax/tree.hpp"
+#include "syntax/trees.hpp"
+
+namespace grafverif {
+
+tree::Chart tree_of(const Chart& chart, tree::File& file, Trees& trees);
+tree::Component tree_of(const Component& component, tree::File& file, Trees& trees);
+tree::ClosedLoop tree_of(const ClosedLoop& loop, const Model& model, tree::File& file, Trees& trees);
+
+}  // namespace grafverif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Every kind of diagnostic, as the user sees it: <code>[-n].grafcet is read and taken as far as it goes, and what is
+// said must be <code>[-n].expected to the letter. GRAFVERIF_UPDATE_GOLDEN=1 rewrites those files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "grafverif/compose/compose.hpp"
+#include "grafverif/derive/derive.hpp"
+#include "grafverif/plant/plant.hpp"
+#include "grafverif/read/text.hpp"
+#include "grafverif/syntax/format.hpp"
+#include "grafverif/syntax/parse.hpp"
+
+namespace grafverif {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = GRAFVERIF_SOURCE_DIR;
+
+std::optional<std::string> content(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {};
+    std::ostringstream text;
+    text << file.rdbuf();
+    return std::move(text).str();
+}
+
+struct LibraryFile {
+    std::string name = {}, text = {}, path = {};
+};
+
+const std::vector<LibraryFile>& library_files() {
+    static const std::vector<LibraryFile> files = [] {
+        std::vector<LibraryFile> found;
+        for (const auto& entry : fs::directory_iterator(root / "templates")) {
+            if (entry.path().extension() != ".grafcet") continue;
+            found.push_back({entry.path().stem().string(), content(entry.path()).value(), entry.path().filename().string()});
+        }
+        std::ranges::sort(found, {}, &LibraryFile::name);
+        return found;
+    }();
+    return files;
+}
+
+std::vector<fs::path> rejects() {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(root / "tests/rejects"))
+        if (entry.path().extension() == ".grafcet") found.push_back(entry.path());
+    std::ranges::sort(found);
+    return found;
+}
+
+/// As far as `build` goes: every chart to equations, every loop to a network.
+void build(const Model& model, Diagnostics& diagnostics) {
+    std::vector<std::optional<Equations>> equations;
+    for (const Chart& chart : model.charts) equations.push_back(derive(chart, diagnostics));
+    for (const ClosedLoop& loop : model.loops) {
+        const auto network = plant(model, loop, diagnostics);
+        std::vector<Equations> controllers;
+        for (const auto& controller : loop.controllers)
+            if (equations[controller.chart.index]) controllers.push_back(*equations[controller.chart.index]);
+        if (network && controllers.size() == loop.controllers.size())
+            compose(*network, model, loop, controllers, {}, diagnostics);
+    }
+}
+
+std::string said_about(const std::string& name, const std::string& text) {
+    std::vector<LibraryEntry> library;
+    for (const LibraryFile& file : library_files()) library.push_back({file.name, file.text, file.path});
+    const ReadContext context{[](const std::string& path, std::string& why) {
+        auto found = content(root / "tests/rejects" / path);
+        if (!found) why = "there is no such file";
+        return found;
+    }, library};
+    Sources sources;
+    Diagnostics diagnostics;
+    const auto model = read_text(sources.add({name, text}), sources, context, diagnostics);
+    EXPECT_EQ(model.has_value(), !diagnostics.has_errors());
+    if (model) build(*model, diagnostics);
+    std::ostringstream said;
+    render_text(diagnostics.all(), sources, Colour::Plain, said);
+    return std::move(said).str();
+}
+
+/// `unknown-step-2` is about `unknown-step`.
+std::string code_of(const fs::path& reject) {
+    std::string code = reject.stem().string();
+    const std::size_t number = code.find_last_not_of("0123456789");
+    if (number + 1 < code.size() && code[number] == '-') code.resize(number);
+    return code;
+}
+
+TEST(Rejects, SayWhatIsExpected) {
+    const bool update = std::getenv("GRAFVERIF_UPDATE_GOLDEN") != nullptr;
+    for (const fs::path& reject : rejects()) {
+        SCOPED_TRACE(reject.filename().string());
+        const std::string said = said_about(reject.filename().string(), content(reject).value());
+        const fs::path expected = fs::path(reject).replace_extension(".expected");
+        if (update) std::ofstream(expected, std::ios::binary) << said;
+        EXPECT_EQ(content(expected).value_or(""), said);
+        EXPECT_NE(said.find('[' + code_of(reject) + ']'), std::string::npos) << said;
+    }
+}
+
+TEST(Rejects, ThatParseAreFormattedOnceAndForAll) {
+    for (const fs::path& reject : rejects()) {
+        SCOPED_TRACE(reject.filename().string());
+        Sources sources;
+        Diagnostics diagnostics;
+        const tree::File file = parse_file(sources.add({"reject", content(reject).value()}), sources, diagnostics);
+        if (file.broken) continue;
+        const std::string once = formatted(file);
+        const tree::File again = parse_file(sources.add({"formatted", once}), sources, diagnostics);
+        ASSERT_FALSE(again.broken) << once;
+        EXPECT_EQ(formatted(again), once);
+    }
+}
+
+TEST(Rejects, HaveBothFiles) {
+    for (const auto& entry : fs::directory_iterator(root / "tests/rejects")) {
+        if (entry.path().extension() != ".expected") continue;
+        EXPECT_TRUE(fs::exists(fs::path(entry.path()).replace_extension(".grafcet"))) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace grafverif

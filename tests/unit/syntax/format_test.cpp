@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/syntax/format.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "grafverif/syntax/parse.hpp"
+
+namespace grafverif {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string formatted_text(const std::string& text) {
+    Sources sources;
+    Diagnostics diagnostics;
+    const tree::File file = parse_file(sources.add({"test.grafcet", text}), sources, diagnostics);
+    std::ostringstream said;
+    render_text(diagnostics.all(), sources, Colour::Plain, said);
+    EXPECT_FALSE(file.broken) << said.str() << text;
+    return file.broken ? "" : formatted(file);
+}
+
+std::string formatted_condition(const std::string& text) {
+    Sources sources;
+    Diagnostics diagnostics;
+    const Id<Source> source = sources.add({"test", text});
+    const auto lone = parse_condition({source, 0, static_cast<std::uint32_t>(text.size())}, sources, diagnostics);
+    return lone ? formatted(lone->file, lone->condition) : "?";
+}
+
+struct Case {
+    std::string in, out;
+};
+
+TEST(FormatCondition, UsesOneSpellingAndTheBracketsThatHelp) {
+    const std::vector<Case> cases = {
+        {"a and  b", "a && b"},
+        {"not a or b", "!a || b"},
+        {"((a))", "a"},
+        {"(a) && (b == c)", "a && b == c"},
+        {"(a && b) || c", "(a && b) || c"},   // kept: tells the mixture apart
+        {"a && b || c", "a && b || c"},
+        {"(a || b) && c", "(a || b) && c"},
+        {"(a && b) && c", "a && b && c"},
+        {"!(a && b)", "!(a && b)"},
+        {"(a == b) == c", "(a == b) == c"},
+        {"a - (b - c)", "a - (b - c)"},
+        {"(a - b) - c", "a - b - c"},
+        {"a * (b + c)", "a * (b + c)"},
+        {"-(-a)", "-(-a)"},
+        {"- -a", "-(-a)"},
+        {"↑a && ↓(b||c)", "rise(a) && fall(b || c)"},
+        {"3s / X2", "3s/X2"},
+        {"3s/X2/2000ms", "3s/X2/2s"},
+        {"(3s/X2)/2s", "(3s/X2)/2s"},
+        {"1.5s/(a && b)", "1500ms/(a && b)"},
+        {"N / 2 > 1", "N / 2 > 1"},
+        {"G2 . X2", "G2.X2"},
+    };
+    for (const Case& example : cases) {
+        SCOPED_TRACE(example.in);
+        EXPECT_EQ(formatted_condition(example.in), example.out);
+        EXPECT_EQ(formatted_condition(example.out), example.out);
+    }
+}
+
+TEST(Format, LaysDeclarationsOut) {
+    EXPECT_EQ(formatted_text("include \"a.grafcet\"; include \"b.grafcet\";\n"
+                             "grafcet press{input START,LEVEL:int 0..10;internal N:int 0..3=0,ON=true;\n"
+                             "constraint not(START and ON);initial step 0{ALARM;LIGHT;}linked initial step 1;\n"
+                             "step 2{A if b after 3s for 5s;C:=C+1 on event rise(a);force G:={1,2};}\n"
+                             "step 3{force G:={};force H:={*};}macro step M expands E;enclosing step 6 encloses G,H{A;}\n"
+                             "transition a,b->c when true;transition t:->7 when a;transition 7->when a do N:=0,ON:=a;\n"
+                             "partial G{initial step 1;}expansion E{entry step a;exit step b;}}\n"
+                             "component arm(input A;output X:int 0..9=0;W=1s,B:bool){variable N:int 0..3;clock t,u;\n"
+                             "initial location in invariant t<=W with X:=1,N:=0;timed in->in when A&&t==W do X:=X+1,t:=0;}\n"
+                             "closed_loop cell{controller press with every_cycle;grain atomic;time unit 1000ms;\n"
+                             "plant Arm=arm(A=START,X=POS)initially in;environment E=free(OUT=a);\n"
+                             "property P\"says\"expected violated:a leads to b at stable;property Q:exactly one of{X1,X2};\n"
+                             "property R:ctl\"AG x\";accept range-skipped\"so\";observer O(input A){location l;}}"),
+              "include \"a.grafcet\";\n"
+              "include \"b.grafcet\";\n"
+              "\n"
+              "grafcet press {\n"
+              "    input START, LEVEL: int 0..10;\n"
+              "    internal N: int 0..3 = 0, ON = true;\n"
+              "    constraint !(START && ON);\n"
+              "    initial step 0 { ALARM; LIGHT; }\n"
+              "    initial linked step 1;\n"
+              "    step 2 {\n"
+              "        A if b after 3s for 5s;\n"
+              "        C := C + 1 on event rise(a);\n"
+              "        force G := {1, 2};\n"
+              "    }\n"
+              "    step 3 { force G := {}; force H := {*}; }\n"
+              "    macro step M expands E;\n"
+              "    enclosing step 6 encloses G, H { A; }\n"
+              "    transition a, b -> c when true;\n"
+              "    transition t: -> 7 when a;\n"
+              "    transition 7 -> when a do N := 0, ON := a;\n"
+              "    partial G {\n"
+              "        initial step 1;\n"
+              "    }\n"
+              "    expansion E {\n"
+              "        entry step a;\n"
+              "        exit step b;\n"
+              "    }\n"
+              "}\n"
+              "\n"
+              "component arm(input A; output X: int 0..9 = 0; W = 1s, B: bool) {\n"
+              "    variable N: int 0..3;\n"
+              "    clock t, u;\n"
+              "    initial location in invariant t <= W with X := 1, N := 0;\n"
+              "    timed in -> in when A && t == W do X := X + 1, t := 0;\n"
+              "}\n"
+              "\n"
+              "closed_loop cell {\n"
+              "    controller press with every_cycle;\n"
+              "    grain atomic;\n"
+              "    time unit 1s;\n"
+              "    plant Arm = arm(A = START, X = POS) initially in;\n"
+              "    environment E = free(OUT = a);\n"
+              "    property P \"says\" expected violated: a leads to b at stable;\n"
+              "    property Q: exactly one of {X1, X2};\n"
+              "    property R: ctl \"AG x\";\n"
+              "    accept range-skipped \"so\";\n"
+              "    observer O(input A) {\n"
+              "        location l;\n"
+              "    }\n"
+              "}\n");
+}
+
+TEST(Format, KeepsCommentsAndSingleBlankLines) {
+    EXPECT_EQ(formatted_text("// head\n"
+                             "\n"
+                             "\n"
+                             "/* about a */ grafcet a { // behind the head\n"
+                             "\n"
+                             "  // before the input\n"
+                             "  input A, // behind A\n"
+                             "    B; // behind B\n"
+                             "  step 1; // one\n"
+                             "  step 1000 { A; } /* thousand */ // and more\n"
+                             "\n"
+                             "\n"
+                             "  // before two\n"
+                             "\n"
+                             "  step 2 { A; // the action\n"
+                             "    /* last */ }\n"
+                             "  /* a comment\n"
+                             "     of two lines */\n"
+                             "  transition t: 1 -> 2 when /* why */ A;\n"
+                             "  // at the end\n"
+                             "} // behind the brace\n"
+                             "// last words"),
+              "// head\n"
+              "\n"
+              "/* about a */\n"
+              "grafcet a {  // behind the head\n"
+              "    // before the input\n"
+              "    // behind A\n"
+              "    input A, B;             // behind B\n"
+              "    step 1;                 // one\n"
+              "    step 1000 { A; }  /* thousand */ // and more\n"
+              "\n"
+              "    // before two\n"
+              "\n"
+              "    step 2 {\n"
+              "        A;  // the action\n"
+              "        /* last */\n"
+              "    }\n"
+              "    /* a comment\n"
+              "     of two lines */\n"
+              "    /* why */\n"
+              "    transition t: 1 -> 2 when A;\n"
+              "    // at the end\n"
+              "}  // behind the brace\n"
+              "// last words\n");
+}
+
+TEST(Format, BreaksLinesThatAreTooLong) {
+    const std::string text = formatted_text(
+        "component c(input SOME_RATHER_LONG_NAME_A, SOME_RATHER_LONG_NAME_B; output SOME_RATHER_LONG_NAME_C, D; E = 1, F = 2) {\n"
+        "    timed some_rather_long_location -> another_rather_long_location when SOME_RATHER_LONG_NAME_A && "
+        "SOME_RATHER_LONG_NAME_B do SOME_RATHER_LONG_NAME_C := true;\n"
+        "}\n"
+        "closed_loop l {\n"
+        "    plant P = c(SOME_RATHER_LONG_NAME_A = SOMETHING, SOME_RATHER_LONG_NAME_B = SOMETHING_ELSE, "
+        "SOME_RATHER_LONG_NAME_C = A_THIRD_THING);\n"
+        "    property P \"a sentence of some length about what is to be proved here\": never SOME_RATHER_LONG_NAME_A && "
+        "SOME_RATHER_LONG_NAME_B;\n"
+        "}\n");
+    EXPECT_EQ(text,
+              "component c(input SOME_RATHER_LONG_NAME_A, SOME_RATHER_LONG_NAME_B; output SOME_RATHER_LONG_NAME_C, D;\n"
+              "            E = 1, F = 2) {\n"
+              "    timed some_rather_long_location -> another_rather_long_location\n"
+              "        when SOME_RATHER_LONG_NAME_A && SOME_RATHER_LONG_NAME_B do SOME_RATHER_LONG_NAME_C := true;\n"
+              "}\n"
+              "\n"
+              "closed_loop l {\n"
+              "    plant P = c(SOME_RATHER_LONG_NAME_A = SOMETHING, SOME_RATHER_LONG_NAME_B = SOMETHING_ELSE,\n"
+              "                SOME_RATHER_LONG_NAME_C = A_THIRD_THING);\n"
+              "    property P \"a sentence of some length about what is to be proved here\":\n"
+              "        never SOME_RATHER_LONG_NAME_A && SOME_RATHER_LONG_NAME_B;\n"
+              "}\n");
+}
+
+TEST(Format, ChangesNothingTheSecondTime) {
+    const std::vector<std::string> texts = {
+        "",
+        "// only a comment",
+        "/* a */ /* b */ // c\n\n\n// d",
+        "grafcet a{/*x*/}",
+        "grafcet a{//x\n}",
+        "grafcet a{\n\n//x\n\n//y\n\n}\n\n\n",
+        "grafcet a /* 1 */ { /* 2 */ input /* 3 */ A /* 4 */ , /* 5 */ B /* 6 */ ; /* 7 */ } /* 8 */",
+        "grafcet a { step 1 { // x\n A; } step 2 { /* y */ } step 3 { A; /* z\n z */ B; } }",
+        "grafcet a { step 1; /* two\n lines */ step 2; // behind\n // own\n }",
+        "component c( // in the head\n input A; // A\n B = 1 /* B */ ) { // body\n location l; }",
+        "include \"a\"; // why\n// before\ninclude \"b\";\n// before a\ngrafcet a { initial step 0; }",
+        "closed_loop l { // one\n // two\n plant p = c( // three\n a = b, // four\n c = d); // five\n}",
+        "grafcet a {\r\n    // windows\r\n    input A; // lines\r\n\r\n    input B;\r\n}\r\n",
+        "grafcet a { partial p { // in p\n step 1; } // after p\n }",
+    };
+    for (const std::string& text : texts) {
+        SCOPED_TRACE(text);
+        const std::string once = formatted_text(text);
+        EXPECT_EQ(formatted_text(once), once);
+        for (const char* mark : {"/*", "//"}) {   // no comment is lost
+            const auto count = [&](const std::string& in) {
+                std::size_t found = 0;
+                for (std::size_t at = in.find(mark); at != std::string::npos; at = in.find(mark, at + 2)) ++found;
+                return found;
+            };
+            EXPECT_EQ(count(once), count(text)) << once;
+        }
+    }
+}
+
+TEST(Format, LeavesSamplesAndTemplatesThatAreFormattedAlone) {
+    std::size_t files = 0;
+    for (const char* folder : {"samples", "templates"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(GRAFVERIF_SOURCE_DIR) / folder)) {
+            if (entry.path().extension() != ".grafcet") continue;
+            SCOPED_TRACE(entry.path());
+            std::ifstream in(entry.path(), std::ios::binary);
+            std::ostringstream text;
+            text << in.rdbuf();
+            EXPECT_EQ(formatted_text(text.str()), text.str());
+            ++files;
+        }
+    }
+    EXPECT_GT(files, 20u);
+}
+
+}  // namespace
+}  // namespace grafverif

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/syntax/parse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "grafverif/syntax/format.hpp"
+
+namespace grafverif {
+namespace {
+
+/// A term with every operator in brackets: what the grammar made of it.
+std::string shape(const tree::File& file, Id<tree::Expr> id) {
+    const tree::Expr& node = file.exprs[id];
+    if (!node.first.valid()) return formatted(file, id);
+    if (node.op == tree::Op::Member) return shape(file, node.first) + '.' + std::string(file.text(node.word));
+    const char* const names[] = {"false", "true", "number", "duration", "name", "member", "not", "rise", "fall", "negate", "and",
+                                 "or", "==", "!=", "<", "<=", ">", ">=", "+", "-", "*", "/", "%"};
+    std::string text = std::string("(") + names[static_cast<std::size_t>(node.op)];
+    for (Id<tree::Expr> operand = node.first; operand.valid(); operand = file.exprs[operand].next) text += ' ' + shape(file, operand);
+    return text + ')';
+}
+
+Sources one(std::string text) {
+    Sources sources;
+    sources.add({"test.grafcet", std::move(text)});
+    return sources;
+}
+
+Span whole(const Sources& sources) {
+    return {Id<Source>{0}, 0, static_cast<std::uint32_t>(sources[Id<Source>{0}].text.size())};
+}
+
+/// The place and code of each error, one a line.
+std::string errors(const Diagnostics& diagnostics, const Sources& sources) {
+    std::ostringstream out;
+    for (const Diagnostic& diagnostic : diagnostics.all()) {
+        const Place at = place(sources[diagnostic.where.source].text, diagnostic.where.begin);
+        out << at.line << ':' << at.column << ' ' << diagnostic.code << '\n';
+    }
+    return std::move(out).str();
+}
+
+std::string errors_of(const std::string& text) {
+    const Sources sources = one(text);
+    Diagnostics diagnostics;
+    const tree::File file = parse_file(Id<Source>{0}, sources, diagnostics);
+    EXPECT_EQ(file.broken, diagnostics.has_errors());
+    return errors(diagnostics, sources);
+}
+
+struct Case {
+    std::string in, out;
+};
+
+TEST(ParseCondition, BindsOperatorsAsTheLanguageSays) {
+    const std::vector<Case> cases = {
+        {"a || b && c", "(or a (and b c))"},
+        {"a and b or not c", "(or (and a b) (not c))"},
+        {"a && b && c && d", "(and a b c d)"},
+        {"(a && b) && c", "(and (and a b) c)"},
+        {"!a == b", "(== (not a) b)"},
+        {"N + 1 < M * 2", "(< (+ N 1) (* M 2))"},
+        {"a - b - c", "(- (- a b) c)"},
+        {"a - (b - c)", "(- a (- b c))"},
+        {"a * -b % c", "(% (* a (negate b)) c)"},
+        {"3s/X2/2s && b", "(and (/ (/ 3s X2) 2s) b)"},
+        {"rise(a) && ↓b", "(and (rise a) (fall b))"},
+        {"↑(a || b)", "(rise (or a b))"},
+        {"cell.G2.X2 || Arm.10", "(or cell.G2.X2 Arm.10)"},
+        {"2min + 1.5s + 250ms", "(+ (+ 120s 1500ms) 250ms)"},
+        {"!!a", "(not (not a))"},
+        {"a /* between */ && // behind\n b", "(and a b)"},
+    };
+    for (const Case& example : cases) {
+        SCOPED_TRACE(example.in);
+        const Sources sources = one(example.in);
+        Diagnostics diagnostics;
+        const auto lone = parse_condition(whole(sources), sources, diagnostics);
+        ASSERT_TRUE(lone) << errors(diagnostics, sources);
+        EXPECT_EQ(shape(lone->file, lone->condition), example.out);
+    }
+}
+
+TEST(ParseCondition, RefusesWhatIsNoCondition) {
+    const std::vector<Case> cases = {
+        {"", "1:1 unexpected-end\n"},
+        {"a b", "1:3 unexpected\n"},
+        {"a < b < c", "1:7 unexpected\n"},
+        {"a = b", "1:3 single-equals\n"},
+        {"(a", "1:3 unexpected-end\n"},
+        {"a && 3x", "1:6 unknown-unit\n"},
+        {"always a", "1:1 unexpected\n"},
+        {"a <> b", "1:3 other-spelling\n"},
+    };
+    for (const Case& example : cases) {
+        SCOPED_TRACE(example.in);
+        const Sources sources = one(example.in);
+        Diagnostics diagnostics;
+        EXPECT_FALSE(parse_condition(whole(sources), sources, diagnostics));
+        EXPECT_EQ(errors(diagnostics, sources), example.out);
+    }
+}
+
+TEST(ParseCondition, ReadsAPartOfItsSourceAndKeepsThePlaces) {
+    const Sources sources = one("<condition>a && b</condition>");
+    Diagnostics diagnostics;
+    const auto lone = parse_condition({Id<Source>{0}, 11, 17}, sources, diagnostics);
+    ASSERT_TRUE(lone);
+    EXPECT_EQ(lone->file.exprs[lone->condition].where.begin, 11u);
+    EXPECT_EQ(lone->file.exprs[lone->condition].where.end, 17u);
+}
+
+TEST(ParseProperty, KnowsEveryPattern) {
+    const std::vector<std::pair<std::string, Pattern>> cases = {
+        {"always a", Pattern::Always}, {"never a && b", Pattern::Never}, {"reachable a", Pattern::Reachable},
+        {"inevitable a", Pattern::Inevitable}, {"a || b leads to c", Pattern::LeadsTo}, {"no deadlock", Pattern::NoDeadlock},
+        {"no timelock", Pattern::NoTimelock}, {"reachable all steps", Pattern::ReachableAllSteps},
+        {"exactly one of {X1, X2, X3}", Pattern::ExactlyOneOf}, {"always possible a", Pattern::AlwaysPossible},
+        {"uppaal \"A[] a\"", Pattern::RawUppaal}, {"ctl \"AG a\"", Pattern::RawCtl}, {"ltl \"G a\"", Pattern::RawLtl},
+    };
+    for (const auto& [text, pattern] : cases) {
+        SCOPED_TRACE(text);
+        const Sources sources = one(text);
+        Diagnostics diagnostics;
+        const auto lone = parse_property(whole(sources), sources, diagnostics);
+        ASSERT_TRUE(lone) << errors(diagnostics, sources);
+        EXPECT_EQ(lone->property.pattern, pattern);
+    }
+}
+
+TEST(ParseFile, TakesWordsOfTheLanguageAsNames) {
+    EXPECT_EQ(errors_of("grafcet on {\n"
+                        "    input in, out, mid, still, with, at, stable, no, all, one, time, unit, event, if, for, after;\n"
+                        "    output initial, location, plant, rise, int: int 0..3, bool;\n"
+                        "    initial step partial { initial if with && !no || rise(rise); bool := int > 1 on event on; }\n"
+                        "    step macro;\n"
+                        "    transition of: partial -> macro, 7 when time && unit;\n"
+                        "}\n"
+                        "component to(input leads; clock = 1) {\n"
+                        "    clock clock;\n"
+                        "    initial location in with out := true;\n"
+                        "    urgent in -> in when urgent do timed := 0;\n"
+                        "}\n"
+                        "closed_loop loop {\n"
+                        "    controller with with stability_search;\n"
+                        "    plant plant = environment(in = on, at = stable) initially mid;\n"
+                        "    property property \"no\" expected violated: exactly leads to one at stable;\n"
+                        "    property no: always no.no && exactly.of;\n"
+                        "}\n"),
+              "");
+}
+
+TEST(ParseFile, GoesOnWithTheNextDeclarationAfterAnError) {
+    const std::vector<Case> cases = {
+        {"grafcet a {\n    input A B;\n    input C D;\n    step 1;\n}\n", "2:13 unexpected\n3:13 unexpected\n"},
+        {"grafcet a {\n    input A\n    output B;\n    step ;\n}\n", "2:12 missing-semicolon\n4:10 unexpected\n"},
+        {"grafcet a {\n    step 1 { A\n    step 2;\n    step 3 4;\n}\n", "2:15 missing-semicolon\n4:12 unexpected\n"},
+        {"grafcet a {\n    step 1;\n\ngrafcet b {\n    step 2 3;\n}\n", "4:1 unexpected\n5:12 unexpected\n"},
+        {"grafcet a {\n    step 1 { force G := {1, ; }; B C; }\n    step 2 3;\n}\n", "2:29 unexpected\n2:36 unexpected\n3:12 unexpected\n"},
+        {"grafcet a b {\n    step 1 2;\n}\ngrafcet c {\n    step 1 2;\n}\n", "1:11 unexpected\n5:12 unexpected\n"},
+        {"grafcet a {\n    step 1 { X; };\n    step 2 3;\n}\n", "2:17 unexpected\n3:12 unexpected\n"},
+        {"nothing\ngrafcet a {\n    step 1 2;\n}\n", "1:1 unexpected\n3:12 unexpected\n"},
+        {"grafcet a {\n    partial p {\n        step 1 2;\n        input a;\n    }\n    step 1 2;\n}\n",
+         "3:16 unexpected\n4:9 unexpected\n6:12 unexpected\n"},
+    };
+    for (const Case& example : cases) {
+        SCOPED_TRACE(example.in);
+        EXPECT_EQ(errors_of(example.in), example.out);
+    }
+}
+
+TEST(ParseFile, MarksTheDeclarationsThatAreBroken) {
+    const Sources sources = one("grafcet a {\n    step 1 2;\n}\ngrafcet b {\n    step 1;\n}\n");
+    Diagnostics diagnostics;
+    const tree::File file = parse_file(Id<Source>{0}, sources, diagnostics);
+    ASSERT_EQ(file.declarations.size(), 2u);
+    EXPECT_TRUE(std::get<tree::Chart>(file.declarations[0]).broken);
+    EXPECT_FALSE(std::get<tree::Chart>(file.declarations[1]).broken);
+    EXPECT_FALSE(file.lost);
+}
+
+TEST(ParseFile, StopsAtFiftyErrors) {
+    std::string text = "grafcet a {\n";
+    for (int i = 0; i < 1000; ++i) text += "    step 1 2;\n";
+    const Sources sources = one(text + "}\n");
+    Diagnostics diagnostics;
+    parse_file(Id<Source>{0}, sources, diagnostics);
+    EXPECT_EQ(diagnostics.errors(), Diagnostics::limit);
+}
+
+TEST(ParseFile, SkipsAByteOrderMark) { EXPECT_EQ(errors_of("\xEF\xBB\xBFgrafcet a {\n    initial step 1;\n}\n"), ""); }
+
+TEST(ParseFile, RefusesBytesThatAreNoText) {
+    using namespace std::string_literals;
+    EXPECT_EQ(errors_of("// \xC0\xAF\n"), "1:4 invalid-utf8\n");           // overlong
+    EXPECT_EQ(errors_of("// \xED\xA0\x80\n"), "1:4 invalid-utf8\n");       // surrogate
+    EXPECT_EQ(errors_of("// \xF4\x90\x80\x80\n"), "1:4 invalid-utf8\n");   // beyond U+10FFFF
+    EXPECT_EQ(errors_of("// \xE2\x86"), "1:4 invalid-utf8\n");             // cut
+    EXPECT_EQ(errors_of("grafcet a {\n    input a\0b;\n}\n"s), "2:12 unexpected-character\n");
+    EXPECT_EQ(errors_of("// ünïcödé and ↑ in comments\ngrafcet a {\n    initial step 1;\n}\n"), "");
+}
+
+// -- limits ------------------------------------------------------------------------------------------------------------
+
+std::string condition_errors(const std::string& text) {
+    const Sources sources = one(text);
+    Diagnostics diagnostics;
+    parse_condition(whole(sources), sources, diagnostics);
+    return errors(diagnostics, sources);
+}
+
+std::string repeated(const std::string& part, int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += part;
+    return text;
+}
+
+TEST(Limits, ExpressionsNestAThousandLevels) {
+    EXPECT_EQ(condition_errors(repeated("(", 1000) + "a" + repeated(")", 1000)), "");
+    EXPECT_EQ(condition_errors(repeated("(", 10001) + "a" + repeated(")", 10001)), "1:1001 too-deep\n");
+    EXPECT_EQ(condition_errors(repeated("!", 10001) + "a"), "1:1001 too-deep\n");
+    EXPECT_EQ(condition_errors(repeated("!(", 5000) + "a" + repeated(")", 5000)), "1:1001 too-deep\n");
+    EXPECT_EQ(condition_errors("a" + repeated(" + a", 10001) + " > 1"), "1:1 too-deep\n");
+    EXPECT_EQ(condition_errors(repeated("(a && ", 900) + "b" + repeated(")", 900)), "");
+    EXPECT_EQ(condition_errors("a" + repeated(".b", 10001)), "1:1 too-deep\n");
+}
+
+TEST(Limits, ConjunctionsMayBeWide) { EXPECT_EQ(condition_errors("a" + repeated(" && a", 100000)), ""); }
+
+TEST(Limits, NamesHaveAThousandBytes) {
+    EXPECT_EQ(condition_errors(repeated("a", 1000)), "");
+    EXPECT_EQ(condition_errors(repeated("a", 1001)), "1:1 name-too-long\n");
+    EXPECT_EQ(condition_errors(repeated("a", 1 << 20)), "1:1 name-too-long\n");
+}
+
+TEST(Limits, BlocksThatNestWithoutEndAreErrorsNotCrashes) {
+    EXPECT_NE(errors_of("grafcet a {" + repeated("partial b {", 100000)), "");
+    EXPECT_NE(errors_of(repeated("{", 100000)), "");
+    EXPECT_NE(errors_of(repeated("grafcet a {\n", 10000)), "");
+}
+
+}  // namespace
+}  // namespace grafverif
