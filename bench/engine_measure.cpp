@@ -28,7 +28,8 @@ void print(const TimedResult& result) {
     for (const ModelError& error : result.errors) fmt::print("  model error: {}\n", word(error.kind));
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    fmt::print("  peak {} MiB\n", usage.ru_maxrss / 1024);
+    const double cpu = static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) / 1e6;
+    fmt::print("  peak {} MiB, {:.2f} s of the processor\n", usage.ru_maxrss / 1024, cpu);
 }
 
 Network chosen(const std::string& what, int count, char** values) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/pipeline.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <vector>
@@ -28,10 +29,29 @@ std::optional<Id<Source>> read_source(const std::string& path, Job& job) {
     return job.sources.add({path, std::move(*text)});
 }
 
+namespace {
+
+/// Whether `included` lies below the folder of the main file or below the current folder, links followed: a chart does
+/// not decide which other files of the machine are read.
+bool in_reach(const std::filesystem::path& included, const std::filesystem::path& main) {
+    const auto below = [file = std::filesystem::weakly_canonical(included)](const std::filesystem::path& folder) {
+        const std::filesystem::path root = std::filesystem::weakly_canonical(folder);
+        return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+    };
+    return below(std::filesystem::absolute(main).parent_path()) || below(std::filesystem::current_path());
+}
+
+}  // namespace
+
 std::optional<Model> read_model(const std::string& path, Job& job) {
     const auto file = read_source(path, job);
     if (!file) return {};
-    const ReadContext context{[](const std::string& included, std::string& why) { return read_file(included, why); }, library()};
+    const ReadContext context{[&path](const std::string& included, std::string& why) -> std::optional<std::string> {
+                                  if (in_reach(included, path)) return read_file(included, why);
+                                  why = "it lies neither below the folder of the main file nor below the current one";
+                                  return {};
+                              },
+                              library()};
     return read_text(*file, job.sources, context, job.diagnostics);
 }
 

@@ -37,12 +37,12 @@ std::vector<Network::Assignment> flags_reset(Network& network, const ControllerP
 
 std::optional<Network::Role> symbol_role(Equations::Role role) {
     switch (role) {
-    case Equations::Role::Input:           return Network::Role::Input;
-    case Equations::Role::Output:          return Network::Role::Output;
-    case Equations::Role::Internal:        return Network::Role::Internal;
-    case Equations::Role::Step:
-    case Equations::Role::FiringCondition:
-    case Equations::Role::TimerEnd:        return {};
+        case Equations::Role::Input: return Network::Role::Input;
+        case Equations::Role::Output: return Network::Role::Output;
+        case Equations::Role::Internal: return Network::Role::Internal;
+        case Equations::Role::Step:
+        case Equations::Role::FiringCondition:
+        case Equations::Role::TimerEnd: return {};
     }
     unreachable();
 }
@@ -74,7 +74,8 @@ public:
 
     /// What tells a run of the cycle in the words of the chart; without its process.
     Network::Controller words() const {
-        Network::Controller words{.name = parts_.name, .mode = parts_.mode, .waiting = waiting_, .stable = parts_.stable};
+        Network::Controller words{
+            .name = parts_.name, .mode = parts_.mode, .waiting = waiting_, .stable = parts_.stable};
         words.start = start_;
         words.fire = fire_;
         words.evolve = evolve_;

@@ -17,7 +17,7 @@ using Pair = std::pair<std::size_t, std::size_t>;
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t longest_line = 6;   // nodes; a longer path is drawn as a ring
 constexpr std::size_t fully_ordered = 8;  // nodes up to which every order on the ring is tried
-constexpr std::size_t somewhat_ordered = 60;
+constexpr std::size_t somewhat_ordered = 30;
 constexpr double lane_offset = 16;
 constexpr double label_gap = 6;
 

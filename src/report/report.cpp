@@ -23,9 +23,11 @@ const Property* property_of(const Network& network, const std::string& name) {
 
 std::string edge_words(const Network& network, const ModelError& error) {
     const Network::Process& process = network.processes[error.process];
+    for (const Network::Controller& controller : network.controllers)
+        if (controller.process == error.process) return fmt::format("an evolution of `{}`", controller.name);
     const Network::Template& automaton = network.templates[process.automaton];
     const Network::Edge& edge = automaton.edges[error.edge];
-    return fmt::format("`{}`: {} -> {}", process.name, automaton.locations[edge.from].name, automaton.locations[edge.to].name);
+    return fmt::format("`{}` on its way {} -> {}", process.name, automaton.locations[edge.from].name, automaton.locations[edge.to].name);
 }
 
 std::string message_of(const Network& network, const ModelError& error) {
@@ -33,10 +35,10 @@ std::string message_of(const Network& network, const ModelError& error) {
     switch (error.kind) {
     case ModelError::Kind::OutOfRange: {
         const Type& type = network.variables[error.variable].type;
-        return fmt::format("`{}` would leave its range {}..{} ({})", name, type.low, type.high, edge_words(network, error));
+        return fmt::format("`{}` would leave its range {}..{}, in {}", name, type.low, type.high, edge_words(network, error));
     }
     case ModelError::Kind::ActionRace: return "two stored actions give one variable different values in one evolution";
-    case ModelError::Kind::NoValue:    return fmt::format("division by zero ({})", edge_words(network, error));
+    case ModelError::Kind::NoValue:    return fmt::format("division by zero, in {}", edge_words(network, error));
     }
     unreachable();
 }

@@ -46,6 +46,30 @@ struct Excerpt {
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
+/// The bytes of the UTF-8 character that `text` begins with; 0 where it begins with none.
+std::size_t character(std::string_view text) {
+    const auto first = static_cast<unsigned char>(text.front());
+    const std::size_t length = first < 0x80 ? 1 : first >= 0xC2 && first < 0xE0 ? 2 : first >= 0xE0 && first < 0xF0 ? 3
+                               : first >= 0xF0 && first < 0xF5 ? 4 : 0;
+    if (length == 0 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if (!continues_character(text[i])) return 0;
+    return length;
+}
+
+/// `text` with `?` for each byte that a terminal must not see: controls and what is no UTF-8.
+std::string printable(std::string_view text) {
+    std::string shown;
+    while (!text.empty()) {
+        const std::size_t length = character(text);
+        const bool control = length == 1 && (static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7F) && text[0] != '\t';
+        if (length == 0 || control) shown += '?';
+        else shown += text.substr(0, length);
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return shown;
+}
+
 Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length) {
     std::size_t from = column > clip_columns * 3 / 4 ? column - clip_columns / 2 : 0;
     while (from > 0 && from < line.size() && continues_character(line[from])) --from;
@@ -55,10 +79,7 @@ Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length) {
     Excerpt shown;
     if (from > 0) shown.text = "...";
     shown.marks.assign(shown.text.size(), ' ');
-    for (const char byte : line.substr(from, to - from)) {
-        const bool printable = static_cast<unsigned char>(byte) >= 0x20 || byte == '\t';
-        shown.text += printable ? byte : '?';
-    }
+    shown.text += printable(line.substr(from, to - from));
     if (to < line.size()) shown.text += "...";
     for (std::size_t at = from; at < std::min(column, to); ++at) {
         if (line[at] == '\t') shown.marks += '\t';

@@ -32,7 +32,7 @@ Diagnostic cannot_read(std::string_view path, std::string_view why) {
     return error("cannot-read", {}, fmt::format("cannot read `{}`: {}", path, why));
 }
 
-Diagnostic world_failed(std::string_view what) { return error("world", {}, std::string(what)); }
+Diagnostic world_failed(std::string_view what) { return error("cannot-write", {}, std::string(what)); }
 
 Diagnostic no_closed_loop() {
     return error("no-closed-loop", {},

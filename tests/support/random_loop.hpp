@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random well-formed closed loops: one or two random charts, the second of which may read outputs of the first, and a
-// plant of small components that drives every input: switches, wandering levels, actuators that follow an output after a
-// while. With properties over everything that a property can name. For laws on plant, compose, engines and emitters.
+// plant of small components that drives every input: switches, wandering levels, actuators that follow an output after
+// a while. With properties over everything that a property can name. For laws on plant, compose, engines and emitters.
 #pragma once
 
 #include "grafverif/ir/closed_loop.hpp"

@@ -3,61 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "run_program.hpp"
+
 namespace grafverif::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-const fs::path root = GRAFVERIF_SOURCE_DIR;
-
-struct Result {
-    ExitCode code = ExitCode::Failure;
-    std::string out = {}, err = {};
-};
-
-Result grafverif(const std::vector<std::string>& arguments) {
-    std::istringstream in;
-    std::ostringstream out, err;
-    const ExitCode code = run(arguments, {in, out, err, false});
-    return {code, out.str(), err.str()};
-}
-
-/// A folder of its own for one test, gone with it.
-class Folder {
-public:
-    Folder() {
-        std::string pattern = (fs::temp_directory_path() / "grafverif-test-XXXXXX").string();
-        path_ = ::mkdtemp(pattern.data());
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { fs::remove_all(path_); }
-
-    std::string file(const std::string& name) const { return (path_ / name).string(); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-        return file(name);
-    }
-    std::string read(const std::string& name) const {
-        std::ifstream in(path_ / name, std::ios::binary);
-        std::ostringstream text;
-        text << in.rdbuf();
-        return text.str();
-    }
-    std::size_t entries() const {
-        return static_cast<std::size_t>(std::distance(fs::recursive_directory_iterator(path_), fs::recursive_directory_iterator()));
-    }
-
-private:
-    fs::path path_ = {};
-};
 
 const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
 
@@ -157,6 +110,18 @@ TEST(Build, ReportsAMissingFileAndAFolder) {
         EXPECT_EQ(result.code, ExitCode::Input);
         EXPECT_NE(result.err.find("[cannot-read]"), std::string::npos) << result.err;
     }
+}
+
+TEST(Include, ReachesBelowTheMainFileOnly) {
+    const Folder folder;
+    const std::string chart = "grafcet a { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n";
+    fs::create_directories(folder.file("main/parts"));
+    folder.write("main/parts/a.grafcet", chart);
+    folder.write("outside.grafcet", chart);
+    EXPECT_EQ(grafverif({"nusmv", folder.write("main/in.grafcet", "include \"parts/a.grafcet\";\n")}).code, ExitCode::Done);
+    const Result result = grafverif({"nusmv", folder.write("main/out.grafcet", "include \"../outside.grafcet\";\n")});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("neither below the folder of the main file"), std::string::npos) << result.err;
 }
 
 TEST(Diagnostics, ComeAsJsonWhenAsked) {

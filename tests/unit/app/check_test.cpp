@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// `check` as a whole: verdicts, exit codes, reports and traces in files.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string sample(const std::string& path) { return (root / "samples" / path).string(); }
+
+/// A chart that counts presses of a button, and a loop with the properties given.
+std::string counter(const std::string& properties) {
+    return "grafcet counter { input GO; output L; internal N: int 0..2 = 0;\n"
+           "initial step 0; step 1 { N := N + 1 on activation; L; } step 2;\n"
+           "transition t0: 0 -> 1 when GO && N < 2; transition t1: 1 -> 0 when !GO; }\n"
+           "closed_loop counting { controller counter; environment Go = push_button(OUT = GO); " + properties + " }\n";
+}
+
+TEST(Check, ProvesThePropertiesOfTheSamples) {
+    for (const char* path : {"blinker/blinker.grafcet", "oven_door/oven_door.grafcet", "tanks/tanks.grafcet",
+                             "testing_station/testing_station.grafcet"}) {
+        SCOPED_TRACE(path);
+        const Result result = grafverif({"check", sample(path), "--format", "json"});
+        EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+        for (const Json& property : Json::parse(result.out)["properties"]) EXPECT_EQ(property["verdict"], "holds") << property["name"];
+    }
+}
+
+TEST(Check, SaysWhatAVerdictRestsOn) {
+    const Result result = grafverif({"check", sample("blinker/blinker.grafcet"), "--grain", "atomic", "--mode", "every-cycle"});
+    EXPECT_NE(result.out.find("timed engine; every-cycle, atomic grain; time unit 1 s, cycle time taken as zero"), std::string::npos)
+        << result.out;
+}
+
+TEST(Check, HasAnExitCodeForEachOutcome) {
+    const Folder folder;
+    struct Case { const char* properties; std::vector<std::string> options; ExitCode code; };
+    const std::string too_few = "1";
+    for (const Case& c : std::vector<Case>{
+             {"property a: always N <= 2;", {}, ExitCode::Done},
+             {"property a expected violated: always N < 1;", {}, ExitCode::Done},
+             {"property a: always N < 1;", {}, ExitCode::Verdict},
+             {"property a expected violated: always N <= 2;", {}, ExitCode::Verdict},
+             {"property a: always N <= 2;", {"--max-states", too_few}, ExitCode::Unknown},
+             {"property a: always N < 1; property b: L leads to !L;", {"--property", "a"}, ExitCode::Verdict},
+             {"property a: always N;", {}, ExitCode::Input},
+             {"property a: always UNKNOWN;", {}, ExitCode::Input},
+             {"property a: always N <= 2;", {"--property", "b"}, ExitCode::Input},
+             {"property a: always N <= 2;", {"--engine", "NuSMV"}, ExitCode::Input},
+             {"property a: always N <= 2;", {"--max-memory", "lots"}, ExitCode::Input},
+             {"property a: always N <= 2;", {"--timeout", "5 s"}, ExitCode::Input},
+         }) {
+        SCOPED_TRACE(c.properties);
+        std::vector<std::string> arguments = {"check", folder.write("counter.grafcet", counter(c.properties))};
+        arguments.insert(arguments.end(), c.options.begin(), c.options.end());
+        const Result result = grafverif(arguments);
+        EXPECT_EQ(result.code, c.code) << result.out << result.err;
+        EXPECT_EQ(result.err.empty(), c.code != ExitCode::Input) << result.err;
+    }
+}
+
+TEST(Check, ChecksThePropertiesNamedAndTimelock) {
+    const Result result = grafverif({"check", sample("oven_door/oven_door.grafcet"), "--property", "warned", "--property", "one_order",
+                                     "--format", "json"});
+    std::vector<std::string> names;
+    for (const Json& property : Json::parse(result.out)["properties"]) names.push_back(property["name"]);
+    EXPECT_EQ(names, (std::vector<std::string>{"one_order", "warned", "no_timelock"}));
+}
+
+TEST(Check, ReportsAValueOutOfRangeWithTheWayThere) {
+    const Folder folder;
+    std::string text = counter("property a: always N <= 2;");
+    text.replace(text.find(" && N < 2"), 9, "");
+    const std::string file = folder.write("counter.grafcet", text);
+    const Result result = grafverif({"check", file, "--junit", folder.file("report.xml")});
+    EXPECT_EQ(result.code, ExitCode::Verdict);
+    EXPECT_TRUE(result.out.starts_with("the model breaks off: `N` would leave its range 0..2, in an evolution of `counter` [out-of-range]\n"))
+        << result.out;
+    EXPECT_NE(result.out.find("counter: N 1 -> 2"), std::string::npos);
+    EXPECT_NE(result.out.find("a: unknown\n"), std::string::npos);
+    EXPECT_NE(folder.read("report.xml").find("<failure type=\"out-of-range\""), std::string::npos);
+    const Json document = Json::parse(grafverif({"check", file, "--format", "json"}).out);
+    EXPECT_EQ(document["errors"][0]["code"], "out-of-range");
+}
+
+TEST(Check, ReportsARaceOfStoredActions) {
+    const Folder folder;
+    std::string text = counter("");
+    text.replace(text.find("step 2;"), 7, "step 2 { N := 2 on activation; }");
+    text.replace(text.find("0 -> 1 when"), 11, "0 -> 1, 2 when");
+    const Result result = grafverif({"check", folder.write("race.grafcet", text)});
+    EXPECT_EQ(result.code, ExitCode::Verdict);
+    EXPECT_NE(result.out.find("[action-race]"), std::string::npos) << result.out;
+}
+
+TEST(Check, WritesJunitAndTraces) {
+    const Folder folder;
+    const std::string file = folder.write("counter.grafcet", counter("property a \"few\": always N < 2; property b: always N <= 2;"));
+    const Result result = grafverif({"check", file, "--junit", folder.file("r/report.xml"), "--trace-vcd", folder.file("a.vcd"), "--trace-svg",
+                                     folder.file("a.svg")});
+    EXPECT_EQ(result.code, ExitCode::Verdict);
+    pugi::xml_document junit, svg;
+    ASSERT_TRUE(junit.load_string(folder.read("r/report.xml").c_str()));
+    EXPECT_EQ(junit.child("testsuites").child("testsuite").attribute("failures").as_int(), 1);
+    ASSERT_TRUE(svg.load_string(folder.read("a.svg").c_str()));
+    EXPECT_STREQ(svg.child("svg").find_child_by_attribute("class", "heading").text().get(), "counting: a violated");
+    EXPECT_NE(folder.read("a.vcd").find("$enddefinitions"), std::string::npos);
+}
+
+TEST(Check, SaysThatThereIsNoTraceToWrite) {
+    const Folder folder;
+    const Result result = grafverif({"check", folder.write("counter.grafcet", counter("property b: always N <= 2;")), "--trace-svg", folder.file("a.svg")});
+    EXPECT_EQ(result.code, ExitCode::Done);
+    EXPECT_EQ(result.err, "note: no verdict has a trace; none was written\n");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(Check, TellsTheSameEachTime) {
+    const std::string file = sample("testing_station/faulty.grafcet");
+    EXPECT_EQ(grafverif({"check", file}).out, grafverif({"check", file}).out);
+}
+
+TEST(Check, NeedsAClosedLoop) {
+    const Folder folder;
+    const Result result = grafverif({"check", folder.write("lone.grafcet", "grafcet a { input x; output L; initial step 0 { L; } step 1;\n"
+                                                                          "transition t: 0 -> 1 when x; }\n")});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("[no-closed-loop]"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace grafverif::app

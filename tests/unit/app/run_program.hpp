@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The program run in-process, and a folder of its own for each test.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/program.hpp"
+
+namespace grafverif::app {
+
+namespace fs = std::filesystem;
+
+inline const fs::path root = GRAFVERIF_SOURCE_DIR;
+
+struct Result {
+    ExitCode code = ExitCode::Failure;
+    std::string out = {}, err = {};
+};
+
+/// `input`: what is typed.
+inline Result grafverif(const std::vector<std::string>& arguments, const std::string& input = "") {
+    std::istringstream in(input);
+    std::ostringstream out, err;
+    const ExitCode code = run(arguments, {in, out, err, false});
+    return {code, out.str(), err.str()};
+}
+
+/// A folder of its own for one test, gone with it.
+class Folder {
+public:
+    Folder() {
+        std::string pattern = (fs::temp_directory_path() / "grafverif-test-XXXXXX").string();
+        path_ = ::mkdtemp(pattern.data());
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder() { fs::remove_all(path_); }
+
+    std::string file(const std::string& name) const { return (path_ / name).string(); }
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(path_ / name, std::ios::binary) << text;
+        return file(name);
+    }
+    std::string read(const std::string& name) const {
+        std::ifstream in(path_ / name, std::ios::binary);
+        std::ostringstream text;
+        text << in.rdbuf();
+        return text.str();
+    }
+    std::size_t entries() const {
+        return static_cast<std::size_t>(std::distance(fs::recursive_directory_iterator(path_), fs::recursive_directory_iterator()));
+    }
+
+private:
+    fs::path path_ = {};
+};
+
+}  // namespace grafverif::app

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "app/commands.hpp"
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+const std::string blinker = (root / "samples/blinker/blinker.grafcet").string();
+const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
+
+/// The output without the columns' blanks.
+std::string squeezed(const std::string& text) {
+    std::string result;
+    for (const char c : text)
+        if (c != ' ' || (!result.empty() && result.back() != ' ' && result.back() != '\n')) result += c;
+    return result;
+}
+
+TEST(Commands, AreReadLineByLine) {
+    struct Case { const char* line; Command command; };
+    for (const Case& c : std::vector<Case>{
+             {"START = true", SetCommand{"START", 1}},
+             {"START=false // release", SetCommand{"START", 0}},
+             {"LEVEL = -3", SetCommand{"LEVEL", -3}},
+             {"wait 3s", WaitCommand{3000}},
+             {"wait 250 ms", WaitCommand{250}},
+             {"wait 2min # long", WaitCommand{120'000}},
+             {"wait", WaitCommand{}},
+             {"do Tester passed", DoCommand{"Tester", "passed"}},
+             {"do Start", DoCommand{"Start", ""}},
+             {" 12 ", ChooseCommand{12}},
+             {"back", BackCommand{}},
+             {"q", QuitCommand{}},
+             {"?", HelpCommand{}},
+             {"", NoCommand{}},
+             {"// nothing", NoCommand{}},
+             {"wait 3", BadCommand{"`wait` takes a duration such as `3s`, `250ms` or `2min`"}},
+             {"wait 0s", BadCommand{"`wait` takes a duration such as `3s`, `250ms` or `2min`"}},
+             {"START = maybe", BadCommand{"`maybe` is no value; write `true`, `false` or a whole number"}},
+             {"START =", BadCommand{"write `NAME = VALUE`"}},
+             {"0", BadCommand{"`0` is no command; `help` lists them"}},
+             {"press START", BadCommand{"`press` is no command; `help` lists them"}},
+         }) {
+        SCOPED_TRACE(c.line);
+        EXPECT_EQ(command_of(c.line), c.command);
+    }
+}
+
+TEST(Simulate, FollowsAScriptAndPrintsTheSituationAsATraceDoes) {
+    const Folder folder;
+    const std::string script = folder.write("press.txt", "wait 1s\nBUTTON = true   // press\nwait 2s\nBUTTON = false\nwait 1s\n");
+    const Result result = grafverif({"simulate", blinker, "--script", script});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    EXPECT_EQ(squeezed(result.out),
+              "time what happened inputs cleared situation outputs\n"
+              "0 s blinker: power on none 0 none\n"
+              "1 s 1 s passes 0 none\n"
+              "Button BUTTON\n"
+              "blinker t0 1 LAMP\n"
+              "Lamp: lit 1 LAMP\n"
+              "3 s T_X1_2s: 2s/X1 is true\n"
+              "blinker t1 2 none\n"
+              "Lamp: dark 2 none\n"
+              "Button !BUTTON 2 none\n"
+              "4 s T_X2_1s: 1s/X2 is true\n"
+              "blinker t3 0 none\n");
+}
+
+TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
+    const Folder folder;
+    struct Case { const char* script; const char* complaint; };
+    for (const Case& c : std::vector<Case>{
+             {"BUTTON = true\n", ":1: error: nothing can make `BUTTON` 1 now\n"},
+             {"wait 1s\n\nBUTTON = false\n", ":3: error: `BUTTON` is 0 already\n"},
+             {"LAMP = true\n", ":1: error: there is no input `LAMP`\n"},
+             {"wait 500ms\n", ":1: error: the time unit of this loop is 1 s; wait a multiple of it\n"},
+             {"do Nobody\n", ":1: error: `Nobody` cannot happen now\n"},
+             {"do Lamp lit\n", ":1: error: `Lamp` to `lit` cannot happen now\n"},
+             {"7\n", ":1: error: there are 0 choices\n"},
+             {"wait 1s\nback\nback\n", ":3: error: there is nothing to undo\n"},
+             {"wait\n", ":1: error: nothing will happen by itself; say how long to wait\n"},
+         }) {
+        SCOPED_TRACE(c.script);
+        const std::string script = folder.write("script.txt", c.script);
+        const Result result = grafverif({"simulate", blinker, "--script", script});
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_EQ(result.err, script + c.complaint);
+    }
+    EXPECT_EQ(grafverif({"simulate", blinker, "--script", folder.file("none.txt")}).code, ExitCode::Input);
+}
+
+TEST(Simulate, AsksForAChoiceWhereThePlantHasOne) {
+    const Folder folder;
+    const std::string to_the_test = "wait 1s\nSTART = true\nwait 40s\n";
+    const Result stopped = grafverif({"simulate", station, "--script", folder.write("a.txt", to_the_test)});
+    EXPECT_EQ(stopped.code, ExitCode::Input);
+    EXPECT_NE(stopped.err.find("time cannot pass before one of these happens: `Tester: passed, TEST_OK`, `Tester: failed, TEST_KO`"),
+              std::string::npos)
+        << stopped.err;
+    const Result failed = grafverif({"simulate", station, "--script", folder.write("b.txt", "wait 1s\nSTART = true\nwait 26s\ndo Tester failed\n")});
+    EXPECT_EQ(failed.code, ExitCode::Done) << failed.err;
+    EXPECT_NE(squeezed(failed.out).find("testing_station T6b 20 P, V_G_IN\n"), std::string::npos) << failed.out;
+}
+
+TEST(Simulate, TalksWithAPerson) {
+    const Result result = grafverif({"simulate", blinker}, "help\nwait 1s\n1\nback\nnonsense\nBUTTON = true\nquit\nwait 1s\n");
+    EXPECT_EQ(result.code, ExitCode::Done);
+    const std::string out = squeezed(result.out);
+    EXPECT_NE(out.find("1 Button: BUTTON\nwait as long as you like\n> "), std::string::npos) << out;
+    EXPECT_NE(out.find("> back to:\n1 s 1 s passes 0 none\n"), std::string::npos) << out;
+    EXPECT_NE(out.find("! `nonsense` is no command"), std::string::npos);
+    EXPECT_NE(out.find("wait up to 2 s\n> "), std::string::npos);
+    EXPECT_EQ(result.err, "");
+}
+
+TEST(Simulate, EndsWithItsInput) { EXPECT_EQ(grafverif({"simulate", blinker}, "wait 1s").code, ExitCode::Done); }
+
+TEST(Simulate, LeavesEveryEdgeToThePersonWhenVerbose) {
+    const Result result = grafverif({"simulate", blinker, "--verbose"}, "do PLC P0\ndo PLC P1\nq\n");
+    EXPECT_NE(result.out.find("blinker: cycle begins"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("blinker: inputs sampled"), std::string::npos);
+    EXPECT_NE(squeezed(result.out).find("1 PLC: P2\n> "), std::string::npos);
+}
+
+TEST(Simulate, NoticesAChartThatNeverStabilises) {
+    const Folder folder;
+    const std::string file = folder.write("endless.grafcet", "grafcet endless { input GO; output A, B; initial step 0; step 1 { A; } step 2 { B; }\n"
+                                                             "transition a: 0 -> 1 when GO; transition b: 1 -> 2 when GO; transition c: 2 -> 1 when GO; }\n"
+                                                             "closed_loop one { controller endless with stability_search; environment Go = free(OUT = GO); }\n");
+    const Result result = grafverif({"simulate", file, "--script", folder.write("go.txt", "GO = true\n")});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("the situation never becomes stable with these inputs"), std::string::npos) << result.err;
+}
+
+TEST(Simulate, WalksAtRandomTheSameWayForTheSameSeed) {
+    const Result first = grafverif({"simulate", station, "--random", "7", "--steps", "300"});
+    EXPECT_EQ(first.code, ExitCode::Done) << first.err;
+    EXPECT_EQ(grafverif({"simulate", station, "--random", "7", "--steps", "300"}).out, first.out);
+    EXPECT_NE(grafverif({"simulate", station, "--random", "8", "--steps", "300"}).out, first.out);
+    EXPECT_EQ(grafverif({"simulate", station, "--random", "many"}).code, ExitCode::Input);
+}
+
+TEST(Simulate, WritesTheTraceItMade) {
+    const Folder folder;
+    grafverif({"simulate", station, "--random", "1", "--trace-vcd", folder.file("w.vcd"), "--trace-svg", folder.file("w.svg")});
+    EXPECT_NE(folder.read("w.vcd").find("$timescale"), std::string::npos);
+    EXPECT_TRUE(folder.read("w.svg").starts_with("<svg"));
+}
+
+}  // namespace
+}  // namespace grafverif::app

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/report/tell.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "grafverif/report/terminal.hpp"
+#include "support/law_size.hpp"
+#include "support/random_walk.hpp"
+#include "support/read_loop.hpp"
+
+namespace grafverif {
+namespace {
+
+/// A run made move by move, by the names of processes.
+class Driver {
+public:
+    explicit Driver(const Network& network) : network_(network), state_(initial_state(network)) {}
+
+    /// Fires the first edge of `process` that can fire; `to` picks it by its target.
+    void fire(const std::string& process, const std::string& to = "") {
+        for (const Fire& move : enabled(network_, state_)) {
+            const Network::Process& owner = network_.processes[move.process];
+            const Network::Template& automaton = network_.templates[owner.automaton];
+            if (owner.name != process || (!to.empty() && automaton.locations[automaton.edges[move.edge].to].name != to)) continue;
+            return make(move);
+        }
+        ADD_FAILURE() << process << " cannot move";
+    }
+    /// Fires edges of `process` as long as it can.
+    void exhaust(const std::string& process) {
+        const auto can = [&] {
+            for (const Fire& move : enabled(network_, state_))
+                if (network_.processes[move.process].name == process) return true;
+            return false;
+        };
+        while (can()) fire(process);
+    }
+    void wait(std::int64_t units) { make(Delay{units}); }
+    void loop_from_here() { run_.loop = run_.moves.size(); }
+
+    const Run& run() const { return run_; }
+
+private:
+    void make(const Move& move) {
+        EXPECT_EQ(perform(network_, state_, move).result, Step::Result::Done);
+        run_.moves.push_back(move);
+    }
+
+    const Network& network_;
+    NetworkState state_;
+    Run run_ = {};
+};
+
+std::string table(const Trace& trace) {
+    EXPECT_EQ(verify(trace), std::vector<std::string>{});
+    std::ostringstream out;
+    print_trace(trace, out);
+    return out.str();
+}
+
+TEST(Tell, TellsTheBlinkerInTheWordsOfItsChart) {
+    const LoopUnderTest loop = read_sample("blinker/blinker.grafcet");
+    Driver drive(loop.network);
+    drive.exhaust("PLC");
+    drive.wait(1);
+    drive.fire("Button");
+    drive.exhaust("PLC");
+    drive.exhaust("T_X1_2s");
+    drive.fire("Lamp");
+    drive.wait(2);
+    drive.fire("T_X1_2s", "done");
+    drive.exhaust("PLC");
+    EXPECT_EQ(table(tell(loop.network, drive.run())),
+              "  time  what happened              inputs  cleared  situation  outputs\n"
+              "   0 s  blinker: power on          none             0          none\n"
+              "   1 s  Button                     BUTTON\n"
+              "        blinker                            t0       1          LAMP\n"
+              "        Lamp: lit\n"
+              "   3 s  T_X1_2s: 2s/X1 is true\n"
+              "        blinker                            t1       2          none\n");
+}
+
+TEST(Tell, ListsTheEvolutionsOfOneSearchInOrder) {
+    const LoopUnderTest loop = read_loop(R"(
+        grafcet chain { input GO; output DONE; internal N: int 0..3 = 0;
+            initial step 0; step 1; step 2 { DONE; N := N + 2 on activation; }
+            transition a: 0 -> 1 when GO; transition b: 1 -> 2 when true; }
+        closed_loop one { controller chain with stability_search; environment Go = free(OUT = GO); }
+    )");
+    Driver drive(loop.network);
+    drive.exhaust("PLC");
+    drive.fire("Go");
+    drive.exhaust("PLC");
+    const Trace trace = tell(loop.network, drive.run());
+    ASSERT_EQ(trace.steps.size(), 3u);
+    const Trace::Step& search = trace.steps.back();
+    EXPECT_EQ(search.kind, Trace::Kind::Controller);
+    EXPECT_EQ(search.fired, (std::vector<std::vector<std::string>>{{"a"}, {"b"}}));
+    EXPECT_EQ(search.after.situation, (std::vector<std::uint32_t>{2}));
+    EXPECT_EQ(search.after.outputs, (std::vector<std::int64_t>{1}));
+    EXPECT_EQ(search.after.internals, (std::vector<std::int64_t>{2}));
+    EXPECT_NE(table(trace).find("chain: N 0 -> 2"), std::string::npos);
+}
+
+TEST(Tell, SplitsACycleWhereThePlantMovesInItsMidst) {
+    const LoopUnderTest loop = read_loop(R"(
+        grafcet watch { input GO; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when GO; }
+        closed_loop one { controller watch; environment Go = free(OUT = GO); }
+    )");
+    Driver drive(loop.network);
+    drive.exhaust("PLC");
+    drive.fire("Go");
+    drive.fire("PLC", "P0");
+    drive.fire("PLC", "P1");
+    drive.fire("Go");          // takes GO back, too late
+    drive.fire("PLC", "P2");
+    drive.fire("Go");          // between the evolution and the outputs
+    drive.exhaust("PLC");
+    EXPECT_EQ(table(tell(loop.network, drive.run())),
+              "  time  what happened                   inputs  cleared  situation  outputs\n"
+              "   0 s  watch: power on                 none             0          none\n"
+              "        Go                              GO\n"
+              "        watch: inputs sampled\n"
+              "        Go                              !GO\n"
+              "        watch: outputs not yet written          t        1\n"
+              "        Go                              GO\n"
+              "        watch                                            1          L\n");
+}
+
+TEST(Tell, MarksTheLoop) {
+    const LoopUnderTest loop = read_sample("blinker/blinker.grafcet");
+    Driver drive(loop.network);
+    drive.exhaust("PLC");
+    drive.wait(1);
+    drive.loop_from_here();
+    drive.wait(1);
+    const Trace trace = tell(loop.network, drive.run());
+    ASSERT_EQ(trace.loop_from, 2u);
+    EXPECT_EQ(trace.steps[2].what, "time passes, for ever");
+}
+
+TEST(Tell, TellsALoopInWhichNothingCanBeSeen) {
+    // The cycle of CEP13 Fig. 17, without flags: it goes on for ever and no time passes.
+    const LoopUnderTest loop = read_sample("blinker/blinker.grafcet", {.ablations = {.cycle_always = true}});
+    Driver drive(loop.network);
+    for (int i = 0; i < 4; ++i) drive.fire("PLC");
+    drive.loop_from_here();
+    for (int i = 0; i < 4; ++i) drive.fire("PLC");
+    const Trace trace = tell(loop.network, drive.run());
+    EXPECT_EQ(verify(trace), std::vector<std::string>{});
+    ASSERT_EQ(trace.loop_from, trace.steps.size() - 1);
+    EXPECT_EQ(trace.steps.back().what, "cycles go on for ever, no time passes, nothing changes");
+}
+
+TEST(Tell, HidesWhatIsInternalUnlessAskedForEverything) {
+    const LoopUnderTest loop = read_sample("testing_station/testing_station.grafcet");
+    Random random(2);
+    const auto run = random_walk(loop.network, random, 300);
+    const Trace plain = tell(loop.network, run);
+    const Trace all = tell(loop.network, run, Detail::Everything);
+    const auto hidden = [](const Trace::Step& step) { return step.internal; };
+    EXPECT_EQ(std::ranges::count_if(plain.steps, hidden), 0);
+    EXPECT_GT(std::ranges::count_if(all.steps, hidden), 20);
+    EXPECT_EQ(all.steps.back().after, plain.steps.back().after);
+    const std::string text = table(plain);
+    for (const char* inner : {"P0", "P1", "EVOL", "CF_", "stable", "X_"}) EXPECT_EQ(text.find(inner), std::string::npos) << inner;
+}
+
+TEST(Tell, NamesStepsInFullOnlyWhereThatIsNeeded) {
+    const LoopUnderTest loop = read_loop(R"(
+        grafcet twins { input GO; output L;
+            initial step 1; step 2 { L; } transition t: 1 -> 2 when GO;
+            partial G2 { initial step 2; step 3; transition u: 2 -> 3 when !GO; } }
+        closed_loop one { controller twins; environment Go = free(OUT = GO); }
+    )");
+    const Trace trace = tell(loop.network, {});
+    EXPECT_EQ(trace.steps_of_charts, (std::vector<std::string>{"1", "2", "G2.2", "G2.3"}));
+    EXPECT_EQ(trace.short_names, (std::vector<std::string>{"1", "2", "G2.2", "3"}));
+}
+
+/// Whatever is told, the last step is where the run is.
+TEST(TellLaw, TheStepsOfATraceEndWhereTheRunEnds) {
+    for (const char* sample : {"oven_door/oven_door.grafcet", "tanks/tanks.grafcet", "testing_station/faulty.grafcet"}) {
+        for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
+            const LoopUnderTest loop = read_sample(sample, {.grain = grain});
+            for (int seed = 1; seed <= law_size(4); ++seed) {
+                SCOPED_TRACE(std::string(sample) + ", seed " + std::to_string(seed));
+                Random random(static_cast<std::uint64_t>(seed));
+                const auto run = random_walk(loop.network, random, 200);
+                const auto states = replay(loop.network, run);
+                ASSERT_TRUE(states);
+                std::int64_t ms = 0;
+                for (const Move& move : run.moves)
+                    if (const auto* delay = std::get_if<Delay>(&move)) ms += delay->units * loop.network.time_unit_ms;
+                const Trace trace = tell(loop.network, run);
+                EXPECT_EQ(verify(trace), std::vector<std::string>{});
+                const Trace::State& end = trace.steps.back().after;
+                EXPECT_EQ(end.time_ms, ms);
+                const auto variable = [&](const std::string& name) {
+                    return states->back().variables[static_cast<std::size_t>(
+                        std::ranges::find(loop.network.variables, name, &Network::Variable::name) - loop.network.variables.begin())];
+                };
+                for (std::size_t i = 0; i < trace.inputs.size(); ++i) EXPECT_EQ(end.inputs[i], variable(trace.inputs[i].name));
+                for (std::size_t i = 0; i < trace.outputs.size(); ++i) EXPECT_EQ(end.outputs[i], variable(trace.outputs[i].name));
+                for (std::size_t i = 0; i < trace.plant.size(); ++i) EXPECT_EQ(end.plant[i], variable(trace.plant[i].name));
+                std::vector<std::uint32_t> situation;
+                const auto& steps = loop.network.controllers[{0}].steps;
+                for (std::uint32_t i = 0; i < steps.size(); ++i)
+                    if (states->back().variables[steps[i].variable.index] != 0) situation.push_back(i);
+                EXPECT_EQ(end.situation, situation);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace grafverif
