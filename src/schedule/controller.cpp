@@ -37,10 +37,10 @@ std::string scope(std::span<const Controller> controllers) {
                                                                   : " are written in every cycle. ";
     }
     return text + "An always, never, exactly one of or inevitable that holds here, and a leads to that holds and whose left "
-                  "side reads no input, holds with every plant in grain atomic, provided that the plant lets " + one +
-           " run; so does a reachable that is violated here. What fails here may yet hold with the real plant. All other "
-           "verdicts are about this model only: reachable that holds, always possible, CTL and LTL formulas, and, at "
-           "stable, all but always, never and exactly one of.";
+                  "side reads no input, holds with every plant in grain atomic, from the first evolution on, provided that "
+                  "the plant lets " + one + " run; so does a reachable that is violated here. What fails here may yet hold "
+                  "with the real plant. All other verdicts are about this model only: reachable that holds, always "
+                  "possible, CTL and LTL formulas, and, at stable, all but always, never and exactly one of.";
 }
 
 /// The modules and main, without properties. `names`: those taken in main.
