@@ -128,7 +128,9 @@ Id<Expr> Builder::node(Op op, std::initializer_list<Id<Expr>> operands, Span whe
     std::size_t depth = 0;
     for (const Id<Expr> operand : operands) depth = std::max<std::size_t>(depth, file_->exprs[operand].depth);
     if (depth >= deepest_expression) {
-        diagnostics_->add(messages::too_deep(where, deepest_expression));
+        if (!too_deep_.source.valid() || too_deep_.begin != where.begin)
+            diagnostics_->add(messages::too_deep(where, deepest_expression));
+        too_deep_ = where;
         broken();
         return constant(Op::False, where);
     }

@@ -80,6 +80,7 @@ private:
     tree::File* file_;
     Diagnostics* diagnostics_;
     bool broken_ = false;
+    Span too_deep_ = {};   ///< the last expression said to be so: its outer levels are no news
     Id<tree::Expr> condition_ = {};
     tree::Property property_ = {};
 };

@@ -110,7 +110,9 @@ void Lexer::resynchronise() {
         kind = token.kind();
         first = false;
     };
+    const bool stuck = last_where_.end == handed_back_ && last_ != Symbols::S_YYEOF;   // it was of no use there either
     const auto hand_back = [&] {
+        handed_back_ = first ? last_where_.end : token.location.end;
         if (!first) pending_.push_back(token);
         else if (declares_in_file(kind) || declares_in_block(kind))
             pending_.emplace_back(static_cast<Parser::token_kind_type>(kind), last_name_, last_where_);
@@ -118,6 +120,7 @@ void Lexer::resynchronise() {
             pending_.emplace_back(static_cast<Parser::token_kind_type>(kind), last_where_);
     };
 
+    if (stuck) step();
     for (;; step()) {
         const Span where = first ? last_where_ : token.location;
         if (kind == Symbols::S_YYEOF || (declares_in_file(kind) && begins_line(where))) {

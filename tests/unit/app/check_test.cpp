@@ -2,9 +2,11 @@
 // `check` as a whole: verdicts, exit codes, reports and traces in files.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include "app/interrupt.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {
@@ -17,7 +19,7 @@ std::string sample(const std::string& path) { return (root / "samples" / path).s
 /// A chart that counts presses of a button, and a loop with the properties given.
 std::string counter(const std::string& properties) {
     return "grafcet counter { input GO; output L; internal N: int 0..2 = 0;\n"
-           "initial step 0; step 1 { N := N + 1 on activation; L; } step 2;\n"
+           "initial step 0; step 1 { N := N + 1 on activation; L; } // step 2\n"
            "transition t0: 0 -> 1 when GO && N < 2; transition t1: 1 -> 0 when !GO; }\n"
            "closed_loop counting { controller counter; environment Go = push_button(OUT = GO); " + properties + " }\n";
 }
@@ -92,7 +94,7 @@ TEST(Check, ReportsAValueOutOfRangeWithTheWayThere) {
 TEST(Check, ReportsARaceOfStoredActions) {
     const Folder folder;
     std::string text = counter("");
-    text.replace(text.find("step 2;"), 7, "step 2 { N := 2 on activation; }");
+    text.replace(text.find("// step 2"), 9, "step 2 { N := 2 on activation; }");
     text.replace(text.find("0 -> 1 when"), 11, "0 -> 1, 2 when");
     const Result result = grafverif({"check", folder.write("race.grafcet", text)});
     EXPECT_EQ(result.code, ExitCode::Verdict);
@@ -119,6 +121,25 @@ TEST(Check, SaysThatThereIsNoTraceToWrite) {
     EXPECT_EQ(result.code, ExitCode::Done);
     EXPECT_EQ(result.err, "note: no verdict has a trace; none was written\n");
     EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(Check, EndsWithWhatIsKnownWhenTimeIsUp) {
+    const Result result = grafverif({"check", sample("testing_station/testing_station.grafcet"), "--timeout", "0"});
+    EXPECT_EQ(result.code, ExitCode::Unknown);
+    EXPECT_NE(result.out.find("P15 \"no horizontal move unless the cup is up\": unknown\n"), std::string::npos) << result.out;
+}
+
+TEST(Check, TakesTheFirstInterruptAsAWish) {
+    void (*const before)(int) = std::signal(SIGINT, SIG_IGN);
+    {
+        const Interrupt interrupt;
+        EXPECT_FALSE(interrupt.asked());
+        std::raise(SIGINT);
+        EXPECT_TRUE(interrupt.asked());
+        EXPECT_EQ(std::signal(SIGINT, SIG_IGN), SIG_DFL) << "the second one ends the program";
+    }
+    EXPECT_EQ(std::signal(SIGINT, before), SIG_IGN) << "what was there before is back";
+    EXPECT_FALSE(Interrupt().asked());
 }
 
 TEST(Check, TellsTheSameEachTime) {

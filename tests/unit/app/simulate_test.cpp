@@ -57,7 +57,7 @@ TEST(Simulate, FollowsAScriptAndPrintsTheSituationAsATraceDoes) {
               "time what happened inputs cleared situation outputs\n"
               "0 s blinker: power on none 0 none\n"
               "1 s 1 s passes 0 none\n"
-              "Button BUTTON\n"
+              "1 s Button BUTTON\n"
               "blinker t0 1 LAMP\n"
               "Lamp: lit 1 LAMP\n"
               "3 s T_X1_2s: 2s/X1 is true\n"
@@ -80,7 +80,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
              {"do Lamp lit\n", ":1: error: `Lamp` to `lit` cannot happen now\n"},
              {"7\n", ":1: error: there are 0 choices\n"},
              {"wait 1s\nback\nback\n", ":3: error: there is nothing to undo\n"},
-             {"wait\n", ":1: error: nothing will happen by itself; say how long to wait\n"},
+             {"wait\nwait\n", ":2: error: nothing will happen by itself; say how long to wait\n"},
          }) {
         SCOPED_TRACE(c.script);
         const std::string script = folder.write("script.txt", c.script);
@@ -99,7 +99,7 @@ TEST(Simulate, AsksForAChoiceWhereThePlantHasOne) {
     EXPECT_NE(stopped.err.find("time cannot pass before one of these happens: `Tester: passed, TEST_OK`, `Tester: failed, TEST_KO`"),
               std::string::npos)
         << stopped.err;
-    const Result failed = grafverif({"simulate", station, "--script", folder.write("b.txt", "wait 1s\nSTART = true\nwait 26s\ndo Tester failed\n")});
+    const Result failed = grafverif({"simulate", station, "--script", folder.write("b.txt", "wait 1s\nSTART = true\nwait 39s\ndo Tester failed\n")});
     EXPECT_EQ(failed.code, ExitCode::Done) << failed.err;
     EXPECT_NE(squeezed(failed.out).find("testing_station T6b 20 P, V_G_IN\n"), std::string::npos) << failed.out;
 }

@@ -66,11 +66,15 @@ TEST(Tell, TellsTheBlinkerInTheWordsOfItsChart) {
     drive.exhaust("PLC");
     drive.wait(1);
     drive.fire("Button");
+    drive.exhaust("PLC");       // up to the request of a timer
+    drive.fire("T_X1_2s", "run");
     drive.exhaust("PLC");
-    drive.exhaust("T_X1_2s");
     drive.fire("Lamp");
     drive.wait(2);
     drive.fire("T_X1_2s", "done");
+    drive.exhaust("PLC");
+    drive.exhaust("T_X1_2s");
+    drive.exhaust("T_X2_1s");
     drive.exhaust("PLC");
     EXPECT_EQ(table(tell(loop.network, drive.run())),
               "  time  what happened              inputs  cleared  situation  outputs\n"

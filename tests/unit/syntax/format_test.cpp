@@ -165,8 +165,8 @@ TEST(Format, KeepsCommentsAndSingleBlankLines) {
               "grafcet a {  // behind the head\n"
               "    // before the input\n"
               "    // behind A\n"
-              "    input A, B;             // behind B\n"
-              "    step 1;                 // one\n"
+              "    input A, B;       // behind B\n"
+              "    step 1;           // one\n"
               "    step 1000 { A; }  /* thousand */ // and more\n"
               "\n"
               "    // before two\n"
@@ -186,7 +186,7 @@ TEST(Format, KeepsCommentsAndSingleBlankLines) {
 
 TEST(Format, BreaksLinesThatAreTooLong) {
     const std::string text = formatted_text(
-        "component c(input SOME_RATHER_LONG_NAME_A, SOME_RATHER_LONG_NAME_B; output SOME_RATHER_LONG_NAME_C, D; E = 1, F = 2) {\n"
+        "component c(input SOME_RATHER_LONG_NAME_A, SOME_RATHER_LONG_NAME_B; output SOME_RATHER_LONG_NAME_C, D; E = 1, F = 2, G = 3) {\n"
         "    timed some_rather_long_location -> another_rather_long_location when SOME_RATHER_LONG_NAME_A && "
         "SOME_RATHER_LONG_NAME_B do SOME_RATHER_LONG_NAME_C := true;\n"
         "}\n"
@@ -198,7 +198,7 @@ TEST(Format, BreaksLinesThatAreTooLong) {
         "}\n");
     EXPECT_EQ(text,
               "component c(input SOME_RATHER_LONG_NAME_A, SOME_RATHER_LONG_NAME_B; output SOME_RATHER_LONG_NAME_C, D;\n"
-              "            E = 1, F = 2) {\n"
+              "            E = 1, F = 2, G = 3) {\n"
               "    timed some_rather_long_location -> another_rather_long_location\n"
               "        when SOME_RATHER_LONG_NAME_A && SOME_RATHER_LONG_NAME_B do SOME_RATHER_LONG_NAME_C := true;\n"
               "}\n"

@@ -162,7 +162,7 @@ TEST(ParseFile, GoesOnWithTheNextDeclarationAfterAnError) {
         {"grafcet a {\n    step 1;\n\ngrafcet b {\n    step 2 3;\n}\n", "4:1 unexpected\n5:12 unexpected\n"},
         {"grafcet a {\n    step 1 { force G := {1, ; }; B C; }\n    step 2 3;\n}\n", "2:29 unexpected\n2:36 unexpected\n3:12 unexpected\n"},
         {"grafcet a b {\n    step 1 2;\n}\ngrafcet c {\n    step 1 2;\n}\n", "1:11 unexpected\n5:12 unexpected\n"},
-        {"grafcet a {\n    step 1 { X; };\n    step 2 3;\n}\n", "2:17 unexpected\n3:12 unexpected\n"},
+        {"grafcet a {\n    step 1 { X; };\n    step 2 3;\n}\n", "2:18 unexpected\n3:12 unexpected\n"},
         {"nothing\ngrafcet a {\n    step 1 2;\n}\n", "1:1 unexpected\n3:12 unexpected\n"},
         {"grafcet a {\n    partial p {\n        step 1 2;\n        input a;\n    }\n    step 1 2;\n}\n",
          "3:16 unexpected\n4:9 unexpected\n6:12 unexpected\n"},
