@@ -60,9 +60,9 @@ Lasso without_time(Graph& graph, std::uint32_t state) {
 
 std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors, const Limits& limits,
                                         const TimedOptions& options) {
-    if (ended != Obstacle::None) outcomes_ = {ended, text_of(ended, graph, options), true};
-    else if (!errors.empty()) outcomes_ = {Obstacle::Faulty, text_of(errors.front(), network_), false};
-    else if (inexact_) outcomes_ = {Obstacle::Inexact, "integer time is not exact for " + *inexact_, false};
+    if (ended != Obstacle::None) outcomes_ = {ended, text_of(ended, graph, options)};
+    else if (!errors.empty()) outcomes_ = {Obstacle::Faulty, text_of(errors.front(), network_)};
+    else if (inexact_) outcomes_ = {Obstacle::Inexact, inexact_reason()};
     std::vector<Verdict> verdicts;
     for (Question& question : questions_) {
         if (question.verdict.obstacle == Obstacle::None) answer(question, graph, limits);
@@ -71,6 +71,8 @@ std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std:
     }
     return verdicts;
 }
+
+std::string Questions::inexact_reason() const { return "integer time is not exact for " + inexact_.value_or(""); }
 
 void Questions::answer(Question& question, Graph& graph, const Limits& limits) {
     switch (question.property->pattern) {
@@ -127,13 +129,13 @@ void Questions::answer_liveness(Question& question, Graph& graph, const Limits& 
     std::erase_if(roots, [&](std::uint32_t root) { return met.has(root); });
     // Where integer time is stuck by a strict bound, dense time may pass a little more.
     const Lasso lasso = avoiding(graph, met, roots, inexact_.has_value());
-    if (lasso.path.empty()) return unknown(question.verdict, Obstacle::Inexact, outcomes_.reason);
+    if (lasso.path.empty()) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
 }
 
 void Questions::answer_deadlock(Question& question, Graph& graph) {
     const std::optional<std::uint32_t> state = first_deadlock(graph);
-    if (state && inexact_) return unknown(question.verdict, Obstacle::Inexact, outcomes_.reason);
+    if (state && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     if (state) return violated(question.verdict, graph.run_to(*state));
     holds_if_dense(question, graph, graph.stuck_gap);
 }
@@ -146,7 +148,7 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
     const auto locked = out_of_reach(graph, passes, Ways::Edges, limits);
     if (!locked) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (!locked->empty()) {
-        if (inexact_) return unknown(question.verdict, Obstacle::Inexact, outcomes_.reason);
+        if (inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
         const Lasso lasso = without_time(graph, locked->front());
         return violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
     }
@@ -166,7 +168,7 @@ void Questions::answer_possible(Question& question, Graph& graph, const Limits& 
     StateSet goal = states_where(graph, question.p);
     const auto lost = out_of_reach(graph, goal, Ways::All, limits);
     if (!lost) return unknown(question.verdict, Obstacle::Stopped, "stopped");
-    if (!lost->empty() && inexact_) return unknown(question.verdict, Obstacle::Inexact, outcomes_.reason);
+    if (!lost->empty() && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     if (!lost->empty()) return violated(question.verdict, graph.run_to(lost->front()));
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (question.verdict.outcome == Outcome::Holds && machine_.timed())

@@ -24,7 +24,7 @@ bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, c
         if (found == 0 || (stall != 0 && found < before / stall)) break;
         std::ranges::reverse(open);
     }
-    std::ranges::sort(open);
+    if (!std::ranges::is_sorted(open)) std::ranges::reverse(open);
     return true;
 }
 

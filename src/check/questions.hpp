@@ -43,7 +43,6 @@ private:
     struct Outcomes {
         Obstacle obstacle = Obstacle::None;   // against `holds` of what is about all states
         std::string reason = {};
-        bool incomplete = false;
     };
     void answer(Question& question, Graph& graph, const Limits& limits);
     void answer_state(Question& question, Graph& graph) const;
@@ -56,6 +55,7 @@ private:
     void mark_vacuous(Question& question, const Graph& graph) const;
     StateSet states_where(Graph& graph, std::uint32_t predicate) const;
     std::string place_of(Graph& graph, const GapAt& gap) const;
+    std::string inexact_reason() const;
 
     const Network& network_;
     Machine& machine_;

@@ -30,7 +30,9 @@ TEST(Check, ProvesThePropertiesOfTheSamples) {
         SCOPED_TRACE(path);
         const Result result = grafverif({"check", sample(path), "--format", "json"});
         EXPECT_EQ(result.code, ExitCode::Done) << result.err;
-        for (const Json& property : Json::parse(result.out)["properties"]) EXPECT_EQ(property["verdict"], "holds") << property["name"];
+        const Json properties = Json::parse(result.out)["properties"];
+        EXPECT_GE(properties.size(), 3u);
+        for (const Json& property : properties) EXPECT_EQ(property["verdict"], "holds") << property["name"];
     }
 }
 
@@ -71,7 +73,8 @@ TEST(Check, ChecksThePropertiesNamedAndTimelock) {
     const Result result = grafverif({"check", sample("oven_door/oven_door.grafcet"), "--property", "warned", "--property", "one_order",
                                      "--format", "json"});
     std::vector<std::string> names;
-    for (const Json& property : Json::parse(result.out)["properties"]) names.push_back(property["name"]);
+    const Json properties = Json::parse(result.out)["properties"];
+    for (const Json& property : properties) names.push_back(property["name"]);
     EXPECT_EQ(names, (std::vector<std::string>{"one_order", "warned", "no_timelock"}));
 }
 

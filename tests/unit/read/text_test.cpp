@@ -42,7 +42,9 @@ Reading read(const std::string& text, const Files& files = {}) {
     render_text(diagnostics.all(), sources, Colour::Plain, said);
     reading.said = std::move(said).str();
     for (const Diagnostic& diagnostic : diagnostics.all()) reading.codes.push_back(diagnostic.code);
-    if (reading.model) EXPECT_EQ(verify(*reading.model), std::vector<std::string>{});
+    if (reading.model) {
+        EXPECT_EQ(verify(*reading.model), std::vector<std::string>{});
+    }
     return reading;
 }
 

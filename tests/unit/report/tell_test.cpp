@@ -77,13 +77,13 @@ TEST(Tell, TellsTheBlinkerInTheWordsOfItsChart) {
     drive.exhaust("T_X2_1s");
     drive.exhaust("PLC");
     EXPECT_EQ(table(tell(loop.network, drive.run())),
-              "  time  what happened              inputs  cleared  situation  outputs\n"
-              "   0 s  blinker: power on          none             0          none\n"
-              "   1 s  Button                     BUTTON\n"
-              "        blinker                            t0       1          LAMP\n"
+              "  time  what happened           inputs  cleared  situation  outputs\n"
+              "   0 s  blinker: power on       none             0          none\n"
+              "   1 s  Button                  BUTTON\n"
+              "        blinker                         t0       1          LAMP\n"
               "        Lamp: lit\n"
               "   3 s  T_X1_2s: 2s/X1 is true\n"
-              "        blinker                            t1       2          none\n");
+              "        blinker                         t1       2          none\n");
 }
 
 TEST(Tell, ListsTheEvolutionsOfOneSearchInOrder) {
