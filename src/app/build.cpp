@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "app/files.hpp"
 #include "app/verbs.hpp"
@@ -38,21 +37,21 @@ std::vector<Product> products(const Model& model, Id<ClosedLoop> loop, Job& job)
     return made;
 }
 
-void print_products(const std::vector<Product>& made, Format format, std::ostream& out) {
+std::string listed(const std::vector<Product>& made, Format format) {
     if (format == Format::Json) {
         nlohmann::ordered_json files = nlohmann::ordered_json::array();
         for (const Product& product : made)
             files.push_back({{"path", product.file.path.string()}, {"bytes", product.file.content.size()}, {"use", product.use}});
-        out << nlohmann::ordered_json{{"files", files}}.dump(2) << '\n';
-        return;
+        return nlohmann::ordered_json{{"files", files}}.dump(2) + "\n";
     }
-    out << "wrote\n";
-    for (const Product& product : made) out << fmt::format("  {}\n      {}\n", product.file.path.string(), product.use);
+    std::string text = "wrote\n";
+    for (const Product& product : made) text += fmt::format("  {}\n      {}\n", product.file.path.string(), product.use);
+    return text;
 }
 
 }  // namespace
 
-ExitCode build(Job& job, const Streams& streams) {
+ExitCode build(Job& job, const Streams&) {
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
     const auto loop = chosen_loop(*model, job);
@@ -63,7 +62,7 @@ ExitCode build(Job& job, const Streams& streams) {
     std::vector<OutputFile> files;
     for (const Product& product : made) files.push_back(product.file);
     write_files(files);
-    if (!job.options.quiet) print_products(made, job.options.format, streams.out);
+    if (!job.options.quiet) job.closing = listed(made, job.options.format);
     return ExitCode::Done;
 }
 

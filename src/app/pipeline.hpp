@@ -20,6 +20,7 @@ struct Job {
     Options options = {};
     Sources sources = {};
     Diagnostics diagnostics = {};
+    std::string closing = {};   ///< goes to standard output after the diagnostics, so that a person reads it last
 };
 
 /// The text of the file at `path`, as a source of the job.

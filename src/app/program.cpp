@@ -63,7 +63,7 @@ ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, co
         print_help(verb, streams.out);
         return ExitCode::Done;
     }
-    Job job{*parsed.options, {}, {}};
+    Job job{*parsed.options, {}, {}, {}};
     ExitCode code = ExitCode::Done;
     try {
         code = entry.run(job, streams);
@@ -71,7 +71,8 @@ ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, co
         job.diagnostics.add(messages::world_failed(failure.what()));
     }
     render_diagnostics(job, streams);
-    return job.diagnostics.has_errors() ? ExitCode::Input : code;
+    streams.out << job.closing;
+    return job.diagnostics.has_errors() && code != ExitCode::Failure ? ExitCode::Input : code;
 }
 
 }  // namespace

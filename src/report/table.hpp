@@ -12,7 +12,7 @@ namespace grafverif {
 
 /// Time, what happened, inputs, cleared, situation, outputs.
 using Cells = std::array<std::string, 6>;
-inline constexpr Cells column_titles = {"time", "what happened", "inputs", "cleared", "situation", "outputs"};
+inline const Cells column_titles = {"time", "what happened", "inputs", "cleared", "situation", "outputs"};
 
 /// Of step `index`, against the step shown before it. `complete`: situation and outputs even where they have not changed.
 Cells cells(const Trace& trace, std::size_t index, bool complete);

@@ -54,18 +54,28 @@ private:
         if (!answer.trace) return;
         const bool witness = verdict.outcome == Outcome::Holds;
         if (witness && !options_.verbose) return;
-        print_told(witness ? "witness" : "counterexample", *answer.trace);
+        print_told(witness ? "witness" : "counterexample", *answer.trace, witness ? "" : end_of(verdict.pattern));
     }
 
-    void print_told(std::string_view what, const Trace& trace) {
+    /// What is wrong where a finite counterexample ends.
+    static std::string_view end_of(Pattern pattern) {
+        if (pattern == Pattern::NoTimelock) return "from here on time cannot pass";
+        if (pattern == Pattern::NoDeadlock) return "from here on nothing can happen, but time may pass";
+        if (pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo) return "from here on nothing can happen";
+        return {};
+    }
+
+    /// `end`: said of a trace that does not repeat.
+    void print_told(std::string_view what, const Trace& trace, std::string_view end) {
         out_ << '\n' << what << ":\n";
         print_trace(trace, out_);
+        if (!trace.loop_from && !end.empty()) out_ << "    " << end << '\n';
         out_ << '\n';
     }
 
     void print(const Breakdown& breakdown) {
         out_ << painted("the model breaks off", 31) << ": " << breakdown.message << " [" << breakdown.code << "]\n";
-        print_told("the way there", breakdown.trace);
+        print_told("the way there", breakdown.trace, "");
     }
 
     void print_tally() {

@@ -88,6 +88,7 @@ private:
 
     std::deque<Token> pending_ = {};     ///< to be handed out before anything new
     bool recovering_ = false;
+    Span reported_ = {};                 ///< the token last reported: not a second time
     std::uint32_t handed_back_ = 0;      ///< end of the last token handed out a second time: there is no third
     Kind last_ = Parser::symbol_kind::S_YYEMPTY;   ///< the token last handed out
     Span last_where_ = {};

@@ -62,6 +62,9 @@ bool Lexer::begins_line(Span where) const {
 
 void Lexer::report_unexpected(Kind seen, Span where, std::span<const Kind> expected) {
     recovering_ = true;
+    const bool again = reported_.source.valid() && reported_.begin == where.begin && reported_.end == where.end;
+    reported_ = where;
+    if (again) return;
     const std::string_view text = seen_text(where);
     if (seen == Symbols::S_IS && contains(expected, Symbols::S_EQUAL))
         return diagnostics_->add(messages::single_equals(where, "comparison", "=="));

@@ -44,7 +44,7 @@ Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
         for (const Chart::Variable& variable : chart.variables)
             if (variable.kind == Chart::VariableKind::Internal) nearest.offer(variable.name);
         if (name[0] == 'X')
-            for (const Chart::Step& step : chart.steps) nearest.offer("X" + step.name);
+            for (const Chart::Step& step : chart.steps) nearest.offer('X', step.name);
     }
     const bool step_like = name.size() > 1 && name[0] == 'X' && name[1] >= '0' && name[1] <= '9';
     scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, nearest.best()));

@@ -14,12 +14,15 @@ public:
     explicit Nearest(std::string_view name);
 
     void offer(std::string_view candidate);
+    /// `X` and the name of a step: its variable.
+    void offer(char prefix, std::string_view candidate);
     /// The first of the nearest candidates; empty when none is near.
     const std::string& best() const { return best_; }
 
 private:
     std::string name_;
     std::string best_ = {};
+    std::string prefixed_ = {};
     std::size_t distance_;   ///< of the best so far, plus what is needed to beat it: only less is of interest
 };
 

@@ -26,7 +26,7 @@ Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
     if (!step_like)
         for (const Chart::Variable& variable : scope.chart.variables) nearest.offer(variable.name);
     if (name[0] == 'X')
-        for (const Chart::Step& step : scope.chart.steps) nearest.offer("X" + step.name);
+        for (const Chart::Step& step : scope.chart.steps) nearest.offer('X', step.name);
     scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, nearest.best()));
     return {};
 }
@@ -82,7 +82,7 @@ Term member_term(ChartScope& scope, const tree::Expr& node) {
     Nearest nearest(name);
     if (!scope.diagnostics.full())
         for (const Chart::Step& step : scope.chart.steps)
-            if (step.chart == partial) nearest.offer("X" + step.name);
+            if (step.chart == partial) nearest.offer('X', step.name);
     scope.diagnostics.add(messages::unknown(node.where, "step", name, nearest.best()));
     return {};
 }

@@ -53,6 +53,15 @@ TEST(Build, WritesTheProjectItsQueriesAndTheNusmvModel) {
     EXPECT_EQ(folder.entries(), 4u);
 }
 
+TEST(Build, WarnsOfPropertiesThatATargetCannotSay) {
+    const Folder folder;
+    const Result result = grafverif({"build", station, "-o", folder.file("out")});
+    EXPECT_NE(result.err.find("property `no_timelock` is left out of the UPPAAL model"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("property `no_deadlock` is left out of the NuSMV model"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("[not-expressible]"), std::string::npos);
+    EXPECT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--quiet"}).err, "");
+}
+
 TEST(Build, TellsItsFilesAsJson) {
     const Folder folder;
     const Result result = grafverif({"build", station, "-o", folder.file("out"), "--format", "json", "--target", "uppaal"});
