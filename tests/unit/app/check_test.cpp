@@ -75,7 +75,10 @@ TEST(Check, ChecksThePropertiesNamedAndTimelock) {
     std::vector<std::string> names;
     const Json properties = Json::parse(result.out)["properties"];
     for (const Json& property : properties) names.push_back(property["name"]);
-    EXPECT_EQ(names, (std::vector<std::string>{"one_order", "warned", "no_timelock"}));
+    ASSERT_EQ(names.size(), 3u);
+    EXPECT_EQ(names[0], "one_order");
+    EXPECT_EQ(names[1], "warned");
+    EXPECT_TRUE(names[2].starts_with("no_timelock")) << names[2];
 }
 
 TEST(Check, ReportsAValueOutOfRangeWithTheWayThere) {
