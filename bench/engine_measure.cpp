@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// engine_measure WHAT [atomic]: checks one model with the timed engine and prints what it took: states, transitions per
+// bench_engine WHAT [atomic]: checks one model with the timed engine and prints what it took: states, transitions per
 // second, bytes per state, verdicts. WHAT: `station`, `two` (two stations in one network), `cylinders N`, or a sample's path.
 #include <sys/resource.h>
 
@@ -45,7 +45,7 @@ Network chosen(const std::string& what, int count, char** values) {
 
 int main(int count, char** values) {
     if (count < 2) {
-        fmt::print(stderr, "usage: engine_measure station|two|cylinders N|PATH [atomic]\n");
+        fmt::print(stderr, "usage: bench_engine station|two|cylinders N|PATH [atomic]\n");
         return 2;
     }
     const auto progress = [](const TimedProgress& now) {

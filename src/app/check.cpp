@@ -39,8 +39,9 @@ public:
         if (!shown_) return;
         erase();
         const double rate = now.seconds > 0 ? static_cast<double>(now.states) / now.seconds / 1e6 : 0;
-        const std::string line = fmt::format("{} states, {:.2f} million/s, {} to go on from, {} MiB, {:.0f} s", grouped(now.states), rate,
-                                             grouped(now.queue), now.bytes >> 20U, now.seconds);
+        const std::string line =
+            fmt::format("{} states, {:.2f} million/s, {} to go on from, {} MiB, {:.0f} s", grouped(now.states), rate,
+                        grouped(now.queue), now.bytes >> 20U, now.seconds);
         width_ = line.size();
         err_ << line << std::flush;
     }
@@ -73,7 +74,8 @@ TimedResult search(const Network& network, const Options& options, const Streams
     timed.properties = options.properties;
     timed.max_states = options.max_states.value_or(timed.max_states);
     timed.max_memory = options.max_memory.value_or(timed.max_memory);
-    if (options.timeout_ms) timed.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
+    if (options.timeout_ms)
+        timed.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
     timed.stop = &interrupt.asked();
     timed.progress = [&line](const TimedProgress& now) { line.show(now); };
     return check_timed(network, timed);
@@ -83,7 +85,10 @@ TimedResult search(const Network& network, const Options& options, const Streams
 class Reporter {
 public:
     Reporter(const Network& network, std::vector<const Chart*> charts, const Options& options)
-        : network_(network), charts_(std::move(charts)), detail_(options.verbose ? Detail::Everything : Detail::Chart) {}
+        : network_(network),
+          charts_(std::move(charts)),
+          detail_(options.verbose ? Detail::Everything : Detail::Chart),
+          witnesses_(options.verbose || options.format == Format::Json || options.trace_vcd || options.trace_svg) {}
 
     Report report(TimedResult result) {
         Report report{network_.name, basis_of(network_, "timed"), {}, {}};
@@ -92,7 +97,9 @@ public:
             report.breakdowns.push_back(breakdown_of(network_, error, detail_));
         }
         for (Verdict& verdict : result.verdicts) {
-            if (verdict.run && !replays(*verdict.run, fmt::format("the trace of `{}`", verdict.property))) verdict.run.reset();
+            if (verdict.outcome == Outcome::Holds && !witnesses_) verdict.run.reset();
+            if (verdict.run && !replays(*verdict.run, fmt::format("the trace of `{}`", verdict.property)))
+                verdict.run.reset();
             report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
         }
         return report;
@@ -110,6 +117,7 @@ private:
     const Network& network_;
     std::vector<const Chart*> charts_;
     Detail detail_;
+    bool witnesses_;  ///< whether anybody looks at them
     std::vector<std::string> failures_ = {};
 };
 
@@ -120,11 +128,13 @@ struct Chosen {
     std::string title = {};
 };
 Chosen first_trace(const Report& report) {
-    if (!report.breakdowns.empty()) return {&report.breakdowns.front().trace, report.model + ": " + report.breakdowns.front().code};
+    if (!report.breakdowns.empty())
+        return {&report.breakdowns.front().trace, report.model + ": " + report.breakdowns.front().code};
     for (const bool unexpected : {true, false})
         for (const Answer& answer : report.answers)
             if (answer.trace && (!unexpected || !as_expected(answer.verdict)))
-                return {&*answer.trace, fmt::format("{}: {} {}", report.model, answer.verdict.property, word(answer.verdict.outcome))};
+                return {&*answer.trace,
+                        fmt::format("{}: {} {}", report.model, answer.verdict.property, word(answer.verdict.outcome))};
     return {};
 }
 
@@ -160,21 +170,31 @@ ExitCode check(Job& job, const Streams& streams) {
     Reporter reporter(*network, charts_of(*model, model->loops[*loop]), job.options);
     const Report report = reporter.report(std::move(result));
     if (job.options.format == Format::Json) print_json(report, streams.out);
-    else print_report(report, {job.options.verbose, job.options.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain}, streams.out);
-    for (const std::string& failure : reporter.failures()) streams.err << "grafverif: internal failure: " << failure << '\n';
+    else
+        print_report(report,
+                     {job.options.verbose, job.options.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain},
+                     streams.out);
+    for (const std::string& failure : reporter.failures())
+        streams.err << "grafverif: internal failure: " << failure << '\n';
     write_reports(report, job.options, streams);
     return exit_code(report, !reporter.failures().empty(), interrupt.asked());
 }
 
 Verb check_usage() {
-    return {"check", "FILE", 1, 1, "prove the properties of a closed loop, with counterexamples in the chart's words",
-            "Decides every property of FILE's closed loop with the embedded timed engine, and whether time can stop. Each verdict\n"
+    return {"check",
+            "FILE",
+            1,
+            1,
+            "prove the properties of a closed loop, with counterexamples in the chart's words",
+            "Decides every property of FILE's closed loop with the embedded timed engine, and whether time can stop. "
+            "Each verdict\n"
             "says what it rests on; a violated property comes with a trace, replayed on the rules of IEC 60848 first.\n"
             "Formats: text, JSON (--format json), JUnit XML (--junit); traces also as VCD and SVG.",
             {"grafverif check samples/testing_station/testing_station.grafcet",
              "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
              "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G"},
-            {Accepts::Search, Accepts::Loop, Accepts::Mode, Accepts::Grain, Accepts::Format, Accepts::Traces, Accepts::Verbose}};
+            {Accepts::Search, Accepts::Loop, Accepts::Mode, Accepts::Grain, Accepts::Format, Accepts::Traces,
+             Accepts::Verbose}};
 }
 
 }  // namespace grafverif::app

@@ -10,7 +10,9 @@ namespace grafverif::app {
 
 namespace {
 
-std::string_view without_comment(std::string_view line) { return line.substr(0, std::min(line.find('#'), line.find("//"))); }
+std::string_view without_comment(std::string_view line) {
+    return line.substr(0, std::min(line.find('#'), line.find("//")));
+}
 
 /// Words are separated by blanks; `=` is a word of its own.
 std::vector<std::string> words(std::string_view line) {
@@ -63,12 +65,14 @@ Command command_of(std::string_view line) {
     const std::string& first = list[0];
     if (list.size() > 1 && list[1] == "=") return set_of(list);
     if (first == "wait" || first == "w") return wait_of(list);
-    if (first == "do" && (list.size() == 2 || list.size() == 3)) return DoCommand{list[1], list.size() == 3 ? list[2] : ""};
+    if (first == "do" && (list.size() == 2 || list.size() == 3))
+        return DoCommand{list[1], list.size() == 3 ? list[2] : ""};
     if (list.size() == 1) {
         if (first == "back" || first == "b") return BackCommand{};
         if (first == "quit" || first == "q") return QuitCommand{};
         if (first == "help" || first == "?") return HelpCommand{};
-        if (const auto choice = number(first); choice && *choice > 0) return ChooseCommand{static_cast<std::size_t>(*choice)};
+        if (const auto choice = number(first); choice && *choice > 0)
+            return ChooseCommand{static_cast<std::size_t>(*choice)};
     }
     return BadCommand{fmt::format("`{}` is no command; `help` lists them", first)};
 }

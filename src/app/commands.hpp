@@ -19,18 +19,43 @@
 
 namespace grafverif::app {
 
-struct SetCommand { std::string name = {}; std::int64_t value = 0; bool operator==(const SetCommand&) const = default; };
-struct WaitCommand { std::optional<std::int64_t> milliseconds = {}; bool operator==(const WaitCommand&) const = default; };
-struct DoCommand { std::string instance = {}, location = {}; bool operator==(const DoCommand&) const = default; };
-struct ChooseCommand { std::size_t number = 0; bool operator==(const ChooseCommand&) const = default; };
-struct BackCommand { bool operator==(const BackCommand&) const = default; };
-struct QuitCommand { bool operator==(const QuitCommand&) const = default; };
-struct HelpCommand { bool operator==(const HelpCommand&) const = default; };
-struct NoCommand { bool operator==(const NoCommand&) const = default; };
+struct SetCommand {
+    std::string name = {};
+    std::int64_t value = 0;
+    bool operator==(const SetCommand&) const = default;
+};
+struct WaitCommand {
+    std::optional<std::int64_t> milliseconds = {};
+    bool operator==(const WaitCommand&) const = default;
+};
+struct DoCommand {
+    std::string instance = {}, location = {};
+    bool operator==(const DoCommand&) const = default;
+};
+struct ChooseCommand {
+    std::size_t number = 0;
+    bool operator==(const ChooseCommand&) const = default;
+};
+struct BackCommand {
+    bool operator==(const BackCommand&) const = default;
+};
+struct QuitCommand {
+    bool operator==(const QuitCommand&) const = default;
+};
+struct HelpCommand {
+    bool operator==(const HelpCommand&) const = default;
+};
+struct NoCommand {
+    bool operator==(const NoCommand&) const = default;
+};
 /// What is wrong with the line.
-struct BadCommand { std::string complaint = {}; bool operator==(const BadCommand&) const = default; };
+struct BadCommand {
+    std::string complaint = {};
+    bool operator==(const BadCommand&) const = default;
+};
 
-using Command = std::variant<SetCommand, WaitCommand, DoCommand, ChooseCommand, BackCommand, QuitCommand, HelpCommand, NoCommand, BadCommand>;
+using Command = std::variant<SetCommand, WaitCommand, DoCommand, ChooseCommand, BackCommand, QuitCommand, HelpCommand,
+                             NoCommand, BadCommand>;
 
 Command command_of(std::string_view line);
 

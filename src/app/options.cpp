@@ -17,24 +17,14 @@ namespace po = boost::program_options;
 
 bool accepts(const Verb& verb, Accepts what) { return std::ranges::find(verb.accepts, what) != verb.accepts.end(); }
 
-po::options_description visible_options(const Verb& verb) {
-    const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
-    po::options_description options("Options", 100);
+po::typed_value<std::string>* text(const char* name) { return po::value<std::string>()->value_name(name); }
+
+/// Those of `check` and `simulate`.
+void add_checking_options(const Verb& verb, po::options_description& options) {
     auto add = options.add_options();
-    if (accepts(verb, Accepts::Output)) add("output,o", text("FILE"), "write to FILE instead of standard output");
-    if (accepts(verb, Accepts::OutputDirectory))
-        add("output,o", text("DIR"), "write into DIR, made if missing (default: ./NAME.grafverif)");
-    if (accepts(verb, Accepts::Target)) add("target", text("uppaal|nusmv"), "write one target only (default: both)");
-    if (accepts(verb, Accepts::Loop)) add("loop", text("NAME"), "the closed loop, where the file has several");
-    if (accepts(verb, Accepts::Chart)) add("chart", text("NAME"), "the chart, where the file has several");
-    if (accepts(verb, Accepts::Mode))
-        add("mode", text("stability-search|every-cycle"), "when outputs are written; wins over what the file says");
-    if (accepts(verb, Accepts::Grain))
-        add("grain", text("phased|atomic"), "whether the plant may move within a PLC cycle; wins over the file");
-    if (accepts(verb, Accepts::Format)) add("format", text("text|json"), "form of the output (default: text)");
-    if (accepts(verb, Accepts::FormatLatex)) add("format", text("text|latex|json"), "form of the output (default: text)");
     if (accepts(verb, Accepts::Search)) {
-        add("property", po::value<std::vector<std::string>>()->value_name("NAME"), "check this property only; may be repeated");
+        add("property", po::value<std::vector<std::string>>()->value_name("NAME"),
+            "check this property only; may be repeated");
         add("engine", text("auto|timed"), "the engine that proves (default: auto)");
         add("max-states", text("N"), "give up after N states (default: 500000000)");
         add("max-memory", text("SIZE"), "give up above SIZE, such as 500M or 2G (default: 4G)");
@@ -51,6 +41,24 @@ po::options_description visible_options(const Verb& verb) {
         add("steps", text("N"), "moves of the random walk (default: 100)");
     }
     if (accepts(verb, Accepts::Verbose)) add("verbose,v", po::bool_switch(), "tell what is internal too");
+}
+
+po::options_description visible_options(const Verb& verb) {
+    po::options_description options("Options", 100);
+    auto add = options.add_options();
+    if (accepts(verb, Accepts::Output)) add("output,o", text("FILE"), "write to FILE instead of standard output");
+    if (accepts(verb, Accepts::OutputDirectory))
+        add("output,o", text("DIR"), "write into DIR, made if missing (default: ./NAME.grafverif)");
+    if (accepts(verb, Accepts::Target)) add("target", text("uppaal|nusmv"), "write one target only (default: both)");
+    if (accepts(verb, Accepts::Loop)) add("loop", text("NAME"), "the closed loop, where the file has several");
+    if (accepts(verb, Accepts::Chart)) add("chart", text("NAME"), "the chart, where the file has several");
+    if (accepts(verb, Accepts::Mode))
+        add("mode", text("stability-search|every-cycle"), "when outputs are written; wins over what the file says");
+    if (accepts(verb, Accepts::Grain))
+        add("grain", text("phased|atomic"), "whether the plant may move within a PLC cycle; wins over the file");
+    if (accepts(verb, Accepts::Format)) add("format", text("text|json"), "form of the output (default: text)");
+    if (accepts(verb, Accepts::FormatLatex)) add("format", text("text|latex|json"), "form of the output (default: text)");
+    add_checking_options(verb, options);
     if (accepts(verb, Accepts::InPlace)) {
         add("in-place,i", po::bool_switch(), "rewrite FILE itself");
         add("check", po::bool_switch(), "write nothing; exit 1 if FILE is not in canonical form");
@@ -108,8 +116,8 @@ std::string choose_all(const Verb& verb, const po::variables_map& values, Option
 }
 
 /// A whole number, times the factor of its suffix; `suffixes`: the first is that of a number without one.
-std::string read_number(const po::variables_map& values, const char* name, std::initializer_list<Choice<std::uint64_t>> suffixes,
-                        std::optional<std::uint64_t>& target) {
+std::string read_number(const po::variables_map& values, const char* name,
+                        std::initializer_list<Choice<std::uint64_t>> suffixes, std::optional<std::uint64_t>& target) {
     if (values.count(name) == 0) return {};
     const std::string& given = values[name].as<std::string>();
     const std::string complaint = fmt::format("`--{}` takes a whole number{}; not `{}`", name,
@@ -131,8 +139,10 @@ std::string read_numbers(const po::variables_map& values, Options& options) {
     std::optional<std::uint64_t> steps = options.steps;
     for (const std::string& complaint :
          {read_number(values, "max-states", {}, options.max_states),
-          read_number(values, "max-memory", {{"", mega}, {"K", mega >> 10U}, {"M", mega}, {"G", mega << 10U}}, options.max_memory),
-          read_number(values, "timeout", {{"", 1000}, {"ms", 1}, {"s", 1000}, {"min", 60'000}, {"h", 3'600'000}}, options.timeout_ms),
+          read_number(values, "max-memory", {{"", mega}, {"K", mega >> 10U}, {"M", mega}, {"G", mega << 10U}},
+                      options.max_memory),
+          read_number(values, "timeout", {{"", 1000}, {"ms", 1}, {"s", 1000}, {"min", 60'000}, {"h", 3'600'000}},
+                      options.timeout_ms),
           read_number(values, "random", {}, options.random_seed), read_number(values, "steps", {}, steps)})
         if (!complaint.empty()) return complaint;
     options.steps = *steps;
@@ -145,7 +155,8 @@ std::string check_engine(const po::variables_map& values) {
     const std::string& given = values["engine"].as<std::string>();
     if (given == "auto" || given == "timed") return {};
     for (const char* planned : {"symbolic", "verifyta", "NuSMV", "nuXmv"})
-        if (given == planned) return fmt::format("`--engine {}` is not supported yet; the embedded engine is `timed`", given);
+        if (given == planned)
+            return fmt::format("`--engine {}` is not supported yet; the embedded engine is `timed`", given);
     return fmt::format("`--engine` takes one of `auto`, `timed`; not `{}`", given);
 }
 

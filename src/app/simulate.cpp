@@ -35,18 +35,19 @@ public:
 
     /// What went wrong; empty: all is well.
     std::string obey(const Command& command) {
-        return std::visit(overloaded{
-                              [&](const SetCommand& set) { return simulation_.set(set.name, set.value); },
-                              [&](const WaitCommand& wait) { return obey_wait(wait); },
-                              [&](const DoCommand& act) { return simulation_.act(act.instance, act.location); },
-                              [&](const ChooseCommand& choice) { return obey_choice(choice); },
-                              [&](BackCommand) { return std::string(simulation_.back() ? "" : "there is nothing to undo"); },
-                              [&](QuitCommand) { return over_ = true, std::string(); },
-                              [&](HelpCommand) { return out_ << help, std::string(); },
-                              [](NoCommand) { return std::string(); },
-                              [](const BadCommand& bad) { return bad.complaint; },
-                          },
-                          command);
+        return std::visit(
+            overloaded{
+                [&](const SetCommand& set) { return simulation_.set(set.name, set.value); },
+                [&](const WaitCommand& wait) { return obey_wait(wait); },
+                [&](const DoCommand& act) { return simulation_.act(act.instance, act.location); },
+                [&](const ChooseCommand& choice) { return obey_choice(choice); },
+                [&](BackCommand) { return std::string(simulation_.back() ? "" : "there is nothing to undo"); },
+                [&](QuitCommand) { return over_ = true, std::string(); },
+                [&](HelpCommand) { return out_ << help, std::string(); },
+                [](NoCommand) { return std::string(); },
+                [](const BadCommand& bad) { return bad.complaint; },
+            },
+            command);
     }
 
     /// Shows the new steps, what went wrong, and in a conversation what may be chosen.
@@ -77,7 +78,8 @@ private:
     std::string obey_wait(const WaitCommand& wait) {
         if (!wait.milliseconds) return simulation_.wait();
         const std::int64_t unit = simulation_.network().time_unit_ms;
-        if (*wait.milliseconds % unit != 0) return fmt::format("the time unit of this loop is {}; wait a multiple of it", seconds_text(unit));
+        if (*wait.milliseconds % unit != 0)
+            return fmt::format("the time unit of this loop is {}; wait a multiple of it", seconds_text(unit));
         return simulation_.wait(*wait.milliseconds / unit);
     }
 
@@ -90,11 +92,13 @@ private:
     void prompt() {
         std::size_t number = 0;
         for (const Fire& fire : simulation_.choices())
-            out_ << fmt::format("{:>5}  {}\n", ++number, choice_words(simulation_.network(), simulation_.state(), fire));
+            out_ << fmt::format("{:>5}  {}\n", ++number,
+                                choice_words(simulation_.network(), simulation_.state(), fire));
         const Leeway way = leeway(simulation_.network(), simulation_.state());
         const std::int64_t unit = simulation_.network().time_unit_ms;
         if (way.may_pass)
-            out_ << (way.limit ? fmt::format(" wait  up to {}\n", seconds_text(*way.limit * unit)) : " wait  as long as you like\n");
+            out_ << (way.limit ? fmt::format(" wait  up to {}\n", seconds_text(*way.limit * unit))
+                               : " wait  as long as you like\n");
         out_ << "> ";
     }
 
@@ -108,7 +112,8 @@ private:
 ExitCode converse(Simulation& simulation, const Streams& streams) {
     Session session(simulation, streams);
     session.begin(true);
-    for (std::string line; !session.over() && std::getline(streams.in, line);) session.answer(session.obey(command_of(line)));
+    for (std::string line; !session.over() && std::getline(streams.in, line);)
+        session.answer(session.obey(command_of(line)));
     streams.out << '\n';
     return ExitCode::Done;
 }
@@ -149,7 +154,8 @@ public:
         if (drawn < choices.size()) return choices[drawn];
         constexpr std::int64_t longest = 20;
         const std::int64_t most = std::min(way.limit.value_or(longest), way.change.value_or(longest));
-        return Delay{1 + static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(std::max<std::int64_t>(most, 1)))};
+        return Delay{
+            1 + static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(std::max<std::int64_t>(most, 1)))};
     }
 
 private:
@@ -180,7 +186,7 @@ ExitCode simulate(Job& job, const Streams& streams) {
     Run run;
     Trace trace;
     if (job.options.random_seed) {
-        Simulation simulation(*network, Detail::Everything);   // every edge is drawn
+        Simulation simulation(*network, Detail::Everything);  // every edge is drawn
         const std::string problem = walk(simulation, *job.options.random_seed, job.options.steps);
         run = simulation.run();
         trace = tell(*network, run, detail);
@@ -188,7 +194,8 @@ ExitCode simulate(Job& job, const Streams& streams) {
         if (!problem.empty()) streams.out << "! " << problem << '\n';
     } else {
         Simulation simulation(*network, detail);
-        code = job.options.script ? follow_script(simulation, *job.options.script, streams, job) : converse(simulation, streams);
+        code = job.options.script ? follow_script(simulation, *job.options.script, streams, job)
+                                  : converse(simulation, streams);
         run = simulation.run();
         trace = simulation.trace();
     }
@@ -201,14 +208,21 @@ ExitCode simulate(Job& job, const Streams& streams) {
 }
 
 Verb simulate_usage() {
-    return {"simulate", "FILE", 1, 1, "move a closed loop by hand, by a script, or at random",
-            "Runs FILE's closed loop: choose what the plant and its environment do, set inputs, let time pass; the controller\n"
-            "follows by itself. Commands come from standard input, or from a script; with --verbose every edge is a choice.\n"
+    return {"simulate",
+            "FILE",
+            1,
+            1,
+            "move a closed loop by hand, by a script, or at random",
+            "Runs FILE's closed loop: choose what the plant and its environment do, set inputs, let time pass; the "
+            "controller\n"
+            "follows by itself. Commands come from standard input, or from a script; with --verbose every edge is a "
+            "choice.\n"
             "  NAME = VALUE       make an input true, false or a number\n"
             "  wait 3s            let time pass (ms, s, min); `wait` alone: until something happens by itself, or can\n"
             "  do INSTANCE [LOC]  the instance does what it can, or what leads it to location LOC\n"
             "  back, quit         undo the last command, end",
-            {"grafverif simulate samples/blinker/blinker.grafcet", "grafverif simulate station.grafcet --script press_start.txt",
+            {"grafverif simulate samples/blinker/blinker.grafcet",
+             "grafverif simulate station.grafcet --script press_start.txt",
              "grafverif simulate station.grafcet --random 7 --steps 500 --trace-svg walk.svg"},
             {Accepts::Walk, Accepts::Loop, Accepts::Mode, Accepts::Grain, Accepts::Traces, Accepts::Verbose}};
 }

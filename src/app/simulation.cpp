@@ -36,14 +36,16 @@ Simulation::Simulation(const Network& network, Detail detail)
 std::vector<Fire> Simulation::choices() const {
     if (network_.race.valid() && state_.variables[network_.race.index] != 0) return {};
     std::vector<Fire> moves = enabled(network_, state_);
-    if (detail_ == Detail::Chart && !broken_) std::erase_if(moves, [&](const Fire& fire) { return !of_plant(network_, fire); });
+    if (detail_ == Detail::Chart && !broken_)
+        std::erase_if(moves, [&](const Fire& fire) { return !of_plant(network_, fire); });
     return moves;
 }
 
 std::string Simulation::problem_of(const Step& step, const Move& move) const {
     if (step.result == Step::Result::Blocked) return "this cannot happen now";
     const Fire& fire = std::get<Fire>(move);
-    const auto kind = step.result == Step::Result::OutOfRange ? ModelError::Kind::OutOfRange : ModelError::Kind::NoValue;
+    const auto kind =
+        step.result == Step::Result::OutOfRange ? ModelError::Kind::OutOfRange : ModelError::Kind::NoValue;
     return breakdown_of(network_, {kind, step.variable, fire.process, fire.edge, {}}, Detail::Chart).message;
 }
 
@@ -76,10 +78,12 @@ std::optional<Fire> Simulation::next_by_itself() const {
     const auto of_kind = [&](Network::ProcessKind kind) {
         return first([&](const Fire& fire) { return network_.processes[fire.process].kind == kind; });
     };
-    if (const auto urgent = first([&](const Fire& fire) { return alone(fire) && edge_of(network_, fire).urgent; })) return urgent;
+    if (const auto urgent = first([&](const Fire& fire) { return alone(fire) && edge_of(network_, fire).urgent; }))
+        return urgent;
     if (const auto timer = of_kind(Network::ProcessKind::Timer)) return timer;
     if (const auto cycle = of_kind(Network::ProcessKind::Controller)) return cycle;
-    return first([&](const Fire& fire) { return alone(fire) && std::ranges::find(hurried, fire.process) != hurried.end(); });
+    return first(
+        [&](const Fire& fire) { return alone(fire) && std::ranges::find(hurried, fire.process) != hurried.end(); });
 }
 
 /// What happens by itself within this instant. Brent's search notices when it goes on for ever.
@@ -121,7 +125,8 @@ std::string Simulation::waiting_for() const {
     const std::vector<Id<Network::Process>> hurried = impatient(network_, state_);
     std::vector<std::string> words;
     for (const Fire& fire : choices())
-        if (std::ranges::find(hurried, fire.process) != hurried.end()) words.push_back(choice_words(network_, state_, fire));
+        if (std::ranges::find(hurried, fire.process) != hurried.end())
+            words.push_back(choice_words(network_, state_, fire));
     if (words.empty()) return "time cannot pass any more: nothing can happen that must";
     return "time cannot pass before one of these happens: " + listed(words);
 }
@@ -164,7 +169,8 @@ std::string Simulation::set(std::string_view name, std::int64_t value) {
     if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, value);
     for (const Fire& fire : choices()) {
         NetworkState after = state_;
-        if (perform(network_, after, fire).result == Step::Result::Done && after.variables[index] == value) return choose(fire);
+        if (perform(network_, after, fire).result == Step::Result::Done && after.variables[index] == value)
+            return choose(fire);
     }
     return fmt::format("nothing can make `{}` {} now", name, value);
 }

@@ -37,8 +37,8 @@ public:
     /// Whether the model has broken off, or a controller goes on for ever: nothing follows by itself any more.
     bool broken() const { return broken_; }
 
-    /// Each of these is one command: it makes its moves and lets the rest follow. The answer says what went wrong; empty: all
-    /// is well. A command that went wrong may have made some moves.
+    /// Each of these is one command: it makes its moves and lets the rest follow. The answer says what went wrong;
+    /// empty: all is well. A command that went wrong may have made some moves.
     std::string settle();
     std::string choose(const Fire& fire);
     std::string wait(std::int64_t units);
@@ -66,7 +66,7 @@ private:
     NetworkState state_;
     Run run_ = {};
     std::optional<Teller> teller_;
-    std::vector<std::size_t> commands_ = {};   ///< the length of the run before each
+    std::vector<std::size_t> commands_ = {};  ///< the length of the run before each
     bool broken_ = false;
 };
 

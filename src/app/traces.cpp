@@ -18,8 +18,8 @@ std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop) 
 }
 
 std::string replay_failure(std::string_view what, const Disagreement& disagreement) {
-    return fmt::format("{} does not replay on the rules of IEC 60848: {}: {} (move {})", what, disagreement.where, disagreement.what,
-                       disagreement.move);
+    return fmt::format("{} does not replay on the rules of IEC 60848: {}: {} (move {})", what, disagreement.where,
+                       disagreement.what, disagreement.move);
 }
 
 void write_trace_files(const Trace& trace, std::string_view title, const Options& options) {

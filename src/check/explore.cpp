@@ -23,7 +23,8 @@ bool Limits::stopped() const {
 
 Obstacle Limits::judge(const Graph& graph, std::uint32_t state) {
     if (stopped()) return Obstacle::Stopped;
-    const std::size_t bytes = graph.bytes();
+    // Links let the index go before properties are judged; without them judging comes on top.
+    const std::size_t bytes = graph.bytes() + (graph.linked ? 0 : 16 * graph.states());
     if (bytes > options_.max_memory) return Obstacle::Memory;
     if (!options_.progress) return Obstacle::None;
     const double now = seconds();
@@ -37,8 +38,8 @@ namespace {
 
 constexpr std::uint32_t ahead = 16;             // states whose moves are computed before they are looked up
 constexpr std::uint32_t judge_every = 1024;     // states between two looks at the limits
-constexpr std::size_t links_per_state = 6;      // above it links are dropped
-constexpr std::size_t links_grace = 1U << 16U;  // but not before so many
+constexpr std::size_t link_bytes = 24;          // per state; above it links are dropped
+constexpr std::size_t link_grace = 1U << 18U;   // but not before they take so many in all
 
 class Search {
 public:
@@ -92,20 +93,18 @@ private:
     void visit(std::uint32_t state) {
         const Moves& moves = ring_[state % ahead];
         const std::size_t words = graph_.machine.layout().words;
-        if (graph_.linked && graph_.first_link.empty()) graph_.first_link.push_back(0);
+        if (graph_.linked) graph_.links.begin(state);
         if (!races_.empty() && races(graph_.load(state))) {
             if (!graph_.race) graph_.race = state;
             graph_.set_way(state, Way::Open, state);
-            close_links();
             return;
         }
         std::uint32_t onward = 0;   // where an urgent edge leads; a late state, since those lead on
         for (std::size_t i = 0; i < moves.successors.size(); ++i) {
             const std::uint32_t next = discover(moves.words.data() + i * words, moves.successors[i].hash, state);
-            if (graph_.linked) graph_.links.push_back(next);
+            if (graph_.linked) graph_.links.add(next);
             if (moves.urgent && graph_.machine.urgent(moves.successors[i].edge)) onward = std::max(onward, next);
         }
-        close_links();
         graph_.transitions += moves.successors.size();
         note(state, moves);
         const bool acts = !moves.successors.empty();
@@ -132,17 +131,12 @@ private:
         }
     }
 
-    void close_links() {
-        if (graph_.linked) graph_.first_link.push_back(static_cast<std::uint32_t>(graph_.links.size()));
-    }
-
     void drop_links_if_many() {
-        const std::size_t links = graph_.links.size();
-        if (!graph_.linked || links < links_grace) return;
-        if (links < links_per_state * graph_.states() && links < 0xFFFF0000U) return;
+        const std::size_t bytes = graph_.links.list_bytes();
+        if (!graph_.linked || bytes < link_grace) return;
+        if (bytes < link_bytes * graph_.states() && bytes < 0xFFFF0000U) return;
         graph_.linked = false;
         graph_.links.clear();
-        graph_.first_link.clear();
     }
 
     void note(std::uint32_t state, const Moves& moves) {

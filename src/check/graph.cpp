@@ -9,12 +9,10 @@ namespace grafverif::timed {
 
 void Graph::urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& found) {
     found.clear();
+    each_action(state, [&](std::uint32_t next) { found.push_back(next); });
     expand(state);
-    for (std::size_t i = 0; i < moves_.successors.size(); ++i) {
-        if (!machine.urgent(moves_.successors[i].edge)) continue;
-        if (linked) found.push_back(links[first_link[state] + i]);   // links are in the order of the moves
-        else found.push_back(store.find(moves_.words.data() + i * machine.layout().words, moves_.successors[i].hash));
-    }
+    std::size_t move = 0;   // links are in the order of the moves
+    std::erase_if(found, [&](std::uint32_t) { return !machine.urgent(moves_.successors[move++].edge); });
 }
 
 Move Graph::move_between(std::uint32_t from, std::uint32_t to) {

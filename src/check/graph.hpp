@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Graph: the states that a search has found and the ways between them.
 //
-// A state's `way` says in one word whether time passes in it and where to. Edges lead to `links`, kept as numbers while
-// they are few per state; where they are many they are dropped, and computed anew when asked for: a bound on memory
-// against time. Parents give each state its shortest run.
+// A state's `way` says in one word whether time passes in it and where to. Edges lead to `links`: the numbers of the
+// states they lead to, each as its distance from the one before it (the first: from the state itself) in as few groups
+// of seven bits as it takes, since most lead near. Where links take too many bytes per state they are dropped, and
+// computed anew when asked for: a bound on memory against time. Parents give each state its shortest run.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +26,49 @@ enum class Way : std::uint32_t {
     Stuck,          ///< an invariant stops time, no edge can fire
     Acts,           ///< an invariant stops time, an edge can fire
     Open,           ///< the model breaks off here: nothing is concluded from this state
+};
+
+/// Lists of states, one per state, in few bytes.
+class Links {
+public:
+    /// Ends the list of the last state begun and begins that of `state`, the next one.
+    void begin(std::uint32_t state) {
+        ends_.push_back(static_cast<std::uint32_t>(bytes_.size()));
+        last_ = state;
+    }
+    void add(std::uint32_t next) {
+        const auto distance = static_cast<std::int64_t>(next) - static_cast<std::int64_t>(last_);
+        auto rest = static_cast<std::uint64_t>(distance < 0 ? -2 * distance - 1 : 2 * distance);
+        for (; rest >= 128; rest >>= 7U) bytes_.push_back(static_cast<std::uint8_t>(rest | 128U));
+        bytes_.push_back(static_cast<std::uint8_t>(rest));
+        last_ = next;
+    }
+
+    template <class Visit>
+    void each(std::uint32_t state, const Visit& visit) const {
+        const std::size_t end = state + 1 < ends_.size() ? ends_[state + 1] : bytes_.size();
+        auto now = static_cast<std::int64_t>(state);
+        for (std::size_t at = ends_[state]; at != end;) {
+            std::uint64_t rest = 0;
+            for (unsigned shift = 0;; shift += 7) {
+                const std::uint8_t byte = bytes_[at++];
+                rest |= static_cast<std::uint64_t>(byte & 127U) << shift;
+                if (byte < 128) break;
+            }
+            const auto half = static_cast<std::int64_t>((rest + 1) / 2);
+            now += rest % 2 != 0 ? -half : half;
+            visit(static_cast<std::uint32_t>(now));
+        }
+    }
+
+    std::size_t list_bytes() const { return bytes_.size(); }
+    std::size_t bytes() const { return bytes_.bytes() + ends_.bytes(); }
+    void clear() { bytes_.clear(); ends_.clear(); }
+
+private:
+    Column<std::uint8_t> bytes_ = {};
+    Column<std::uint32_t> ends_ = {};   // where the list of each state begins
+    std::uint32_t last_ = 0;
 };
 
 /// A set of states.
@@ -52,8 +96,7 @@ public:
     Store store;
     Column<std::uint32_t> parent = {};
     Column<std::uint32_t> ways = {};
-    Column<std::uint32_t> first_link = {};   // per state looked at, and one more
-    Column<std::uint32_t> links = {};
+    Links links = {};                        // per state looked at
     bool linked = true;
     std::uint32_t looked_at = 0;             // the states below have their ways and links
     std::vector<std::uint32_t> levels = {};  // the first state of each depth
@@ -72,15 +115,13 @@ public:
     void set_way(std::uint32_t state, Way way, std::uint32_t target) {
         ways[state] = (static_cast<std::uint32_t>(way) << kind_shift) | (target & target_mask);
     }
-    std::size_t bytes() const {
-        return store.bytes() + parent.bytes() + ways.bytes() + first_link.bytes() + links.bytes();
-    }
+    std::size_t bytes() const { return store.bytes() + parent.bytes() + ways.bytes() + links.bytes(); }
 
     /// Calls `visit(state)` for each state an edge of `state` leads to.
     template <class Visit>
     void each_action(std::uint32_t state, const Visit& visit) {
         if (linked) {
-            for (std::uint32_t link = first_link[state]; link != first_link[state + 1]; ++link) visit(links[link]);
+            links.each(state, visit);
             return;
         }
         expand(state);

@@ -23,16 +23,14 @@ void Machine::expand(const Word* words, Moves& moves) {
         for (std::uint32_t edge = row.first; edge != row.last; ++edge) {
             const Edge& at = edges_[edge];
             if ((words[at.word] & at.mask) != at.value) continue;
-            if (at.guard != Program::yes) {
-                const Ran guard = test(program_, at.guard, words, registers_.data());
-                if (guard.end == End::NoValue && !moves.fault) moves.fault = Fault{End::NoValue, edge, 0};
-                if (guard.end != End::Yes) continue;
-            }
+            const End guard = at.guard == Program::yes ? End::Yes : test(program_, at.guard, words, registers_.data()).end;
+            if (guard == End::No) continue;
             covered |= at.covers;
             freed |= at.frees;
             always = always || at.always;
             if (at.clocks != Program::yes && test(program_, at.clocks, words, registers_.data()).end != End::Yes) continue;
-            fire(edge, words, moves);
+            if (guard == End::Yes) fire(edge, words, moves);
+            else if (!moves.fault) moves.fault = Fault{End::NoValue, edge, 0};
         }
         if (const Word open = row.bounds & ~covered; open != 0 && !moves.stuck_gap)
             moves.stuck_gap = Gap{process, static_cast<std::uint32_t>(std::countr_zero(open))};
@@ -47,18 +45,12 @@ void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) {
     Word* const next = moves.words.data() + moves.successors.size() * layout_.words;
     for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
     const Ran ran = run(program_, edges_[edge].effect, next, registers_.data());
+    moves.urgent = moves.urgent || edges_[edge].urgent;   // also where it breaks off
     if (ran.end == End::Yes) {
-        if (edges_[edge].urgent && !moves.urgent) {
-            moves.urgent = true;
-            moves.first_urgent = static_cast<std::uint32_t>(moves.successors.size());
-        }
         moves.successors.push_back({hash(next), edge});
-        return;
+    } else if (!moves.fault) {
+        moves.fault = Fault{ran.end, edge, program_.code[ran.place].to};
     }
-    if (ran.end == End::No) return;
-    // An urgent edge that breaks off is urgent all the same.
-    moves.urgent = moves.urgent || edges_[edge].urgent;
-    if (!moves.fault) moves.fault = Fault{ran.end, edge, program_.code[ran.place].to};
 }
 
 bool Machine::delay(Word* words) const {

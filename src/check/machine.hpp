@@ -43,7 +43,6 @@ struct Moves {
     std::vector<Successor> successors = {};   ///< in the order of processes and edges
     std::vector<Word> words = {};             ///< the states, Machine::layout.words apart
     bool urgent = false;                      ///< some urgent edge can fire: time stands
-    std::uint32_t first_urgent = 0;           ///< in successors
     std::optional<Fault> fault = {};
     std::optional<Gap> stuck_gap = {};        ///< a run may end here between the ticks
     std::optional<Gap> time_gap = {};         ///< time may be locked here between the ticks

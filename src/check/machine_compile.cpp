@@ -78,10 +78,16 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     compiled.index = id.index;
     compiled.urgent = edge.urgent;
     compile_guard(edge.guard, compiled);
+    // The target's invariant after the resets: it reads clocks only, so it can be tested before anything happens.
     const std::vector<Interval> wanted = admitted(network_, edge.constraint, automaton.clocks.size());
-    for (std::uint32_t clock = 0; clock < automaton.clocks.size(); ++clock)
-        compiled.clocks = within(compiler_, layout_.clocks[process.index][clock], wanted[clock],
-                                 clocks_[process.index].cap[edge.from.index][clock], compiled.clocks, Program::no);
+    const std::vector<Interval> after = admitted(network_, automaton.locations[edge.to].invariant, automaton.clocks.size());
+    for (std::uint32_t clock = 0; clock < automaton.clocks.size(); ++clock) {
+        const bool reset = resets(edge, clock);
+        if (reset && !after[clock].contains(0)) compiled.clocks = Program::no;
+        const Interval both{wanted[clock].low, reset ? wanted[clock].high : std::min(wanted[clock].high, after[clock].high)};
+        compiled.clocks = within(compiler_, layout_.clocks[process.index][clock], both, clocks_[process.index].cap[edge.from.index][clock],
+                                 compiled.clocks, Program::no);
+    }
     compiled.effect = compile_effect(process, edge);
     judge_bounds(process, edge, compiled);
     return compiled;
@@ -107,11 +113,7 @@ void Machine::compile_guard(Id<Expr> guard, Edge& compiled) {
 std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Network::Edge& edge) {
     const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
     const auto& caps = clocks_[process.index].cap;
-    const std::vector<Interval> allowed = admitted(network_, automaton.locations[edge.to].invariant, automaton.clocks.size());
     std::uint32_t next = Program::yes;
-    for (std::uint32_t clock = 0; clock < automaton.clocks.size(); ++clock)
-        next = within(compiler_, layout_.clocks[process.index][clock], allowed[clock],
-                      resets(edge, clock) ? 0 : caps[edge.from.index][clock], next, Program::no);
     std::vector<Instruction> patches;
     const auto patch = [&](const Field& field, std::int64_t value) {
         if (field.width == 0) return;

@@ -59,6 +59,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     if (!timelock_asked) questions.ask(timelock, false);
 
     timed::Graph graph(machine);
+    graph.linked = options.keep_links;
     std::vector<timed::Field> races;
     if (flat.race.valid()) races.push_back(machine.layout().variables[flat.race.index]);
     const Obstacle ended = timed::explore(graph, watch, races, limits);

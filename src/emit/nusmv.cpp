@@ -164,7 +164,8 @@ void print_header(std::ostream& out, const System& system, const Names& names) {
     out << "--\n-- names that NuSMV does not take as they are\n";
     for (const Names::Changed& scope : names.changed) {
         out << "--   " << scope.scope << ":\n";
-        for (const Renaming& renaming : scope.renamings) out << "--     " << renaming.name << " is " << renaming.legal << '\n';
+        for (const Renaming& renaming : scope.renamings)
+            out << "--     " << renaming.name << " is " << renaming.legal << '\n';
     }
 }
 

@@ -54,7 +54,7 @@ Specification specification(const Printer& printer, const Property& property) {
     const auto operand = [&](std::size_t k) { return printer.judged(property, property.operands[k]); };
     switch (property.pattern) {
     case Pattern::Always:         return {"INVARSPEC", printer.invariant(property, printer.text(property.operands[0]))};
-    case Pattern::Never:          return {"INVARSPEC", printer.invariant(property, printer.negated(property.operands[0]))};
+    case Pattern::Never: return {"INVARSPEC", printer.invariant(property, printer.negated(property.operands[0]))};
     case Pattern::ExactlyOneOf:   return {"INVARSPEC", printer.invariant(property, printer.exactly_one(property))};
     case Pattern::Reachable:      return {"SPEC", "EF " + operand(0)};
     case Pattern::Inevitable:     return {"SPEC", "AF " + operand(0)};

@@ -34,7 +34,8 @@ void name_symbols(Names& result, const System& system, Id<System::Module> id) {
     std::vector<std::string>& symbols = result.symbols[id.index];
     symbols.resize(module.symbols.size());
     for (std::size_t i = 0; i < owners.size(); ++i) symbols[owners[i]] = made[i];
-    if (id == system.main) result.instances.assign(made.begin() + static_cast<std::ptrdiff_t>(owners.size()), made.end());
+    if (id == system.main)
+        result.instances.assign(made.begin() + static_cast<std::ptrdiff_t>(owners.size()), made.end());
 }
 
 void name_members(Names& result, const System& system) {
@@ -43,8 +44,8 @@ void name_members(Names& result, const System& system) {
         const auto* member = std::get_if<System::MemberSymbol>(&main.symbols[id].kind);
         if (member == nullptr) continue;
         const System::Instance& instance = system.instances[member->instance];
-        result.symbols[system.main.index][id.index] =
-            result.instances[member->instance.index] + "." + result.symbols[instance.module.index][member->symbol.index];
+        result.symbols[system.main.index][id.index] = result.instances[member->instance.index] + "." +
+                                                      result.symbols[instance.module.index][member->symbol.index];
     }
 }
 
@@ -75,7 +76,8 @@ void print_comment(std::ostream& out, std::string_view text) {
         std::size_t length = text.size();
         if (length > width) {
             const std::size_t space = text.rfind(' ', width);
-            length = space != std::string_view::npos && space > 0 ? space : std::min(text.find(' ', width), text.size());
+            length =
+                space != std::string_view::npos && space > 0 ? space : std::min(text.find(' ', width), text.size());
         }
         out << "-- " << text.substr(0, length) << '\n';
         text.remove_prefix(length);

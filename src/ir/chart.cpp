@@ -34,7 +34,8 @@ Kind kind_of(const Chart& chart, Id<Expr> id) {
     const Expr& node = chart.exprs[id];
     if (node.op == Op::Conditional) return kind_of(chart, chart.exprs.operands(id)[1]);
     if (node.op != Op::Variable) return result_of(node.op);
-    return chart.variables[Id<Chart::Variable>{static_cast<std::uint32_t>(node.value)}].type.boolean ? Kind::Boolean : Kind::Integer;
+    return chart.variables[Id<Chart::Variable>{static_cast<std::uint32_t>(node.value)}].type.boolean ? Kind::Boolean
+                                                                                                     : Kind::Integer;
 }
 
 bool leaf_in_table(const Chart& chart, const Expr& leaf) {
@@ -58,7 +59,8 @@ void check_names(const Chart& chart, Faults& faults) {
         faults.check(partials.insert(partial.name).second, "two partial charts are named " + partial.name);
     for (const auto& step : chart.steps) {
         if (!chart.partial_charts.contains(step.chart)) continue;
-        faults.check(steps.insert(std::to_string(step.chart.index) + '.' + step.name).second, "two steps of one partial chart are named " + step.name);
+        faults.check(steps.insert(std::to_string(step.chart.index) + '.' + step.name).second,
+                     "two steps of one partial chart are named " + step.name);
     }
 }
 
@@ -66,8 +68,10 @@ void check_variables(const Chart& chart, Faults& faults) {
     for (const auto& variable : chart.variables) {
         const Type& type = variable.type;
         faults.check(type.low <= type.high, "the range of " + variable.name + " is empty");
-        faults.check(!type.boolean || (type.low == 0 && type.high == 1), "the Boolean " + variable.name + " has a range");
-        faults.check(type.low <= variable.initial && variable.initial <= type.high, "the initial value of " + variable.name + " is out of range");
+        faults.check(!type.boolean || (type.low == 0 && type.high == 1),
+                     "the Boolean " + variable.name + " has a range");
+        faults.check(type.low <= variable.initial && variable.initial <= type.high,
+                     "the initial value of " + variable.name + " is out of range");
     }
 }
 
@@ -83,35 +87,42 @@ void check_partial_charts(const Chart& chart, Faults& faults) {
         const auto& partial = chart.partial_charts[id];
         const bool owned = partial.owner.valid();
         faults.check(!owned || chart.steps.contains(partial.owner), "the owner of " + partial.name + " is no step");
-        faults.check(owned == (partial.kind != Chart::PartialKind::Plain), "the owner of " + partial.name + " does not fit its kind");
+        faults.check(owned == (partial.kind != Chart::PartialKind::Plain),
+                     "the owner of " + partial.name + " does not fit its kind");
         if (partial.kind != Chart::PartialKind::Expansion) continue;
-        faults.check(entries[id.index] == 1 && exits[id.index] == 1, "expansion " + partial.name + " lacks one entry and one exit step");
+        faults.check(entries[id.index] == 1 && exits[id.index] == 1,
+                     "expansion " + partial.name + " lacks one entry and one exit step");
     }
 }
 
 void check_condition(const Chart& chart, Id<Expr> condition, const std::string& owner, Faults& faults) {
     const bool known = chart.exprs.contains(condition);
     faults.check(known, "the condition of " + owner + " is not in the table");
-    if (known) faults.check(kind_of(chart, condition) == Kind::Boolean, "the condition of " + owner + " is not Boolean");
+    if (known)
+        faults.check(kind_of(chart, condition) == Kind::Boolean, "the condition of " + owner + " is not Boolean");
 }
 
 void check_transitions(const Chart& chart, Faults& faults) {
     for (const auto& transition : chart.transitions) {
         const auto check_side = [&](const std::vector<Id<Chart::Step>>& side) {
             for (const auto step : side) {
-                faults.check(chart.steps.contains(step), "transition " + transition.name + " links a step that is not in the table");
+                faults.check(chart.steps.contains(step),
+                             "transition " + transition.name + " links a step that is not in the table");
                 if (chart.steps.contains(step))
-                    faults.check(chart.steps[step].chart == transition.chart, "transition " + transition.name + " leaves its partial chart");
+                    faults.check(chart.steps[step].chart == transition.chart,
+                                 "transition " + transition.name + " leaves its partial chart");
             }
         };
         check_side(transition.from);
         check_side(transition.to);
-        faults.check(!transition.from.empty() || !transition.to.empty(), "transition " + transition.name + " links no step");
+        faults.check(!transition.from.empty() || !transition.to.empty(),
+                     "transition " + transition.name + " links no step");
         check_condition(chart, transition.condition, "transition " + transition.name, faults);
     }
     for (const auto& time : chart.time_conditions) {
         check_condition(chart, time.watched, "a time condition", faults);
-        faults.check(time.rise_ms >= 0 && time.fall_ms >= 0 && time.rise_ms + time.fall_ms > 0, "a time condition has no duration");
+        faults.check(time.rise_ms >= 0 && time.fall_ms >= 0 && time.rise_ms + time.fall_ms > 0,
+                     "a time condition has no duration");
     }
     for (const auto condition : chart.constraints) check_condition(chart, condition, "a constraint", faults);
 }
@@ -128,18 +139,21 @@ void check_actions(const Chart& chart, Faults& faults) {
         const bool clearing = action.on == Chart::StoredOn::Clearing;
         faults.check(clearing ? chart.transitions.contains(action.transition) : chart.steps.contains(action.step),
                      "a stored action belongs to nothing");
-        faults.check((action.on == Chart::StoredOn::Event) == action.event.valid(), "a stored action has an event it should not have, or none");
+        faults.check((action.on == Chart::StoredOn::Event) == action.event.valid(),
+                     "a stored action has an event it should not have, or none");
         const bool known = chart.variables.contains(action.target) && chart.exprs.contains(action.value);
         faults.check(known, "a stored action is about nothing");
         if (!known) continue;
         const Kind kind = chart.variables[action.target].type.boolean ? Kind::Boolean : Kind::Integer;
-        faults.check(kind_of(chart, action.value) == kind, "a stored action has a value of another type than its target");
+        faults.check(kind_of(chart, action.value) == kind,
+                     "a stored action has a value of another type than its target");
     }
     for (const auto& order : chart.forcing) {
         faults.check(chart.steps.contains(order.step), "a forcing order belongs to no step");
         faults.check(chart.partial_charts.contains(order.forced), "a forcing order forces no partial chart");
         for (const auto step : order.situation)
-            faults.check(chart.steps.contains(step) && chart.steps[step].chart == order.forced, "a forcing order names a step of another chart");
+            faults.check(chart.steps.contains(step) && chart.steps[step].chart == order.forced,
+                         "a forcing order names a step of another chart");
     }
 }
 

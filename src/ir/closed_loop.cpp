@@ -18,12 +18,15 @@ struct Checker {
     void check(bool holds, std::string fault) {
         if (!holds) faults.push_back(std::move(fault));
     }
-    const Chart& chart(Id<ClosedLoop::Controller> controller) const { return model.charts[loop.controllers[controller].chart]; }
+    const Chart& chart(Id<ClosedLoop::Controller> controller) const {
+        return model.charts[loop.controllers[controller].chart];
+    }
 };
 
 void check_controllers(Checker& checker) {
     for (const auto& controller : checker.loop.controllers)
-        checker.check(checker.model.charts.contains(controller.chart), "controller " + controller.name + " has no chart");
+        checker.check(checker.model.charts.contains(controller.chart),
+                      "controller " + controller.name + " has no chart");
 }
 
 void check_shared(Checker& checker) {
@@ -32,9 +35,12 @@ void check_shared(Checker& checker) {
         checker.check(names.insert(shared.name).second, "two shared variables are named " + shared.name);
         const auto owner = shared.writer.valid() ? shared.writer : shared.reader;
         if (!owner.valid()) continue;
-        const bool known = checker.loop.controllers.contains(owner) && checker.chart(owner).variables.contains(shared.variable);
+        const bool known =
+            checker.loop.controllers.contains(owner) && checker.chart(owner).variables.contains(shared.variable);
         checker.check(known, "shared variable " + shared.name + " is in no chart");
-        if (known) checker.check(checker.chart(owner).variables[shared.variable].type == shared.type, "shared variable " + shared.name + " has another type than in its chart");
+        if (known)
+            checker.check(checker.chart(owner).variables[shared.variable].type == shared.type,
+                          "shared variable " + shared.name + " has another type than in its chart");
     }
 }
 
@@ -42,12 +48,14 @@ void check_argument(Checker& checker, const ClosedLoop::Instance& instance, cons
                     const ClosedLoop::Argument& argument, std::vector<int>& writers) {
     const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&argument);
     const bool variable = parameter.kind != Component::ParameterKind::Constant;
-    checker.check((shared != nullptr) == variable, "an argument of " + instance.name + " does not fit parameter " + parameter.name);
+    checker.check((shared != nullptr) == variable,
+                  "an argument of " + instance.name + " does not fit parameter " + parameter.name);
     if (shared == nullptr) return;
     checker.check(checker.loop.shared.contains(*shared), "an argument of " + instance.name + " is no shared variable");
     if (!checker.loop.shared.contains(*shared)) return;
     const bool boolean = parameter.value == Component::ValueKind::Boolean;
-    checker.check(checker.loop.shared[*shared].type.boolean == boolean, "an argument of " + instance.name + " has another type than " + parameter.name);
+    checker.check(checker.loop.shared[*shared].type.boolean == boolean,
+                  "an argument of " + instance.name + " has another type than " + parameter.name);
     if (parameter.kind == Component::ParameterKind::Output) ++writers[shared->index];
 }
 
@@ -56,41 +64,49 @@ void check_instances(Checker& checker) {
     std::vector<int> writers(loop.shared.size());
     std::vector<bool> read(loop.shared.size());
     for (const auto& instance : loop.instances) {
-        checker.check(checker.model.components.contains(instance.component), "instance " + instance.name + " has no component");
+        checker.check(checker.model.components.contains(instance.component),
+                      "instance " + instance.name + " has no component");
         if (!checker.model.components.contains(instance.component)) continue;
         const Component& component = checker.model.components[instance.component];
-        checker.check(component.locations.contains(instance.initial), "instance " + instance.name + " has no initial location");
-        checker.check(instance.arguments.size() == component.parameters.size(), "instance " + instance.name + " lacks arguments");
+        checker.check(component.locations.contains(instance.initial),
+                      "instance " + instance.name + " has no initial location");
+        checker.check(instance.arguments.size() == component.parameters.size(),
+                      "instance " + instance.name + " lacks arguments");
         if (instance.arguments.size() != component.parameters.size()) continue;
         for (const auto id : component.parameters.ids()) {
             check_argument(checker, instance, component.parameters[id], instance.arguments[id.index], writers);
             const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&instance.arguments[id.index]);
-            if (shared != nullptr && component.parameters[id].kind == Component::ParameterKind::Input) read[shared->index] = true;
+            if (shared != nullptr && component.parameters[id].kind == Component::ParameterKind::Input)
+                read[shared->index] = true;
         }
     }
     for (const auto id : loop.shared.ids()) {
         const auto& shared = loop.shared[id];
         const int drivers = writers[id.index] + (shared.writer.valid() ? 1 : 0);
         const bool needs = shared.reader.valid() || read[id.index];
-        checker.check(drivers <= 1 && (drivers == 1 || !needs), "shared variable " + shared.name + " is not driven by exactly one");
+        checker.check(drivers <= 1 && (drivers == 1 || !needs),
+                      "shared variable " + shared.name + " is not driven by exactly one");
     }
 }
 
 bool is_known(const Checker& checker, const ClosedLoop::Symbol& symbol) {
     const ClosedLoop& loop = checker.loop;
-    return std::visit(overloaded{
-        [&](const ClosedLoop::SharedSymbol& of) { return loop.shared.contains(of.shared); },
-        [&](const ClosedLoop::InternalSymbol& of) {
-            return loop.controllers.contains(of.controller) && checker.chart(of.controller).variables.contains(of.variable);
+    return std::visit(
+        overloaded{
+            [&](const ClosedLoop::SharedSymbol& of) { return loop.shared.contains(of.shared); },
+            [&](const ClosedLoop::InternalSymbol& of) {
+                return loop.controllers.contains(of.controller) &&
+                       checker.chart(of.controller).variables.contains(of.variable);
+            },
+            [&](const ClosedLoop::StepSymbol& of) {
+                return loop.controllers.contains(of.controller) && checker.chart(of.controller).steps.contains(of.step);
+            },
+            [&](const ClosedLoop::LocationSymbol& of) {
+                return loop.instances.contains(of.instance) &&
+                       checker.model.components[loop.instances[of.instance].component].locations.contains(of.location);
+            },
         },
-        [&](const ClosedLoop::StepSymbol& of) {
-            return loop.controllers.contains(of.controller) && checker.chart(of.controller).steps.contains(of.step);
-        },
-        [&](const ClosedLoop::LocationSymbol& of) {
-            return loop.instances.contains(of.instance) &&
-                   checker.model.components[loop.instances[of.instance].component].locations.contains(of.location);
-        },
-    }, symbol);
+        symbol);
 }
 
 void check_properties(Checker& checker) {
@@ -99,12 +115,14 @@ void check_properties(Checker& checker) {
     for (std::uint32_t index = 0; index < loop.exprs.size(); ++index) {
         const Expr& node = loop.exprs[Id<Expr>{index}];
         if (is_leaf(node.op))
-            checker.check(node.op == Op::Variable && loop.symbols.contains({static_cast<std::uint32_t>(node.value)}), "a leaf of a property is no symbol");
+            checker.check(node.op == Op::Variable && loop.symbols.contains({static_cast<std::uint32_t>(node.value)}),
+                          "a leaf of a property is no symbol");
     }
     std::unordered_set<std::string_view> names;
     for (const auto& property : loop.properties) {
         checker.check(names.insert(property.name).second, "two properties are named " + property.name);
-        for (const auto operand : property.operands) checker.check(loop.exprs.contains(operand), "an operand of " + property.name + " is in no table");
+        for (const auto operand : property.operands)
+            checker.check(loop.exprs.contains(operand), "an operand of " + property.name + " is in no table");
     }
 }
 

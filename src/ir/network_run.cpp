@@ -71,15 +71,15 @@ Step fire(const Network& network, NetworkState& state, const Fire& move) {
     if (!guard) return {Step::Result::NoValue, {}};
     if (*guard == 0 || !satisfied(network, move.process, edge.constraint, clocks)) return {Step::Result::Blocked, {}};
 
+    for (const Id<Network::Clock> clock : edge.resets) clocks[clock.index] = 0;
+    if (!satisfied(network, move.process, shape.locations[edge.to].invariant, clocks)) return {Step::Result::Blocked, {}};
     if (const Step step = assign(network, state, process, edge.assignments); step.result != Step::Result::Done) return step;
     for (const Id<Network::Procedure> call : edge.calls) {
         const Step step = assign(network, state, process, shape.procedures[call].assignments);
         if (step.result != Step::Result::Done) return step;
     }
-    for (const Id<Network::Clock> clock : edge.resets) clocks[clock.index] = 0;
     state.locations[move.process.index] = edge.to;
-    const bool allowed = satisfied(network, move.process, shape.locations[edge.to].invariant, clocks);
-    return {allowed ? Step::Result::Done : Step::Result::Blocked, {}};
+    return {};
 }
 
 bool urgent_edge_waits(const Network& network, const NetworkState& state) {

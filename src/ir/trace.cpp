@@ -9,9 +9,11 @@ namespace grafverif {
 
 namespace {
 
-void check_state(const Trace& trace, const Trace::State& state, const std::string& where, std::vector<std::string>& faults) {
+void check_state(const Trace& trace, const Trace::State& state, const std::string& where,
+                 std::vector<std::string>& faults) {
     if (state.inputs.size() != trace.inputs.size()) faults.push_back(where + ": its inputs are not those of the trace");
-    if (state.outputs.size() != trace.outputs.size()) faults.push_back(where + ": its outputs are not those of the trace");
+    if (state.outputs.size() != trace.outputs.size())
+        faults.push_back(where + ": its outputs are not those of the trace");
     if (state.internals.size() != trace.internals.size())
         faults.push_back(where + ": its internal variables are not those of the trace");
     if (state.plant.size() != trace.plant.size()) faults.push_back(where + ": its plant is not that of the trace");
@@ -38,7 +40,8 @@ std::vector<std::size_t> shown_steps(const Trace& trace) {
 
 std::vector<std::string> verify(const Trace& trace) {
     std::vector<std::string> faults;
-    if (trace.short_names.size() != trace.steps_of_charts.size()) faults.emplace_back("not every step has a short name");
+    if (trace.short_names.size() != trace.steps_of_charts.size())
+        faults.emplace_back("not every step has a short name");
     if (trace.steps.empty()) faults.emplace_back("the power-on is missing");
     std::int64_t time = 0;
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
@@ -54,11 +57,11 @@ std::vector<std::string> verify(const Trace& trace) {
 
 std::string_view word(Trace::Kind kind) {
     switch (kind) {
-    case Trace::Kind::Plant:       return "plant";
-    case Trace::Kind::Environment: return "environment";
-    case Trace::Kind::Timer:       return "timer";
-    case Trace::Kind::Controller:  return "controller";
-    case Trace::Kind::Delay:       return "delay";
+        case Trace::Kind::Plant: return "plant";
+        case Trace::Kind::Environment: return "environment";
+        case Trace::Kind::Timer: return "timer";
+        case Trace::Kind::Controller: return "controller";
+        case Trace::Kind::Delay: return "delay";
     }
     unreachable();
 }

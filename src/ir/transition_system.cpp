@@ -94,25 +94,34 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
     bool parameters_over = false;
     for (const System::Symbol& symbol : module.symbols) {
         const std::string where = module.name + ": `" + symbol.name + "`";
-        if (symbol.name.empty() || !names.insert(symbol.name).second) faults.push_back(where + " has no name of its own");
+        if (symbol.name.empty() || !names.insert(symbol.name).second)
+            faults.push_back(where + " has no name of its own");
         if (symbol.type.low > symbol.type.high) faults.push_back(where + " has an empty range");
         const bool parameter = std::holds_alternative<System::ParameterSymbol>(symbol.kind);
-        if (parameter && (parameters_over || id == system.main)) faults.push_back(where + " is a parameter out of place");
+        if (parameter && (parameters_over || id == system.main))
+            faults.push_back(where + " is a parameter out of place");
         parameters_over = parameters_over || !parameter;
         std::visit(overloaded{
-            [](const System::ParameterSymbol&) {},
-            [&](const System::StateSymbol& state) {
-                if (state.initial) check_term(sorts, *state.initial, sort_of(symbol.type), where + ": initial", faults);
-                if (state.next) check_term(sorts, *state.next, sort_of(symbol.type), where + ": next", faults);
-            },
-            [&](const System::DefineSymbol& define) {
-                check_term(sorts, define.value, sort_of(symbol.type), where + ": definition", faults);
-            },
-            [&](const System::MemberSymbol& member) { check_member(system, id == system.main, symbol, member, faults); },
-        }, symbol.kind);
+                       [](const System::ParameterSymbol&) {},
+                       [&](const System::StateSymbol& state) {
+                           if (state.initial)
+                               check_term(sorts, *state.initial, sort_of(symbol.type), where + ": initial", faults);
+                           if (state.next)
+                               check_term(sorts, *state.next, sort_of(symbol.type), where + ": next", faults);
+                       },
+                       [&](const System::DefineSymbol& define) {
+                           check_term(sorts, define.value, sort_of(symbol.type), where + ": definition", faults);
+                       },
+                       [&](const System::MemberSymbol& member) {
+                           check_member(system, id == system.main, symbol, member, faults);
+                       },
+                   },
+                   symbol.kind);
     }
-    for (const Id<Expr> term : module.invariants) check_term(sorts, term, Sort::Boolean, module.name + ": invariant", faults);
-    for (const Id<Expr> term : module.justice) check_term(sorts, term, Sort::Boolean, module.name + ": justice", faults);
+    for (const Id<Expr> term : module.invariants)
+        check_term(sorts, term, Sort::Boolean, module.name + ": invariant", faults);
+    for (const Id<Expr> term : module.justice)
+        check_term(sorts, term, Sort::Boolean, module.name + ": justice", faults);
 }
 
 /// The definitions of a module, or its initial values, form no cycle. Kahn: take away whatever depends on nothing left.
@@ -140,7 +149,8 @@ void check_acyclic(const System& system, const System::Module& module, bool init
         for (const std::uint32_t dependant : dependants[ready[done]])
             if (--open[dependant] == 0) ready.push_back(dependant);
     if (done != open.size())
-        faults.push_back(module.name + (initial ? ": initial values depend on themselves" : ": definitions depend on themselves"));
+        faults.push_back(module.name +
+                         (initial ? ": initial values depend on themselves" : ": definitions depend on themselves"));
 }
 
 void check_instances(const System& system, Faults& faults) {
@@ -159,7 +169,8 @@ void check_instances(const System& system, Faults& faults) {
             continue;
         }
         for (std::size_t i = 0; i < parameters.size(); ++i)
-            if (!main.symbols.contains(instance.arguments[i]) || main.symbols[instance.arguments[i]].type != parameters[i])
+            if (!main.symbols.contains(instance.arguments[i]) ||
+                main.symbols[instance.arguments[i]].type != parameters[i])
                 faults.push_back(where + ": an argument is no symbol of main of its parameter's type");
     }
 }

@@ -26,7 +26,8 @@ struct Reading {
 };
 
 /// Whether the name is new among its kind; reports one that is not.
-bool is_new(Reading& reading, std::unordered_map<std::string, Span>& seen, std::string_view kind, std::string_view name, Span where) {
+bool is_new(Reading& reading, std::unordered_map<std::string, Span>& seen, std::string_view kind, std::string_view name,
+            Span where) {
     const auto [known, fresh] = seen.try_emplace(std::string(name), where);
     if (!fresh) reading.diagnostics.add(messages::duplicate_name(where, kind, name, known->second));
     return fresh;
@@ -115,7 +116,8 @@ void read_loops(Reading& reading, const tree::File& file, const LoopContext& con
 
 }  // namespace
 
-std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context, Diagnostics& diagnostics) {
+std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context,
+                               Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     Reading reading{sources, context, diagnostics};
     bool files_missing = false;

@@ -67,7 +67,8 @@ void print_json(const Report& report, std::ostream& out) {
     if (!report.breakdowns.empty()) {
         Json errors = Json::array();
         for (const Breakdown& breakdown : report.breakdowns)
-            errors.push_back({{"code", breakdown.code}, {"message", breakdown.message}, {"trace", trace(breakdown.trace)}});
+            errors.push_back(
+                {{"code", breakdown.code}, {"message", breakdown.message}, {"trace", trace(breakdown.trace)}});
         document["errors"] = std::move(errors);
     }
     out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';

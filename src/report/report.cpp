@@ -14,7 +14,8 @@ namespace {
 /// The property that a verdict is about; one that expands is named before the first point (`S.X7`).
 const Property* property_of(const Network& network, const std::string& name) {
     const auto named = [&](std::string_view wanted) {
-        return std::ranges::find_if(network.properties, [&](const Property& property) { return property.name == wanted; });
+        return std::ranges::find_if(network.properties,
+                                    [&](const Property& property) { return property.name == wanted; });
     };
     auto found = named(name);
     if (found == network.properties.end()) found = named(std::string_view(name).substr(0, name.find('.')));
@@ -27,18 +28,21 @@ std::string edge_words(const Network& network, const ModelError& error) {
         if (controller.process == error.process) return fmt::format("an evolution of `{}`", controller.name);
     const Network::Template& automaton = network.templates[process.automaton];
     const Network::Edge& edge = automaton.edges[error.edge];
-    return fmt::format("`{}` on its way {} -> {}", process.name, automaton.locations[edge.from].name, automaton.locations[edge.to].name);
+    return fmt::format("`{}` on its way {} -> {}", process.name, automaton.locations[edge.from].name,
+                       automaton.locations[edge.to].name);
 }
 
 std::string message_of(const Network& network, const ModelError& error) {
     const std::string name = error.variable.valid() ? network.variables[error.variable].name : "";
     switch (error.kind) {
-    case ModelError::Kind::OutOfRange: {
-        const Type& type = network.variables[error.variable].type;
-        return fmt::format("`{}` would leave its range {}..{}, in {}", name, type.low, type.high, edge_words(network, error));
-    }
-    case ModelError::Kind::ActionRace: return "two stored actions give one variable different values in one evolution";
-    case ModelError::Kind::NoValue:    return fmt::format("division by zero, in {}", edge_words(network, error));
+        case ModelError::Kind::OutOfRange: {
+            const Type& type = network.variables[error.variable].type;
+            return fmt::format("`{}` would leave its range {}..{}, in {}", name, type.low, type.high,
+                               edge_words(network, error));
+        }
+        case ModelError::Kind::ActionRace:
+            return "two stored actions give one variable different values in one evolution";
+        case ModelError::Kind::NoValue: return fmt::format("division by zero, in {}", edge_words(network, error));
     }
     unreachable();
 }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t character = 7, column_width = 36, row_height = 26, margin = 16;
 constexpr std::size_t longest_label = 40, longest_name = 32;
-constexpr std::size_t wave_high = 5, wave_low = 20;   // within a row
+constexpr std::size_t wave_high = 5, wave_low = 20;  // within a row
 /// What a character adds to a label's extent, upwards and to the right, in hundredths: at 60 degrees from the level.
 constexpr std::size_t rise_per_hundred = 87 * character, run_per_hundred = 50 * character;
 
@@ -70,7 +70,8 @@ public:
             if (trace.loop_from == index) loop_from_ = columns_.size();
             columns_.push_back(&trace.steps[index]);
             const std::string cleared = cleared_words(trace.steps[index]);
-            labels_.push_back(shortened(happening(trace, index) + (cleared.empty() ? "" : ": " + cleared), longest_label));
+            labels_.push_back(
+                shortened(happening(trace, index) + (cleared.empty() ? "" : ": " + cleared), longest_label));
         }
         groups_ = {group("inputs", columns_, trace.inputs, &Trace::State::inputs),
                    group("outputs", columns_, trace.outputs, &Trace::State::outputs),
@@ -94,12 +95,14 @@ public:
         }
         for (const std::string& line : foot_) text(margin, y += row_height, "foot", line);
         const std::size_t height = y + margin;
-        out << fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n", width_,
-                           height);
+        out << fmt::format(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n", width_,
+            height);
         out << style << fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", width_, height);
         draw_loop(out);
         for (const std::size_t x : rules_)
-            out << fmt::format("<line class=\"rule\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", x, top_ - row_height, last_row_);
+            out << fmt::format("<line class=\"rule\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", x,
+                               top_ - row_height, last_row_);
         out << body_ << "</svg>\n";
     }
 
@@ -125,9 +128,12 @@ private:
     void drop_idle() {
         std::string idle;
         for (Group& group : groups_) {
-            const auto is_idle = [](const Row& row) { return std::ranges::all_of(row.values, [](std::int64_t v) { return v == 0; }); };
+            const auto is_idle = [](const Row& row) {
+                return std::ranges::all_of(row.values, [](std::int64_t v) { return v == 0; });
+            };
             for (const Row& row : group.rows)
-                if (is_idle(row)) idle += (idle.empty() ? "" : ", ") + (group.title == "steps" ? "step " + row.name : row.name);
+                if (is_idle(row))
+                    idle += (idle.empty() ? "" : ", ") + (group.title == "steps" ? "step " + row.name : row.name);
             std::erase_if(group.rows, is_idle);
         }
         if (!idle.empty()) foot_.push_back("0 throughout: " + idle);
@@ -190,8 +196,9 @@ private:
     void draw_loop(std::ostream& out) const {
         if (!loop_from_) return;
         const std::size_t from = x(*loop_from_), end = x(columns_.size());
-        out << fmt::format("<rect class=\"loop\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>for ever</title></rect>\n", from,
-                           top_ - row_height, end - from, last_row_ - top_ + row_height);
+        out << fmt::format(
+            "<rect class=\"loop\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>for ever</title></rect>\n", from,
+            top_ - row_height, end - from, last_row_ - top_ + row_height);
     }
 
     void draw(const Row& each, const std::string& kind, std::size_t y) {
@@ -209,8 +216,8 @@ private:
     void draw_level(std::size_t begin, std::size_t end, bool high, bool slope, const std::string& kind, std::size_t y) {
         const std::size_t level = y + (high ? wave_high : wave_low);
         if (high)
-            body_ += fmt::format("<rect class=\"fill-{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", kind, x(begin), level,
-                                 x(end) - x(begin), wave_low - wave_high);
+            body_ += fmt::format("<rect class=\"fill-{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", kind,
+                                 x(begin), level, x(end) - x(begin), wave_low - wave_high);
         const std::string from = slope ? fmt::format("M{} {}V{}", x(begin), y + (high ? wave_low : wave_high), level)
                                        : fmt::format("M{} {}", x(begin), level);
         body_ += fmt::format("<path class=\"wave {}\" d=\"{}H{}\"/>\n", kind, from, x(end));
@@ -219,17 +226,18 @@ private:
     /// A value as a box with slanted ends.
     void draw_value(std::size_t begin, std::size_t end, std::int64_t value, const std::string& kind, std::size_t y) {
         const std::size_t high = y + wave_high, low = y + wave_low, middle = (high + low) / 2, slant = 4;
-        body_ += fmt::format("<path class=\"wave {} fill-{}\" d=\"M{} {}L{} {}H{}L{} {}L{} {}H{}Z\"/>\n", kind, kind, x(begin), middle,
-                             x(begin) + slant, high, x(end) - slant, x(end), middle, x(end) - slant, low, x(begin) + slant);
+        body_ += fmt::format("<path class=\"wave {} fill-{}\" d=\"M{} {}L{} {}H{}L{} {}L{} {}H{}Z\"/>\n", kind, kind,
+                             x(begin), middle, x(begin) + slant, high, x(end) - slant, x(end), middle, x(end) - slant,
+                             low, x(begin) + slant);
         text((x(begin) + x(end)) / 2, low - 4, "value", std::to_string(value));
     }
 
     std::string title_;
     Columns columns_ = {};
-    std::optional<std::size_t> loop_from_ = {};   ///< a column
+    std::optional<std::size_t> loop_from_ = {};  ///< a column
     std::vector<Group> groups_ = {};
     std::vector<std::string> labels_ = {}, foot_ = {};
-    std::vector<std::size_t> rules_ = {};   ///< where time goes on
+    std::vector<std::size_t> rules_ = {};  ///< where time goes on
     std::size_t left_ = 0, top_ = 0, width_ = 0, last_row_ = 0;
     std::string body_ = {};
 };

@@ -50,7 +50,8 @@ std::string happening(const Trace& trace, std::size_t index) {
         const std::vector<std::int64_t>& before = trace.steps[index - 1].after.internals;
         const std::vector<std::int64_t>& now = step.after.internals;
         for (std::size_t i = 0; i < now.size(); ++i)
-            if (before[i] != now[i]) append(words, change_words(trace.internals[i].name, trace.internals[i].type, before[i], now[i]));
+            if (before[i] != now[i])
+                append(words, change_words(trace.internals[i].name, trace.internals[i].type, before[i], now[i]));
     }
     if (step.component.empty()) return words;
     return words.empty() ? step.component : step.component + ": " + words;
@@ -65,7 +66,8 @@ Cells cells(const Trace& trace, std::size_t index, bool complete) {
     Cells cells;
     if (first || now.time_ms != before.time_ms) cells[0] = seconds_text(now.time_ms);
     cells[1] = happening(trace, index);
-    cells[2] = first ? standing_words(trace.inputs, now.inputs) : changed_words(trace.inputs, before.inputs, now.inputs);
+    cells[2] =
+        first ? standing_words(trace.inputs, now.inputs) : changed_words(trace.inputs, before.inputs, now.inputs);
     cells[3] = cleared_words(trace.steps[index]);
     if (first || complete || now.situation != before.situation) cells[4] = situation_words(trace, now);
     if (first || complete || now.outputs != before.outputs) cells[5] = standing_words(trace.outputs, now.outputs);

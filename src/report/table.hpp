@@ -14,7 +14,8 @@ namespace grafverif {
 using Cells = std::array<std::string, 6>;
 inline const Cells column_titles = {"time", "what happened", "inputs", "cleared", "situation", "outputs"};
 
-/// Of step `index`, against the step shown before it. `complete`: situation and outputs even where they have not changed.
+/// Of step `index`, against the step shown before it. `complete`: situation and outputs even where they have not
+/// changed.
 Cells cells(const Trace& trace, std::size_t index, bool complete);
 
 /// `T0; TW0`

@@ -27,10 +27,10 @@ bool differ(const NetworkState& left, const NetworkState& right, Id<Network::Var
 
 Trace::Kind kind_of(Network::ProcessKind kind) {
     switch (kind) {
-    case Network::ProcessKind::Plant:       return Trace::Kind::Plant;
-    case Network::ProcessKind::Environment: return Trace::Kind::Environment;
-    case Network::ProcessKind::Controller:  return Trace::Kind::Controller;
-    case Network::ProcessKind::Timer:       return Trace::Kind::Timer;
+        case Network::ProcessKind::Plant: return Trace::Kind::Plant;
+        case Network::ProcessKind::Environment: return Trace::Kind::Environment;
+        case Network::ProcessKind::Controller: return Trace::Kind::Controller;
+        case Network::ProcessKind::Timer: return Trace::Kind::Timer;
     }
     unreachable();
 }
@@ -88,7 +88,8 @@ void Teller::make_signals() {
         for (const Network::Symbol& symbol : controller.symbols)
             if (symbol.role == Network::Role::Output) written.insert(symbol.variable.index);
     std::unordered_set<std::uint32_t> told;
-    const auto signal = [&](Id<Network::Variable> id, std::vector<Id<Network::Variable>>& ids, std::vector<Trace::Signal>& list) {
+    const auto signal = [&](Id<Network::Variable> id, std::vector<Id<Network::Variable>>& ids,
+                            std::vector<Trace::Signal>& list) {
         if (!told.insert(id.index).second) return;
         ids.push_back(id);
         list.push_back({network_.variables[id].name, network_.variables[id].type});
@@ -100,7 +101,8 @@ void Teller::make_signals() {
             trace_.steps_of_charts.push_back(prefix + step.name);
         }
         for (const auto& [role, variable, image] : controller.symbols) {
-            if (role == Network::Role::Input && !written.contains(variable.index)) signal(variable, inputs_, trace_.inputs);
+            if (role == Network::Role::Input && !written.contains(variable.index))
+                signal(variable, inputs_, trace_.inputs);
             if (role == Network::Role::Output) signal(variable, outputs_, trace_.outputs);
             if (role == Network::Role::Internal) signal(variable, internals_, trace_.internals);
         }
@@ -176,23 +178,25 @@ void Teller::finish(const NetworkState& now) {
         add({.kind = Trace::Kind::Controller, .what = "cycles go on for ever, no time passes, nothing changes"}, now);
         return;
     }
-    const bool waits = std::all_of(loop, trace_.steps.end(), [](const Trace::Step& step) { return step.kind == Trace::Kind::Delay; });
+    const bool waits =
+        std::all_of(loop, trace_.steps.end(), [](const Trace::Step& step) { return step.kind == Trace::Kind::Delay; });
     if (waits) loop->what = "time passes, for ever";
 }
 
 void Teller::move(const Move& move, const NetworkState& before, const NetworkState& after) {
     std::visit(overloaded{
                    [&](const Delay& delay) {
-                       for (std::size_t controller = 0; controller < open_.size(); ++controller) close(controller, before);
+                       for (std::size_t controller = 0; controller < open_.size(); ++controller)
+                           close(controller, before);
                        delay_ms_ += delay.units * network_.time_unit_ms;
                    },
                    [&](const Fire& fire) {
                        close_delay(before);
                        switch (network_.processes[fire.process].kind) {
-                       case Network::ProcessKind::Plant:
-                       case Network::ProcessKind::Environment: return tell_instance(fire, before, after);
-                       case Network::ProcessKind::Timer:       return tell_timer(fire, before, after);
-                       case Network::ProcessKind::Controller:  return tell_controller(fire, before, after);
+                           case Network::ProcessKind::Plant:
+                           case Network::ProcessKind::Environment: return tell_instance(fire, before, after);
+                           case Network::ProcessKind::Timer: return tell_timer(fire, before, after);
+                           case Network::ProcessKind::Controller: return tell_controller(fire, before, after);
                        }
                    },
                },
@@ -218,7 +222,10 @@ void Teller::tell_instance(const Fire& fire, const NetworkState& before, const N
     for (std::size_t controller = 0; controller < open_.size(); ++controller) close(controller, before);
     tell_sampling(before, after);
     const Network::Process& process = network_.processes[fire.process];
-    add({.kind = kind_of(process.kind), .component = process.name, .what = instance_words(network_, fire, before, after)}, after);
+    add({.kind = kind_of(process.kind),
+         .component = process.name,
+         .what = instance_words(network_, fire, before, after)},
+        after);
 }
 
 void Teller::tell_timer(const Fire& fire, const NetworkState& before, const NetworkState& after) {
@@ -230,11 +237,14 @@ void Teller::tell_timer(const Fire& fire, const NetworkState& before, const Netw
         const Network::TimerVariables& timing = controller.timing[static_cast<std::size_t>(place)];
         if (differ(before, after, timing.end) && after.variables[timing.end.index] != 0) {
             for (std::size_t other = 0; other < open_.size(); ++other) close(other, before);
-            return add({.kind = Trace::Kind::Timer, .component = name, .what = timer_words(network_, controller, timing)}, after);
+            return add(
+                {.kind = Trace::Kind::Timer, .component = name, .what = timer_words(network_, controller, timing)},
+                after);
         }
     }
     if (detail_ == Detail::Everything)
-        add({.kind = Trace::Kind::Timer, .component = name, .what = location_word(network_, fire), .internal = true}, after);
+        add({.kind = Trace::Kind::Timer, .component = name, .what = location_word(network_, fire), .internal = true},
+            after);
 }
 
 void Teller::tell_controller(const Fire& fire, const NetworkState& before, const NetworkState& after) {
@@ -255,7 +265,8 @@ void Teller::tell_controller(const Fire& fire, const NetworkState& before, const
         open.written = false;
     }
     for (const auto& [role, variable, image] : controller.symbols)
-        if (role != Network::Role::Input && (differ(before, after, variable) || (image.valid() && differ(before, after, image))))
+        if (role != Network::Role::Input &&
+            (differ(before, after, variable) || (image.valid() && differ(before, after, image))))
             open.changed = true;
     open.first = open.first || (open.changed && calls(edge, controller.start));
     const bool writes = calls(edge, controller.write) &&
@@ -266,9 +277,11 @@ void Teller::tell_controller(const Fire& fire, const NetworkState& before, const
     if (writes) close(index, after);
 }
 
-void Teller::tell_phase(std::size_t controller, const Network::Edge& edge, const Open& open, const NetworkState& after) {
+void Teller::tell_phase(std::size_t controller, const Network::Edge& edge, const Open& open,
+                        const NetworkState& after) {
     const Network::Controller& words = network_.controllers[{static_cast<std::uint32_t>(controller)}];
-    Trace::Step step{.kind = Trace::Kind::Controller, .component = words.name, .what = phase_word(words, edge), .fired = open.fired};
+    Trace::Step step{
+        .kind = Trace::Kind::Controller, .component = words.name, .what = phase_word(words, edge), .fired = open.fired};
     step.internal = open.fired.empty() && !open.changed;
     add(std::move(step), after);
     const bool sampled = open.sampled;

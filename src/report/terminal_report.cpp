@@ -90,7 +90,8 @@ private:
         add(report_.breakdowns.size(), "place where the model breaks off", "places where the model breaks off");
         out_ << report_.model << ": " << (line.empty() ? "no properties" : line);
         if (count.unexpected != 0) out_ << "; " << count.unexpected << " against expectation";
-        if (options_.verbose && !report_.answers.empty()) out_ << fmt::format(" ({:.3f} s)", report_.answers.back().verdict.seconds);
+        if (options_.verbose && !report_.answers.empty())
+            out_ << fmt::format(" ({:.3f} s)", report_.answers.back().verdict.seconds);
         out_ << '\n';
     }
 
@@ -101,6 +102,8 @@ private:
 
 }  // namespace
 
-void print_report(const Report& report, const TextOptions& options, std::ostream& out) { Printer(report, options, out).print(); }
+void print_report(const Report& report, const TextOptions& options, std::ostream& out) {
+    Printer(report, options, out).print();
+}
 
 }  // namespace grafverif

@@ -60,7 +60,7 @@ public:
             time = std::max(time + 1, trace_.steps[i].after.time_ms * 1000);
             changes(i, time);
         }
-        out_ << fmt::format("#{}\n", time + 1000);   // the last step is seen for a while
+        out_ << fmt::format("#{}\n", time + 1000);  // the last step is seen for a while
     }
 
 private:

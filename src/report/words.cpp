@@ -11,13 +11,15 @@ namespace grafverif {
 namespace {
 
 /// The variables that `edge` assigns, each once, in order.
-std::vector<Id<Network::Variable>> assigned(const Network& network, const Network::Process& process, const Network::Edge& edge) {
+std::vector<Id<Network::Variable>> assigned(const Network& network, const Network::Process& process,
+                                            const Network::Edge& edge) {
     std::vector<Id<Network::Variable>> found;
     for (const Network::Assignment& assignment : edge.assignments) {
         const Expr& leaf = network.exprs[assignment.target];
         const auto index = static_cast<std::uint32_t>(leaf.value);
-        const Id<Network::Variable> variable =
-            leaf.op == Op::Variable ? Id<Network::Variable>{index} : std::get<Id<Network::Variable>>(process.arguments[index]);
+        const Id<Network::Variable> variable = leaf.op == Op::Variable
+                                                   ? Id<Network::Variable>{index}
+                                                   : std::get<Id<Network::Variable>>(process.arguments[index]);
         if (std::ranges::find(found, variable) == found.end()) found.push_back(variable);
     }
     return found;
@@ -25,8 +27,8 @@ std::vector<Id<Network::Variable>> assigned(const Network& network, const Networ
 
 }  // namespace
 
-std::string instance_words(const Network& network, const Fire& fire, const NetworkState& before, const NetworkState& after,
-                           bool inputs) {
+std::string instance_words(const Network& network, const Fire& fire, const NetworkState& before,
+                           const NetworkState& after, bool inputs) {
     const Network::Process& process = network.processes[fire.process];
     const Network::Edge& edge = network.templates[process.automaton].edges[fire.edge];
     std::string words;
@@ -45,12 +47,15 @@ std::string choice_words(const Network& network, const NetworkState& state, cons
     NetworkState after = state;
     perform(network, after, fire);
     const Network::Process& process = network.processes[fire.process];
-    const bool instance = process.kind == Network::ProcessKind::Plant || process.kind == Network::ProcessKind::Environment;
-    const std::string words = instance ? instance_words(network, fire, state, after, true) : location_word(network, fire);
+    const bool instance =
+        process.kind == Network::ProcessKind::Plant || process.kind == Network::ProcessKind::Environment;
+    const std::string words =
+        instance ? instance_words(network, fire, state, after, true) : location_word(network, fire);
     return words.empty() ? process.name : process.name + ": " + words;
 }
 
-std::string timer_words(const Network& network, const Network::Controller& controller, const Network::TimerVariables& timing) {
+std::string timer_words(const Network& network, const Network::Controller& controller,
+                        const Network::TimerVariables& timing) {
     const std::int64_t ms = timing.duration * network.time_unit_ms;
     const std::string duration = ms % 1000 == 0 ? std::to_string(ms / 1000) + "s" : std::to_string(ms) + "ms";
     for (const Network::Named& step : controller.steps) {

@@ -11,11 +11,12 @@ namespace grafverif {
 
 /// `going_out, H 4 -> 6`: the location reached, unless it is where the instance was, and what changed in the plant.
 /// `inputs`: what changed among the inputs of controllers, too.
-std::string instance_words(const Network& network, const Fire& fire, const NetworkState& before, const NetworkState& after,
-                           bool inputs = false);
+std::string instance_words(const Network& network, const Fire& fire, const NetworkState& before,
+                           const NetworkState& after, bool inputs = false);
 
 /// `3s/X2 is true`.
-std::string timer_words(const Network& network, const Network::Controller& controller, const Network::TimerVariables& timing);
+std::string timer_words(const Network& network, const Network::Controller& controller,
+                        const Network::TimerVariables& timing);
 
 /// The name of the location that the edge leads to.
 const std::string& location_word(const Network& network, const Fire& fire);

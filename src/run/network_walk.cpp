@@ -22,7 +22,8 @@ std::int64_t greatest(Op relation, std::int64_t bound) { return relation == Op::
 std::optional<std::int64_t> patience(const Network& network, const NetworkState& state, Id<Network::Process> id) {
     const Network::Process& process = network.processes[id];
     std::optional<std::int64_t> limit;
-    for (const Network::ClockConstraint& bound : automaton(network, process).locations[state.locations[id.index]].invariant)
+    for (const Network::ClockConstraint& bound :
+         automaton(network, process).locations[state.locations[id.index]].invariant)
         lower(limit, greatest(bound.relation, bound_value(network, process, bound.bound)) -
                          state.clocks[id.index][bound.clock.index]);
     return limit;
@@ -76,7 +77,8 @@ Leeway leeway(const Network& network, const NetworkState& state) {
 std::vector<Id<Network::Process>> impatient(const Network& network, const NetworkState& state) {
     std::vector<bool> urgent(network.processes.size());
     for (const Fire& move : enabled(network, state))
-        if (automaton(network, network.processes[move.process]).edges[move.edge].urgent) urgent[move.process.index] = true;
+        if (automaton(network, network.processes[move.process]).edges[move.edge].urgent)
+            urgent[move.process.index] = true;
     std::vector<Id<Network::Process>> found;
     for (const Id<Network::Process> id : network.processes.ids())
         if (urgent[id.index] || patience(network, state, id).value_or(1) <= 0) found.push_back(id);

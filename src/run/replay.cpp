@@ -56,7 +56,8 @@ private:
         for (const Chart::TimeCondition& timed : chart_.time_conditions) {
             const auto step = static_cast<std::size_t>(chart_.exprs[timed.watched].value);
             const auto found = std::ranges::find_if(controller_.timing, [&](const Network::TimerVariables& timing) {
-                return timing.step == controller_.steps[step].variable && timing.duration * network_.time_unit_ms == timed.rise_ms;
+                return timing.step == controller_.steps[step].variable &&
+                       timing.duration * network_.time_unit_ms == timed.rise_ms;
             });
             timers_.push_back(found == controller_.timing.end() ? nullptr : &*found);
         }
@@ -65,7 +66,8 @@ private:
 
     void read_inputs(const NetworkState& now) {
         for (std::size_t i = 0; i < controller_.symbols.size(); ++i)
-            if (controller_.symbols[i].role == Network::Role::Input) inputs_[i] = now.variables[controller_.symbols[i].variable.index];
+            if (controller_.symbols[i].role == Network::Role::Input)
+                inputs_[i] = now.variables[controller_.symbols[i].variable.index];
     }
 
     std::string start(const NetworkState& before, const NetworkState& after) {
@@ -85,7 +87,7 @@ private:
 
     /// A timer ends when its step has been active for its duration; at that very moment it may not have done so yet.
     std::string timer_fault(std::size_t condition) const {
-        if (!timers_[condition]->pending.valid()) return {};   // timers as published are wrong, and are meant to be
+        if (!timers_[condition]->pending.valid()) return {};  // timers as published are wrong, and are meant to be
         const Chart::TimeCondition& timed = chart_.time_conditions[{static_cast<std::uint32_t>(condition)}];
         const Id<Chart::Step> step{static_cast<std::uint32_t>(chart_.exprs[timed.watched].value)};
         const std::int64_t age = state_.ages[step.index];
@@ -112,9 +114,11 @@ private:
     }
 
     std::string evolved(Evolution result, const NetworkState& after) {
-        raced_ = result.race.has_value();
         const bool flagged = network_.race.valid() && after.variables[network_.race.index] != 0;
-        if (raced_) return flagged ? "" : "no race, by the rules two actions race for " + variable_name(result.race->variable);
+        // Which of several faults of one evolution is met first is left open.
+        raced_ = flagged && (result.race || result.fault);
+        if (raced_) return {};
+        if (result.race) return "no race, by the rules two actions race for " + variable_name(result.race->variable);
         if (flagged) return "two actions race, by the rules none do";
         if (result.fault) return "an evolution that by the rules has no result";
         state_ = std::move(result.state);
@@ -139,21 +143,24 @@ private:
             if (role == Network::Role::Input || (role == Network::Role::Output && !image.valid())) continue;
             const std::int64_t value = now.variables[(image.valid() ? image : variable).index];
             if (value != state_.values[id.index])
-                return variable_name(id) + " holds " + number(value) + ", by the rules " + number(state_.values[id.index]);
+                return variable_name(id) + " holds " + number(value) + ", by the rules " +
+                       number(state_.values[id.index]);
         }
         return {};
     }
 
     std::string write(const NetworkState& now) {
-        const bool atomic_search = network_.grain == Grain::Atomic && controller_.mode == ExecutionMode::StabilitySearch;
-        if (atomic_search && now.variables[controller_.stable.index] == 0) return {};   // nothing is written then
+        const bool atomic_search =
+            network_.grain == Grain::Atomic && controller_.mode == ExecutionMode::StabilitySearch;
+        if (atomic_search && now.variables[controller_.stable.index] == 0) return {};  // nothing is written then
         const auto outputs = output_values(chart_, state_, inputs_);
         if (!outputs) return "outputs are written that by the rules have no value";
         for (const Id<Chart::Variable> id : chart_.variables.ids()) {
             if (chart_.variables[id].kind != Chart::VariableKind::Output) continue;
             const std::int64_t value = now.variables[controller_.symbols[id.index].variable.index];
             if (value != (*outputs)[id.index])
-                return "output " + variable_name(id) + " is " + number(value) + ", by the rules " + number((*outputs)[id.index]);
+                return "output " + variable_name(id) + " is " + number(value) + ", by the rules " +
+                       number((*outputs)[id.index]);
         }
         return {};
     }
@@ -164,9 +171,9 @@ private:
     const Network::Controller& controller_;
     const Chart& chart_;
     State state_;
-    std::vector<std::int64_t> inputs_ = {};   ///< as sampled
-    std::vector<bool> timed_ = {};            ///< as sampled
-    std::vector<const Network::TimerVariables*> timers_ = {};   ///< per time condition
+    std::vector<std::int64_t> inputs_ = {};                    ///< as sampled
+    std::vector<bool> timed_ = {};                             ///< as sampled
+    std::vector<const Network::TimerVariables*> timers_ = {};  ///< per time condition
     std::size_t evolutions_ = 0;
     bool raced_ = false;
 };
@@ -197,7 +204,8 @@ std::optional<Disagreement> disagreement(const Network& network, std::span<const
         std::string what = twin->fire(edge, before, state);
         if (twin->raced() && what.empty()) return {};
         if (!what.empty())
-            return Disagreement{i, "controller " + twin->name() + ", evolution " + std::to_string(twin->evolutions()), std::move(what)};
+            return Disagreement{i, "controller " + twin->name() + ", evolution " + std::to_string(twin->evolutions()),
+                                std::move(what)};
     }
     return {};
 }

@@ -26,7 +26,8 @@ struct Controller {
 std::string scope(std::span<const Controller> controllers) {
     const bool several = controllers.size() > 1;
     const std::string one = several ? "the controllers" : "the controller";
-    std::string text = "This model is " + one + " alone: in every cycle the inputs and the ends of timers take any value. " +
+    std::string text = "This model is " + one +
+                       " alone: in every cycle the inputs and the ends of timers take any value. " +
                        (several ? "In one step each controller whose turn it is runs one PLC cycle; each has its turn "
                                   "infinitely often. "
                                 : "One step is one PLC cycle. ") +
@@ -36,11 +37,14 @@ std::string scope(std::span<const Controller> controllers) {
         text += controller.mode == ExecutionMode::StabilitySearch ? " are written when the situation is stable. "
                                                                   : " are written in every cycle. ";
     }
-    return text + "An always, never, exactly one of or inevitable that holds here, and a leads to that holds and whose left "
-                  "side reads no input, holds with every plant in grain atomic, from the first evolution on, provided that "
-                  "the plant lets " + one + " run; so does a reachable that is violated here. What fails here may yet hold "
-                  "with the real plant. All other verdicts are about this model only: reachable that holds, always "
-                  "possible, CTL and LTL formulas, and, at stable, all but always, never and exactly one of.";
+    return text +
+           "An always, never, exactly one of or inevitable that holds here, and a leads to that holds and whose left "
+           "side reads no input, holds with every plant in grain atomic, from the first evolution on, provided that "
+           "the plant lets " +
+           one +
+           " run; so does a reachable that is violated here. What fails here may yet hold "
+           "with the real plant. All other verdicts are about this model only: reachable that holds, always "
+           "possible, CTL and LTL formulas, and, at stable, all but always, never and exactly one of.";
 }
 
 /// The modules and main, without properties. `names`: those taken in main.
@@ -84,7 +88,8 @@ void add_own_variables(Assembly& assembly, std::span<const Controller> controlle
         for (const Id<Equations::Variable> id : assembly.modules[index].parameters) {
             const Equations::Variable& variable = equations.variables[id];
             if (variable.role != Role::TimerEnd) continue;
-            const Id<Symbol> end = assembly.free(prefix + variable.name, variable.type, "ends of timers", variable.origin);
+            const Id<Symbol> end =
+                assembly.free(prefix + variable.name, variable.type, "ends of timers", variable.origin);
             assembly.system.instances[instance_id(index)].arguments.push_back(end);
         }
     }

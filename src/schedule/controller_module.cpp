@@ -36,7 +36,9 @@ struct Builder {
     std::vector<Id<Expr>> copies_in_cycle = {}, copies_after_cycle = {};
     bool divides = false;   ///< some equation does
 
-    const Variable& variable(std::size_t index) const { return equations.variables[{static_cast<std::uint32_t>(index)}]; }
+    const Variable& variable(std::size_t index) const {
+        return equations.variables[{static_cast<std::uint32_t>(index)}];
+    }
 
     Id<Expr> leaf(Id<Symbol> symbol) { return exprs.leaf(Op::Variable, symbol.index); }
 
@@ -45,7 +47,8 @@ struct Builder {
     }
 
     Id<Symbol> add(const std::string& wish, Type type, const char* section, Span origin = {}) {
-        return result.module.symbols.add({names.fresh(wish), type, TransitionSystem::ParameterSymbol{}, section, origin});
+        return result.module.symbols.add(
+            {names.fresh(wish), type, TransitionSystem::ParameterSymbol{}, section, origin});
     }
 
     void define(Id<Symbol> symbol, Id<Expr> value) {
@@ -68,7 +71,8 @@ struct Builder {
         if (is_constant(node.op)) return copies[term.index] = exprs.constant(node.op == Op::True);
         std::vector<Id<Expr>> operands;
         operands.reserve(node.count);
-        for (const Id<Expr> operand : equations.exprs.operands(term)) operands.push_back(copied(operand, copies, leaf_of));
+        for (const Id<Expr> operand : equations.exprs.operands(term))
+            operands.push_back(copied(operand, copies, leaf_of));
         return copies[term.index] = exprs.apply(node.op, operands);
     }
 
@@ -167,7 +171,8 @@ void add_states(Builder& builder) {
     add_role(Role::FiringCondition, "firing conditions");
 }
 
-// -- their values -------------------------------------------------------------------------------------------------------
+// -- their values
+// -------------------------------------------------------------------------------------------------------
 
 /// `term`, or `instead` where it divides by zero, which is a fault.
 Id<Expr> total(Builder& builder, Id<Expr> term, Id<Expr> instead, std::vector<Id<Expr>>& faults) {
@@ -275,7 +280,8 @@ Id<Expr> set_searching_output(Builder& builder, const Equations::Output& output)
     for (const Id<Expr> fault : faults)
         builder.faults.push_back(builder.exprs.conjunction(builder.leaf(builder.stable), fault));
     if (is_constant(builder.exprs[value].op)) return written_when_stable(builder, index, value);
-    const Id<Symbol> now = builder.add(variable.name + "_now", variable.type, "outputs by equation (13)", variable.origin);
+    const Id<Symbol> now =
+        builder.add(variable.name + "_now", variable.type, "outputs by equation (13)", variable.origin);
     builder.define(now, value);
     return written_when_stable(builder, index, builder.leaf(now));
 }
@@ -309,7 +315,8 @@ void set_outputs(Builder& builder) {
     for (const Id<Variable> id : builder.equations.variables.ids())
         if (is_image(builder, id.index))
             settled.push_back(written_when_stable(builder, id.index, builder.leaf(builder.read[id.index])));
-    builder.result.settled = builder.add("settled", {}, "settled: one more cycle with the same inputs would change nothing");
+    builder.result.settled =
+        builder.add("settled", {}, "settled: one more cycle with the same inputs would change nothing");
     builder.define(builder.result.settled, builder.exprs.conjunction(settled));
 }
 

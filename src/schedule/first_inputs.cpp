@@ -9,13 +9,15 @@ std::vector<bool> read_at_first(const Equations& equations, ExecutionMode mode) 
     const auto inserted = [&](Id<Expr> term) {
         return translate(equations.exprs, term, scratch, [&](const Expr& leaf) {
             const auto index = static_cast<std::size_t>(leaf.value);
-            return values[index].valid() ? values[index] : scratch.leaf(Op::Variable, static_cast<std::uint32_t>(index));
+            return values[index].valid() ? values[index]
+                                         : scratch.leaf(Op::Variable, static_cast<std::uint32_t>(index));
         });
     };
     for (const Id<Equations::Variable> id : equations.variables.ids()) {
         const Equations::Variable& variable = equations.variables[id];
         if (variable.role == Equations::Role::Input) continue;
-        values[id.index] = variable.type.boolean ? scratch.constant(variable.initial != 0) : scratch.integer(variable.initial);
+        values[id.index] =
+            variable.type.boolean ? scratch.constant(variable.initial != 0) : scratch.integer(variable.initial);
     }
     std::vector<Id<Expr>> first;
     for (const Equations::Stored& stored : equations.stored) {

@@ -9,8 +9,8 @@
 
 namespace grafverif::schedule {
 
-/// Per variable whether the first evolution reads it, once initial values are put in their places: in a stored value or,
-/// where outputs are written in every cycle, in an output.
+/// Per variable whether the first evolution reads it, once initial values are put in their places: in a stored value
+/// or, where outputs are written in every cycle, in an output.
 std::vector<bool> read_at_first(const Equations& equations, ExecutionMode mode);
 
 }  // namespace grafverif::schedule

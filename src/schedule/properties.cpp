@@ -66,7 +66,8 @@ Meaning meaning(Translation& translation, const ClosedLoop::Symbol& symbol) {
         [&](const ClosedLoop::LocationSymbol& of) -> Meaning {
             const ClosedLoop::Instance& instance = loop.instances[of.instance];
             const Component& component = translation.model.components[instance.component];
-            return {{}, "`" + instance.name + "." + component.locations[of.location].name + "` is a location of the plant"};
+            return {{},
+                    "`" + instance.name + "." + component.locations[of.location].name + "` is a location of the plant"};
         },
     }, symbol);
 }

@@ -20,8 +20,8 @@ Members members(TransitionSystem& system, std::span<const ControllerModule> cont
 /// `controller.symbol` in main.
 Id<Symbol> member(Members& members, std::size_t controller, Id<Symbol> symbol);
 
-/// The properties of `loop`, each in `system.properties` or in `system.omitted`. `shared`: per shared variable the symbol
-/// of main that it is; not valid for one of the plant's own.
+/// The properties of `loop`, each in `system.properties` or in `system.omitted`. `shared`: per shared variable the
+/// symbol of main that it is; not valid for one of the plant's own.
 void add_properties(Members& members, const Model& model, const ClosedLoop& loop,
                     std::span<const Equations> equations, std::span<const Id<Symbol>> shared);
 

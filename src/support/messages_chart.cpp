@@ -8,17 +8,20 @@
 namespace grafverif::messages {
 
 Diagnostic empty_chart(Span where, std::string_view chart) {
-    return error("empty-chart", where, fmt::format("the chart `{}` has no step; write `initial step 0;`", clipped(chart)));
+    return error("empty-chart", where,
+                 fmt::format("the chart `{}` has no step; write `initial step 0;`", clipped(chart)));
 }
 
 Diagnostic no_initial_step(Span where, std::string_view chart) {
-    return error("no-initial-step", where,
-                 fmt::format("`{}` has no initial step and nothing else activates it; mark a step `initial`", clipped(chart)));
+    return error(
+        "no-initial-step", where,
+        fmt::format("`{}` has no initial step and nothing else activates it; mark a step `initial`", clipped(chart)));
 }
 
 Diagnostic no_activation_link(Span where, std::string_view chart) {
     return error("no-activation-link", where,
-                 fmt::format("`{}` is enclosed, but no step of it has an activation link; mark a step `linked`", clipped(chart)));
+                 fmt::format("`{}` is enclosed, but no step of it has an activation link; mark a step `linked`",
+                             clipped(chart)));
 }
 
 Diagnostic unreachable_step(Span where, std::string_view step, std::size_t others) {
@@ -29,7 +32,8 @@ Diagnostic unreachable_step(Span where, std::string_view step, std::size_t other
 }
 
 Diagnostic missing_condition(Span where) {
-    return error("missing-condition", where, "this transition has no condition; write `when true` where it is always satisfied");
+    return error("missing-condition", where,
+                 "this transition has no condition; write `when true` where it is always satisfied");
 }
 
 Diagnostic detached_transition(Span where) {
@@ -37,18 +41,21 @@ Diagnostic detached_transition(Span where) {
 }
 
 Diagnostic step_twice(Span where, std::string_view step) {
-    return error("step-twice", where, fmt::format("step `{}` is linked to this side of the transition already", clipped(step)));
+    return error("step-twice", where,
+                 fmt::format("step `{}` is linked to this side of the transition already", clipped(step)));
 }
 
 Diagnostic step_of_other_chart(Span where, std::string_view step, std::string_view chart) {
     return error("step-of-other-chart", where,
                  fmt::format("step `{}` belongs to {}; a transition links steps of one partial chart", clipped(step),
-                             chart.empty() ? "the main part of the chart" : fmt::format("the partial chart `{}`", clipped(chart))));
+                             chart.empty() ? "the main part of the chart"
+                                           : fmt::format("the partial chart `{}`", clipped(chart))));
 }
 
 Diagnostic not_an_output(Span where, std::string_view variable, std::string_view kind) {
-    return error("not-an-output", where,
-                 fmt::format("`{}` is an {} variable; a continuous action is about an output", clipped(variable), kind));
+    return error(
+        "not-an-output", where,
+        fmt::format("`{}` is an {} variable; a continuous action is about an output", clipped(variable), kind));
 }
 
 Diagnostic assigned_input(Span where, std::string_view variable) {
@@ -74,7 +81,8 @@ Diagnostic not_an_expansion(Span where, std::string_view chart) {
 }
 
 Diagnostic owned_twice(Span where, std::string_view chart, Span first) {
-    Diagnostic diagnostic = error("owned-twice", where, fmt::format("`{}` belongs to another step already", clipped(chart)));
+    Diagnostic diagnostic =
+        error("owned-twice", where, fmt::format("`{}` belongs to another step already", clipped(chart)));
     diagnostic.notes.push_back(note(first, "the first one is here"));
     return diagnostic;
 }

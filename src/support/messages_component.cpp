@@ -13,11 +13,13 @@ Diagnostic constant_cycle(Span where, std::string_view constant) {
 
 Diagnostic clock_not_conjunct(Span where) {
     return error("clock-not-conjunct", where,
-                 "a comparison of a clock stands alone or between `&&`, not under another operator; write one edge for each case");
+                 "a comparison of a clock stands alone or between `&&`, not under another operator; write one edge for "
+                 "each case");
 }
 
 Diagnostic clock_compared_with_clock(Span where) {
-    return error("clock-compared-with-clock", where, "two clocks are compared; a clock is compared with durations only");
+    return error("clock-compared-with-clock", where,
+                 "two clocks are compared; a clock is compared with durations only");
 }
 
 Diagnostic clock_not_equal(Span where) {
@@ -25,17 +27,20 @@ Diagnostic clock_not_equal(Span where) {
 }
 
 Diagnostic clock_reset(Span where, std::string_view clock) {
-    return error("clock-reset", where, fmt::format("the clock `{0}` is set to another value than 0; write `{0} := 0`", clipped(clock)));
+    return error("clock-reset", where,
+                 fmt::format("the clock `{0}` is set to another value than 0; write `{0} := 0`", clipped(clock)));
 }
 
 Diagnostic urgent_clock_guard(Span where) {
-    return error("urgent-clock-guard", where,
-                 "an urgent edge has a clock in its guard; make it `timed` and bound its source location by an invariant");
+    return error(
+        "urgent-clock-guard", where,
+        "an urgent edge has a clock in its guard; make it `timed` and bound its source location by an invariant");
 }
 
 Diagnostic lower_bound_invariant(Span where) {
-    return error("lower-bound-invariant", where,
-                 "an invariant bounds a clock from above, by `<=` or `<`; put other bounds into the guards of the edges");
+    return error(
+        "lower-bound-invariant", where,
+        "an invariant bounds a clock from above, by `<=` or `<`; put other bounds into the guards of the edges");
 }
 
 Diagnostic invariant_without_clock(Span where) {
@@ -43,28 +48,34 @@ Diagnostic invariant_without_clock(Span where) {
 }
 
 Diagnostic assigned_constant(Span where, std::string_view name, std::string_view kind) {
-    return error("assigned-constant", where,
-                 fmt::format("`{}` is {}; only outputs and the component's own variables are assigned", clipped(name), kind));
+    return error(
+        "assigned-constant", where,
+        fmt::format("`{}` is {}; only outputs and the component's own variables are assigned", clipped(name), kind));
 }
 
 Diagnostic assigned_twice(Span where, std::string_view name) {
-    return error("assigned-twice", where, fmt::format("`{}` is assigned twice here; keep one assignment", clipped(name)));
+    return error("assigned-twice", where,
+                 fmt::format("`{}` is assigned twice here; keep one assignment", clipped(name)));
 }
 
 Diagnostic two_initial_locations(Span where, std::string_view component, Span first) {
-    Diagnostic diagnostic = error("two-initial-locations", where,
-        fmt::format("`{}` has a second initial location; keep one, instances choose another by `initially`", clipped(component)));
+    Diagnostic diagnostic =
+        error("two-initial-locations", where,
+              fmt::format("`{}` has a second initial location; keep one, instances choose another by `initially`",
+                          clipped(component)));
     diagnostic.notes.push_back(note(first, "the first one is here"));
     return diagnostic;
 }
 
 Diagnostic empty_component(Span where, std::string_view component) {
-    return error("empty-component", where,
-                 fmt::format("the component `{}` has no location; write `initial location still;`", clipped(component)));
+    return error(
+        "empty-component", where,
+        fmt::format("the component `{}` has no location; write `initial location still;`", clipped(component)));
 }
 
 Diagnostic edge_outside_chart(Span where) {
-    return error("edge-outside-chart", where, "rising and falling edges are for charts; here keep the old value in a variable");
+    return error("edge-outside-chart", where,
+                 "rising and falling edges are for charts; here keep the old value in a variable");
 }
 
 }  // namespace grafverif::messages

@@ -24,13 +24,16 @@ Diagnostic unexpected_character(Span where, std::string_view character) {
 }
 
 Diagnostic unterminated(Span where, std::string_view what, std::string_view end) {
-    return error(fmt::format("unterminated-{}", what), where, fmt::format("this {} has no end; close it with `{}`", what, end));
+    return error(fmt::format("unterminated-{}", what), where,
+                 fmt::format("this {} has no end; close it with `{}`", what, end));
 }
 
 Diagnostic unknown_unit(Span where, std::string_view text) {
-    return error("unknown-unit", where,
-                 fmt::format("`{}` is neither a duration nor a name; durations end in `ms`, `s` or `min`, and names do not "
-                             "start with a digit", clipped(text)));
+    return error(
+        "unknown-unit", where,
+        fmt::format("`{}` is neither a duration nor a name; durations end in `ms`, `s` or `min`, and names do not "
+                    "start with a digit",
+                    clipped(text)));
 }
 
 Diagnostic bad_duration(Span where, std::string_view text) {
@@ -47,11 +50,13 @@ Diagnostic decimal_number(Span where, std::string_view text) {
 Diagnostic number_too_large(Span where) { return error("number-too-large", where, "this number does not fit 64 bits"); }
 
 Diagnostic name_too_long(Span where, std::string_view name, std::size_t limit) {
-    return error("name-too-long", where, fmt::format("the name `{}` has {} bytes; {} are allowed", clipped(name), name.size(), limit));
+    return error("name-too-long", where,
+                 fmt::format("the name `{}` has {} bytes; {} are allowed", clipped(name), name.size(), limit));
 }
 
 Diagnostic too_deep(Span where, std::size_t limit) {
-    return error("too-deep", where, fmt::format("this expression nests deeper than {} levels; use internal variables", limit));
+    return error("too-deep", where,
+                 fmt::format("this expression nests deeper than {} levels; use internal variables", limit));
 }
 
 Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant) {
@@ -62,7 +67,9 @@ Diagnostic single_equals(Span where, std::string_view what, std::string_view mea
     return error("single-equals", where, fmt::format("`=` is no {}; write `{}`", what, meant));
 }
 
-Diagnostic missing_semicolon(Span where) { return error("missing-semicolon", where, "the declaration has no end; write `;`"); }
+Diagnostic missing_semicolon(Span where) {
+    return error("missing-semicolon", where, "the declaration has no end; write `;`");
+}
 
 Diagnostic unexpected(Span where, std::string_view seen, std::string_view expected) {
     return error("unexpected", where, fmt::format("unexpected `{}`; expected {}", clipped(seen), expected));

@@ -7,9 +7,11 @@
 
 namespace grafverif::messages {
 
-Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter, std::string_view example) {
+Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter,
+                            std::string_view example) {
     return error("missing-argument", where,
-                 fmt::format("`{}` needs `{}`; write `{} = {}`", clipped(component), clipped(parameter), clipped(parameter), example));
+                 fmt::format("`{}` needs `{}`; write `{} = {}`", clipped(component), clipped(parameter),
+                             clipped(parameter), example));
 }
 
 Diagnostic argument_not_a_name(Span where, std::string_view parameter, std::string_view kind) {
@@ -19,14 +21,17 @@ Diagnostic argument_not_a_name(Span where, std::string_view parameter, std::stri
 
 Diagnostic missing_initially(Span where, std::string_view component, std::string_view locations) {
     return error("missing-initially", where,
-                 fmt::format("`{}` has no initial location of its own; write `initially` and one of {}", clipped(component), locations));
+                 fmt::format("`{}` has no initial location of its own; write `initially` and one of {}",
+                             clipped(component), locations));
 }
 
 Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean) {
-    const std::string cure = boolean ? fmt::format("environment {0}_any = free(OUT = {0});", clipped(input))
-                                     : fmt::format("environment {0}_any = free_integer(OUT = {0}, ...);", clipped(input));
-    return error("undriven-input", where,
-                 fmt::format("nothing drives the input `{}` of `{}`; write `{}`", clipped(input), clipped(reader), cure));
+    const std::string cure = boolean
+                                 ? fmt::format("environment {0}_any = free(OUT = {0});", clipped(input))
+                                 : fmt::format("environment {0}_any = free_integer(OUT = {0}, ...);", clipped(input));
+    return error(
+        "undriven-input", where,
+        fmt::format("nothing drives the input `{}` of `{}`; write `{}`", clipped(input), clipped(reader), cure));
 }
 
 Diagnostic undriven_variable(Span where, std::string_view variable, std::string_view suggestion) {
@@ -36,23 +41,26 @@ Diagnostic undriven_variable(Span where, std::string_view variable, std::string_
 }
 
 Diagnostic argument_type(Span where, std::string_view name, std::string_view found, std::string_view expected) {
-    return error("type-mismatch", where, fmt::format("`{}` is {}; {} is expected here", clipped(name), found, expected));
+    return error("type-mismatch", where,
+                 fmt::format("`{}` is {}; {} is expected here", clipped(name), found, expected));
 }
 
-Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, std::int64_t high, std::int64_t wanted_low,
-                          std::int64_t wanted_high) {
+Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, std::int64_t high,
+                          std::int64_t wanted_low, std::int64_t wanted_high) {
     return error("range-mismatch", where,
-                 fmt::format("`{}` is written with values {}..{} and read with {}..{}; widen the range of the reader", clipped(name),
-                             low, high, wanted_low, wanted_high));
+                 fmt::format("`{}` is written with values {}..{} and read with {}..{}; widen the range of the reader",
+                             clipped(name), low, high, wanted_low, wanted_high));
 }
 
 Diagnostic no_controller(Span where, std::string_view loop) {
-    return error("no-controller", where, fmt::format("the closed loop `{}` has no controller; write `controller NAME;`", clipped(loop)));
+    return error("no-controller", where,
+                 fmt::format("the closed loop `{}` has no controller; write `controller NAME;`", clipped(loop)));
 }
 
 Diagnostic clock_in_property(Span where, std::string_view clock) {
     return error("clock-in-property", where,
-                 fmt::format("`{}` is a clock, which properties do not read; read a location or a variable instead", clipped(clock)));
+                 fmt::format("`{}` is a clock, which properties do not read; read a location or a variable instead",
+                             clipped(clock)));
 }
 
 Diagnostic declared_twice(Span where, std::string_view what) {

@@ -12,7 +12,8 @@ Diagnostic unknown(Span where, std::string_view kind, std::string_view name, std
     for (char& byte : code)
         if (byte == ' ') byte = '-';
     std::string message = fmt::format("unknown {} `{}`", kind, clipped(name));
-    if (!suggestion.empty()) message += fmt::format("; did you mean `{}`?", clipped(suggestion));
+    message += suggestion.empty() ? "; nothing of that name is declared"
+                                  : fmt::format("; did you mean `{}`?", clipped(suggestion));
     return error(code, where, std::move(message));
 }
 
@@ -23,15 +24,15 @@ Diagnostic unknown_component(Span where, std::string_view name, std::string_view
 }
 
 Diagnostic duplicate_name(Span where, std::string_view kind, std::string_view name, Span first) {
-    Diagnostic diagnostic = error("duplicate-name", where, fmt::format("a second {} is named `{}`; rename one of both", kind,
-                                                                       clipped(name)));
+    Diagnostic diagnostic = error("duplicate-name", where,
+                                  fmt::format("a second {} is named `{}`; rename one of both", kind, clipped(name)));
     diagnostic.notes.push_back(note(first, "the first one is here"));
     return diagnostic;
 }
 
 Diagnostic ambiguous(Span where, std::string_view name, std::string_view one, std::string_view other) {
-    return error("ambiguous-name", where, fmt::format("`{}` could be `{}` or `{}`; write which", clipped(name), clipped(one),
-                                                      clipped(other)));
+    return error("ambiguous-name", where,
+                 fmt::format("`{}` could be `{}` or `{}`; write which", clipped(name), clipped(one), clipped(other)));
 }
 
 Diagnostic step_like_variable(Span where, std::string_view name) {
@@ -41,11 +42,13 @@ Diagnostic step_like_variable(Span where, std::string_view name) {
 }
 
 Diagnostic shadows_library(Span where, std::string_view name) {
-    return warning("shadows-library", where, fmt::format("`{}` hides the component of that name in the library", clipped(name)));
+    return warning("shadows-library", where,
+                   fmt::format("`{}` hides the component of that name in the library", clipped(name)));
 }
 
 Diagnostic include_cycle(Span where, std::string_view path) {
-    return error("include-cycle", where, fmt::format("`{}` includes itself through this line; take the line out", clipped(path)));
+    return error("include-cycle", where,
+                 fmt::format("`{}` includes itself through this line; take the line out", clipped(path)));
 }
 
 Diagnostic cannot_include(Span where, std::string_view path, std::string_view why) {

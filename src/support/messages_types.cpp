@@ -12,7 +12,8 @@ Diagnostic type_mismatch(Span where, std::string_view user, std::string_view exp
 }
 
 Diagnostic missing_unit(Span where, std::string_view what) {
-    return error("missing-unit", where, fmt::format("{} has no unit; write `ms`, `s` or `min` after the number, as in `3s`", what));
+    return error("missing-unit", where,
+                 fmt::format("{} has no unit; write `ms`, `s` or `min` after the number, as in `3s`", what));
 }
 
 Diagnostic division_by_zero(Span where) { return error("division-by-zero", where, "this divides by zero"); }
@@ -21,8 +22,10 @@ Diagnostic not_constant(Span where, std::string_view what) {
     return error("not-constant", where, fmt::format("{} is a constant; variables cannot stand here", what));
 }
 
-Diagnostic out_of_range(Span where, std::string_view variable, std::int64_t value, std::int64_t low, std::int64_t high) {
-    return error("out-of-range", where, fmt::format("{} is outside the range {}..{} of `{}`", value, low, high, clipped(variable)));
+Diagnostic out_of_range(Span where, std::string_view variable, std::int64_t value, std::int64_t low,
+                        std::int64_t high) {
+    return error("out-of-range", where,
+                 fmt::format("{} is outside the range {}..{} of `{}`", value, low, high, clipped(variable)));
 }
 
 Diagnostic unbounded_integer(Span where, std::string_view variable) {
@@ -35,8 +38,10 @@ Diagnostic misplaced_type(Span where, std::string_view what) {
 }
 
 Diagnostic misplaced_value(Span where, std::string_view kind) {
-    return error("misplaced-value", where,
-                 fmt::format("an {} has no value of its own at power-on; it starts false, or at the least value of its range", kind));
+    return error(
+        "misplaced-value", where,
+        fmt::format("an {} has no value of its own at power-on; it starts false, or at the least value of its range",
+                    kind));
 }
 
 Diagnostic zero_duration(Span where) {

@@ -122,7 +122,7 @@ Property Builder::named(Name name, std::string text, bool expected_violated, Pro
     return pattern;
 }
 
-// -- expressions -------------------------------------------------------------------------------------------------------
+// -- expressions ------------------------------------------------------------------------------------------------------
 
 Id<Expr> Builder::node(Op op, std::initializer_list<Id<Expr>> operands, Span where) {
     std::size_t depth = 0;

@@ -41,13 +41,15 @@ public:
 
     tree::Chart chart(tree::Name name, std::vector<tree::ChartItem> items, Span where);
     tree::Component component(tree::Name name, tree::Component body, Span where);
-    tree::Component component_body(std::vector<tree::Variables> parameters, std::vector<tree::ComponentItem> items) const;
+    tree::Component component_body(std::vector<tree::Variables> parameters,
+                                   std::vector<tree::ComponentItem> items) const;
     tree::ClosedLoop loop(tree::Name name, std::vector<tree::LoopItem> items, Span where);
     tree::Observer observer(tree::Name name, tree::Component body, Span where) const;
 
     tree::Variables variables(tree::VariableKind kind, tree::Variables variables, Span where) const;
     tree::Step step(tree::Step marks, tree::Name name, std::vector<tree::Action> actions, Span where) const;
-    tree::Step macro_step(tree::Step marks, tree::Name name, tree::Name expansion, std::vector<tree::Action> actions, Span where) const;
+    tree::Step macro_step(tree::Step marks, tree::Name name, tree::Name expansion, std::vector<tree::Action> actions,
+                          Span where) const;
     tree::Step enclosing_step(tree::Step marks, tree::Name name, std::vector<tree::Name> enclosed,
                               std::vector<tree::Action> actions, Span where) const;
     tree::ForcingOrder forcing(tree::Name chart, std::vector<tree::Name> situation, Span where) const;
@@ -56,8 +58,8 @@ public:
                                 std::vector<tree::Assignment> assignments, Span where) const;
     tree::Property pattern(Pattern pattern, std::vector<Id<tree::Expr>> operands) const;
     tree::Property formula(Pattern pattern, std::string raw) const;
-    tree::Property named(tree::Name name, std::string text, bool expected_violated, tree::Property pattern, bool at_stable,
-                         Span where) const;
+    tree::Property named(tree::Name name, std::string text, bool expected_violated, tree::Property pattern,
+                         bool at_stable, Span where) const;
     std::string text(tree::Name name) const { return std::string(file_->text(name)); }
 
     Id<tree::Expr> constant(tree::Op op, Span where);

@@ -16,11 +16,17 @@ bool is_word(Symbol symbol) {
 
 bool begins_expression(Symbol symbol) {
     switch (symbol) {
-    case Symbols::S_NOT_WORD: case Symbols::S_TRUE: case Symbols::S_FALSE: case Symbols::S_NUMBER: case Symbols::S_DURATION:
-    case Symbols::S_NOT: case Symbols::S_MINUS: case Symbols::S_UP: case Symbols::S_DOWN: case Symbols::S_LEFT:
-        return true;
-    default:
-        return is_word(symbol);
+        case Symbols::S_NOT_WORD:
+        case Symbols::S_TRUE:
+        case Symbols::S_FALSE:
+        case Symbols::S_NUMBER:
+        case Symbols::S_DURATION:
+        case Symbols::S_NOT:
+        case Symbols::S_MINUS:
+        case Symbols::S_UP:
+        case Symbols::S_DOWN:
+        case Symbols::S_LEFT: return true;
+        default: return is_word(symbol);
     }
 }
 
@@ -61,7 +67,9 @@ std::string listed(const std::vector<std::string>& items) {
 
 }  // namespace
 
-bool contains(std::span<const Symbol> symbols, Symbol symbol) { return std::ranges::find(symbols, symbol) != symbols.end(); }
+bool contains(std::span<const Symbol> symbols, Symbol symbol) {
+    return std::ranges::find(symbols, symbol) != symbols.end();
+}
 
 std::string expectation(std::span<const Symbol> expected) {
     std::vector<std::string> items;

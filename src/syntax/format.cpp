@@ -33,13 +33,18 @@ public:
             const bool include = std::holds_alternative<tree::Include>(declaration);
             const bool after_include = i > 0 && std::holds_alternative<tree::Include>(file_.declarations[i - 1]);
             page_.before(where.begin, i > 0 && !(include && after_include));
-            const std::uint32_t limit = i + 1 < file_.declarations.size() ? tree::where(file_.declarations[i + 1]).begin : end_of_file;
-            std::visit(overloaded{
-                [&](const tree::Include& written) { one_line(written.where, "include \"" + written.path + "\";"); },
-                [&](const tree::Chart& chart) { block("grafcet " + text(chart.name), chart.items, where); },
-                [&](const tree::Component& component) { block(component_head(file_, component), component.items, where); },
-                [&](const tree::ClosedLoop& loop) { block("closed_loop " + text(loop.name), loop.items, where); },
-            }, declaration);
+            const std::uint32_t limit =
+                i + 1 < file_.declarations.size() ? tree::where(file_.declarations[i + 1]).begin : end_of_file;
+            std::visit(
+                overloaded{
+                    [&](const tree::Include& written) { one_line(written.where, "include \"" + written.path + "\";"); },
+                    [&](const tree::Chart& chart) { block("grafcet " + text(chart.name), chart.items, where); },
+                    [&](const tree::Component& component) {
+                        block(component_head(file_, component), component.items, where);
+                    },
+                    [&](const tree::ClosedLoop& loop) { block("closed_loop " + text(loop.name), loop.items, where); },
+                },
+                declaration);
             page_.behind(limit);
         }
         page_.remaining(end_of_file);

@@ -30,7 +30,8 @@ std::string names(const tree::File& file, const std::vector<tree::Name>& written
 }
 
 /// `head`, the parts with commas, `tail`; as many lines as it takes, the others indented like the first part.
-Lines filled(const std::string& head, const std::vector<std::string>& parts, const std::string& tail, std::size_t column) {
+Lines filled(const std::string& head, const std::vector<std::string>& parts, const std::string& tail,
+             std::size_t column) {
     Lines lines = {head};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const std::string part = parts[i] + (i + 1 < parts.size() ? "," : tail);
@@ -167,17 +168,21 @@ std::optional<std::string> step_in_one_line(const tree::File& file, const tree::
     bool plain = true;
     for (const tree::Action& action : step.actions) {
         const auto* continuous = std::get_if<tree::ContinuousAction>(&action);
-        plain = plain && continuous != nullptr && !continuous->condition.valid() && !continuous->delay.valid() && !continuous->limit.valid();
-        line += ' ' + std::visit([&](const auto& written) { return item_lines(file, written, column).front(); }, action);
+        plain = plain && continuous != nullptr && !continuous->condition.valid() && !continuous->delay.valid() &&
+                !continuous->limit.valid();
+        line +=
+            ' ' + std::visit([&](const auto& written) { return item_lines(file, written, column).front(); }, action);
     }
     line += " }";
     if (column + line.size() > comfortable || (!plain && step.actions.size() > 2)) return {};
     return line;
 }
 
-// -- components --------------------------------------------------------------------------------------------------------
+// -- components -------------------------------------------------------------------------------------------------------
 
-Lines item_lines(const tree::File& file, const tree::Clocks& written, std::size_t) { return {"clock " + names(file, written.names) + ';'}; }
+Lines item_lines(const tree::File& file, const tree::Clocks& written, std::size_t) {
+    return {"clock " + names(file, written.names) + ';'};
+}
 
 Lines item_lines(const tree::File& file, const tree::Location& written, std::size_t) {
     std::string line = written.initial ? "initial location " : "location ";
@@ -188,7 +193,8 @@ Lines item_lines(const tree::File& file, const tree::Location& written, std::siz
 }
 
 Lines item_lines(const tree::File& file, const tree::Edge& written, std::size_t column) {
-    const std::string head = (written.urgent ? "urgent " : "timed ") + text(file, written.from) + " -> " + text(file, written.to);
+    const std::string head =
+        (written.urgent ? "urgent " : "timed ") + text(file, written.from) + " -> " + text(file, written.to);
     return guarded(file, head, written.condition, written.assignments, column);
 }
 
@@ -196,7 +202,9 @@ std::string component_head(const tree::File& file, const tree::Component& compon
     const std::string head = "component " + text(file, component.name) + '(';
     std::vector<std::string> parts;   // whole groups, or variables where a group is too long
     for (const tree::Variables& group : component.parameters) {
-        const std::string word = group.kind == tree::VariableKind::Input ? "input " : group.kind == tree::VariableKind::Output ? "output " : "";
+        const std::string word = group.kind == tree::VariableKind::Input    ? "input "
+                                 : group.kind == tree::VariableKind::Output ? "output "
+                                                                            : "";
         std::vector<std::string> declared = variables(file, group);
         declared.front() = word + declared.front();
         const std::string whole = joined(declared);
@@ -222,7 +230,7 @@ std::string component_head(const tree::File& file, const tree::Component& compon
     return lines + ')';
 }
 
-// -- closed loops --------------------------------------------------------------------------------------------------------
+// -- closed loops -----------------------------------------------------------------------------------------------------
 
 Lines item_lines(const tree::File& file, const tree::Controller& written, std::size_t) {
     std::string line = "controller " + text(file, written.chart);
@@ -230,14 +238,17 @@ Lines item_lines(const tree::File& file, const tree::Controller& written, std::s
     return {line + ';'};
 }
 
-Lines item_lines(const tree::File& file, const tree::Grain& written, std::size_t) { return {"grain " + text(file, written.name) + ';'}; }
+Lines item_lines(const tree::File& file, const tree::Grain& written, std::size_t) {
+    return {"grain " + text(file, written.name) + ';'};
+}
 
 Lines item_lines(const tree::File& file, const tree::TimeUnit& written, std::size_t) {
     return {"time unit " + formatted(file, written.duration) + ';'};
 }
 
 Lines item_lines(const tree::File& file, const tree::Instance& written, std::size_t column) {
-    const std::string head = (written.environment ? "environment " : "plant ") + text(file, written.name) + " = " + text(file, written.component) + '(';
+    const std::string head = (written.environment ? "environment " : "plant ") + text(file, written.name) + " = " +
+                             text(file, written.component) + '(';
     std::vector<std::string> parts;
     for (const tree::Argument& argument : written.arguments)
         parts.push_back(text(file, argument.parameter) + " = " + formatted(file, argument.value));

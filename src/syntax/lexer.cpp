@@ -47,7 +47,9 @@ std::optional<std::int64_t> milliseconds_in(std::string_view unit) {
 std::optional<std::int64_t> scaled(std::string_view digits, std::string_view decimals, std::int64_t factor) {
     constexpr std::int64_t bound = std::int64_t{1} << 40U;
     std::int64_t whole = 0;
-    if (std::from_chars(digits.data(), digits.data() + digits.size(), whole).ec != std::errc() || whole > bound / factor) return {};
+    if (std::from_chars(digits.data(), digits.data() + digits.size(), whole).ec != std::errc() ||
+        whole > bound / factor)
+        return {};
     std::int64_t result = whole * factor;
     for (const char digit : decimals) {
         if (digit != '0' && factor % 10 != 0) return {};

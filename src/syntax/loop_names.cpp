@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What names mean in the properties of a closed loop: shared variables, internal variables and steps of its controllers,
-// locations of its instances.
+// What names mean in the properties of a closed loop: shared variables, internal variables and steps of its
+// controllers, locations of its instances.
 #include <optional>
 
 #include "grafverif/support/messages.hpp"
@@ -15,19 +15,28 @@ namespace {
 using Controller = ClosedLoop::Controller;
 
 Term symbol_term(LoopScope& scope, const ClosedLoop::Symbol& symbol, bool boolean = true) {
-    const auto key = std::visit(overloaded{
-        [](const ClosedLoop::SharedSymbol& of) { return "v" + std::to_string(of.shared.index); },
-        [](const ClosedLoop::InternalSymbol& of) { return "i" + std::to_string(of.controller.index) + '.' + std::to_string(of.variable.index); },
-        [](const ClosedLoop::StepSymbol& of) { return "s" + std::to_string(of.controller.index) + '.' + std::to_string(of.step.index); },
-        [](const ClosedLoop::LocationSymbol& of) { return "l" + std::to_string(of.instance.index) + '.' + std::to_string(of.location.index); },
-    }, symbol);
+    const auto key =
+        std::visit(overloaded{
+                       [](const ClosedLoop::SharedSymbol& of) { return "v" + std::to_string(of.shared.index); },
+                       [](const ClosedLoop::InternalSymbol& of) {
+                           return "i" + std::to_string(of.controller.index) + '.' + std::to_string(of.variable.index);
+                       },
+                       [](const ClosedLoop::StepSymbol& of) {
+                           return "s" + std::to_string(of.controller.index) + '.' + std::to_string(of.step.index);
+                       },
+                       [](const ClosedLoop::LocationSymbol& of) {
+                           return "l" + std::to_string(of.instance.index) + '.' + std::to_string(of.location.index);
+                       },
+                   },
+                   symbol);
     const auto [known, fresh] = scope.symbols.try_emplace(key);
     if (fresh) known->second = scope.loop.symbols.add(symbol);
     return {scope.loop.exprs.leaf(Op::Variable, known->second.index), boolean ? Kind::Boolean : Kind::Integer};
 }
 
 Term internal_term(LoopScope& scope, Id<Controller> controller, Id<Chart::Variable> variable) {
-    return symbol_term(scope, ClosedLoop::InternalSymbol{controller, variable}, scope.chart(controller).variables[variable].type.boolean);
+    return symbol_term(scope, ClosedLoop::InternalSymbol{controller, variable},
+                       scope.chart(controller).variables[variable].type.boolean);
 }
 
 /// As a property would have to write it to say which one is meant.
@@ -73,7 +82,8 @@ std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::str
 Term simple_name(LoopScope& scope, Span where, std::string_view name) {
     const auto shared = scope.shared.find(std::string(name));
     if (shared != scope.shared.end())
-        return symbol_term(scope, ClosedLoop::SharedSymbol{shared->second}, scope.loop.shared[shared->second].type.boolean);
+        return symbol_term(scope, ClosedLoop::SharedSymbol{shared->second},
+                           scope.loop.shared[shared->second].type.boolean);
     std::optional<Term> found;
     Id<Controller> owner;
     for (const Id<Controller> controller : scope.loop.controllers.ids()) {
@@ -81,7 +91,8 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
         if (!term) continue;
         if (term->kind == Kind::Wrong) return {};
         if (found) {
-            scope.diagnostics.add(messages::ambiguous(where, name, qualified(scope, owner, name), qualified(scope, controller, name)));
+            scope.diagnostics.add(
+                messages::ambiguous(where, name, qualified(scope, owner, name), qualified(scope, controller, name)));
             return {};
         }
         found = term;
@@ -92,7 +103,7 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
     return unknown_name(scope, where, name);
 }
 
-// -- `owner.name` --------------------------------------------------------------------------------------------------------
+// -- `owner.name` -----------------------------------------------------------------------------------------------------
 
 Term location_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::string_view name, Span where) {
     const Id<Component> id = scope.loop.instances[instance].component;
@@ -100,7 +111,8 @@ Term location_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::strin
     const Component& component = scope.context.model.components[id];
     Nearest nearest(name);
     for (const Id<Component::Location> location : component.locations.ids()) {
-        if (component.locations[location].name == name) return symbol_term(scope, ClosedLoop::LocationSymbol{instance, location});
+        if (component.locations[location].name == name)
+            return symbol_term(scope, ClosedLoop::LocationSymbol{instance, location});
         nearest.offer(component.locations[location].name);
     }
     for (const Component::Clock& clock : component.clocks) {
@@ -125,7 +137,8 @@ Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_vie
     for (const Id<Controller> controller : scope.loop.controllers.ids()) {
         if (!scope.inside[controller.index].partials.contains(partial)) continue;
         if (found) {
-            scope.diagnostics.add(messages::ambiguous(where, partial, qualified(scope, *found, partial), qualified(scope, controller, partial)));
+            scope.diagnostics.add(messages::ambiguous(where, partial, qualified(scope, *found, partial),
+                                                      qualified(scope, controller, partial)));
             return {};
         }
         found = controller;
@@ -150,7 +163,8 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
             const auto& steps = scope.inside[controller->second.index].steps;
             const auto same = name.size() > 1 ? steps.find(name.substr(1)) : steps.end();
             const bool repeated = name[0] == 'X' && same != steps.end() && same->second.size() > 1;
-            const bool has_unnamed = scope.chart(controller->second).partial_charts[Id<Chart::PartialChart>{0}].name.empty();
+            const bool has_unnamed =
+                scope.chart(controller->second).partial_charts[Id<Chart::PartialChart>{0}].name.empty();
             if (repeated && has_unnamed)
                 return inside_or_unknown(scope, controller->second, name, Id<Chart::PartialChart>{0}, node.where);
             return inside_or_unknown(scope, controller->second, name, {}, node.where);
@@ -158,9 +172,11 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
         return in_partial_chart(scope, owner, name, node.where);
     }
     const tree::Expr& outer = scope.file.exprs[owner.first];
-    const auto controller = outer.op == tree::Op::Name ? scope.controllers.find(scope.file.text(outer.word)) : scope.controllers.end();
+    const auto controller =
+        outer.op == tree::Op::Name ? scope.controllers.find(scope.file.text(outer.word)) : scope.controllers.end();
     if (controller == scope.controllers.end()) {
-        scope.diagnostics.add(messages::unknown(outer.where, "controller", scope.file.text(outer.word.valid() ? outer.word : owner.word), ""));
+        scope.diagnostics.add(messages::unknown(outer.where, "controller",
+                                                scope.file.text(outer.word.valid() ? outer.word : owner.word), ""));
         return {};
     }
     const auto& partials = scope.inside[controller->second.index].partials;
@@ -169,7 +185,8 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
         Nearest nearest(scope.file.text(owner.word));
         for (const Chart::PartialChart& known : scope.chart(controller->second).partial_charts)
             if (!known.name.empty()) nearest.offer(known.name);
-        scope.diagnostics.add(messages::unknown(owner.where, "partial chart", scope.file.text(owner.word), nearest.best()));
+        scope.diagnostics.add(
+            messages::unknown(owner.where, "partial chart", scope.file.text(owner.word), nearest.best()));
         return {};
     }
     return inside_or_unknown(scope, controller->second, name, partial->second, node.where);
@@ -180,7 +197,8 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
 Terms property_terms(LoopScope& scope) {
     Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
     terms.name = [&scope](const tree::Expr& node) {
-        return node.op == tree::Op::Name ? simple_name(scope, node.where, scope.file.text(node.word)) : member_name(scope, node);
+        return node.op == tree::Op::Name ? simple_name(scope, node.where, scope.file.text(node.word))
+                                         : member_name(scope, node);
     };
     return terms;
 }

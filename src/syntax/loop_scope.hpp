@@ -29,8 +29,8 @@ struct LoopScope {
     std::unordered_map<std::string_view, Id<ClosedLoop::Controller>> controllers = {};
     std::unordered_map<std::string, Id<ClosedLoop::Shared>> shared = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Instance>> instances = {};
-    std::vector<std::string> instance_writers = {};        ///< by shared variable: the instance that writes it, or empty
-    std::unordered_set<std::string_view> excused = {};     ///< names bound in instances with errors: perhaps driven there
+    std::vector<std::string> instance_writers = {};     ///< by shared variable: the instance that writes it, or empty
+    std::unordered_set<std::string_view> excused = {};  ///< names bound in instances with errors: perhaps driven there
     bool incomplete = false;                               ///< something the loop names is in error itself
 
     /// Of each controller: its steps by name, its internal variables.

@@ -26,7 +26,8 @@ std::size_t distance(std::string_view a, std::string_view b, std::size_t bound) 
             std::size_t best = j == 0 ? i : above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
             if (j < i + bound) best = std::min(best, above[j] + 1);
             if (j > first) best = std::min(best, row[j - 1] + 1);
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) best = std::min(best, rows[(i - 2) % 3][j - 2] + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                best = std::min(best, rows[(i - 2) % 3][j - 2] + 1);
             row[j] = best;
             least = std::min(least, best);
         }

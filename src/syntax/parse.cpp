@@ -47,7 +47,8 @@ bool is_readable(Span part, const Sources& sources, Diagnostics& diagnostics) {
         const std::size_t length = character_at(text, at);
         if (length == 0) {
             const auto place = static_cast<std::uint32_t>(at);
-            diagnostics.add(messages::invalid_utf8({part.source, place, place + 1}, static_cast<unsigned char>(text[at])));
+            diagnostics.add(
+                messages::invalid_utf8({part.source, place, place + 1}, static_cast<unsigned char>(text[at])));
             return false;
         }
         at += length;
@@ -63,8 +64,8 @@ Span without_mark(Span part, const Sources& sources) {
 }
 
 /// Parses `part` into `file`; whether no error was found.
-bool parsed(tree::Builder& build, Span part, tree::Parser::token_kind_type goal, tree::File& file, const Sources& sources,
-         Diagnostics& diagnostics) {
+bool parsed(tree::Builder& build, Span part, tree::Parser::token_kind_type goal, tree::File& file,
+            const Sources& sources, Diagnostics& diagnostics) {
     if (!is_readable(part, sources, diagnostics)) {
         file.lost = true;
         return false;

@@ -24,7 +24,8 @@ public:
         printed.where = trees_.next();
         variables(printed.items);
         collect_actions();
-        const bool unnamed = !chart_.partial_charts.empty() && chart_.partial_charts[Id<Chart::PartialChart>{0}].name.empty();
+        const bool unnamed =
+            !chart_.partial_charts.empty() && chart_.partial_charts[Id<Chart::PartialChart>{0}].name.empty();
         if (unnamed) body(Id<Chart::PartialChart>{0}, printed.items);
         for (const Id<Chart::PartialChart> id : chart_.partial_charts.ids())
             if (!chart_.partial_charts[id].name.empty()) printed.items.emplace_back(partial(id));
@@ -52,8 +53,8 @@ private:
     void variables(std::vector<tree::ChartItem>& items) {
         const Chart::Variable* last = nullptr;
         for (const Chart::Variable& declared : chart_.variables) {
-            const bool joins = last != nullptr && last->kind == declared.kind && last->type.boolean && declared.type.boolean &&
-                               declared.kind != Chart::VariableKind::Internal;
+            const bool joins = last != nullptr && last->kind == declared.kind && last->type.boolean &&
+                               declared.type.boolean && declared.kind != Chart::VariableKind::Internal;
             if (!joins) {
                 const auto kind = declared.kind == Chart::VariableKind::Input    ? tree::VariableKind::Input
                                   : declared.kind == Chart::VariableKind::Output ? tree::VariableKind::Output
@@ -69,7 +70,7 @@ private:
         }
     }
 
-    // -- conditions ----------------------------------------------------------------------------------------------------
+    // -- conditions ---------------------------------------------------------------------------------------------------
 
     /// `X2`, or with its partial chart where the plain name would not mean it.
     Id<tree::Expr> step_variable_in(Id<Chart::Step> id, Id<Chart::PartialChart> here) {
@@ -96,7 +97,7 @@ private:
         });
     }
 
-    // -- actions -------------------------------------------------------------------------------------------------------
+    // -- actions ------------------------------------------------------------------------------------------------------
 
     tree::Assignment assignment(const Chart::StoredAction& action, Id<Chart::PartialChart> here) {
         return {trees_.name(chart_.variables[action.target].name), expression(action.value, here), {}};
@@ -106,14 +107,16 @@ private:
         for (const Chart::ContinuousAction& action : chart_.continuous) {
             tree::ContinuousAction written;
             written.output = trees_.name(chart_.variables[action.output].name);
-            if (!is_true(chart_.exprs, action.condition)) written.condition = expression(action.condition, chart_.steps[action.step].chart);
+            if (!is_true(chart_.exprs, action.condition))
+                written.condition = expression(action.condition, chart_.steps[action.step].chart);
             if (action.delay_ms > 0) written.delay = trees_.duration(action.delay_ms);
             if (action.limit_ms > 0) written.limit = trees_.duration(action.limit_ms);
             actions_[action.step.index].emplace_back(written);
         }
         for (const Chart::StoredAction& action : chart_.stored) {
             if (action.on == Chart::StoredOn::Clearing) {
-                clearing_[action.transition.index].push_back(assignment(action, chart_.transitions[action.transition].chart));
+                clearing_[action.transition.index].push_back(
+                    assignment(action, chart_.transitions[action.transition].chart));
                 continue;
             }
             const Id<Chart::PartialChart> here = chart_.steps[action.step].chart;
@@ -132,14 +135,15 @@ private:
                          : order.to == Chart::ForcedTo::Current ? tree::ForcedTo::Current
                          : order.to == Chart::ForcedTo::Initial ? tree::ForcedTo::Initial
                                                                 : tree::ForcedTo::Steps;
-            for (const Id<Chart::Step> step : order.situation) written.steps.push_back(trees_.name(chart_.steps[step].name));
+            for (const Id<Chart::Step> step : order.situation)
+                written.steps.push_back(trees_.name(chart_.steps[step].name));
             actions_[order.step.index].emplace_back(written);
         }
         for (const Id<Chart::PartialChart> id : chart_.partial_charts.ids())
             if (chart_.partial_charts[id].owner.valid()) owned_[chart_.partial_charts[id].owner.index].push_back(id);
     }
 
-    // -- steps and transitions -------------------------------------------------------------------------------------------
+    // -- steps and transitions ----------------------------------------------------------------------------------------
 
     tree::Step step(Id<Chart::Step> id, bool first) {
         const Chart::Step& declared = chart_.steps[id];
@@ -157,7 +161,8 @@ private:
             for (const Id<Chart::PartialChart> partial : owned->second)
                 written.contents.push_back(trees_.name(chart_.partial_charts[partial].name));
         written.actions = std::move(actions_[id.index]);
-        for (tree::Action& action : written.actions) std::visit([this](auto& one) { one.where = trees_.next(); }, action);
+        for (tree::Action& action : written.actions)
+            std::visit([this](auto& one) { one.where = trees_.next(); }, action);
         trees_.end(written.where);
         return written;
     }
@@ -179,21 +184,25 @@ private:
         steps_.resize(chart_.partial_charts.size());
         transitions_.resize(chart_.partial_charts.size());
         for (const Id<Chart::Step> id : chart_.steps.ids()) steps_[chart_.steps[id].chart.index].push_back(id);
-        for (const Id<Chart::Transition> id : chart_.transitions.ids()) transitions_[chart_.transitions[id].chart.index].push_back(id);
+        for (const Id<Chart::Transition> id : chart_.transitions.ids())
+            transitions_[chart_.transitions[id].chart.index].push_back(id);
     }
 
     void body(Id<Chart::PartialChart> partial, std::vector<tree::ChartItem>& items) {
         if (steps_.empty()) sort_into_partials();
         bool first = true;
-        for (const Id<Chart::Step> id : steps_[partial.index]) items.emplace_back(step(id, std::exchange(first, false)));
+        for (const Id<Chart::Step> id : steps_[partial.index])
+            items.emplace_back(step(id, std::exchange(first, false)));
         first = true;
-        for (const Id<Chart::Transition> id : transitions_[partial.index]) items.emplace_back(transition(id, std::exchange(first, false)));
+        for (const Id<Chart::Transition> id : transitions_[partial.index])
+            items.emplace_back(transition(id, std::exchange(first, false)));
     }
 
     tree::Partial partial(Id<Chart::PartialChart> id) {
         const Chart::PartialChart& declared = chart_.partial_charts[id];
         tree::Partial written;
-        written.kind = declared.kind == Chart::PartialKind::Expansion ? tree::PartialKind::Expansion : tree::PartialKind::Partial;
+        written.kind =
+            declared.kind == Chart::PartialKind::Expansion ? tree::PartialKind::Expansion : tree::PartialKind::Partial;
         written.name = trees_.name(declared.name);
         written.where = trees_.next(true);
         body(id, written.items);
@@ -214,6 +223,8 @@ private:
 
 }  // namespace
 
-tree::Chart tree_of(const Chart& chart, tree::File& file, Trees& trees) { return ChartPrinter(chart, file, trees).print(); }
+tree::Chart tree_of(const Chart& chart, tree::File& file, Trees& trees) {
+    return ChartPrinter(chart, file, trees).print();
+}
 
 }  // namespace grafverif

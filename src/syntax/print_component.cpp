@@ -11,7 +11,8 @@ namespace {
 
 class ComponentPrinter {
 public:
-    ComponentPrinter(const Component& component, tree::File& file, Trees& trees) : component_(component), file_(file), trees_(trees) {}
+    ComponentPrinter(const Component& component, tree::File& file, Trees& trees)
+        : component_(component), file_(file), trees_(trees) {}
 
     tree::Component print() {
         tree::Component printed;
@@ -28,7 +29,8 @@ private:
     Id<tree::Expr> expression(Id<Expr> root) {
         return trees_.expression(component_.exprs, root, [&](const Expr& leaf) {
             const auto index = static_cast<std::uint32_t>(leaf.value);
-            if (leaf.op == Op::Parameter) return trees_.path(component_.parameters[Id<Component::Parameter>{index}].name);
+            if (leaf.op == Op::Parameter)
+                return trees_.path(component_.parameters[Id<Component::Parameter>{index}].name);
             return trees_.path(component_.variables[Id<Component::Variable>{index}].name);
         });
     }
@@ -38,7 +40,8 @@ private:
         tree::Variable written;
         written.name = trees_.name(declared.name);
         if (declared.value == Component::ValueKind::Integer) written.type = tree::TypeWord::Int;
-        if (declared.low && declared.high) written.range = tree::Range{expression(*declared.low), expression(*declared.high)};
+        if (declared.low && declared.high)
+            written.range = tree::Range{expression(*declared.low), expression(*declared.high)};
         if (declared.initial) written.value = expression(*declared.initial);
         return written;
     }
@@ -73,8 +76,9 @@ private:
         for (const Component::Assignment& assignment : written) {
             const Expr& target = component_.exprs[assignment.target];
             const auto index = static_cast<std::uint32_t>(target.value);
-            const std::string& name = target.op == Op::Parameter ? component_.parameters[Id<Component::Parameter>{index}].name
-                                                                 : component_.variables[Id<Component::Variable>{index}].name;
+            const std::string& name = target.op == Op::Parameter
+                                          ? component_.parameters[Id<Component::Parameter>{index}].name
+                                          : component_.variables[Id<Component::Variable>{index}].name;
             printed.push_back({trees_.name(name), expression(assignment.value), {}});
         }
         return printed;
@@ -95,7 +99,8 @@ private:
         std::vector<Id<tree::Expr>> conjuncts;
         if (guard.valid() && !is_true(component_.exprs, guard)) conjuncts.push_back(expression(guard));
         for (const Component::ClockConstraint& clock : clocks)
-            conjuncts.push_back(trees_.node(relation(clock.relation), {trees_.path(component_.clocks[clock.clock].name), expression(clock.bound)}));
+            conjuncts.push_back(trees_.node(
+                relation(clock.relation), {trees_.path(component_.clocks[clock.clock].name), expression(clock.bound)}));
         if (conjuncts.size() < 2) return conjuncts.empty() ? Id<tree::Expr>{} : conjuncts.front();
         const Id<tree::Expr> all = trees_.node(tree::Op::And, {});
         for (const Id<tree::Expr> conjunct : conjuncts) tree::append(file_.exprs, all, conjunct);
@@ -119,14 +124,19 @@ private:
         for (const Id<Component::Location> id : component_.locations.ids()) {
             const Component::Location& location = component_.locations[id];
             const Span where = trees_.next(id.index == 0);
-            items.emplace_back(tree::Location{id == component_.initial, trees_.name(location.name), conjunction({}, location.invariant),
-                                              assignments(location.initially), where});
+            items.emplace_back(tree::Location{id == component_.initial, trees_.name(location.name),
+                                              conjunction({}, location.invariant), assignments(location.initially),
+                                              where});
         }
         for (const Id<Component::Edge> id : component_.edges.ids()) {
             const Component::Edge& edge = component_.edges[id];
             const Span where = trees_.next(id.index == 0);
-            tree::Edge written{edge.urgent, trees_.name(component_.locations[edge.from].name), trees_.name(component_.locations[edge.to].name),
-                               conjunction(edge.guard, edge.constraint), assignments(edge.assignments), where};
+            tree::Edge written{edge.urgent,
+                               trees_.name(component_.locations[edge.from].name),
+                               trees_.name(component_.locations[edge.to].name),
+                               conjunction(edge.guard, edge.constraint),
+                               assignments(edge.assignments),
+                               where};
             for (const Id<Component::Clock> clock : edge.resets)
                 written.assignments.push_back({trees_.name(component_.clocks[clock].name), trees_.number(0), {}});
             items.emplace_back(std::move(written));

@@ -31,7 +31,8 @@ public:
         for (const ClosedLoop::Controller& controller : loop_.controllers) {
             const bool search = controller.mode == ExecutionMode::StabilitySearch;
             const Span where = trees_.next();
-            printed.items.emplace_back(tree::Controller{trees_.name(controller.name), {trees_.name(search ? "stability_search" : "every_cycle")}, where});
+            printed.items.emplace_back(tree::Controller{
+                trees_.name(controller.name), {trees_.name(search ? "stability_search" : "every_cycle")}, where});
         }
         if (loop_.grain == Grain::Atomic) printed.items.emplace_back(tree::Grain{trees_.name("atomic"), trees_.next()});
         if (loop_.time_unit_ms) {
@@ -39,14 +40,16 @@ public:
             printed.items.emplace_back(tree::TimeUnit{trees_.duration(*loop_.time_unit_ms), where});
         }
         bool first = true;
-        for (const ClosedLoop::Instance& one : loop_.instances) printed.items.emplace_back(instance(one, std::exchange(first, false)));
+        for (const ClosedLoop::Instance& one : loop_.instances)
+            printed.items.emplace_back(instance(one, std::exchange(first, false)));
         first = true;
         for (const Id<Expr> condition : loop_.constraints) {
             const Span where = trees_.next(std::exchange(first, false));
             printed.items.emplace_back(tree::Constraint{expression(condition), where});
         }
         first = true;
-        for (const Property& one : loop_.properties) printed.items.emplace_back(property(one, std::exchange(first, false)));
+        for (const Property& one : loop_.properties)
+            printed.items.emplace_back(property(one, std::exchange(first, false)));
         trees_.end(printed.where);
         return printed;
     }
@@ -76,11 +79,12 @@ private:
             }, declared.arguments[id.index]);
             written.arguments.push_back({trees_.name(parameter.name), value, {}});
         }
-        if (declared.initial != component.initial) written.initial = trees_.name(component.locations[declared.initial].name);
+        if (declared.initial != component.initial)
+            written.initial = trees_.name(component.locations[declared.initial].name);
         return written;
     }
 
-    // -- names in properties -----------------------------------------------------------------------------------------------
+    // -- names in properties ------------------------------------------------------------------------------------------
 
     std::string in_controller(Id<ClosedLoop::Controller> controller, const std::string& name) const {
         return namesakes_.at(name) == 1 ? name : loop_.controllers[controller].name + '.' + name;
@@ -95,17 +99,21 @@ private:
     }
 
     std::string name_of(const ClosedLoop::Symbol& symbol) const {
-        return std::visit(overloaded{
-            [&](const ClosedLoop::SharedSymbol& of) { return loop_.shared[of.shared].name; },
-            [&](const ClosedLoop::InternalSymbol& of) {
-                return in_controller(of.controller, model_.charts[loop_.controllers[of.controller].chart].variables[of.variable].name);
+        return std::visit(
+            overloaded{
+                [&](const ClosedLoop::SharedSymbol& of) { return loop_.shared[of.shared].name; },
+                [&](const ClosedLoop::InternalSymbol& of) {
+                    return in_controller(
+                        of.controller,
+                        model_.charts[loop_.controllers[of.controller].chart].variables[of.variable].name);
+                },
+                [&](const ClosedLoop::StepSymbol& of) { return step_name(of); },
+                [&](const ClosedLoop::LocationSymbol& of) {
+                    const ClosedLoop::Instance& owner = loop_.instances[of.instance];
+                    return owner.name + '.' + model_.components[owner.component].locations[of.location].name;
+                },
             },
-            [&](const ClosedLoop::StepSymbol& of) { return step_name(of); },
-            [&](const ClosedLoop::LocationSymbol& of) {
-                const ClosedLoop::Instance& owner = loop_.instances[of.instance];
-                return owner.name + '.' + model_.components[owner.component].locations[of.location].name;
-            },
-        }, symbol);
+            symbol);
     }
 
     Id<tree::Expr> expression(Id<Expr> root) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which steps of a chart can ever be active, as far as the links alone tell: conditions are taken as satisfiable. A step
-// that cannot is a mistake of the author. Steps are activated at power-on (initial), by a transition all of whose upstream
-// steps can be active, by a source transition, by a forcing order, by an activation link, or by their macro-step.
+// Which steps of a chart can ever be active, as far as the links alone tell: conditions are taken as satisfiable. A
+// step that cannot is a mistake of the author. Steps are activated at power-on (initial), by a transition all of whose
+// upstream steps can be active, by a source transition, by a forcing order, by an activation link, or by their
+// macro-step.
 #include <numeric>
 #include <vector>
 
@@ -24,7 +25,8 @@ public:
         for (const Id<Chart::Step> id : chart.steps.ids()) {
             const Chart::Step& step = chart.steps[id];
             const Chart::PartialChart& partial = chart.partial_charts[step.chart];
-            if ((step.entry || step.activation_link) && partial.owner.valid()) links_[partial.owner.index].push_back(id);
+            if ((step.entry || step.activation_link) && partial.owner.valid())
+                links_[partial.owner.index].push_back(id);
         }
     }
 
@@ -40,7 +42,8 @@ public:
             work_.pop_back();
             for (const Id<Chart::Step> linked : links_[step.index]) activate(linked);
             for (const Id<Chart::Transition> id : downstream_[step.index])
-                if (--waits_[id.index] == 0) for (const Id<Chart::Step> next : chart_->transitions[id].to) activate(next);
+                if (--waits_[id.index] == 0)
+                    for (const Id<Chart::Step> next : chart_->transitions[id].to) activate(next);
         }
         return active_;
     }
@@ -93,7 +96,8 @@ std::vector<bool> never_started(const Chart& chart, const std::vector<bool>& act
         if (partial.kind == Chart::PartialKind::Enclosed)
             diagnostics.add(messages::no_activation_link(partial.origin, partial.name));
         else if (partial.kind == Chart::PartialKind::Plain)
-            diagnostics.add(messages::no_initial_step(partial.origin, partial.name.empty() ? chart.name : partial.name));
+            diagnostics.add(
+                messages::no_initial_step(partial.origin, partial.name.empty() ? chart.name : partial.name));
     }
     return reported;
 }

@@ -22,11 +22,13 @@ Id<Chart::Variable> target_of(ChartScope& scope, tree::Name name) {
 }
 
 /// Reports the first meeting of continuous and stored actions on one output.
-void note_kind(ChartScope& scope, Id<Chart::Variable> variable, std::vector<Span>& mine, const std::vector<Span>& other, Span where) {
+void note_kind(ChartScope& scope, Id<Chart::Variable> variable, std::vector<Span>& mine, const std::vector<Span>& other,
+               Span where) {
     if (mine[variable.index].source.valid()) return;
     mine[variable.index] = where;
     if (other[variable.index].source.valid())
-        scope.diagnostics.add(messages::continuous_and_stored(where, scope.chart.variables[variable].name, other[variable.index]));
+        scope.diagnostics.add(
+            messages::continuous_and_stored(where, scope.chart.variables[variable].name, other[variable.index]));
 }
 
 /// Milliseconds; 0 where none is written, or after an error.
@@ -53,11 +55,13 @@ void resolve_continuous(ChartScope& scope, const tree::ContinuousAction& written
     const Chart::Variable& variable = scope.chart.variables[output];
     if (variable.kind != Chart::VariableKind::Output) {
         const bool input = variable.kind == Chart::VariableKind::Input;
-        scope.diagnostics.add(messages::not_an_output(written.output.where, variable.name, input ? "input" : "internal"));
+        scope.diagnostics.add(
+            messages::not_an_output(written.output.where, variable.name, input ? "input" : "internal"));
         return;
     }
     if (!variable.type.boolean) {
-        scope.diagnostics.add(messages::type_mismatch(written.output.where, "a continuous action", "a Boolean output", "an integer"));
+        scope.diagnostics.add(
+            messages::type_mismatch(written.output.where, "a continuous action", "a Boolean output", "an integer"));
         return;
     }
     note_kind(scope, output, scope.continuous, scope.stored, written.where);
@@ -111,7 +115,8 @@ void resolve_stored(ChartScope& scope, const tree::Assignment& written, Chart::S
     }
     Terms terms = terms_of(scope);
     action.target = target;
-    action.value = terms.resolve(written.value, variable.type.boolean ? Kind::Boolean : Kind::Integer, '`' + variable.name + '`');
+    action.value =
+        terms.resolve(written.value, variable.type.boolean ? Kind::Boolean : Kind::Integer, '`' + variable.name + '`');
     action.origin = written.where;
     if (!action.value.valid()) return;
     const Expr& value = scope.chart.exprs[action.value];
@@ -120,7 +125,8 @@ void resolve_stored(ChartScope& scope, const tree::Assignment& written, Chart::S
                                                      variable.type.low, variable.type.high));
         return;
     }
-    if (variable.kind == Chart::VariableKind::Output) note_kind(scope, target, scope.stored, scope.continuous, written.where);
+    if (variable.kind == Chart::VariableKind::Output)
+        note_kind(scope, target, scope.stored, scope.continuous, written.where);
     scope.chart.stored.add(std::move(action));
 }
 

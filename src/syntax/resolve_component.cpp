@@ -25,7 +25,8 @@ std::string first_line(std::string_view comment) {
 
 /// The first line of the comment lines right above the component: no blank line between them.
 std::string summary(const tree::File& file, const tree::Component& written) {
-    const auto after = std::ranges::lower_bound(file.comments, written.where.begin, {}, [](const tree::Comment& comment) { return comment.where.begin; });
+    const auto after = std::ranges::lower_bound(file.comments, written.where.begin, {},
+                                                [](const tree::Comment& comment) { return comment.where.begin; });
     const auto gap_at = [&](std::uint32_t position) { return std::ranges::binary_search(file.gaps, position); };
     if (after == file.comments.begin() || gap_at(written.where.begin)) return {};
     const auto here = std::ranges::partition_point(file.declarations, [&](const tree::Declaration& declaration) {
@@ -44,7 +45,8 @@ std::string summary(const tree::File& file, const tree::Component& written) {
 
 }  // namespace
 
-std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written, Diagnostics& diagnostics) {
+std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
+                                           Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     ComponentScope scope{file, diagnostics};
     scope.component.name = file.text(written.name);
@@ -58,13 +60,15 @@ std::optional<Component> resolve_component(const tree::File& file, const tree::C
                 declare(scope, name, scope.component.clocks.add({std::string(file.text(name)), name.where}));
         if (const auto* location = std::get_if<tree::Location>(&item)) declare_location(scope, *location);
     }
-    if (scope.component.locations.empty()) diagnostics.add(messages::empty_component(written.name.where, scope.component.name));
+    if (scope.component.locations.empty())
+        diagnostics.add(messages::empty_component(written.name.where, scope.component.name));
     for (const tree::ComponentItem& item : written.items) {
         if (const auto* location = std::get_if<tree::Location>(&item)) resolve_location(scope, *location);
         if (const auto* edge = std::get_if<tree::Edge>(&item)) resolve_edge(scope, *edge);
         if (const auto* constraint = std::get_if<tree::Constraint>(&item)) {
             const Id<Expr> condition = all_terms(scope).resolve(constraint->condition, Kind::Boolean, "a constraint");
             if (condition.valid()) scope.component.constraints.push_back(condition);
+            diagnostics.add(messages::not_yet(constraint->where, "a `constraint` of a component"));
         }
     }
     if (diagnostics.errors() != errors) return {};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What names and time mean in the conditions of a chart: variables, step variables (IEC 60848, 4.3), time conditions (4.4).
+// What names and time mean in the conditions of a chart: variables, step variables (IEC 60848, 4.3), time conditions
+// (4.4).
 #include <array>
 #include <string>
 
@@ -11,7 +12,9 @@ namespace grafverif {
 
 namespace {
 
-bool is_duration(const ChartScope& scope, Id<tree::Expr> node) { return scope.file.exprs[node].op == tree::Op::Duration; }
+bool is_duration(const ChartScope& scope, Id<tree::Expr> node) {
+    return scope.file.exprs[node].op == tree::Op::Duration;
+}
 
 // -- names -----------------------------------------------------------------------------------------------------------
 
@@ -56,8 +59,9 @@ Term name_term(ChartScope& scope, const tree::Expr& node) {
     const auto known = scope.known_names.find(key);
     if (known != scope.known_names.end()) return known->second;
     const auto variable = scope.variables.find(node.word);
-    const Term term = variable != scope.variables.end() ? variable_term(scope, variable->second)
-                                                        : step_variable_term(scope, node.where, scope.file.text(node.word));
+    const Term term = variable != scope.variables.end()
+                          ? variable_term(scope, variable->second)
+                          : step_variable_term(scope, node.where, scope.file.text(node.word));
     if (term.kind != Kind::Wrong) scope.known_names.emplace(key, term);
     return term;
 }
@@ -75,7 +79,8 @@ Term member_term(ChartScope& scope, const tree::Expr& node) {
     else if (scope.file.text(owner.word) == scope.chart.name) partial = Id<Chart::PartialChart>{0};
     else partial = partial_named(scope, {owner.word, owner.where});
     if (!partial.valid()) return {};
-    const auto found = name.size() > 1 && name[0] == 'X' ? scope.steps_by_name.find(name.substr(1)) : scope.steps_by_name.end();
+    const auto found =
+        name.size() > 1 && name[0] == 'X' ? scope.steps_by_name.find(name.substr(1)) : scope.steps_by_name.end();
     if (found != scope.steps_by_name.end())
         for (const Id<Chart::Step> step : found->second)
             if (scope.chart.steps[step].chart == partial) return step_term(scope, step);
@@ -115,9 +120,11 @@ std::int64_t milliseconds(ChartScope& scope, Id<tree::Expr> node) {
 Term time_term(ChartScope& scope, const tree::Expr& node, const WrittenTime& written) {
     Terms terms = terms_of(scope);
     const Id<Expr> watched = terms.resolve(written.watched, Kind::Boolean, "a time condition");
-    const Chart::TimeCondition time{milliseconds(scope, written.rise), watched, milliseconds(scope, written.fall), node.where};
+    const Chart::TimeCondition time{milliseconds(scope, written.rise), watched, milliseconds(scope, written.fall),
+                                    node.where};
     if (!watched.valid()) return {};
-    const std::string key = std::to_string(time.rise_ms) + '/' + std::to_string(watched.index) + '/' + std::to_string(time.fall_ms);
+    const std::string key =
+        std::to_string(time.rise_ms) + '/' + std::to_string(watched.index) + '/' + std::to_string(time.fall_ms);
     const auto [known, fresh] = scope.times.try_emplace(key);
     if (fresh) known->second = scope.chart.time_conditions.add(time);
     return {scope.chart.exprs.leaf(Op::Timed, known->second.index), Kind::Boolean};
@@ -127,7 +134,8 @@ Term time_term(ChartScope& scope, const tree::Expr& node, const WrittenTime& wri
 Kind timed_without_unit(ChartScope& scope, const tree::Expr& node) {
     const tree::Expr& left = scope.file.exprs[node.first];
     const tree::Expr& right = scope.file.exprs[node.last];
-    if (left.op != tree::Op::Number || (right.op != tree::Op::Name && right.op != tree::Op::Member)) return Kind::Integer;
+    if (left.op != tree::Op::Number || (right.op != tree::Op::Name && right.op != tree::Op::Member))
+        return Kind::Integer;
     return terms_of(scope).resolve(node.last).kind;
 }
 
@@ -137,7 +145,8 @@ std::optional<Term> special_term(ChartScope& scope, const tree::Expr& node) {
     if (time.watched.valid()) return time_term(scope, node, time);
     const Kind divisor = timed_without_unit(scope, node);
     if (divisor != Kind::Boolean && divisor != Kind::Wrong) return {};
-    if (divisor == Kind::Boolean) scope.diagnostics.add(messages::missing_unit(scope.file.exprs[node.first].where, "this time"));
+    if (divisor == Kind::Boolean)
+        scope.diagnostics.add(messages::missing_unit(scope.file.exprs[node.first].where, "this time"));
     return Term{};
 }
 
@@ -153,7 +162,8 @@ Terms terms_of(ChartScope& scope) {
     return terms;
 }
 
-Id<Expr> resolve_condition(ChartScope& scope, Id<tree::Expr> node, Id<Chart::PartialChart> here, std::string_view user) {
+Id<Expr> resolve_condition(ChartScope& scope, Id<tree::Expr> node, Id<Chart::PartialChart> here,
+                           std::string_view user) {
     scope.here = here;
     return terms_of(scope).resolve(node, Kind::Boolean, user);
 }
@@ -166,7 +176,8 @@ Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::N
     const auto elsewhere = scope.steps_by_name.find(name);
     if (elsewhere != scope.steps_by_name.end()) {
         const Id<Chart::PartialChart> partial = scope.chart.steps[elsewhere->second.front()].chart;
-        scope.diagnostics.add(messages::step_of_other_chart(label.where, name, scope.chart.partial_charts[partial].name));
+        scope.diagnostics.add(
+            messages::step_of_other_chart(label.where, name, scope.chart.partial_charts[partial].name));
         return {};
     }
     Nearest nearest(name);

@@ -61,7 +61,8 @@ void take_clock_constraint(ComponentScope& scope, const tree::Expr& node, Conjun
 void take(ComponentScope& scope, Id<tree::Expr> id, Conjuncts& taken) {
     const tree::Expr& node = scope.file.exprs[id];
     if (node.op == tree::Op::And) {
-        for (Id<tree::Expr> operand = node.first; operand.valid(); operand = scope.file.exprs[operand].next) take(scope, operand, taken);
+        for (Id<tree::Expr> operand = node.first; operand.valid(); operand = scope.file.exprs[operand].next)
+            take(scope, operand, taken);
         return;
     }
     if (is_comparison(node.op) && (clock_at(scope, node.first) || clock_at(scope, node.last)))
@@ -72,7 +73,7 @@ void take(ComponentScope& scope, Id<tree::Expr> id, Conjuncts& taken) {
     taken.data_nodes.push_back(id);
 }
 
-// -- assignments -------------------------------------------------------------------------------------------------------
+// -- assignments ------------------------------------------------------------------------------------------------------
 
 const ComponentScope::Symbol* target_of(ComponentScope& scope, tree::Name name) {
     const auto found = scope.symbols.find(name.word);
@@ -97,7 +98,8 @@ std::optional<Component::Assignment> assignment(ComponentScope& scope, const tre
         const Component::Parameter& assigned = scope.component.parameters[*parameter];
         if (assigned.kind != Component::ParameterKind::Output) {
             const bool input = assigned.kind == Component::ParameterKind::Input;
-            scope.diagnostics.add(messages::assigned_constant(written.target.where, assigned.name, input ? "an input" : "a constant"));
+            scope.diagnostics.add(
+                messages::assigned_constant(written.target.where, assigned.name, input ? "an input" : "a constant"));
             return {};
         }
         kind = kind_of(assigned.value);
@@ -143,8 +145,8 @@ void declare_location(ComponentScope& scope, const tree::Location& written) {
     known->second = scope.component.locations.add({std::string(scope.text(written.name)), {}, {}, written.name.where});
     if (!written.initial) return;
     if (scope.component.initial.valid())
-        scope.diagnostics.add(messages::two_initial_locations(written.name.where, scope.component.name,
-                                                              scope.component.locations[scope.component.initial].origin));
+        scope.diagnostics.add(messages::two_initial_locations(
+            written.name.where, scope.component.name, scope.component.locations[scope.component.initial].origin));
     else scope.component.initial = known->second;
 }
 
@@ -196,7 +198,8 @@ void resolve_edge(ComponentScope& scope, const tree::Edge& written) {
             reset(scope, value, *clock, edge);
             continue;
         }
-        if (auto resolved = assignment(scope, value, *target, all_terms(scope))) edge.assignments.push_back(std::move(*resolved));
+        if (auto resolved = assignment(scope, value, *target, all_terms(scope)))
+            edge.assignments.push_back(std::move(*resolved));
     }
     scope.component.edges.add(std::move(edge));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The instances of a closed loop: each binds the parameters of a component. First all constants and outputs, which declare
-// the variables of the plant, then the inputs, which read them.
+// The instances of a closed loop: each binds the parameters of a component. First all constants and outputs, which
+// declare the variables of the plant, then the inputs, which read them.
 #include <string>
 
 #include "grafverif/support/messages.hpp"
@@ -30,7 +30,7 @@ void fail(LoopScope& scope, Binding& binding, Diagnostic diagnostic) {
     binding.wrong = true;
 }
 
-// -- which argument is which parameter's -------------------------------------------------------------------------------
+// -- which argument is which parameter's ------------------------------------------------------------------------------
 
 Id<Component> component_named(LoopScope& scope, tree::Name name) {
     const auto found = scope.components.find(scope.text(name));
@@ -70,7 +70,8 @@ void match_arguments(LoopScope& scope, Binding& binding) {
             for (const Parameter& parameter : component.parameters) nearest.offer(parameter.name);
             fail(scope, binding, messages::unknown(argument.parameter.where, "parameter", name, nearest.best()));
         } else if (const tree::Argument*& given = binding.given[found->second.index]; given != nullptr) {
-            fail(scope, binding, messages::duplicate_name(argument.parameter.where, "argument", name, given->parameter.where));
+            fail(scope, binding,
+                 messages::duplicate_name(argument.parameter.where, "argument", name, given->parameter.where));
         } else {
             given = &argument;
         }
@@ -80,11 +81,13 @@ void match_arguments(LoopScope& scope, Binding& binding) {
         const Parameter& parameter = component.parameters[id];
         const bool optional = parameter.kind == Component::ParameterKind::Constant && parameter.initial.has_value();
         if (binding.given[id.index] == nullptr && !optional)
-            fail(scope, binding, messages::missing_argument(binding.written->component.where, component.name, parameter.name, example(parameter)));
+            fail(scope, binding,
+                 messages::missing_argument(binding.written->component.where, component.name, parameter.name,
+                                            example(parameter)));
     }
 }
 
-// -- constants ---------------------------------------------------------------------------------------------------------
+// -- constants --------------------------------------------------------------------------------------------------------
 
 std::int64_t argument_value(const Binding& binding, const Expr& leaf) {
     const auto* value = std::get_if<std::int64_t>(&binding.instance.arguments[static_cast<std::size_t>(leaf.value)]);
@@ -92,7 +95,8 @@ std::int64_t argument_value(const Binding& binding, const Expr& leaf) {
 }
 
 std::optional<std::int64_t> value_of(LoopScope& scope, Binding& binding, Id<Expr> term) {
-    const auto value = evaluate(binding.component->exprs, term, [&](const Expr& leaf) { return argument_value(binding, leaf); });
+    const auto value =
+        evaluate(binding.component->exprs, term, [&](const Expr& leaf) { return argument_value(binding, leaf); });
     if (!value) fail(scope, binding, messages::no_value(binding.written->name.where, binding.instance.name));
     return value;
 }
@@ -132,13 +136,14 @@ void bind_defaults(LoopScope& scope, Binding& binding) {
                 }
             if (work.size() != pending) continue;
             work.pop_back();
-            if (!bound[index] && initial) binding.instance.arguments[index] = value_of(scope, binding, *initial).value_or(0);
+            if (!bound[index] && initial)
+                binding.instance.arguments[index] = value_of(scope, binding, *initial).value_or(0);
             bound[index] = true;
         }
     }
 }
 
-// -- variables -----------------------------------------------------------------------------------------------------------
+// -- variables --------------------------------------------------------------------------------------------------------
 
 /// The name that an input or output is bound to; reports anything but a name.
 std::optional<std::string_view> bound_name(LoopScope& scope, Binding& binding, Id<Parameter> id) {
@@ -177,9 +182,13 @@ void bind_output(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     }
     writer = binding.instance.name;
     if (known.type.boolean != type->boolean)
-        return fail(scope, binding, messages::argument_type(where, known.name, described(known.type.boolean), described(type->boolean)));
+        return fail(
+            scope, binding,
+            messages::argument_type(where, known.name, described(known.type.boolean), described(type->boolean)));
     if (type->low < known.type.low || type->high > known.type.high)
-        return fail(scope, binding, messages::range_mismatch(where, known.name, type->low, type->high, known.type.low, known.type.high));
+        return fail(
+            scope, binding,
+            messages::range_mismatch(where, known.name, type->low, type->high, known.type.low, known.type.high));
     binding.instance.arguments[id.index] = shared;
 }
 
@@ -198,7 +207,8 @@ void bind_input(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const ClosedLoop::Shared& shared = scope.loop.shared[found->second];
     const bool boolean = binding.component->parameters[id].value == Component::ValueKind::Boolean;
     if (shared.type.boolean != boolean)
-        return fail(scope, binding, messages::argument_type(where, shared.name, described(shared.type.boolean), described(boolean)));
+        return fail(scope, binding,
+                    messages::argument_type(where, shared.name, described(shared.type.boolean), described(boolean)));
     binding.instance.arguments[id.index] = found->second;
 }
 
@@ -208,8 +218,10 @@ void choose_location(LoopScope& scope, Binding& binding) {
     if (!name.valid()) {
         if (binding.instance.initial.valid()) return;
         std::string locations;
-        for (const auto& location : binding.component->locations) locations += (locations.empty() ? "`" : ", `") + location.name + '`';
-        return fail(scope, binding, messages::missing_initially(binding.written->component.where, binding.component->name, locations));
+        for (const auto& location : binding.component->locations)
+            locations += (locations.empty() ? "`" : ", `") + location.name + '`';
+        return fail(scope, binding,
+                    messages::missing_initially(binding.written->component.where, binding.component->name, locations));
     }
     Nearest nearest(scope.text(name));
     for (const Id<Component::Location> id : binding.component->locations.ids()) {
@@ -250,7 +262,8 @@ Binding begin(LoopScope& scope, const tree::Instance& written) {
     match_arguments(scope, binding);
     if (binding.wrong) return binding;
     for (const Id<Parameter> id : binding.component->parameters.ids())
-        if (binding.given[id.index] != nullptr && binding.component->parameters[id].kind == Component::ParameterKind::Constant)
+        if (binding.given[id.index] != nullptr &&
+            binding.component->parameters[id].kind == Component::ParameterKind::Constant)
             bind_given_constant(scope, binding, id);
     if (binding.wrong) return binding;
     bind_defaults(scope, binding);
@@ -277,7 +290,8 @@ void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written) {
         Binding& binding = bindings[index];
         if (binding.wrong) continue;
         for (const Id<Parameter> id : binding.component->parameters.ids())
-            if (binding.component->parameters[id].kind == Component::ParameterKind::Input) bind_input(scope, binding, id);
+            if (binding.component->parameters[id].kind == Component::ParameterKind::Input)
+                bind_input(scope, binding, id);
         scope.loop.instances[Id<ClosedLoop::Instance>{index}] = std::move(binding.instance);
     }
 }

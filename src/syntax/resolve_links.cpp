@@ -15,7 +15,8 @@ class TransitionNames {
 public:
     explicit TransitionNames(ChartScope& scope, const WrittenChart& written) : scope_(&scope) {
         for (const WrittenTransition& transition : written.transitions)
-            if (transition.transition->name.valid()) taken_.emplace(scope.text(transition.transition->name), transition.transition->name.where);
+            if (transition.transition->name.valid())
+                taken_.emplace(scope.text(transition.transition->name), transition.transition->name.where);
     }
 
     std::string name(const tree::Transition& written, std::size_t position) {
@@ -39,7 +40,8 @@ private:
     std::unordered_map<std::string, Span> taken_ = {};
 };
 
-std::vector<Id<Chart::Step>> side(ChartScope& scope, const std::vector<tree::Name>& labels, Id<Chart::PartialChart> partial) {
+std::vector<Id<Chart::Step>> side(ChartScope& scope, const std::vector<tree::Name>& labels,
+                                  Id<Chart::PartialChart> partial) {
     std::vector<Id<Chart::Step>> steps;
     std::unordered_set<std::uint32_t> seen;
     for (const tree::Name& label : labels) {

@@ -55,8 +55,9 @@ void resolve_controller(LoopScope& scope, const tree::Controller& written) {
     controller.chart = chart_named(scope, written.chart);
     controller.origin = written.chart.where;
     for (const tree::Name& option : written.options) {
-        const auto mode = choice<ExecutionMode>(scope, option, "option", {{"stability_search", ExecutionMode::StabilitySearch},
-                                                                          {"every_cycle", ExecutionMode::EveryCycle}});
+        const auto mode = choice<ExecutionMode>(
+            scope, option, "option",
+            {{"stability_search", ExecutionMode::StabilitySearch}, {"every_cycle", ExecutionMode::EveryCycle}});
         if (mode) controller.mode = *mode;
     }
     if (!controller.chart.valid()) return;
@@ -75,14 +76,17 @@ void share_input(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Cha
     ClosedLoop::Shared& known = scope.loop.shared[shared];
     const Span where = scope.loop.controllers[controller].origin;
     if (known.type.boolean != variable.type.boolean) {
-        scope.diagnostics.add(messages::argument_type(where, variable.name, described(variable.type), described(known.type)));
+        scope.diagnostics.add(
+            messages::argument_type(where, variable.name, described(variable.type), described(known.type)));
         return;
     }
     const bool covers = variable.type.low <= known.type.low && known.type.high <= variable.type.high;
     if (known.writer.valid() && !covers)
-        scope.diagnostics.add(messages::range_mismatch(where, variable.name, known.type.low, known.type.high, variable.type.low, variable.type.high));
+        scope.diagnostics.add(messages::range_mismatch(where, variable.name, known.type.low, known.type.high,
+                                                       variable.type.low, variable.type.high));
     if (!known.writer.valid() && known.reader.valid() && known.type != variable.type)
-        scope.diagnostics.add(messages::range_mismatch(where, variable.name, known.type.low, known.type.high, variable.type.low, variable.type.high));
+        scope.diagnostics.add(messages::range_mismatch(where, variable.name, known.type.low, known.type.high,
+                                                       variable.type.low, variable.type.high));
     if (!known.reader.valid()) known.reader = controller;
     if (!known.variable.valid()) known.variable = id;
 }
@@ -93,7 +97,8 @@ void share_output(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Ch
     ClosedLoop::Shared& known = scope.loop.shared[shared];
     if (known.writer.valid()) {
         scope.diagnostics.add(messages::second_writer(scope.loop.controllers[controller].origin, variable.name,
-                                                      scope.loop.controllers[known.writer].name, scope.loop.controllers[controller].name));
+                                                      scope.loop.controllers[known.writer].name,
+                                                      scope.loop.controllers[controller].name));
         return;
     }
     known.writer = controller;
@@ -119,13 +124,14 @@ void look_inside(LoopScope& scope) {
         LoopScope::Inside& inside = scope.inside.emplace_back();
         for (const Id<Chart::Step> step : chart.steps.ids()) inside.steps[chart.steps[step].name].push_back(step);
         for (const Id<Chart::Variable> id : chart.variables.ids())
-            if (chart.variables[id].kind == Chart::VariableKind::Internal) inside.internals.emplace(chart.variables[id].name, id);
+            if (chart.variables[id].kind == Chart::VariableKind::Internal)
+                inside.internals.emplace(chart.variables[id].name, id);
         for (const Id<Chart::PartialChart> id : chart.partial_charts.ids())
             if (!chart.partial_charts[id].name.empty()) inside.partials.emplace(chart.partial_charts[id].name, id);
     }
 }
 
-// -- the other declarations ----------------------------------------------------------------------------------------------
+// -- the other declarations -------------------------------------------------------------------------------------------
 
 void resolve_time_unit(LoopScope& scope, const tree::TimeUnit& written) {
     if (scope.loop.time_unit_ms) scope.diagnostics.add(messages::declared_twice(written.where, "time unit"));
@@ -144,14 +150,17 @@ void resolve_time_unit(LoopScope& scope, const tree::TimeUnit& written) {
 void resolve_grain(LoopScope& scope, const tree::Grain& written, bool& seen) {
     if (seen) scope.diagnostics.add(messages::declared_twice(written.where, "grain"));
     seen = true;
-    const auto grain = choice<Grain>(scope, written.name, "grain", {{"phased", Grain::Phased}, {"atomic", Grain::Atomic}});
+    const auto grain =
+        choice<Grain>(scope, written.name, "grain", {{"phased", Grain::Phased}, {"atomic", Grain::Atomic}});
     if (grain) scope.loop.grain = *grain;
 }
 
-void resolve_property(LoopScope& scope, const tree::Property& written, std::unordered_map<std::string_view, Span>& names) {
+void resolve_property(LoopScope& scope, const tree::Property& written,
+                      std::unordered_map<std::string_view, Span>& names) {
     const auto [known, fresh] = names.try_emplace(scope.text(written.name), written.name.where);
     if (!fresh)
-        scope.diagnostics.add(messages::duplicate_name(written.name.where, "property", scope.text(written.name), known->second));
+        scope.diagnostics.add(
+            messages::duplicate_name(written.name.where, "property", scope.text(written.name), known->second));
     Property property;
     property.name = scope.text(written.name);
     property.text = written.text;
@@ -180,8 +189,10 @@ void resolve_questions(LoopScope& scope, const tree::ClosedLoop& written) {
             [&](const tree::Property& property) { if (!scope.incomplete) resolve_property(scope, property, names); },
             [&](const tree::Constraint& constraint) {
                 if (scope.incomplete) return;
-                const Id<Expr> condition = property_terms(scope).resolve(constraint.condition, Kind::Boolean, "a constraint");
+                const Id<Expr> condition =
+                    property_terms(scope).resolve(constraint.condition, Kind::Boolean, "a constraint");
                 if (condition.valid()) scope.loop.constraints.push_back(condition);
+                scope.diagnostics.add(messages::not_yet(constraint.where, "a `constraint` of a closed loop"));
             },
             [&](const tree::Observer& observer) {
                 scope.diagnostics.add(messages::not_yet(observer.body.name.where, "an `observer`"));
@@ -198,20 +209,22 @@ void check_driven(LoopScope& scope) {
         if (!shared.reader.valid() || shared.writer.valid() || !scope.instance_writers[id.index].empty()) continue;
         if (scope.excused.contains(shared.name)) continue;
         scope.diagnostics.add(messages::undriven_input(scope.loop.controllers[shared.reader].origin, shared.name,
-                                                       scope.loop.controllers[shared.reader].name, shared.type.boolean));
+                                                       scope.loop.controllers[shared.reader].name,
+                                                       shared.type.boolean));
     }
 }
 
 }  // namespace
 
-std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written, const LoopContext& context,
-                                       Diagnostics& diagnostics) {
+std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written,
+                                       const LoopContext& context, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     LoopScope scope{file, context, diagnostics};
     scope.loop.name = file.text(written.name);
     scope.loop.origin = written.name.where;
     for (const Id<Chart> id : context.model.charts.ids()) scope.charts.emplace(context.model.charts[id].name, id);
-    for (const Id<Component> id : context.model.components.ids()) scope.components.emplace(context.model.components[id].name, id);
+    for (const Id<Component> id : context.model.components.ids())
+        scope.components.emplace(context.model.components[id].name, id);
     bool controlled = false;
     for (const tree::LoopItem& item : written.items) {
         const auto* controller = std::get_if<tree::Controller>(&item);

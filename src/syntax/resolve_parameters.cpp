@@ -34,7 +34,8 @@ Kind kind_of(ValueKind kind) {
 void declare(ComponentScope& scope, tree::Name name, ComponentScope::Symbol symbol) {
     const auto [known, fresh] = scope.symbols.try_emplace(name.word, symbol);
     if (!fresh)
-        scope.diagnostics.add(messages::duplicate_name(name.where, "name", scope.text(name), origin(scope.component, known->second)));
+        scope.diagnostics.add(
+            messages::duplicate_name(name.where, "name", scope.text(name), origin(scope.component, known->second)));
 }
 
 // -- names -----------------------------------------------------------------------------------------------------------
@@ -58,14 +59,19 @@ Term unknown_name(ComponentScope& scope, const tree::Expr& node) {
 
 Term symbol_term(ComponentScope& scope, const ComponentScope::Symbol& symbol) {
     return std::visit(overloaded{
-        [&](Id<Component::Parameter> id) {
-            return Term{scope.component.exprs.leaf(Op::Parameter, id.index), kind_of(scope.component.parameters[id].value)};
-        },
-        [&](Id<Component::Variable> id) {
-            return Term{scope.component.exprs.leaf(Op::Variable, id.index), kind_of(scope.component.variables[id].value)};
-        },
-        [&](Id<Component::Clock>) { return Term{{}, Kind::Clock}; },
-    }, symbol);
+                          [&](Id<Component::Parameter> id) {
+                              return Term{scope.component.exprs.leaf(Op::Parameter, id.index),
+                                          kind_of(scope.component.parameters[id].value)};
+                          },
+                          [&](Id<Component::Variable> id) {
+                              return Term{scope.component.exprs.leaf(Op::Variable, id.index),
+                                          kind_of(scope.component.variables[id].value)};
+                          },
+                          [&](Id<Component::Clock>) {
+                              return Term{{}, Kind::Clock};
+                          },
+                      },
+                      symbol);
 }
 
 bool is_constant_symbol(const Component& component, const ComponentScope::Symbol& symbol) {
@@ -96,7 +102,7 @@ Terms constant_terms(ComponentScope& scope, std::string_view user) {
     return terms;
 }
 
-// -- constants ---------------------------------------------------------------------------------------------------------
+// -- constants --------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -111,7 +117,8 @@ struct Constant {
 void names_in(const tree::File& file, Id<tree::Expr> node, std::vector<Id<tree::Word>>& names) {
     const tree::Expr& written = file.exprs[node];
     if (written.op == tree::Op::Name) names.push_back(written.word);
-    for (Id<tree::Expr> operand = written.first; operand.valid(); operand = file.exprs[operand].next) names_in(file, operand, names);
+    for (Id<tree::Expr> operand = written.first; operand.valid(); operand = file.exprs[operand].next)
+        names_in(file, operand, names);
 }
 
 void link_defaults(ComponentScope& scope, std::vector<Constant>& constants) {
@@ -123,7 +130,8 @@ void link_defaults(ComponentScope& scope, std::vector<Constant>& constants) {
         names_in(scope.file, constants[i].written->value, names);
         for (const Id<tree::Word> word : names) {
             const auto symbol = scope.symbols.find(word);
-            if (symbol == scope.symbols.end() || !std::holds_alternative<Id<Component::Parameter>>(symbol->second)) continue;
+            if (symbol == scope.symbols.end() || !std::holds_alternative<Id<Component::Parameter>>(symbol->second))
+                continue;
             const auto used = positions.find(std::get<Id<Component::Parameter>>(symbol->second));
             if (used == positions.end()) continue;
             constants[used->second].users.push_back(i);
@@ -170,7 +178,7 @@ void resolve_constants(ComponentScope& scope, std::vector<Constant>& constants) 
     scope.diagnostics.add(messages::constant_cycle(cyclic->written->name.where, scope.text(cyclic->written->name)));
 }
 
-// -- inputs, outputs, variables ----------------------------------------------------------------------------------------
+// -- inputs, outputs, variables ---------------------------------------------------------------------------------------
 
 ValueKind value_kind(ComponentScope& scope, const tree::Variable& written) {
     switch (written.type) {
@@ -178,7 +186,8 @@ ValueKind value_kind(ComponentScope& scope, const tree::Variable& written) {
     case tree::TypeWord::Bool: return ValueKind::Boolean;
     case tree::TypeWord::Int:  return ValueKind::Integer;
     case tree::TypeWord::Duration:
-        scope.diagnostics.add(messages::misplaced_type(written.where, "only constants are durations; declare a `clock` to measure time"));
+        scope.diagnostics.add(
+            messages::misplaced_type(written.where, "only constants are durations; declare a `clock` to measure time"));
         return ValueKind::Boolean;
     }
     unreachable();
@@ -200,7 +209,8 @@ void resolve_range(ComponentScope& scope, const tree::Variable& written, Declare
     Terms value = constant_terms(scope, "a value at power-on");
     if (written.type == tree::TypeWord::None) {
         const Term term = value.resolve(written.value);
-        if (term.kind == Kind::Integer) scope.diagnostics.add(messages::unbounded_integer(written.where, declared.name));
+        if (term.kind == Kind::Integer)
+            scope.diagnostics.add(messages::unbounded_integer(written.where, declared.name));
         if (term.kind == Kind::Duration) scope.diagnostics.add(messages::misplaced_type(written.where,
             "only constants are durations; declare a `clock` to measure time"));
         if (term.kind == Kind::Boolean) declared.initial = term.expr;
@@ -223,7 +233,8 @@ Component::ParameterKind parameter_kind(tree::VariableKind kind) {
 
 void check_input(ComponentScope& scope, const tree::Variable& written) {
     if (written.range)
-        scope.diagnostics.add(messages::misplaced_type(written.where, "an integer input takes the range of what it is bound to; leave out the range"));
+        scope.diagnostics.add(messages::misplaced_type(
+            written.where, "an integer input takes the range of what it is bound to; leave out the range"));
     if (written.value.valid())
         scope.diagnostics.add(messages::misplaced_value(scope.file.exprs[written.value].where, "input"));
 }

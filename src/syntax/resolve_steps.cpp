@@ -56,8 +56,9 @@ void declare_partial(ChartScope& scope, const tree::Partial& written, WrittenCha
                                                        scope.chart.partial_charts[known->second].origin));
         return;
     }
-    known->second = add_partial(scope, scope.text(written.name),
-                                expansion ? Chart::PartialKind::Expansion : Chart::PartialKind::Plain, written.name.where);
+    known->second =
+        add_partial(scope, scope.text(written.name),
+                    expansion ? Chart::PartialKind::Expansion : Chart::PartialKind::Plain, written.name.where);
     declare_items(scope, written.items, known->second, all);
 }
 
@@ -98,7 +99,8 @@ void resolve_contents(ChartScope& scope, const WrittenStep& written) {
         }
         if (written.step->kind == tree::StepKind::Enclosing) {
             if (expansion) {
-                scope.diagnostics.add(messages::misplaced_mark(name.where, "encloses", "a step that encloses partial charts"));
+                scope.diagnostics.add(
+                    messages::misplaced_mark(name.where, "encloses", "a step that encloses partial charts"));
                 continue;
             }
             scope.chart.partial_charts[partial].kind = Chart::PartialKind::Enclosed;
@@ -116,7 +118,8 @@ void check_marks(ChartScope& scope, const WrittenStep& written) {
     if (step.exit && kind != Chart::PartialKind::Expansion)
         scope.diagnostics.add(messages::misplaced_mark(step.origin, "exit", "an `expansion`"));
     if (step.activation_link && kind != Chart::PartialKind::Enclosed)
-        scope.diagnostics.add(messages::misplaced_mark(step.origin, "linked", "a partial chart that some step encloses"));
+        scope.diagnostics.add(
+            messages::misplaced_mark(step.origin, "linked", "a partial chart that some step encloses"));
 }
 
 void check_expansions(ChartScope& scope) {
@@ -139,7 +142,8 @@ void check_expansions(ChartScope& scope) {
 WrittenChart declare_steps(ChartScope& scope, const tree::Chart& written) {
     WrittenChart all;
     Id<Chart::PartialChart> unnamed;
-    if (std::ranges::any_of(written.items, is_direct)) unnamed = add_partial(scope, "", Chart::PartialKind::Plain, written.name.where);
+    if (std::ranges::any_of(written.items, is_direct))
+        unnamed = add_partial(scope, "", Chart::PartialKind::Plain, written.name.where);
     declare_items(scope, written.items, unnamed, all);
     return all;
 }

@@ -36,8 +36,9 @@ Type type_of(ChartScope& scope, const tree::Variable& written) {
     case tree::TypeWord::Bool:
         return {};
     case tree::TypeWord::Duration:
-        scope.diagnostics.add(messages::misplaced_type(written.where, "a chart has no variables of durations; write time "
-                                                                      "conditions, as in `3s/X2`"));
+        scope.diagnostics.add(messages::misplaced_type(written.where,
+                                                       "a chart has no variables of durations; write time "
+                                                       "conditions, as in `3s/X2`"));
         return {};
     case tree::TypeWord::None: {
         if (!written.value.valid()) return {};
@@ -76,8 +77,8 @@ std::int64_t initial_of(ChartScope& scope, const tree::Variable& written, tree::
     const auto value = terms.constant(written.value, type.boolean ? Kind::Boolean : Kind::Integer, "this variable");
     if (!value) return type.low;
     if (*value < type.low || *value > type.high) {
-        scope.diagnostics.add(messages::initial_out_of_range(scope.file.exprs[written.value].where, scope.text(written.name),
-                                                             *value, type.low, type.high));
+        scope.diagnostics.add(messages::initial_out_of_range(scope.file.exprs[written.value].where,
+                                                             scope.text(written.name), *value, type.low, type.high));
         return type.low;
     }
     return *value;
@@ -92,7 +93,8 @@ void resolve_variables(ChartScope& scope, const tree::Variables& written) {
         resolved.name = scope.text(variable.name);
         resolved.kind = kind_of(written.kind);
         resolved.type = type_of(scope, variable);
-        if (scope.diagnostics.errors() == errors) resolved.initial = initial_of(scope, variable, written.kind, resolved.type);
+        if (scope.diagnostics.errors() == errors)
+            resolved.initial = initial_of(scope, variable, written.kind, resolved.type);
         resolved.origin = variable.name.where;
         const auto [known, fresh] = scope.variables.try_emplace(variable.name.word);
         if (!fresh) {

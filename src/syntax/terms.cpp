@@ -136,7 +136,8 @@ std::optional<std::int64_t> Terms::constant(Id<tree::Expr> id, Kind kind, std::s
 }
 
 Term Terms::mismatch(const tree::Expr& operand, Kind found, std::string_view user, std::string_view expected) {
-    if (found != Kind::Wrong) diagnostics_->add(messages::type_mismatch(operand.where, user, expected, described(found)));
+    if (found != Kind::Wrong)
+        diagnostics_->add(messages::type_mismatch(operand.where, user, expected, described(found)));
     return {};
 }
 
@@ -178,7 +179,8 @@ Term Terms::comparison(const tree::Expr& written) {
         return {};
     }
     if (left.kind == Kind::Duration || right.kind == Kind::Duration) {
-        diagnostics_->add(messages::type_mismatch(written.where, quoted(written.op), "integers or clocks", "a comparison of durations"));
+        diagnostics_->add(messages::type_mismatch(written.where, quoted(written.op), "integers or clocks",
+                                                  "a comparison of durations"));
         return {};
     }
     const bool equality = written.op == tree::Op::Equal || written.op == tree::Op::NotEqual;
@@ -202,7 +204,8 @@ Term Terms::arithmetic(const tree::Expr& written) {
     const bool some_duration = left.kind == Kind::Duration || right.kind == Kind::Duration;
     const bool sum = written.op == tree::Op::Plus && left.kind == right.kind;
     const bool multiple = written.op == tree::Op::Times && (left.kind == Kind::Integer || right.kind == Kind::Integer);
-    if (some_duration && (sum || multiple)) return {exprs_->apply(ir_op(written.op), left.expr, right.expr), Kind::Duration};
+    if (some_duration && (sum || multiple))
+        return {exprs_->apply(ir_op(written.op), left.expr, right.expr), Kind::Duration};
     const bool both = is(node(written.first), left, Kind::Integer, quoted(written.op)) &&
                       is(node(written.last), right, Kind::Integer, quoted(written.op));
     if (!both) return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Terms: the tree's expressions as typed terms of an IR. What names mean is the owner's affair: it is asked for each name
-// (and may take whole operators for itself); the rules about types are the same for charts, components and properties.
+// Terms: the tree's expressions as typed terms of an IR. What names mean is the owner's affair: it is asked for each
+// name (and may take whole operators for itself); the rules about types are the same for charts, components and
+// properties.
 #pragma once
 
 #include <cstdint>

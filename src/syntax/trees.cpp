@@ -81,7 +81,8 @@ tree::Op tree_op(Op op) {
 
 }  // namespace
 
-Id<tree::Expr> Trees::expression(const Exprs& exprs, Id<Expr> root, const std::function<Id<tree::Expr>(const Expr&)>& leaf) {
+Id<tree::Expr> Trees::expression(const Exprs& exprs, Id<Expr> root,
+                                 const std::function<Id<tree::Expr>(const Expr&)>& leaf) {
     const Expr& written = exprs[root];
     if (is_leaf(written.op)) return leaf(written);
     if (written.op == Op::Integer) return number(written.value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Trees: builds the tree of a text that nobody wrote: what printers of an IR make, and `format` prints. Places are made up:
-// each declaration stands after the one before it, and a blank line goes before those that begin a group.
+// Trees: builds the tree of a text that nobody wrote: what printers of an IR make, and `format` prints. Places are made
+// up: each declaration stands after the one before it, and a blank line goes before those that begin a group.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,8 @@ public:
     Id<tree::Expr> duration(std::int64_t milliseconds);
     Id<tree::Expr> path(std::string_view text);   ///< `a.b.c`
     /// `root` with its leaves as `leaf` writes them.
-    Id<tree::Expr> expression(const Exprs& exprs, Id<Expr> root, const std::function<Id<tree::Expr>(const Expr&)>& leaf);
+    Id<tree::Expr> expression(const Exprs& exprs, Id<Expr> root,
+                              const std::function<Id<tree::Expr>(const Expr&)>& leaf);
     Id<tree::Expr> node(tree::Op op, std::initializer_list<Id<tree::Expr>> operands);
 
 private:

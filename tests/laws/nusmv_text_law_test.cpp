@@ -20,8 +20,8 @@ namespace {
 using System = TransitionSystem;
 
 /// What the text says of one symbol that differs from the system; empty: nothing.
-std::string difference(const System& system, const System::Module& module, const System::Symbol& symbol, NusmvModel& text,
-                       NusmvModel::Module& there) {
+std::string difference(const System& system, const System::Module& module, const System::Symbol& symbol,
+                       NusmvModel& text, NusmvModel::Module& there) {
     const auto same = [&](Id<Expr> term, std::map<std::string, Id<Expr>>& found) {
         const Id<Expr> expected = translate(system.exprs, term, text.exprs, [&](const Expr& leaf) {
             return text.leaf(module.symbols[{static_cast<std::uint32_t>(leaf.value)}].name);
@@ -53,7 +53,8 @@ std::string module_difference(const System& system, Id<System::Module> id, Nusmv
         if (std::holds_alternative<System::StateSymbol>(symbol.kind)) variables.push_back(symbol.name);
     }
     if (parameters != there.parameters) return module.name + ": the parameters";
-    if (!there.defines.empty() || !there.initial.empty() || !there.next.empty()) return module.name + ": something was added";
+    if (!there.defines.empty() || !there.initial.empty() || !there.next.empty())
+        return module.name + ": something was added";
     if (there.justice.size() != module.justice.size()) return module.name + ": justice";
     if (id != system.main) return {};
     if (there.instances.size() != system.instances.size()) return "the instances";
@@ -61,7 +62,8 @@ std::string module_difference(const System& system, Id<System::Module> id, Nusmv
         const System::Instance& instance = system.instances[{static_cast<std::uint32_t>(k)}];
         std::vector<std::string> arguments;
         for (const Id<System::Symbol> argument : instance.arguments) arguments.push_back(module.symbols[argument].name);
-        if (there.instances[k].name != instance.name || there.instances[k].arguments != arguments) return "instance " + instance.name;
+        if (there.instances[k].name != instance.name || there.instances[k].arguments != arguments)
+            return "instance " + instance.name;
     }
     return there.specifications.size() == system.properties.size() ? "" : "the number of specifications";
 }
@@ -88,7 +90,8 @@ TEST(NusmvTextLaw, TheModelOfARandomLoopReadBackIsItsTransitionSystem) {
         Diagnostics diagnostics;
         std::vector<Equations> equations;
         for (const ClosedLoop::Controller& controller : loop.controllers)
-            if (auto derived = derive(model.charts[controller.chart], diagnostics)) equations.push_back(std::move(*derived));
+            if (auto derived = derive(model.charts[controller.chart], diagnostics))
+                equations.push_back(std::move(*derived));
         if (equations.size() != loop.controllers.size()) continue;
         const System system = schedule_controllers(model, loop, equations);
         ASSERT_EQ(verify(system), std::vector<std::string>{}) << "seed " << seed;

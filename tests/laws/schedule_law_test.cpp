@@ -167,8 +167,10 @@ TEST(ScheduleLaw, TheTransitionSystemOfARandomChartDoesWhatItsEquationsSay) {
             };
             if (!breaks(chart)) continue;
             const Chart small = shrunk(chart, breaks);
-            FAIL() << "seed " << seed << ", " << (mode == ExecutionMode::EveryCycle ? "every cycle: " : "stability search: ")
-                   << violation(small, static_cast<std::uint64_t>(seed), mode) << '\n' << chart_text(small);
+            FAIL() << "seed " << seed << ", "
+                   << (mode == ExecutionMode::EveryCycle ? "every cycle: " : "stability search: ")
+                   << violation(small, static_cast<std::uint64_t>(seed), mode) << '\n'
+                   << chart_text(small);
         }
     }
 }

@@ -34,7 +34,8 @@ std::string nusmv_says(const std::string& model, const std::string& commands) {
         std::filesystem::path(testing::TempDir()) / ("grafverif_nusmv_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "model.smv") << model;
-    std::ofstream(folder / "commands") << "read_model -i " << (folder / "model.smv").string() << "\n" << commands << "quit\n";
+    std::ofstream(folder / "commands") << "read_model -i " << (folder / "model.smv").string() << "\n"
+                                       << commands << "quit\n";
     const std::string command = "NuSMV -source " + (folder / "commands").string() + " 2>&1 </dev/null";
     const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
     std::string text;
@@ -43,7 +44,8 @@ std::string nusmv_says(const std::string& model, const std::string& commands) {
     return text;
 }
 
-// -- an explicit search -------------------------------------------------------------------------------------------------
+// -- an explicit search
+// -------------------------------------------------------------------------------------------------
 
 /// Every state that can be reached, and its successors. Free variables of main take every value in every state.
 struct Graph {
@@ -146,9 +148,11 @@ bool initially(const Graph& graph, const States& states) {
 bool everywhere(const States& states) { return std::ranges::find(states, false) == states.end(); }
 
 bool verdict(const System& system, const Graph& graph, const Property& property) {
-    const States settled = where(graph, [&](const SystemState& state) { return value_of(system, state, system.settled) != 0; });
+    const States settled =
+        where(graph, [&](const SystemState& state) { return value_of(system, state, system.settled) != 0; });
     const auto operand = [&](std::size_t k) {
-        return where(graph, [&](const SystemState& state) { return value_of(system, state, property.operands[k]) != 0; });
+        return where(graph,
+                     [&](const SystemState& state) { return value_of(system, state, property.operands[k]) != 0; });
     };
     const auto judged = [&](std::size_t k) {
         States states = operand(k);
@@ -156,7 +160,8 @@ bool verdict(const System& system, const Graph& graph, const Property& property)
         return states;
     };
     const auto invariant = [&](States states) {
-        for (std::size_t at = 0; at < states.size() && property.at_stable; ++at) states[at] = states[at] || !settled[at];
+        for (std::size_t at = 0; at < states.size() && property.at_stable; ++at)
+            states[at] = states[at] || !settled[at];
         return everywhere(states);
     };
     switch (property.pattern) {
@@ -185,7 +190,8 @@ bool verdict(const System& system, const Graph& graph, const Property& property)
     return false;
 }
 
-// -- comparisons --------------------------------------------------------------------------------------------------------
+// -- comparisons
+// --------------------------------------------------------------------------------------------------------
 
 std::string emitted(const System& system) {
     std::ostringstream out;
@@ -197,10 +203,13 @@ std::string emitted(const System& system) {
 void ask_more(System& system, Random& random) {
     std::vector<Id<Expr>> leaves;
     for (const Id<System::Symbol> id : system.modules[system.main].symbols.ids())
-        if (system.modules[system.main].symbols[id].type.boolean) leaves.push_back(system.exprs.leaf(Op::Variable, id.index));
-    const auto any = [&] { return leaves[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(leaves.size()) - 1))]; };
-    for (const Pattern pattern : {Pattern::Always, Pattern::Never, Pattern::Reachable, Pattern::Inevitable, Pattern::LeadsTo,
-                                  Pattern::AlwaysPossible, Pattern::ExactlyOneOf}) {
+        if (system.modules[system.main].symbols[id].type.boolean)
+            leaves.push_back(system.exprs.leaf(Op::Variable, id.index));
+    const auto any = [&] {
+        return leaves[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(leaves.size()) - 1))];
+    };
+    for (const Pattern pattern : {Pattern::Always, Pattern::Never, Pattern::Reachable, Pattern::Inevitable,
+                                  Pattern::LeadsTo, Pattern::AlwaysPossible, Pattern::ExactlyOneOf}) {
         Property property;
         property.name = "more_" + std::to_string(system.properties.size());
         property.pattern = pattern;
@@ -237,7 +246,8 @@ void compare(const System& system, std::size_t& states, std::size_t& verdicts) {
     std::vector<bool> found;
     std::istringstream lines(said);
     for (std::string line; std::getline(lines, line);)
-        if (line.starts_with("-- specification") || line.starts_with("-- invariant")) found.push_back(line.ends_with("true"));
+        if (line.starts_with("-- specification") || line.starts_with("-- invariant"))
+            found.push_back(line.ends_with("true"));
     ASSERT_EQ(found, expected) << said << model;
     states += graph->states.size();
     verdicts += found.size();
@@ -255,7 +265,8 @@ TEST(NusmvOracle, AgreesWithAnExplicitSearchOnRandomLoops) {
         Diagnostics diagnostics;
         std::vector<Equations> equations;
         for (const ClosedLoop::Controller& controller : loop.controllers)
-            if (auto derived = derive(model.charts[controller.chart], diagnostics)) equations.push_back(std::move(*derived));
+            if (auto derived = derive(model.charts[controller.chart], diagnostics))
+                equations.push_back(std::move(*derived));
         if (equations.size() != loop.controllers.size()) continue;
         System system = schedule_controllers(model, loop, equations);
         ask_more(system, random);
@@ -271,7 +282,8 @@ TEST(NusmvOracle, TakesTheGoldenModels) {
         SCOPED_TRACE(entry.path().string());
         std::ostringstream model;
         model << std::ifstream(entry.path()).rdbuf();
-        const std::string said = nusmv_says(model.str(), "set dynamic_reorder 1\nflatten_hierarchy\nencode_variables\nbuild_model\ncheck_fsm\n");
+        const std::string said = nusmv_says(
+            model.str(), "set dynamic_reorder 1\nflatten_hierarchy\nencode_variables\nbuild_model\ncheck_fsm\n");
         EXPECT_NE(said.find("The transition relation is total"), std::string::npos) << said;
     }
 }

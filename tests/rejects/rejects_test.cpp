@@ -43,7 +43,8 @@ const std::vector<LibraryFile>& library_files() {
         std::vector<LibraryFile> found;
         for (const auto& entry : fs::directory_iterator(root / "templates")) {
             if (entry.path().extension() != ".grafcet") continue;
-            found.push_back({entry.path().stem().string(), content(entry.path()).value(), entry.path().filename().string()});
+            found.push_back(
+                {entry.path().stem().string(), content(entry.path()).value(), entry.path().filename().string()});
         }
         std::ranges::sort(found, {}, &LibraryFile::name);
         return found;

@@ -35,7 +35,8 @@ std::vector<std::string_view> tokens(std::string_view text) {
             while (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0) ++at;
         } else {
             static constexpr std::array<std::string_view, 7> long_ones{":=", "..", "->", "!=", "<=", ">=", "<->"};
-            const auto found = std::ranges::find_if(long_ones, [&](std::string_view one) { return text.substr(at).starts_with(one); });
+            const auto found =
+                std::ranges::find_if(long_ones, [&](std::string_view one) { return text.substr(at).starts_with(one); });
             at += found == long_ones.end() ? 1 : found->size();
         }
         result.push_back(text.substr(begin, at - begin));
@@ -162,7 +163,8 @@ struct Reader {
         return result;
     }
 
-    // -- modules -------------------------------------------------------------------------------------------------------
+    // -- modules
+    // -------------------------------------------------------------------------------------------------------
     std::vector<std::string> list() {
         std::vector<std::string> result;
         if (!accept("(")) return result;
@@ -211,7 +213,8 @@ struct Reader {
         expect("NAME");
         NusmvModel::Specification made{std::string(keyword), identifier(), {}};
         expect(":=");
-        while (peek() != ";" && at < token.size()) made.formula += (made.formula.empty() ? "" : " ") + std::string(take());
+        while (peek() != ";" && at < token.size())
+            made.formula += (made.formula.empty() ? "" : " ") + std::string(take());
         expect(";");
         module.specifications.push_back(std::move(made));
     }

@@ -45,7 +45,8 @@ std::vector<LibraryFile> library() {
 
 std::vector<const Chart*> LoopUnderTest::charts() const {
     std::vector<const Chart*> list;
-    for (const ClosedLoop::Controller& controller : model.loops[{0}].controllers) list.push_back(&model.charts[controller.chart]);
+    for (const ClosedLoop::Controller& controller : model.loops[{0}].controllers)
+        list.push_back(&model.charts[controller.chart]);
     return list;
 }
 

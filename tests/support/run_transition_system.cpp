@@ -51,7 +51,8 @@ struct Evaluator {
     std::int64_t at(Site place) const {
         place = resolved(system, place);
         const System::Symbol& symbol = module_at(system, place.instance).symbols[place.symbol];
-        if (const auto* define = std::get_if<System::DefineSymbol>(&symbol.kind)) return term(define->value, place.instance);
+        if (const auto* define = std::get_if<System::DefineSymbol>(&symbol.kind))
+            return term(define->value, place.instance);
         return state(place);
     }
 

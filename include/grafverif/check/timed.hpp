@@ -41,6 +41,7 @@ struct TimedOptions {
     std::uint64_t max_memory = std::uint64_t{4} << 30U;   ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;        ///< set by somebody else: end with what is known
+    bool keep_links = true;                         ///< false: less memory, several times the work for liveness
     std::function<void(const TimedProgress&)> progress = {};   ///< called a few times per second
 };
 

@@ -33,35 +33,36 @@ struct Trace {
     /// Values in the order of the signals.
     struct State {
         std::int64_t time_ms = 0;
-        std::vector<std::uint32_t> situation = {};   ///< the active steps, indices into `steps_of_charts`
+        std::vector<std::uint32_t> situation = {};  ///< the active steps, indices into `steps_of_charts`
         std::vector<std::int64_t> inputs = {}, outputs = {}, internals = {}, plant = {};
         bool operator==(const State&) const = default;
     };
 
     struct Step {
         Kind kind = Kind::Plant;
-        std::string component = {};   ///< the instance, the controller, the timer; of a delay empty
-        std::string what = {};        ///< `going_out, H 4 -> 6`; may be empty
+        std::string component = {};  ///< the instance, the controller, the timer; of a delay empty
+        std::string what = {};       ///< `going_out, H 4 -> 6`; may be empty
         /// The transitions cleared, one list per evolution that cleared any.
         std::vector<std::vector<std::string>> fired = {};
-        bool internal = false;        ///< of the translation, for those who want to see all
+        bool internal = false;  ///< of the translation, for those who want to see all
         State after = {};
         bool operator==(const Step&) const = default;
     };
 
-    std::vector<std::string> steps_of_charts = {};   ///< `2`, `G2.2`; of several controllers `press.2`
-    std::vector<std::string> short_names = {};       ///< of the same steps; without what is not needed to tell them apart
-    std::vector<Signal> inputs = {};                 ///< what the controllers read of the plant
-    std::vector<Signal> outputs = {};                ///< what they have written
-    std::vector<Signal> internals = {};              ///< their internal variables
-    std::vector<Signal> plant = {};                  ///< what only the plant knows
+    std::vector<std::string> steps_of_charts = {};  ///< `2`, `G2.2`; of several controllers `press.2`
+    std::vector<std::string> short_names = {};  ///< of the same steps; without what is not needed to tell them apart
+    std::vector<Signal> inputs = {};            ///< what the controllers read of the plant
+    std::vector<Signal> outputs = {};           ///< what they have written
+    std::vector<Signal> internals = {};         ///< their internal variables
+    std::vector<Signal> plant = {};             ///< what only the plant knows
     std::vector<Step> steps = {};
-    std::optional<std::size_t> loop_from = {};       ///< in `steps`
+    std::optional<std::size_t> loop_from = {};  ///< in `steps`
 
     bool operator==(const Trace&) const = default;
 };
 
-/// The steps to show to people: all but the delays whose end the next step tells anyhow, where the loop keeps its shape.
+/// The steps to show to people: all but the delays whose end the next step tells anyhow, where the loop keeps its
+/// shape.
 std::vector<std::size_t> shown_steps(const Trace& trace);
 /// Whether step `index` is one of them.
 bool is_shown(const Trace& trace, std::size_t index);

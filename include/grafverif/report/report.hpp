@@ -17,9 +17,9 @@ namespace grafverif {
 
 /// What every verdict of a report rests on.
 struct Basis {
-    std::string engine = {};            ///< `timed`
-    std::string mode = {};              ///< `stability-search`, `every-cycle`; both where controllers differ
-    std::string grain = {};             ///< `phased`, `atomic`
+    std::string engine = {};  ///< `timed`
+    std::string mode = {};    ///< `stability-search`, `every-cycle`; both where controllers differ
+    std::string grain = {};   ///< `phased`, `atomic`
     std::int64_t time_unit_ms = 1000;
 
     bool operator==(const Basis&) const = default;
@@ -30,15 +30,15 @@ Basis basis_of(const Network& network, std::string engine);
 
 struct Answer {
     Verdict verdict = {};
-    std::string text = {};              ///< of the property, as the model has it
-    std::optional<Trace> trace = {};    ///< tells the verdict's run
+    std::string text = {};            ///< of the property, as the model has it
+    std::optional<Trace> trace = {};  ///< tells the verdict's run
 
     bool operator==(const Answer&) const = default;
 };
 
 /// A place where the model breaks off.
 struct Breakdown {
-    std::string code = {};              ///< `out-of-range`, `action-race`, `no-value`
+    std::string code = {};  ///< `out-of-range`, `action-race`, `no-value`
     std::string message = {};
     Trace trace = {};
 
@@ -46,7 +46,7 @@ struct Breakdown {
 };
 
 struct Report {
-    std::string model = {};             ///< the closed loop
+    std::string model = {};  ///< the closed loop
     Basis basis = {};
     std::vector<Answer> answers = {};
     std::vector<Breakdown> breakdowns = {};
@@ -61,7 +61,7 @@ Breakdown breakdown_of(const Network& network, const ModelError& error, Detail d
 /// How many verdicts there are of each kind. An unknown verdict that the model does not ask for is only a note.
 struct Tally {
     std::size_t holds = 0, violated = 0, unknown = 0, undeclared_unknown = 0;
-    std::size_t unexpected = 0;         ///< decided, and not as the model expects
+    std::size_t unexpected = 0;  ///< decided, and not as the model expects
     bool operator==(const Tally&) const = default;
 };
 Tally tally(const Report& report);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A trace as a timing diagram to look at: one column per step, so that what happens within one instant can be seen;
 // time stands at the top where it goes on, what happened is written above each column. One row per input, output,
-// internal variable, variable of the plant, and step of the charts; those that are 0 throughout are named at the foot. What
-// repeats for ever has a shaded background.
+// internal variable, variable of the plant, and step of the charts; those that are 0 throughout are named at the foot.
+// What repeats for ever has a shaded background.
 #pragma once
 
 #include <iosfwd>

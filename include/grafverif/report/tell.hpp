@@ -7,8 +7,8 @@
 //   edges of a PLC                  one step per search for stability in which a transition is cleared or an output
 //                                   changes; what does neither is internal
 //   delays in a row                 one step
-// Where the plant moves in the midst of a PLC cycle, the cycle's step is told in two parts, each at its place; where the
-// plant then changes an input that has been sampled and matters, the sampling is a step.
+// Where the plant moves in the midst of a PLC cycle, the cycle's step is told in two parts, each at its place; where
+// the plant then changes an input that has been sampled and matters, the sampling is a step.
 #pragma once
 
 #include <optional>
@@ -46,10 +46,10 @@ private:
     /// What a controller has done since its last step.
     struct Open {
         std::vector<std::vector<std::string>> fired = {};
-        bool first = false;      ///< the first evolution is among it
-        bool sampled = false;    ///< inputs are read, the evolution is to come
-        bool changed = false;    ///< an output or a stored variable has changed
-        bool written = false;    ///< outputs have been written since the last evolution
+        bool first = false;    ///< the first evolution is among it
+        bool sampled = false;  ///< inputs are read, the evolution is to come
+        bool changed = false;  ///< an output or a stored variable has changed
+        bool written = false;  ///< outputs have been written since the last evolution
     };
 
     void make_signals();
@@ -68,10 +68,10 @@ private:
     Detail detail_;
     Trace trace_ = {};
     std::vector<Id<Network::Variable>> steps_ = {}, inputs_ = {}, outputs_ = {}, internals_ = {}, plant_ = {};
-    std::vector<std::uint32_t> controller_of_ = {};   ///< per process: a PLC's or timer's controller
-    std::vector<Open> open_ = {};                     ///< per controller
+    std::vector<std::uint32_t> controller_of_ = {};  ///< per process: a PLC's or timer's controller
+    std::vector<Open> open_ = {};                    ///< per controller
     std::int64_t time_ms_ = 0;
-    std::int64_t delay_ms_ = 0;                       ///< not yet told
+    std::int64_t delay_ms_ = 0;  ///< not yet told
 };
 
 /// What `fire` would do in `state`, in the words of a trace, inputs of the controllers included: `Start: START`.

@@ -17,7 +17,7 @@
 namespace grafverif {
 
 struct TextOptions {
-    bool verbose = false;              ///< witnesses of `reachable` too, and how long it took
+    bool verbose = false;  ///< witnesses of `reachable` too, and how long it took
     Colour colour = Colour::Plain;
 };
 

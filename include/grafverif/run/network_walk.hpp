@@ -16,8 +16,8 @@ namespace grafverif {
 /// How time can pass from a state on while no edge fires, in time units.
 struct Leeway {
     bool may_pass = false;
-    std::optional<std::int64_t> limit = {};    ///< until an invariant stops it; empty: for ever
-    std::optional<std::int64_t> change = {};   ///< until an edge can fire that cannot yet; empty: never
+    std::optional<std::int64_t> limit = {};   ///< until an invariant stops it; empty: for ever
+    std::optional<std::int64_t> change = {};  ///< until an edge can fire that cannot yet; empty: never
     bool operator==(const Leeway&) const = default;
 };
 

@@ -21,9 +21,9 @@
 namespace grafverif {
 
 struct Disagreement {
-    std::size_t move = 0;        ///< index in the run
-    std::string where = {};      ///< `controller press, evolution 12`
-    std::string what = {};       ///< what the network has and what the rules give
+    std::size_t move = 0;    ///< index in the run
+    std::string where = {};  ///< `controller press, evolution 12`
+    std::string what = {};   ///< what the network has and what the rules give
 
     bool operator==(const Disagreement&) const = default;
 };

@@ -13,8 +13,8 @@
 //   step             X_2, init and next by equation (12)
 //   transition       CF_T0, a definition: equation (11)
 //   output           with stability search a state variable, FALSE at first: next(TEST) := stable ? TEST_now : TEST,
-//                    TEST_now being equation (13); in every cycle a definition, equation (13) itself, or, where it reads
-//                    an input, a state variable, since the input is the one sampled in the cycle
+//                    TEST_now being equation (13); in every cycle a definition, equation (13) itself, or, where it
+//                    reads an input, a state variable, since the input is the one sampled in the cycle
 //   stored action    next by cases; with stability search an output keeps it in `LOCK_image` until it is written
 //   race             `race`, set for ever when two stored actions write different values together
 //   range            `out_of_range`, set for ever when an assignment would leave the range of its variable, which then

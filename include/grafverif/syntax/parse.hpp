@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // parse: text -> tree. The grammar is grammars/grafcet.yy, the words are those of grammars/grafcet.ll.
 //
-// A declaration with a syntax error is marked `broken` and the parser goes on with the next one, so that one run reports
-// every error. What is reported here: bytes that are no text, words that are none, syntax, and limits.
+// A declaration with a syntax error is marked `broken` and the parser goes on with the next one, so that one run
+// reports every error. What is reported here: bytes that are no text, words that are none, syntax, and limits.
 #pragma once
 
 #include <optional>

@@ -3,8 +3,8 @@
 // what `fmt` prints; nothing after `read` knows of it.
 //
 // Names are interned: two names of one file are equal iff their words are. Expressions lie in one flat table, operands
-// chained as siblings, so that a term of any width costs no allocation of its own. Every node and every declaration knows
-// its span; comments and blank lines are kept beside the tree, ordered by position, and are put back by it.
+// chained as siblings, so that a term of any width costs no allocation of its own. Every node and every declaration
+// knows its span; comments and blank lines are kept beside the tree, ordered by position, and are put back by it.
 #pragma once
 
 #include <cstddef>
@@ -152,7 +152,7 @@ struct Chart {
     bool broken = false;               ///< a syntax error lies within
 };
 
-// -- components --------------------------------------------------------------------------------------------------------
+// -- components -------------------------------------------------------------------------------------------------------
 
 struct Clocks {
     std::vector<Name> names = {};
@@ -182,7 +182,7 @@ struct Component {
     bool broken = false;
 };
 
-// -- closed loops --------------------------------------------------------------------------------------------------------
+// -- closed loops -----------------------------------------------------------------------------------------------------
 
 struct Controller {
     Name chart = {};
@@ -241,7 +241,7 @@ struct ClosedLoop {
     bool broken = false;
 };
 
-// -- files -----------------------------------------------------------------------------------------------------------------
+// -- files ------------------------------------------------------------------------------------------------------------
 
 struct Include {
     std::string path = {};

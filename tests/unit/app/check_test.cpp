@@ -21,7 +21,8 @@ std::string counter(const std::string& properties) {
     return "grafcet counter { input GO; output L; internal N: int 0..2 = 0;\n"
            "initial step 0; step 1 { N := N + 1 on activation; L; } // step 2\n"
            "transition t0: 0 -> 1 when GO && N < 2; transition t1: 1 -> 0 when !GO; }\n"
-           "closed_loop counting { controller counter; environment Go = push_button(OUT = GO); " + properties + " }\n";
+           "closed_loop counting { controller counter; environment Go = push_button(OUT = GO); " +
+           properties + " }\n";
 }
 
 TEST(Check, ProvesThePropertiesOfTheSamples) {
@@ -37,14 +38,20 @@ TEST(Check, ProvesThePropertiesOfTheSamples) {
 }
 
 TEST(Check, SaysWhatAVerdictRestsOn) {
-    const Result result = grafverif({"check", sample("blinker/blinker.grafcet"), "--grain", "atomic", "--mode", "every-cycle"});
-    EXPECT_NE(result.out.find("timed engine; every-cycle, atomic grain; time unit 1 s, cycle time taken as zero"), std::string::npos)
+    const Result result =
+        grafverif({"check", sample("blinker/blinker.grafcet"), "--grain", "atomic", "--mode", "every-cycle"});
+    EXPECT_NE(result.out.find("timed engine; every-cycle, atomic grain; time unit 1 s, cycle time taken as zero"),
+              std::string::npos)
         << result.out;
 }
 
 TEST(Check, HasAnExitCodeForEachOutcome) {
     const Folder folder;
-    struct Case { const char* properties; std::vector<std::string> options; ExitCode code; };
+    struct Case {
+        const char* properties;
+        std::vector<std::string> options;
+        ExitCode code;
+    };
     const std::string too_few = "1";
     for (const Case& c : std::vector<Case>{
              {"property a: always N <= 2;", {}, ExitCode::Done},
@@ -70,8 +77,8 @@ TEST(Check, HasAnExitCodeForEachOutcome) {
 }
 
 TEST(Check, ChecksThePropertiesNamedAndTimelock) {
-    const Result result = grafverif({"check", sample("oven_door/oven_door.grafcet"), "--property", "warned", "--property", "one_order",
-                                     "--format", "json"});
+    const Result result = grafverif({"check", sample("oven_door/oven_door.grafcet"), "--property", "warned",
+                                     "--property", "one_order", "--format", "json"});
     std::vector<std::string> names;
     const Json properties = Json::parse(result.out)["properties"];
     for (const Json& property : properties) names.push_back(property["name"]);
@@ -88,7 +95,8 @@ TEST(Check, ReportsAValueOutOfRangeWithTheWayThere) {
     const std::string file = folder.write("counter.grafcet", text);
     const Result result = grafverif({"check", file, "--junit", folder.file("report.xml")});
     EXPECT_EQ(result.code, ExitCode::Verdict);
-    EXPECT_TRUE(result.out.starts_with("the model breaks off: `N` would leave its range 0..2, in an evolution of `counter` [out-of-range]\n"))
+    EXPECT_TRUE(result.out.starts_with(
+        "the model breaks off: `N` would leave its range 0..2, in an evolution of `counter` [out-of-range]\n"))
         << result.out;
     EXPECT_NE(result.out.find("counter: N 1 -> 2"), std::string::npos);
     EXPECT_NE(result.out.find("a: unknown\n"), std::string::npos);
@@ -109,9 +117,10 @@ TEST(Check, ReportsARaceOfStoredActions) {
 
 TEST(Check, WritesJunitAndTraces) {
     const Folder folder;
-    const std::string file = folder.write("counter.grafcet", counter("property a \"few\": always N < 2; property b: always N <= 2;"));
-    const Result result = grafverif({"check", file, "--junit", folder.file("r/report.xml"), "--trace-vcd", folder.file("a.vcd"), "--trace-svg",
-                                     folder.file("a.svg")});
+    const std::string file =
+        folder.write("counter.grafcet", counter("property a \"few\": always N < 2; property b: always N <= 2;"));
+    const Result result = grafverif({"check", file, "--junit", folder.file("r/report.xml"), "--trace-vcd",
+                                     folder.file("a.vcd"), "--trace-svg", folder.file("a.svg")});
     EXPECT_EQ(result.code, ExitCode::Verdict);
     pugi::xml_document junit, svg;
     ASSERT_TRUE(junit.load_string(folder.read("r/report.xml").c_str()));
@@ -123,7 +132,8 @@ TEST(Check, WritesJunitAndTraces) {
 
 TEST(Check, SaysThatThereIsNoTraceToWrite) {
     const Folder folder;
-    const Result result = grafverif({"check", folder.write("counter.grafcet", counter("property b: always N <= 2;")), "--trace-svg", folder.file("a.svg")});
+    const Result result = grafverif({"check", folder.write("counter.grafcet", counter("property b: always N <= 2;")),
+                                     "--trace-svg", folder.file("a.svg")});
     EXPECT_EQ(result.code, ExitCode::Done);
     EXPECT_EQ(result.err, "note: no verdict has a trace; none was written\n");
     EXPECT_EQ(folder.entries(), 1u);
@@ -132,7 +142,8 @@ TEST(Check, SaysThatThereIsNoTraceToWrite) {
 TEST(Check, EndsWithWhatIsKnownWhenTimeIsUp) {
     const Result result = grafverif({"check", sample("testing_station/testing_station.grafcet"), "--timeout", "0"});
     EXPECT_EQ(result.code, ExitCode::Unknown);
-    EXPECT_NE(result.out.find("P15 \"no horizontal move unless the cup is up\": unknown\n"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("P15 \"no horizontal move unless the cup is up\": unknown\n"), std::string::npos)
+        << result.out;
 }
 
 TEST(Check, TakesTheFirstInterruptAsAWish) {
@@ -155,8 +166,10 @@ TEST(Check, TellsTheSameEachTime) {
 
 TEST(Check, NeedsAClosedLoop) {
     const Folder folder;
-    const Result result = grafverif({"check", folder.write("lone.grafcet", "grafcet a { input x; output L; initial step 0 { L; } step 1;\n"
-                                                                          "transition t: 0 -> 1 when x; }\n")});
+    const Result result =
+        grafverif({"check", folder.write("lone.grafcet",
+                                         "grafcet a { input x; output L; initial step 0 { L; } step 1;\n"
+                                         "transition t: 0 -> 1 when x; }\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("[no-closed-loop]"), std::string::npos);
 }

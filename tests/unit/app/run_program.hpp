@@ -52,7 +52,8 @@ public:
         return text.str();
     }
     std::size_t entries() const {
-        return static_cast<std::size_t>(std::distance(fs::recursive_directory_iterator(path_), fs::recursive_directory_iterator()));
+        return static_cast<std::size_t>(
+            std::distance(fs::recursive_directory_iterator(path_), fs::recursive_directory_iterator()));
     }
 
 private:

@@ -19,7 +19,10 @@ std::string squeezed(const std::string& text) {
 }
 
 TEST(Commands, AreReadLineByLine) {
-    struct Case { const char* line; Command command; };
+    struct Case {
+        const char* line;
+        Command command;
+    };
     for (const Case& c : std::vector<Case>{
              {"START = true", SetCommand{"START", 1}},
              {"START=false // release", SetCommand{"START", 0}},
@@ -50,7 +53,8 @@ TEST(Commands, AreReadLineByLine) {
 
 TEST(Simulate, FollowsAScriptAndPrintsTheSituationAsATraceDoes) {
     const Folder folder;
-    const std::string script = folder.write("press.txt", "wait 1s\nBUTTON = true   // press\nwait 2s\nBUTTON = false\nwait 1s\n");
+    const std::string script =
+        folder.write("press.txt", "wait 1s\nBUTTON = true   // press\nwait 2s\nBUTTON = false\nwait 1s\n");
     const Result result = grafverif({"simulate", blinker, "--script", script});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_EQ(squeezed(result.out),
@@ -70,7 +74,10 @@ TEST(Simulate, FollowsAScriptAndPrintsTheSituationAsATraceDoes) {
 
 TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
     const Folder folder;
-    struct Case { const char* script; const char* complaint; };
+    struct Case {
+        const char* script;
+        const char* complaint;
+    };
     for (const Case& c : std::vector<Case>{
              {"BUTTON = true\n", ":1: error: nothing can make `BUTTON` 1 now\n"},
              {"wait 1s\n\nBUTTON = false\n", ":3: error: `BUTTON` is 0 already\n"},
@@ -96,16 +103,19 @@ TEST(Simulate, AsksForAChoiceWhereThePlantHasOne) {
     const std::string to_the_test = "wait 1s\nSTART = true\nwait 40s\n";
     const Result stopped = grafverif({"simulate", station, "--script", folder.write("a.txt", to_the_test)});
     EXPECT_EQ(stopped.code, ExitCode::Input);
-    EXPECT_NE(stopped.err.find("time cannot pass before one of these happens: `Tester: passed, TEST_OK`, `Tester: failed, TEST_KO`"),
+    EXPECT_NE(stopped.err.find(
+                  "time cannot pass before one of these happens: `Tester: passed, TEST_OK`, `Tester: failed, TEST_KO`"),
               std::string::npos)
         << stopped.err;
-    const Result failed = grafverif({"simulate", station, "--script", folder.write("b.txt", "wait 1s\nSTART = true\nwait 39s\ndo Tester failed\n")});
+    const Result failed = grafverif({"simulate", station, "--script",
+                                     folder.write("b.txt", "wait 1s\nSTART = true\nwait 39s\ndo Tester failed\n")});
     EXPECT_EQ(failed.code, ExitCode::Done) << failed.err;
     EXPECT_NE(squeezed(failed.out).find("testing_station T6b 20 P, V_G_IN\n"), std::string::npos) << failed.out;
 }
 
 TEST(Simulate, TalksWithAPerson) {
-    const Result result = grafverif({"simulate", blinker}, "help\nwait 1s\n1\nback\nnonsense\nBUTTON = true\nquit\nwait 1s\n");
+    const Result result =
+        grafverif({"simulate", blinker}, "help\nwait 1s\n1\nback\nnonsense\nBUTTON = true\nquit\nwait 1s\n");
     EXPECT_EQ(result.code, ExitCode::Done);
     const std::string out = squeezed(result.out);
     EXPECT_NE(out.find("1 Button: BUTTON\nwait as long as you like\n> "), std::string::npos) << out;
@@ -126,9 +136,11 @@ TEST(Simulate, LeavesEveryEdgeToThePersonWhenVerbose) {
 
 TEST(Simulate, NoticesAChartThatNeverStabilises) {
     const Folder folder;
-    const std::string file = folder.write("endless.grafcet", "grafcet endless { input GO; output A, B; initial step 0; step 1 { A; } step 2 { B; }\n"
-                                                             "transition a: 0 -> 1 when GO; transition b: 1 -> 2 when GO; transition c: 2 -> 1 when GO; }\n"
-                                                             "closed_loop one { controller endless with stability_search; environment Go = free(OUT = GO); }\n");
+    const std::string file = folder.write(
+        "endless.grafcet",
+        "grafcet endless { input GO; output A, B; initial step 0; step 1 { A; } step 2 { B; }\n"
+        "transition a: 0 -> 1 when GO; transition b: 1 -> 2 when GO; transition c: 2 -> 1 when GO; }\n"
+        "closed_loop one { controller endless with stability_search; environment Go = free(OUT = GO); }\n");
     const Result result = grafverif({"simulate", file, "--script", folder.write("go.txt", "GO = true\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("the situation never becomes stable with these inputs"), std::string::npos) << result.err;
@@ -144,7 +156,8 @@ TEST(Simulate, WalksAtRandomTheSameWayForTheSameSeed) {
 
 TEST(Simulate, WritesTheTraceItMade) {
     const Folder folder;
-    grafverif({"simulate", station, "--random", "1", "--trace-vcd", folder.file("w.vcd"), "--trace-svg", folder.file("w.svg")});
+    grafverif({"simulate", station, "--random", "1", "--trace-vcd", folder.file("w.vcd"), "--trace-svg",
+               folder.file("w.svg")});
     EXPECT_NE(folder.read("w.vcd").find("$timescale"), std::string::npos);
     EXPECT_TRUE(folder.read("w.svg").starts_with("<svg"));
 }

@@ -38,7 +38,8 @@ struct Small {
         input("b");
         input("c");
         const Id<System::Instance> press = system.instances.add({"press", module, {a}});
-        const Id<System::Symbol> active = main().symbols.add({"press.X_1", {}, System::MemberSymbol{press, step}, "", {}});
+        const Id<System::Symbol> active =
+            main().symbols.add({"press.X_1", {}, System::MemberSymbol{press, step}, "", {}});
         system.settled = leaf(active);
     }
 
@@ -73,31 +74,32 @@ TEST(EmitNusmv, WritesMainFirstAndThenTheController) {
     Small small;
     small.system.scope = "Inputs are free.";
     small.ask(Pattern::Always, {small.a()});
-    EXPECT_EQ(emitted(small.system),
-              "-- press: NuSMV model written by grafverif\n"
-              "-- to check it: NuSMV -dynamic FILE (which orders the variables as it goes: far faster on large models)\n"
-              "--\n"
-              "-- Inputs are free.\n"
-              "\n"
-              "MODULE main\n"
-              "VAR\n"
-              "  -- inputs\n"
-              "  a : boolean;\n"
-              "  b : boolean;\n"
-              "  c : boolean;\n"
-              "  -- the controller\n"
-              "  press : controller_press(a);\n"
-              "\n"
-              "INVARSPEC NAME P := a;\n"
-              "\n"
-              "MODULE controller_press(a)\n"
-              "VAR\n"
-              "  -- steps\n"
-              "  X_1 : boolean;\n"
-              "ASSIGN\n"
-              "  -- steps\n"
-              "  init(X_1) := TRUE;\n"
-              "  next(X_1) := a;\n");
+    EXPECT_EQ(
+        emitted(small.system),
+        "-- press: NuSMV model written by grafverif\n"
+        "-- to check it: NuSMV -dynamic FILE (which orders the variables as it goes: far faster on large models)\n"
+        "--\n"
+        "-- Inputs are free.\n"
+        "\n"
+        "MODULE main\n"
+        "VAR\n"
+        "  -- inputs\n"
+        "  a : boolean;\n"
+        "  b : boolean;\n"
+        "  c : boolean;\n"
+        "  -- the controller\n"
+        "  press : controller_press(a);\n"
+        "\n"
+        "INVARSPEC NAME P := a;\n"
+        "\n"
+        "MODULE controller_press(a)\n"
+        "VAR\n"
+        "  -- steps\n"
+        "  X_1 : boolean;\n"
+        "ASSIGN\n"
+        "  -- steps\n"
+        "  init(X_1) := TRUE;\n"
+        "  next(X_1) := a;\n");
 }
 
 TEST(EmitNusmv, WritesEachPatternWithItsBrackets) {
@@ -171,8 +173,9 @@ TEST(EmitNusmv, LeavesACommentInThePlaceOfAnOmittedProperty) {
     omitted.name = "P4";
     omitted.text = {};
     small.system.omitted.push_back({omitted, "nor here", 2});
-    expect_lines(emitted(small.system), "INVARSPEC NAME P1 := a;\n\n-- P2: time passes\n-- left out: there is no time in this "
-                                        "model\n\nINVARSPEC NAME P3 := b;\n\n-- P4\n-- left out: nor here\n");
+    expect_lines(emitted(small.system),
+                 "INVARSPEC NAME P1 := a;\n\n-- P2: time passes\n-- left out: there is no time in this "
+                 "model\n\nINVARSPEC NAME P3 := b;\n\n-- P4\n-- left out: nor here\n");
 }
 
 TEST(EmitNusmv, LegalisesNamesAndMapsThemInTheHeader) {
@@ -199,12 +202,15 @@ TEST(EmitNusmv, LegalisesNamesAndMapsThemInTheHeader) {
 TEST(EmitNusmv, WritesRangesAndValuesByCases) {
     Small small;
     Exprs& exprs = small.system.exprs;
-    const Id<System::Symbol> count = small.inner().symbols.add({"N", integer_type(-2, 10), System::StateSymbol{}, "internals", {}});
+    const Id<System::Symbol> count =
+        small.inner().symbols.add({"N", integer_type(-2, 10), System::StateSymbol{}, "internals", {}});
     const Id<Expr> n = small.leaf(count), x = small.leaf(small.step);
     const Id<Expr> more = exprs.apply(Op::Plus, n, exprs.integer(1));
-    const Id<Expr> next = exprs.conditional(x, more, exprs.conditional(small.leaf(small.parameter), exprs.integer(-1), n));
+    const Id<Expr> next =
+        exprs.conditional(x, more, exprs.conditional(small.leaf(small.parameter), exprs.integer(-1), n));
     small.inner().symbols[count].kind = System::StateSymbol{exprs.conditional(x, n, exprs.integer(0)), next};
-    std::get<System::StateSymbol>(small.inner().symbols[count].kind).initial = exprs.conditional(x, exprs.integer(3), exprs.integer(0));
+    std::get<System::StateSymbol>(small.inner().symbols[count].kind).initial =
+        exprs.conditional(x, exprs.integer(3), exprs.integer(0));
     const std::string text = emitted(small.system);
     expect_lines(text, "  N : -2..10;\n");
     expect_lines(text, "  init(N) := (X_1 ? 3 : 0);\n");

@@ -23,7 +23,8 @@ struct Small {
         system.main = system.modules.add({"main", {}, {}, {}});
         module = system.modules.add({"controller", {}, {}, {}});
         parameter = inner().symbols.add({"a", {}, System::ParameterSymbol{}, "", {}});
-        state = inner().symbols.add({"x", {}, System::StateSymbol{system.exprs.constant(false), leaf(parameter)}, "", {}});
+        state =
+            inner().symbols.add({"x", {}, System::StateSymbol{system.exprs.constant(false), leaf(parameter)}, "", {}});
         define = inner().symbols.add({"d", {}, System::DefineSymbol{system.exprs.negation(leaf(state))}, "", {}});
         input = main().symbols.add({"a", {}, System::StateSymbol{}, "", {}});
         instance = system.instances.add({"c", module, {input}});
@@ -36,7 +37,9 @@ struct Small {
     }
 };
 
-TEST(VerifyTransitionSystem, FindsNothingInAWellFormedOne) { EXPECT_EQ(verify(Small{}.system), std::vector<std::string>{}); }
+TEST(VerifyTransitionSystem, FindsNothingInAWellFormedOne) {
+    EXPECT_EQ(verify(Small{}.system), std::vector<std::string>{});
+}
 
 TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
     struct Case {
@@ -48,31 +51,39 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
         {"`a` has no name of its own", [](Small& s) { s.inner().symbols[s.define].name = "a"; }},
         {"`c.d` has another type than the symbol it stands for",
          [](Small& s) { s.main().symbols[s.member].type = integer_type(0, 3); }},
-        {"initial is no term of its type", [](Small& s) {
+        {"initial is no term of its type",
+         [](Small& s) {
              std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).initial = s.system.exprs.integer(1);
          }},
-        {"next is no term of its type", [](Small& s) {
+        {"next is no term of its type",
+         [](Small& s) {
              std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).next = s.system.exprs.leaf(Op::Variable, 9);
          }},
-        {"definitions depend on themselves", [](Small& s) {
+        {"definitions depend on themselves",
+         [](Small& s) {
              s.inner().symbols[s.define].kind = System::DefineSymbol{s.system.exprs.negation(s.leaf(s.define))};
          }},
-        {"initial values depend on themselves", [](Small& s) {
-             std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).initial = s.leaf(s.define);
-         }},
+        {"initial values depend on themselves",
+         [](Small& s) { std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).initial = s.leaf(s.define); }},
         {"is a parameter out of place", [](Small& s) { s.main().symbols[s.input].kind = System::ParameterSymbol{}; }},
         {"another number of arguments", [](Small& s) { s.system.instances[s.instance].arguments.clear(); }},
-        {"no symbol of main of its parameter's type", [](Small& s) { s.system.instances[s.instance].arguments = {{7}}; }},
+        {"no symbol of main of its parameter's type",
+         [](Small& s) { s.system.instances[s.instance].arguments = {{7}}; }},
         {"no module that can be instantiated", [](Small& s) { s.system.instances[s.instance].module = s.system.main; }},
         {"`P` has the wrong number of operands", [](Small& s) { s.system.properties[{0}].pattern = Pattern::LeadsTo; }},
-        {"`P` is none of a transition system", [](Small& s) {
+        {"`P` is none of a transition system",
+         [](Small& s) {
              s.system.properties[{0}].pattern = Pattern::NoDeadlock;
              s.system.properties[{0}].operands.clear();
          }},
-        {"operand is no term of its type", [](Small& s) { s.system.properties[{0}].operands = {s.system.exprs.integer(1)}; }},
+        {"operand is no term of its type",
+         [](Small& s) { s.system.properties[{0}].operands = {s.system.exprs.integer(1)}; }},
         {"settled is no term of its type", [](Small& s) { s.system.settled = s.system.exprs.integer(1); }},
         {"justice is no term of its type", [](Small& s) { s.main().justice = {s.system.exprs.integer(1)}; }},
-        {"an omitted property has no place", [](Small& s) { s.system.omitted.push_back({{}, "", 5}); }},
+        {"an omitted property has no place",
+         [](Small& s) {
+             s.system.omitted.push_back({{}, "", 5});
+         }},
     };
     for (const Case& broken : cases) {
         SCOPED_TRACE(broken.fault);

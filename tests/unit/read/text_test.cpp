@@ -16,8 +16,11 @@ namespace {
 using Files = std::map<std::string, std::string>;
 
 const std::vector<LibraryEntry> library = {
-    {"button", "// A button.\n// It is pressed.\ncomponent button(output OUT; GAP = 1s) {\n    clock t;\n    initial location idle;\n"
-               "    timed idle -> idle when t >= GAP do OUT := !OUT, t := 0;\n}\n", "button.grafcet"},
+    {"button",
+     "// A button.\n// It is pressed.\ncomponent button(output OUT; GAP = 1s) {\n    clock t;\n    initial location "
+     "idle;\n"
+     "    timed idle -> idle when t >= GAP do OUT := !OUT, t := 0;\n}\n",
+     "button.grafcet"},
     {"broken", "component broken(", "broken.grafcet"},
 };
 
@@ -71,7 +74,7 @@ const std::string lamp =
     "    transition 1 -> 0 when 3s/X1/2s;\n"
     "}\n";
 
-// -- charts ------------------------------------------------------------------------------------------------------------
+// -- charts -----------------------------------------------------------------------------------------------------------
 
 TEST(ReadChart, NamesTransitionsByPosition) {
     const Chart chart = *model(lamp).charts.begin();
@@ -113,21 +116,24 @@ TEST(ReadChart, LooksForStepsInItsPartialChartFirst) {
 }
 
 TEST(ReadChart, HoldsTheWholeStandard) {
-    const Chart chart = *model("grafcet g {\n"
-                               "    input a, b;\n"
-                               "    output O;\n"
-                               "    internal N: int -2..5 = 1, M = true;\n"
-                               "    constraint !(a && b);\n"
-                               "    initial step 0 { O if a after 1s for 2s; force p := {INIT}; force p := {*}; force p := {21, 20}; }\n"
-                               "    macro step 1 expands e;\n"
-                               "    enclosing step 2 encloses q;\n"
-                               "    transition s: -> 2 when rise(a);\n"
-                               "    transition t: 0, 2 -> 1 when fall(a) do N := N - 1, M := !M;\n"
-                               "    transition k: 1 -> when 2s/a/1s && b/3s;\n"
-                               "    expansion e { entry exit step E { N := -1 on event rise(b); } }\n"
-                               "    partial p { initial step 20; step 21; }\n"
-                               "    partial q { linked step 30; }\n"
-                               "}\n").charts.begin();
+    const Chart chart =
+        *model(
+             "grafcet g {\n"
+             "    input a, b;\n"
+             "    output O;\n"
+             "    internal N: int -2..5 = 1, M = true;\n"
+             "    constraint !(a && b);\n"
+             "    initial step 0 { O if a after 1s for 2s; force p := {INIT}; force p := {*}; force p := {21, 20}; }\n"
+             "    macro step 1 expands e;\n"
+             "    enclosing step 2 encloses q;\n"
+             "    transition s: -> 2 when rise(a);\n"
+             "    transition t: 0, 2 -> 1 when fall(a) do N := N - 1, M := !M;\n"
+             "    transition k: 1 -> when 2s/a/1s && b/3s;\n"
+             "    expansion e { entry exit step E { N := -1 on event rise(b); } }\n"
+             "    partial p { initial step 20; step 21; }\n"
+             "    partial q { linked step 30; }\n"
+             "}\n")
+             .charts.begin();
     EXPECT_EQ(chart.forcing.size(), 3u);
     EXPECT_EQ(chart.forcing[{2}].situation.size(), 2u);
     EXPECT_EQ(chart.stored.size(), 3u);
@@ -152,26 +158,33 @@ TEST(ReadChart, ActivatesWhatForcingEnclosingAndMacroStepsActivate) {
                      "}\n").model);
 }
 
-// -- one cause, one error ------------------------------------------------------------------------------------------------
+// -- one cause, one error ---------------------------------------------------------------------------------------------
 
 TEST(ReadErrors, AreReportedTogetherAndOnce) {
     const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
         // every use of a misspelt name, nothing that follows from it
-        {"grafcet g {\n input a;\n initial step 0;\n step 1;\n transition t: 0 -> 1 when b;\n transition u: 1 -> 0 when b && !b;\n}\n",
+        {"grafcet g {\n input a;\n initial step 0;\n step 1;\n transition t: 0 -> 1 when b;\n transition u: 1 -> 0 "
+         "when b && !b;\n}\n",
          {"unknown-variable", "unknown-variable", "unknown-variable"}},
         // a chart in error says nothing of the loop that names it
-        {"grafcet g {\n input a;\n initial step 0 { O; }\n}\nclosed_loop l {\n controller g;\n property p: always X0;\n}\n", {"unknown-variable"}},
+        {"grafcet g {\n input a;\n initial step 0 { O; }\n}\nclosed_loop l {\n controller g;\n property p: always "
+         "X0;\n}\n",
+         {"unknown-variable"}},
         // nor does one with a syntax error
-        {"grafcet g {\n input a\n initial step 0;\n}\nclosed_loop l {\n controller g;\n property p: always X0;\n}\n", {"missing-semicolon"}},
+        {"grafcet g {\n input a\n initial step 0;\n}\nclosed_loop l {\n controller g;\n property p: always X0;\n}\n",
+         {"missing-semicolon"}},
         // errors of both kinds in different charts
-        {"grafcet g {\n input a\n initial step 0;\n}\ngrafcet h {\n initial step 0 { O; }\n}\n", {"missing-semicolon", "unknown-variable"}},
+        {"grafcet g {\n input a\n initial step 0;\n}\ngrafcet h {\n initial step 0 { O; }\n}\n",
+         {"missing-semicolon", "unknown-variable"}},
         // an instance in error drives what it binds
-        {lamp + "closed_loop l {\n controller lamp;\n environment b = button(OUT = BUTTON, GAPP = 1s);\n property p: never BUTTON && PP;\n}\n",
+        {lamp + "closed_loop l {\n controller lamp;\n environment b = button(OUT = BUTTON, GAPP = 1s);\n property p: "
+                "never BUTTON && PP;\n}\n",
          {"unknown-parameter", "unknown-variable"}},
         // a missing file may hold anything
         {"include \"x.grafcet\";\nclosed_loop l {\n controller g;\n}\n", {"cannot-include"}},
         // one group of unreachable steps, one error
-        {"grafcet g {\n initial step 0;\n step 1;\n step 2;\n step 3;\n transition a: 1 -> 2 when true;\n transition b: 2 -> 3 when true;\n}\n",
+        {"grafcet g {\n initial step 0;\n step 1;\n step 2;\n step 3;\n transition a: 1 -> 2 when true;\n transition "
+         "b: 2 -> 3 when true;\n}\n",
          {"unreachable-step"}},
     };
     for (const auto& [text, codes] : cases) {
@@ -184,17 +197,22 @@ TEST(ReadErrors, AreReportedTogetherAndOnce) {
 
 TEST(ReadErrors, StaySearchableInHugeCharts) {
     std::string text = "grafcet g {\n    input a;\n    initial step 0;\n";
-    for (int i = 1; i < 20000; ++i) text += "    step " + std::to_string(i) + ";\n    transition " + std::to_string(i - 1) + " -> " + std::to_string(i) + " when Xnowhere" + std::to_string(i) + ";\n";
+    for (int i = 1; i < 20000; ++i)
+        text += "    step " + std::to_string(i) + ";\n    transition " + std::to_string(i - 1) + " -> " +
+                std::to_string(i) + " when Xnowhere" + std::to_string(i) + ";\n";
     const Reading reading = read(text + "}\n");
     EXPECT_FALSE(reading.model);
     EXPECT_EQ(reading.codes.size(), Diagnostics::limit);
 }
 
-// -- components ----------------------------------------------------------------------------------------------------------
+// -- components -------------------------------------------------------------------------------------------------------
 
 TEST(ReadComponent, TakesTheTypesOfConstantsFromTheirDefaults) {
-    const Component component = *model("component c(output X: int L..H = L; L = 0, H, B = true, T = 2 * S, S = 1s, D: duration, K = H + L) {\n"
-                                       "    initial location l;\n}\n").components.begin();
+    const Component component =
+        *model(
+             "component c(output X: int L..H = L; L = 0, H, B = true, T = 2 * S, S = 1s, D: duration, K = H + L) {\n"
+             "    initial location l;\n}\n")
+             .components.begin();
     std::vector<Component::ValueKind> kinds;
     for (const Component::Parameter& parameter : component.parameters) kinds.push_back(parameter.value);
     using enum Component::ValueKind;
@@ -218,7 +236,9 @@ TEST(ReadComponent, PartsClocksFromData) {
 }
 
 TEST(ReadComponent, TakesItsSummaryFromTheCommentAboveIt) {
-    const auto summary = [](const std::string& text) { return model(text + "component c() {\n    initial location l;\n}\n").components.begin()->summary; };
+    const auto summary = [](const std::string& text) {
+        return model(text + "component c() {\n    initial location l;\n}\n").components.begin()->summary;
+    };
     EXPECT_EQ(summary("// First.\n// Second.\n"), "First.");
     EXPECT_EQ(summary("// Of the file.\n\n// First.\n"), "First.");
     EXPECT_EQ(summary("// Of the file.\n\n"), "");
@@ -226,19 +246,20 @@ TEST(ReadComponent, TakesItsSummaryFromTheCommentAboveIt) {
     EXPECT_EQ(summary("grafcet g { initial step 0; } // behind\n"), "");
 }
 
-// -- closed loops ----------------------------------------------------------------------------------------------------------
+// -- closed loops -----------------------------------------------------------------------------------------------------
 
 TEST(ReadLoop, BindsArgumentsAndDefaults) {
-    const Model read = model(lamp +
-                             "component sensor(input X: int; output HIGH; LIMIT = 2 * HALF, HALF = 3) {\n    initial location l;\n}\n"
-                             "component level(output X: int LOW..HIGH = LOW; LOW = 0, HIGH) {\n    initial location l;\n}\n"
-                             "closed_loop room {\n"
-                             "    controller lamp with every_cycle;\n"
-                             "    plant Sensor = sensor(X = LEVEL, HIGH = FULL, HALF = 2 + 2);\n"
-                             "    plant Level = level(X = LEVEL, HIGH = 9);\n"
-                             "    environment Button = button(OUT = BUTTON);\n"
-                             "    property P: always !FULL || LEVEL > 3 && Button.idle && lamp.X1 && LAMP;\n"
-                             "}\n");
+    const Model read =
+        model(lamp +
+              "component sensor(input X: int; output HIGH; LIMIT = 2 * HALF, HALF = 3) {\n    initial location l;\n}\n"
+              "component level(output X: int LOW..HIGH = LOW; LOW = 0, HIGH) {\n    initial location l;\n}\n"
+              "closed_loop room {\n"
+              "    controller lamp with every_cycle;\n"
+              "    plant Sensor = sensor(X = LEVEL, HIGH = FULL, HALF = 2 + 2);\n"
+              "    plant Level = level(X = LEVEL, HIGH = 9);\n"
+              "    environment Button = button(OUT = BUTTON);\n"
+              "    property P: always !FULL || LEVEL > 3 && Button.idle && lamp.X1 && LAMP;\n"
+              "}\n");
     const ClosedLoop& loop = read.loops[{0}];
     EXPECT_EQ(loop.controllers[{0}].mode, ExecutionMode::EveryCycle);
     const ClosedLoop::Instance& sensor = loop.instances[{0}];
@@ -253,9 +274,11 @@ TEST(ReadLoop, BindsArgumentsAndDefaults) {
 }
 
 TEST(ReadLoop, LetsControllersShareInputsAndReadEachOther) {
-    const Model read = model("grafcet a {\n    input GO;\n    output READY;\n    initial step 0 { READY; }\n    transition t: 0 -> 0 when GO;\n}\n"
-                             "grafcet b {\n    input GO, READY;\n    initial step 0;\n    transition t: 0 -> 0 when GO && READY;\n}\n"
-                             "closed_loop l {\n    controller a;\n    controller b;\n    environment e = button(OUT = GO);\n}\n");
+    const Model read = model(
+        "grafcet a {\n    input GO;\n    output READY;\n    initial step 0 { READY; }\n    transition t: 0 -> 0 when "
+        "GO;\n}\n"
+        "grafcet b {\n    input GO, READY;\n    initial step 0;\n    transition t: 0 -> 0 when GO && READY;\n}\n"
+        "closed_loop l {\n    controller a;\n    controller b;\n    environment e = button(OUT = GO);\n}\n");
     const ClosedLoop& loop = read.loops[{0}];
     ASSERT_EQ(loop.shared.size(), 2u);
     EXPECT_EQ(loop.shared[{0}].name, "READY");
@@ -263,14 +286,16 @@ TEST(ReadLoop, LetsControllersShareInputsAndReadEachOther) {
 }
 
 TEST(ReadLoop, PrefersTheUsersComponentToTheLibrarys) {
-    const Reading reading = read(lamp + "component button(output OUT) {\n    initial location mine;\n}\n"
-                                        "closed_loop l {\n    controller lamp;\n    environment e = button(OUT = BUTTON);\n}\n");
+    const Reading reading =
+        read(lamp +
+             "component button(output OUT) {\n    initial location mine;\n}\n"
+             "closed_loop l {\n    controller lamp;\n    environment e = button(OUT = BUTTON);\n}\n");
     ASSERT_TRUE(reading.model) << reading.said;
     EXPECT_EQ(reading.codes, std::vector<std::string>{"shadows-library"});
     EXPECT_EQ(reading.model->components[{0}].locations[{0}].name, "mine");
 }
 
-// -- files -----------------------------------------------------------------------------------------------------------------
+// -- files ------------------------------------------------------------------------------------------------------------
 
 TEST(ReadIncludes, ReadsEachFileOnceRelativeToItsIncluder) {
     const Files files = {
@@ -278,8 +303,10 @@ TEST(ReadIncludes, ReadsEachFileOnceRelativeToItsIncluder) {
         {"parts/b.grafcet", "include \"../c.grafcet\";\ngrafcet b { initial step 0; }\n"},
         {"c.grafcet", "grafcet c { initial step 0; }\n"},
     };
-    const Model read = model("include \"parts/a.grafcet\";\ninclude \"./parts/../parts/b.grafcet\";\ninclude \"c.grafcet\";\n"
-                             "grafcet main { initial step 0; }\n", files);
+    const Model read = model(
+        "include \"parts/a.grafcet\";\ninclude \"./parts/../parts/b.grafcet\";\ninclude \"c.grafcet\";\n"
+        "grafcet main { initial step 0; }\n",
+        files);
     std::string names;
     for (const Chart& chart : read.charts) names += chart.name + ' ';
     EXPECT_EQ(names, "c b a main ");
@@ -287,9 +314,12 @@ TEST(ReadIncludes, ReadsEachFileOnceRelativeToItsIncluder) {
 
 TEST(ReadIncludes, RefusesCyclesAndWhatIsNotThere) {
     EXPECT_EQ(read("include \"main.grafcet\";\n").codes, std::vector<std::string>{"include-cycle"});
-    EXPECT_EQ(read("include \"a.grafcet\";\n", {{"a.grafcet", "include \"./b.grafcet\";\n"}, {"b.grafcet", "include \"a.grafcet\";\n"}}).codes,
+    EXPECT_EQ(read("include \"a.grafcet\";\n",
+                   {{"a.grafcet", "include \"./b.grafcet\";\n"}, {"b.grafcet", "include \"a.grafcet\";\n"}})
+                  .codes,
               std::vector<std::string>{"include-cycle"});
-    EXPECT_EQ(read("include \"a.grafcet\";\ninclude \"a.grafcet\";\n").codes, std::vector<std::string>{"cannot-include"});
+    EXPECT_EQ(read("include \"a.grafcet\";\ninclude \"a.grafcet\";\n").codes,
+              std::vector<std::string>{"cannot-include"});
 }
 
 TEST(ReadIncludes, FollowsLongChains) {
@@ -299,23 +329,35 @@ TEST(ReadIncludes, FollowsLongChains) {
     EXPECT_EQ(model("include \"0\";\n", files).charts.size(), 1u);
 }
 
-// -- printing --------------------------------------------------------------------------------------------------------------
+// -- printing ---------------------------------------------------------------------------------------------------------
 
 TEST(PrintModel, PrintsWhatReadsBackAsItself) {
     const std::vector<std::string> texts = {
         lamp,
-        "grafcet g {\n input a, L: int 0..9, b;\n output O, P: int 0..3;\n internal N: int -2..5 = -1, M = true, K;\n constraint !(a && b) || L > 3;\n"
-        " initial step 0 { O if a && b || !a after 1s for 2s; force p := {INIT}; force p := {*}; force p := {21, 20}; force p := {}; }\n"
-        " macro step 1 expands e { P := 3 on activation; }\n enclosing step 2 encloses q;\n transition s: -> 2 when rise(a || b);\n"
-        " transition t: 0, 2 -> 1 when fall(a) do N := N - -1, M := !M;\n transition k: 1 -> when 2s/(a && b)/1s && X20 && g.X0;\n"
-        " expansion e { entry exit step E { N := -1 on event rise(b); } }\n partial p { initial step 20; step 0; transition z: 20 -> 0 when X0 && g.X0 && (3s/X20)/2s; step 21; transition y: 0 -> 21 when 0 - (1 - L) < N * (N + 1) % 4; }\n"
+        "grafcet g {\n input a, L: int 0..9, b;\n output O, P: int 0..3;\n internal N: int -2..5 = -1, M = true, K;\n "
+        "constraint !(a && b) || L > 3;\n"
+        " initial step 0 { O if a && b || !a after 1s for 2s; force p := {INIT}; force p := {*}; force p := {21, 20}; "
+        "force p := {}; }\n"
+        " macro step 1 expands e { P := 3 on activation; }\n enclosing step 2 encloses q;\n transition s: -> 2 when "
+        "rise(a || b);\n"
+        " transition t: 0, 2 -> 1 when fall(a) do N := N - -1, M := !M;\n transition k: 1 -> when 2s/(a && b)/1s && "
+        "X20 && g.X0;\n"
+        " expansion e { entry exit step E { N := -1 on event rise(b); } }\n partial p { initial step 20; step 0; "
+        "transition z: 20 -> 0 when X0 && g.X0 && (3s/X20)/2s; step 21; transition y: 0 -> 21 when 0 - (1 - L) < N * "
+        "(N + 1) % 4; }\n"
         " partial q { linked step 30; }\n}\n",
-        "// It moves.\ncomponent c(input A, I: int; output X: int L..H = L, Y = true; L = 0, H, T = 1s, D: duration, B: bool, S = -1) {\n"
-        " variable N: int L..H = 1;\n variable V = true;\n clock t, u;\n location l invariant t <= T + 2 * D with X := H, V := false;\n"
-        " initial location 2;\n urgent l -> 2 when A && X < H do X := X + 1, t := 0;\n timed 2 -> l when t == T && A && u > D do u := 0, Y := A;\n}\n",
-        lamp + "closed_loop l {\n controller lamp with every_cycle;\n grain atomic;\n time unit 500ms;\n environment b = button(OUT = BUTTON, GAP = 1500ms);\n"
-               " constraint BUTTON;\n property p \"text\" expected violated: LAMP leads to !LAMP && b.idle at stable;\n property q: exactly one of {X0, X1};\n"
-               " property r: uppaal \"A[] not deadlock\";\n property s: reachable all steps;\n}\n",
+        "// It moves.\ncomponent c(input A, I: int; output X: int L..H = L, Y = true; L = 0, H, T = 1s, D: duration, "
+        "B: bool, S = -1) {\n"
+        " variable N: int L..H = 1;\n variable V = true;\n clock t, u;\n location l invariant t <= T + 2 * D with X := "
+        "H, V := false;\n"
+        " initial location 2;\n urgent l -> 2 when A && X < H do X := X + 1, t := 0;\n timed 2 -> l when t == T && A "
+        "&& u > D do u := 0, Y := A;\n}\n",
+        lamp +
+            "closed_loop l {\n controller lamp with every_cycle;\n grain atomic;\n time unit 500ms;\n environment b = "
+            "button(OUT = BUTTON, GAP = 1500ms);\n"
+            " property p \"text\" expected violated: LAMP leads to !LAMP && b.idle at stable;\n property q: exactly "
+            "one of {X0, X1};\n"
+            " property r: uppaal \"A[] not deadlock\";\n property s: reachable all steps;\n}\n",
     };
     for (const std::string& text : texts) {
         const std::string once = printed(model(text));

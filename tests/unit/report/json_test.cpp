@@ -30,12 +30,14 @@ TEST(Json, HasTheKeysThatItsReadersKnow) {
     EXPECT_EQ(keys(document), (std::vector<std::string>{"model", "properties"}));
     ASSERT_EQ(document["properties"].size(), 6u);
     for (const Json& property : document["properties"])
-        EXPECT_EQ(keys(property), (std::vector<std::string>{"name", "text", "verdict", "expected", "engine", "mode", "grain", "states",
-                                                            "transitions", "seconds", "reason", "vacuous", "notes", "trace"}));
+        EXPECT_EQ(keys(property),
+                  (std::vector<std::string>{"name", "text", "verdict", "expected", "engine", "mode", "grain", "states",
+                                            "transitions", "seconds", "reason", "vacuous", "notes", "trace"}));
     const Json& trace = document["properties"][1]["trace"];
     EXPECT_EQ(keys(trace), (std::vector<std::string>{"loop_from", "steps"}));
     for (const Json& step : trace["steps"])
-        EXPECT_EQ(keys(step), (std::vector<std::string>{"time", "kind", "component", "inputs", "fired", "situation", "outputs"}));
+        EXPECT_EQ(keys(step),
+                  (std::vector<std::string>{"time", "kind", "component", "inputs", "fired", "situation", "outputs"}));
 }
 
 TEST(Json, GivesVerdictsAsTheyAre) {

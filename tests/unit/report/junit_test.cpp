@@ -24,7 +24,9 @@ void read(const Report& report, Read& result) {
     result.suite = result.document.child("testsuites").child("testsuite");
 }
 
-pugi::xml_node test_case(const Read& result, const char* name) { return result.suite.find_child_by_attribute("testcase", "name", name); }
+pugi::xml_node test_case(const Read& result, const char* name) {
+    return result.suite.find_child_by_attribute("testcase", "name", name);
+}
 
 TEST(Junit, HasATestCasePerPropertyAndCountsThem) {
     Read result;
@@ -49,7 +51,8 @@ TEST(Junit, PutsTheTraceIntoTheFailure) {
     EXPECT_NE(std::string(failure.text().get()).find("from here on, for ever"), std::string::npos);
     EXPECT_STREQ(test_case(result, "P2").child("system-out").text().get(), "a <dangerous> & \"quoted\" text");
     EXPECT_TRUE(test_case(result, "P4").child("failure").empty()) << "violated as expected";
-    EXPECT_STREQ(test_case(result, "P3").child("error").attribute("message").value(), "unknown: 12 states are not enough");
+    EXPECT_STREQ(test_case(result, "P3").child("error").attribute("message").value(),
+                 "unknown: 12 states are not enough");
 }
 
 TEST(Junit, CountsABreakdownAsAFailure) {
@@ -58,7 +61,8 @@ TEST(Junit, CountsABreakdownAsAFailure) {
     Read result;
     read(report, result);
     EXPECT_EQ(result.suite.attribute("failures").as_int(), 2);
-    EXPECT_STREQ(test_case(result, "out-of-range").child("failure").attribute("message").value(), "`X` would leave \"its\" range\uFFFD");
+    EXPECT_STREQ(test_case(result, "out-of-range").child("failure").attribute("message").value(),
+                 "`X` would leave \"its\" range\uFFFD");
 }
 
 }  // namespace

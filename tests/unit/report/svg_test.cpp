@@ -81,7 +81,7 @@ TEST(Svg, DrawsAWavePerSignalThatIsEverNotZeroAndNamesTheOthers) {
 TEST(Svg, EveryWaveRunsFromTheFirstColumnToTheLastWithoutGaps) {
     Drawn drawn;
     draw(sample_trace(), drawn);
-    std::map<double, std::pair<double, double>> reach;   // by row: from, to
+    std::map<double, std::pair<double, double>> reach;  // by row: from, to
     const auto names = of_class(drawn, "name");
     for (const pugi::xml_node wave : of_class(drawn, "wave")) {
         const auto path = points(wave.attribute("d").value());

@@ -5,8 +5,10 @@
 
 #include <sstream>
 
+#include "grafverif/derive/derive.hpp"
 #include "grafverif/report/terminal.hpp"
 #include "support/law_size.hpp"
+#include "support/random_loop.hpp"
 #include "support/random_walk.hpp"
 #include "support/read_loop.hpp"
 
@@ -23,7 +25,8 @@ public:
         for (const Fire& move : enabled(network_, state_)) {
             const Network::Process& owner = network_.processes[move.process];
             const Network::Template& automaton = network_.templates[owner.automaton];
-            if (owner.name != process || (!to.empty() && automaton.locations[automaton.edges[move.edge].to].name != to)) continue;
+            if (owner.name != process || (!to.empty() && automaton.locations[automaton.edges[move.edge].to].name != to))
+                continue;
             return make(move);
         }
         ADD_FAILURE() << process << " cannot move";
@@ -66,7 +69,7 @@ TEST(Tell, TellsTheBlinkerInTheWordsOfItsChart) {
     drive.exhaust("PLC");
     drive.wait(1);
     drive.fire("Button");
-    drive.exhaust("PLC");       // up to the request of a timer
+    drive.exhaust("PLC");  // up to the request of a timer
     drive.fire("T_X1_2s", "run");
     drive.exhaust("PLC");
     drive.fire("Lamp");
@@ -118,9 +121,9 @@ TEST(Tell, SplitsACycleWhereThePlantMovesInItsMidst) {
     drive.fire("Go");
     drive.fire("PLC", "P0");
     drive.fire("PLC", "P1");
-    drive.fire("Go");          // takes GO back, too late
+    drive.fire("Go");  // takes GO back, too late
     drive.fire("PLC", "P2");
-    drive.fire("Go");          // between the evolution and the outputs
+    drive.fire("Go");  // between the evolution and the outputs
     drive.exhaust("PLC");
     EXPECT_EQ(table(tell(loop.network, drive.run())),
               "  time  what happened                   inputs  cleared  situation  outputs\n"
@@ -169,7 +172,8 @@ TEST(Tell, HidesWhatIsInternalUnlessAskedForEverything) {
     EXPECT_GT(std::ranges::count_if(all.steps, hidden), 20);
     EXPECT_EQ(all.steps.back().after, plain.steps.back().after);
     const std::string text = table(plain);
-    for (const char* inner : {"P0", "P1", "EVOL", "CF_", "stable", "X_"}) EXPECT_EQ(text.find(inner), std::string::npos) << inner;
+    for (const char* inner : {"P0", "P1", "EVOL", "CF_", "stable", "X_"})
+        EXPECT_EQ(text.find(inner), std::string::npos) << inner;
 }
 
 TEST(Tell, NamesStepsInFullOnlyWhereThatIsNeeded) {
@@ -184,9 +188,34 @@ TEST(Tell, NamesStepsInFullOnlyWhereThatIsNeeded) {
     EXPECT_EQ(trace.short_names, (std::vector<std::string>{"1", "2", "G2.2", "3"}));
 }
 
+TEST(TellLaw, EveryWalkThroughARandomLoopIsToldWell) {
+    int told = 0;
+    for (int seed = 1; seed <= law_size(40); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Model model = random_loop(random);
+        Diagnostics diagnostics;
+        for (const Chart& chart : model.charts) derive(chart, diagnostics);
+        if (diagnostics.has_errors()) continue;
+        for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
+            const LoopUnderTest loop = composed_loop(model, {.grain = grain});
+            const auto run = random_walk(loop.network, random, 80);
+            for (const Detail detail : {Detail::Chart, Detail::Everything}) {
+                const Trace trace = tell(loop.network, run, detail);
+                ASSERT_EQ(verify(trace), std::vector<std::string>{});
+                std::istringstream lines(table(trace));
+                for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u);
+                told += static_cast<int>(trace.steps.size());
+            }
+        }
+    }
+    EXPECT_GT(told, law_size(1000));
+}
+
 /// Whatever is told, the last step is where the run is.
 TEST(TellLaw, TheStepsOfATraceEndWhereTheRunEnds) {
-    for (const char* sample : {"oven_door/oven_door.grafcet", "tanks/tanks.grafcet", "testing_station/faulty.grafcet"}) {
+    for (const char* sample :
+         {"oven_door/oven_door.grafcet", "tanks/tanks.grafcet", "testing_station/faulty.grafcet"}) {
         for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
             const LoopUnderTest loop = read_sample(sample, {.grain = grain});
             for (int seed = 1; seed <= law_size(4); ++seed) {
@@ -204,11 +233,15 @@ TEST(TellLaw, TheStepsOfATraceEndWhereTheRunEnds) {
                 EXPECT_EQ(end.time_ms, ms);
                 const auto variable = [&](const std::string& name) {
                     return states->back().variables[static_cast<std::size_t>(
-                        std::ranges::find(loop.network.variables, name, &Network::Variable::name) - loop.network.variables.begin())];
+                        std::ranges::find(loop.network.variables, name, &Network::Variable::name) -
+                        loop.network.variables.begin())];
                 };
-                for (std::size_t i = 0; i < trace.inputs.size(); ++i) EXPECT_EQ(end.inputs[i], variable(trace.inputs[i].name));
-                for (std::size_t i = 0; i < trace.outputs.size(); ++i) EXPECT_EQ(end.outputs[i], variable(trace.outputs[i].name));
-                for (std::size_t i = 0; i < trace.plant.size(); ++i) EXPECT_EQ(end.plant[i], variable(trace.plant[i].name));
+                for (std::size_t i = 0; i < trace.inputs.size(); ++i)
+                    EXPECT_EQ(end.inputs[i], variable(trace.inputs[i].name));
+                for (std::size_t i = 0; i < trace.outputs.size(); ++i)
+                    EXPECT_EQ(end.outputs[i], variable(trace.outputs[i].name));
+                for (std::size_t i = 0; i < trace.plant.size(); ++i)
+                    EXPECT_EQ(end.plant[i], variable(trace.plant[i].name));
                 std::vector<std::uint32_t> situation;
                 const auto& steps = loop.network.controllers[{0}].steps;
                 for (std::uint32_t i = 0; i < steps.size(); ++i)

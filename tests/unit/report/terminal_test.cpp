@@ -42,7 +42,8 @@ TEST(Terminal, FitsAHundredColumnsWhateverTheNames) {
     Trace trace = sample_trace();
     trace.steps[1].component = std::string(300, 'n');
     trace.steps[2].fired = {std::vector<std::string>(40, "a_transition")};
-    trace.steps[2].what = "words " + std::string(70, 'w') + " and more of them, many more than there is room for in one line";
+    trace.steps[2].what =
+        "words " + std::string(70, 'w') + " and more of them, many more than there is room for in one line";
     trace.inputs[0].name = std::string(120, 'i');
     std::istringstream lines(table(trace));
     int count = 0;
@@ -55,20 +56,22 @@ TEST(Terminal, FitsAHundredColumnsWhateverTheNames) {
 
 TEST(Terminal, SaysUnderEachVerdictWhatItRestsOn) {
     const std::string told = text(sample_report());
-    EXPECT_TRUE(told.starts_with("P1 \"all is well\": holds\n"
-                                 "    timed engine; stability-search, phased grain; time unit 0.5 s, cycle time taken as zero; "
-                                 "12 states\n"))
+    EXPECT_TRUE(
+        told.starts_with("P1 \"all is well\": holds\n"
+                         "    timed engine; stability-search, phased grain; time unit 0.5 s, cycle time taken as zero; "
+                         "12 states\n"))
         << told;
-    for (const char* line : {"P2 \"a <dangerous> & \"quoted\" text\": violated\n", "P3: unknown\n", "    why: 12 states are not enough\n",
-                             "no_timelock (not declared): unknown\n", "P4: violated, as expected\n", "P5: holds, vacuously\n",
-                             "    note: time never passes\n",
-                             "station: 2 hold, 2 violated, 2 unknown; 1 against expectation\n"})
+    for (const char* line :
+         {"P2 \"a <dangerous> & \"quoted\" text\": violated\n", "P3: unknown\n", "    why: 12 states are not enough\n",
+          "no_timelock (not declared): unknown\n", "P4: violated, as expected\n", "P5: holds, vacuously\n",
+          "    note: time never passes\n", "station: 2 hold, 2 violated, 2 unknown; 1 against expectation\n"})
         EXPECT_NE(told.find(line), std::string::npos) << line << "in\n" << told;
 }
 
 TEST(Terminal, ShowsWitnessesOnlyWhereAskedFor) {
     Report report = sample_report();
-    report.answers = {{{.property = "R", .pattern = Pattern::Reachable, .outcome = Outcome::Holds}, "", sample_trace()}};
+    report.answers = {
+        {{.property = "R", .pattern = Pattern::Reachable, .outcome = Outcome::Holds}, "", sample_trace()}};
     EXPECT_EQ(text(report).find("witness"), std::string::npos);
     EXPECT_NE(text(report, true).find("witness:\n"), std::string::npos);
 }
@@ -76,8 +79,16 @@ TEST(Terminal, ShowsWitnessesOnlyWhereAskedFor) {
 TEST(Terminal, ShowsThePlaceWhereAModelBreaksOffFirst) {
     Report report = sample_report();
     report.breakdowns = {{"out-of-range", "`X` would leave its range 0..20", sample_trace()}};
-    EXPECT_TRUE(text(report).starts_with("the model breaks off: `X` would leave its range 0..20 [out-of-range]\n")) << text(report);
+    EXPECT_TRUE(text(report).starts_with("the model breaks off: `X` would leave its range 0..20 [out-of-range]\n"))
+        << text(report);
     EXPECT_NE(text(report).find("1 place where the model breaks off"), std::string::npos);
+}
+
+TEST(Terminal, WritesTimesInSeconds) {
+    EXPECT_EQ(seconds_text(0), "0 s");
+    EXPECT_EQ(seconds_text(250), "0.25 s");
+    EXPECT_EQ(seconds_text(12'005), "12.005 s");
+    EXPECT_EQ(seconds_text(60'000), "60 s");
 }
 
 TEST(Tally, CountsWhatIsAgainstExpectation) {

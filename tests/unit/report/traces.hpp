@@ -33,14 +33,26 @@ inline Trace sample_trace() {
 inline Report sample_report() {
     Report report{"station", {"timed", "stability-search", "phased", 500}, {}, {}};
     Verdict holds{.property = "P1", .outcome = Outcome::Holds, .states = 12, .transitions = 20, .seconds = 0.25};
-    Verdict violated{.property = "P2", .pattern = Pattern::LeadsTo, .outcome = Outcome::Violated, .states = 12, .transitions = 20, .seconds = 0.25};
+    Verdict violated{.property = "P2",
+                     .pattern = Pattern::LeadsTo,
+                     .outcome = Outcome::Violated,
+                     .states = 12,
+                     .transitions = 20,
+                     .seconds = 0.25};
     Verdict unknown{.property = "P3", .obstacle = Obstacle::Bound, .reason = "12 states are not enough", .states = 12};
-    Verdict timelock{.property = "no_timelock", .pattern = Pattern::NoTimelock, .obstacle = Obstacle::Inexact,
-                     .reason = "`Slide` may be stuck between two ticks", .declared = false};
+    Verdict timelock{.property = "no_timelock",
+                     .pattern = Pattern::NoTimelock,
+                     .obstacle = Obstacle::Inexact,
+                     .reason = "`Slide` may be stuck between two ticks",
+                     .declared = false};
     Verdict expected{.property = "P4", .outcome = Outcome::Violated, .expected_violated = true};
     Verdict vacuous{.property = "P5", .outcome = Outcome::Holds, .vacuous = true, .notes = {"time never passes"}};
-    report.answers = {{holds, "all is well", {}}, {violated, "a <dangerous> & \"quoted\" text", sample_trace()}, {unknown, "", {}},
-                      {timelock, "", {}},         {expected, "", sample_trace()},                               {vacuous, "", {}}};
+    report.answers = {{holds, "all is well", {}},
+                      {violated, "a <dangerous> & \"quoted\" text", sample_trace()},
+                      {unknown, "", {}},
+                      {timelock, "", {}},
+                      {expected, "", sample_trace()},
+                      {vacuous, "", {}}};
     return report;
 }
 

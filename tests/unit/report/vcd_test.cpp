@@ -14,9 +14,9 @@ namespace {
 
 /// A reader of what IEEE 1364-2005, 18.2 allows, as far as we write it.
 struct Waves {
-    std::map<std::string, std::string> codes = {};   ///< by hierarchical name
+    std::map<std::string, std::string> codes = {};  ///< by hierarchical name
     std::map<std::string, std::string> types = {};
-    std::map<std::string, std::map<std::int64_t, std::string>> changes = {};   ///< by code
+    std::map<std::string, std::map<std::int64_t, std::string>> changes = {};  ///< by code
     std::vector<std::int64_t> times = {};
 
     std::string at(const std::string& name, std::int64_t time) const {
@@ -72,8 +72,8 @@ TEST(Vcd, DeclaresEverySignalOnceWithACodeOfItsOwn) {
     std::set<std::string> codes;
     for (const auto& [name, code] : waves.codes) codes.insert(code);
     EXPECT_EQ(codes.size(), waves.codes.size());
-    for (const char* name : {"inputs.START", "inputs.LEVEL", "outputs.GO", "outputs.IDLE", "internals.COUNT", "plant.X", "steps.X0",
-                             "steps.X1", "steps.G2.X2", "loop"})
+    for (const char* name : {"inputs.START", "inputs.LEVEL", "outputs.GO", "outputs.IDLE", "internals.COUNT", "plant.X",
+                             "steps.X0", "steps.X1", "steps.G2.X2", "loop"})
         EXPECT_EQ(waves.codes.count(name), 1u) << name;
     EXPECT_EQ(waves.codes.size(), 10u);
     EXPECT_EQ(waves.types.at("inputs.START"), "wire 1");

@@ -21,7 +21,8 @@ const char* const valve_loop = R"(
 
 /// Fires edges until none can fire.
 NetworkState rested(const Network& network, NetworkState state) {
-    for (auto moves = enabled(network, state); !moves.empty(); moves = enabled(network, state)) perform(network, state, moves.front());
+    for (auto moves = enabled(network, state); !moves.empty(); moves = enabled(network, state))
+        perform(network, state, moves.front());
     return state;
 }
 
@@ -43,14 +44,15 @@ TEST(NetworkWalk, AnInvariantLimitsHowFarTimeGoes) {
     const auto hurried = impatient(loop.network, state);
     ASSERT_EQ(hurried.size(), 1u);
     EXPECT_EQ(loop.network.processes[hurried[0]].name, "Valve");
-    state = rested(loop.network, state);   // the valve is open, the order has fallen, and it closes
+    state = rested(loop.network, state);  // the valve is open, the order has fallen, and it closes
     ASSERT_EQ(leeway(loop.network, state), (Leeway{true, travel, travel}));
     ASSERT_EQ(perform(loop.network, state, Delay{travel}).result, Step::Result::Done);
     EXPECT_EQ(leeway(loop.network, rested(loop.network, state)), (Leeway{true, {}, {}}));
 }
 
 TEST(NetworkWalkLaw, LeewaySaysExactlyHowFarTimeMayPass) {
-    for (const char* sample : {"oven_door/oven_door.grafcet", "tanks/tanks.grafcet", "testing_station/testing_station.grafcet"}) {
+    for (const char* sample :
+         {"oven_door/oven_door.grafcet", "tanks/tanks.grafcet", "testing_station/testing_station.grafcet"}) {
         const Network network = read_sample(sample).network;
         Random random(7);
         const auto run = random_walk(network, random, law_size(300));

@@ -23,7 +23,8 @@ std::string complaint(const LoopUnderTest& loop, const Run& run) {
 std::vector<ComposeOptions> all_options() {
     std::vector<ComposeOptions> options;
     for (const Grain grain : {Grain::Phased, Grain::Atomic})
-        for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) options.push_back({grain, mode, {}});
+        for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle})
+            options.push_back({grain, mode, {}});
     return options;
 }
 
@@ -89,7 +90,9 @@ TEST(ReplayLaw, EveryWalkThroughARandomLoopReplays) {
     EXPECT_GT(met.races, 0);
 }
 
-Network::Template& plc(Network& network) { return network.templates[network.processes[network.controllers[{0}].process].automaton]; }
+Network::Template& plc(Network& network) {
+    return network.templates[network.processes[network.controllers[{0}].process].automaton];
+}
 
 /// Leaves out each assignment of the PLC's procedures in turn.
 TEST(Replay, CatchesADroppedAssignment) {
@@ -131,7 +134,7 @@ TEST(Replay, SaysWhereARunLeavesTheRules) {
 
 TEST(Replay, RefusesAMoveThatCannotBeMade) {
     const LoopUnderTest loop = read_sample("blinker/blinker.grafcet");
-    const auto found = disagreement(loop.network, loop.charts(), {{Delay{5}}, {}});   // the first cycle comes first
+    const auto found = disagreement(loop.network, loop.charts(), {{Delay{5}}, {}});  // the first cycle comes first
     ASSERT_TRUE(found);
     EXPECT_EQ(found->move, 0u);
     EXPECT_EQ(found->what, "the move cannot be made there");
@@ -154,9 +157,11 @@ TEST(Replay, ChecksTimersAgainstTheAgesOfSteps) {
     EXPECT_EQ(complaint(loop, random_walk(loop.network, random, 300)), "");
     // A timer of 4 s stands in for one of 5 s.
     for (Network::Process& process : loop.network.processes)
-        if (process.kind == Network::ProcessKind::Timer) process.arguments[0] = std::int64_t{4} * 1000 / loop.network.time_unit_ms;
+        if (process.kind == Network::ProcessKind::Timer)
+            process.arguments[0] = std::int64_t{4} * 1000 / loop.network.time_unit_ms;
     Random again(3);
-    EXPECT_NE(complaint(loop, random_walk(loop.network, again, 300)).find("by the rules its age is"), std::string::npos);
+    EXPECT_NE(complaint(loop, random_walk(loop.network, again, 300)).find("by the rules its age is"),
+              std::string::npos);
 }
 
 }  // namespace

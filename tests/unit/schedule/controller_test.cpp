@@ -26,7 +26,9 @@ struct Stepper {
         set(inputs);
         state = next_state(system, state, [](std::string_view, Type type) { return type.low; });
     }
-    std::int64_t operator[](const std::string& name) const { return value_of(system, state, system.instances[{0}].name + "." + name); }
+    std::int64_t operator[](const std::string& name) const {
+        return value_of(system, state, system.instances[{0}].name + "." + name);
+    }
     bool settled() const { return value_of(system, state, system.settled) != 0; }
 };
 
@@ -52,7 +54,8 @@ constexpr auto searching = ExecutionMode::StabilitySearch;
 constexpr auto cyclic = ExecutionMode::EveryCycle;
 
 TEST(ScheduleController, MakesOneCycleOfOneStep) {
-    Stepper s = start("input a; initial step 1; step 2; step 3; transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when a;", cyclic);
+    Stepper s = start(
+        "input a; initial step 1; step 2; step 3; transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when a;", cyclic);
     EXPECT_EQ(s["X_1"], 1);
     s.step({{"a", 1}});
     EXPECT_EQ(s["X_1"], 0);
@@ -84,7 +87,8 @@ TEST(ScheduleController, KeepsOutputsUnwrittenInStateZeroUnderStabilitySearch) {
 }
 
 TEST(ScheduleController, DefinesOutputsOverTheActivitiesWhenEveryCycleWrites) {
-    Stepper s = start("input a; output A, B; initial step 1 { A; } step 2 { B; } transition t1: 1 -> 2 when a;", cyclic);
+    Stepper s =
+        start("input a; output A, B; initial step 1 { A; } step 2 { B; } transition t1: 1 -> 2 when a;", cyclic);
     EXPECT_EQ(s["A"], 1);
     s.step({{"a", 1}});
     EXPECT_EQ(s["A"], 0);
@@ -157,8 +161,10 @@ TEST(ScheduleController, KeepsAValueThatWouldLeaveItsRangeAndRemembersTheFault) 
 }
 
 TEST(ScheduleController, WatchesNoRangeThatTypesKeep) {
-    const Stepper s = start("input level: int 0..3; internal n: int 0..4 = 0; initial step 1 { n := level % 3 + 1 on activation; }"
-                            "step 2 { n := 4 - level on activation; } transition t1: 1 -> 2 when level > 1;", cyclic);
+    const Stepper s = start(
+        "input level: int 0..3; internal n: int 0..4 = 0; initial step 1 { n := level % 3 + 1 on activation; }"
+        "step 2 { n := 4 - level on activation; } transition t1: 1 -> 2 when level > 1;",
+        cyclic);
     EXPECT_TRUE(s.system.properties.empty());
     EXPECT_FALSE(has_symbol(s.system, s.system.instances[{0}].name + ".out_of_range"));
 }
@@ -172,7 +178,8 @@ TEST(ScheduleController, CountsADivisionByZeroAsAFault) {
     t.step({{"d", 2}});
     EXPECT_EQ(t["X_2"], 1);
     EXPECT_EQ(t["out_of_range"], 0);
-    Stepper guarded = start("input d: int 0..2; initial step 1; step 2; transition t1: 1 -> 2 when d != 0 && 2 / d == 1;", cyclic);
+    Stepper guarded =
+        start("input d: int 0..2; initial step 1; step 2; transition t1: 1 -> 2 when d != 0 && 2 / d == 1;", cyclic);
     guarded.step({{"d", 0}});
     EXPECT_EQ(guarded["out_of_range"], 0) << "`and` stops at the first false operand";
 }
@@ -204,7 +211,8 @@ TEST(ScheduleController, LeavesInputsAndTimerEndsFree) {
 }
 
 TEST(ScheduleController, TakesAnInternalThatNothingWritesForAConstant) {
-    const Stepper s = start("internal armed = true; initial step 1; step 2; transition t1: 1 -> 2 when armed;", searching);
+    const Stepper s =
+        start("internal armed = true; initial step 1; step 2; transition t1: 1 -> 2 when armed;", searching);
     EXPECT_EQ(s["armed"], 1);
     Stepper moved = s;
     moved.step();
@@ -212,7 +220,8 @@ TEST(ScheduleController, TakesAnInternalThatNothingWritesForAConstant) {
 }
 
 TEST(ScheduleController, GivesItsOwnSymbolsNamesThatTheChartLeaves) {
-    const Stepper s = start("input stable, settled; output A; internal A_now = false; initial step 1 { A if stable; }", searching);
+    const Stepper s =
+        start("input stable, settled; output A; internal A_now = false; initial step 1 { A if stable; }", searching);
     EXPECT_TRUE(has_symbol(s.system, s.system.instances[{0}].name + ".stable_2"));
     EXPECT_TRUE(has_symbol(s.system, s.system.instances[{0}].name + ".A_now_2"));
 }

@@ -44,11 +44,13 @@ void expect_line(const std::string& text, const std::string& line) {
 
 constexpr const char* free_switch =
     "component toggle(output OUT) { initial location l; timed l -> l do OUT := !OUT; }\n"
-    "component lamp(input IN; output N: int 0..3) { initial location off; location on; urgent off -> on when IN do N := 3; }\n";
+    "component lamp(input IN; output N: int 0..3) { initial location off; location on; urgent off -> on when IN do N "
+    ":= 3; }\n";
 
 std::string press(const std::string& properties) {
     return std::string(free_switch) +
-           "grafcet press { input a; output LAMP; internal n: int 0..3 = 0; initial step 0; step 1 { LAMP; n := 1 on activation; }"
+           "grafcet press { input a; output LAMP; internal n: int 0..3 = 0; initial step 0; step 1 { LAMP; n := 1 on "
+           "activation; }"
            "  partial G { initial step 5; }"
            "  transition t0: 0 -> 1 when a; transition t1: 1 -> 0 when 2s/X1; }\n"
            "closed_loop cell { controller press with stability_search;"
@@ -57,9 +59,10 @@ std::string press(const std::string& properties) {
 }
 
 TEST(ScheduleControllers, TranslatesPropertiesOverInputsOutputsInternalsAndSteps) {
-    const std::string text = emitted(scheduled(press("property P1: never a && LAMP; property P2: X1 leads to n == 1 && G.X5;"
-                                                     "property P3: always possible X0 at stable;"
-                                                     "property P4: exactly one of {X0, X1};")));
+    const std::string text =
+        emitted(scheduled(press("property P1: never a && LAMP; property P2: X1 leads to n == 1 && G.X5;"
+                                "property P3: always possible X0 at stable;"
+                                "property P4: exactly one of {X0, X1};")));
     expect_line(text, "INVARSPEC NAME P1 := !(a & press.LAMP);");
     expect_line(text, "SPEC NAME P2 := AG (press.X_1 -> AF (press.n = 1 & press.X_G_5));");
     expect_line(text, "SPEC NAME P3 := AG EF (press.settled & press.X_0);");
@@ -89,7 +92,8 @@ TEST(ScheduleControllers, OmitsWhatTheControllersAloneCannotAnswerAndSaysWhy) {
 }
 
 TEST(ScheduleControllers, KeepsTheOrderOfPropertiesAndOfThoseLeftOut) {
-    const TransitionSystem system = scheduled(press("property PA: always X0; property PB: no deadlock; property PC: always X0;"));
+    const TransitionSystem system =
+        scheduled(press("property PA: always X0; property PB: no deadlock; property PC: always X0;"));
     EXPECT_EQ(system.omitted[0].before, 1U);
     const std::string text = emitted(system);
     EXPECT_LT(text.find("NAME PA :="), text.find("-- PB"));
@@ -104,7 +108,8 @@ TEST(ScheduleControllers, AsksForEachStepByName) {
 }
 
 TEST(ScheduleControllers, PassesItsOwnLogicsThrough) {
-    const std::string text = emitted(scheduled(press("property C1: ctl \"AG EF press.X_0\"; property L1: ltl \"G F press.X_0\";")));
+    const std::string text =
+        emitted(scheduled(press("property C1: ctl \"AG EF press.X_0\"; property L1: ltl \"G F press.X_0\";")));
     expect_line(text, "SPEC NAME C1 := AG EF press.X_0;");
     expect_line(text, "LTLSPEC NAME L1 := G F press.X_0;");
 }
@@ -117,8 +122,10 @@ TEST(ScheduleControllers, TakesTheModeOfTheLoopUnlessToldOtherwise) {
 
 std::string two(const std::string& properties) {
     return std::string(free_switch) +
-           "grafcet one { input a, b; output LAMP; initial step 0; step 1 { LAMP; } transition t0: 0 -> 1 when a; transition t1: 1 -> 0 when b; }\n"
-           "grafcet two { input LAMP, b; output P; initial step 0; step 1 { P; } transition t0: 0 -> 1 when LAMP && 1s/X0; transition t1: 1 -> 0 when b; }\n"
+           "grafcet one { input a, b; output LAMP; initial step 0; step 1 { LAMP; } transition t0: 0 -> 1 when a; "
+           "transition t1: 1 -> 0 when b; }\n"
+           "grafcet two { input LAMP, b; output P; initial step 0; step 1 { P; } transition t0: 0 -> 1 when LAMP && "
+           "1s/X0; transition t1: 1 -> 0 when b; }\n"
            "closed_loop pair { controller one with every_cycle; controller two with every_cycle;"
            "  environment a_1 = toggle(OUT = a); environment b_1 = toggle(OUT = b);\n" +
            properties + "}\n";
@@ -170,16 +177,21 @@ TEST(ScheduleControllers, WritesTheAssemblyStationAsThePaperDoes) {
         "component toggle(output OUT) { initial location l; timed l -> l do OUT := !OUT; }\n"
         "grafcet assembly {\n"
         "  input p_a_s, p_s, p_g, v_c_d, v_c_u, h_c_l, h_c_r, ason; output R_P, D_V_C, L_H_C, R_H_C, ASP;\n"
-        "  initial step 1; step 2; step 3; step 4; step 5 { D_V_C; } step 6 { D_V_C; ASP; } step 7 { ASP; } step 8 { ASP; L_H_C; }\n"
+        "  initial step 1; step 2; step 3; step 4; step 5 { D_V_C; } step 6 { D_V_C; ASP; } step 7 { ASP; } step 8 { "
+        "ASP; L_H_C; }\n"
         "  step 9 { ASP; D_V_C; } step 10; step 11; step 12 { R_H_C; } initial step 13; step 14 { R_P; }\n"
         "  transition t1: 1 -> 2, 3 when p_a_s; transition t2: 3 -> 4 when p_s; transition t3: 4, 13 -> 5 when p_g;\n"
         "  transition t4: 5 -> 6 when v_c_d; transition t5: 6 -> 7 when ason; transition t6: 7 -> 8 when v_c_u;\n"
-        "  transition t7: 8 -> 9 when h_c_l; transition t8: 9 -> 10 when v_c_d; transition t9: 10 -> 11, 12 when v_c_u;\n"
-        "  transition t10: 12 -> 13 when h_c_r; transition t11: 2, 11 -> 14 when true; transition t12: 14 -> 1 when !p_a_s;\n"
+        "  transition t7: 8 -> 9 when h_c_l; transition t8: 9 -> 10 when v_c_d; transition t9: 10 -> 11, 12 when "
+        "v_c_u;\n"
+        "  transition t10: 12 -> 13 when h_c_r; transition t11: 2, 11 -> 14 when true; transition t12: 14 -> 1 when "
+        "!p_a_s;\n"
         "}\n"
         "closed_loop station { controller assembly with every_cycle;"
-        "  environment e1 = toggle(OUT = p_a_s); environment e2 = toggle(OUT = p_s); environment e3 = toggle(OUT = p_g);"
-        "  environment e4 = toggle(OUT = v_c_d); environment e5 = toggle(OUT = v_c_u); environment e6 = toggle(OUT = h_c_l);"
+        "  environment e1 = toggle(OUT = p_a_s); environment e2 = toggle(OUT = p_s); environment e3 = toggle(OUT = "
+        "p_g);"
+        "  environment e4 = toggle(OUT = v_c_d); environment e5 = toggle(OUT = v_c_u); environment e6 = toggle(OUT = "
+        "h_c_l);"
         "  environment e7 = toggle(OUT = h_c_r); environment e8 = toggle(OUT = ason);"
         "  property PROP_R_1: reachable all steps; property PROP1: never L_H_C && R_H_C;"
         "  property PROP4: always !D_V_C || h_c_l && !h_c_r && !R_H_C || !h_c_l && h_c_r && !L_H_C; }\n"));

@@ -17,10 +17,12 @@ std::string shape(const tree::File& file, Id<tree::Expr> id) {
     const tree::Expr& node = file.exprs[id];
     if (!node.first.valid()) return formatted(file, id);
     if (node.op == tree::Op::Member) return shape(file, node.first) + '.' + std::string(file.text(node.word));
-    const char* const names[] = {"false", "true", "number", "duration", "name", "member", "not", "rise", "fall", "negate", "and",
-                                 "or", "==", "!=", "<", "<=", ">", ">=", "+", "-", "*", "/", "%"};
+    const char* const names[] = {
+        "false", "true", "number", "duration", "name", "member", "not", "rise", "fall", "negate", "and", "or",
+        "==",    "!=",   "<",      "<=",       ">",    ">=",     "+",   "-",    "*",    "/",      "%"};
     std::string text = std::string("(") + names[static_cast<std::size_t>(node.op)];
-    for (Id<tree::Expr> operand = node.first; operand.valid(); operand = file.exprs[operand].next) text += ' ' + shape(file, operand);
+    for (Id<tree::Expr> operand = node.first; operand.valid(); operand = file.exprs[operand].next)
+        text += ' ' + shape(file, operand);
     return text + ')';
 }
 
@@ -116,11 +118,19 @@ TEST(ParseCondition, ReadsAPartOfItsSourceAndKeepsThePlaces) {
 
 TEST(ParseProperty, KnowsEveryPattern) {
     const std::vector<std::pair<std::string, Pattern>> cases = {
-        {"always a", Pattern::Always}, {"never a && b", Pattern::Never}, {"reachable a", Pattern::Reachable},
-        {"inevitable a", Pattern::Inevitable}, {"a || b leads to c", Pattern::LeadsTo}, {"no deadlock", Pattern::NoDeadlock},
-        {"no timelock", Pattern::NoTimelock}, {"reachable all steps", Pattern::ReachableAllSteps},
-        {"exactly one of {X1, X2, X3}", Pattern::ExactlyOneOf}, {"always possible a", Pattern::AlwaysPossible},
-        {"uppaal \"A[] a\"", Pattern::RawUppaal}, {"ctl \"AG a\"", Pattern::RawCtl}, {"ltl \"G a\"", Pattern::RawLtl},
+        {"always a", Pattern::Always},
+        {"never a && b", Pattern::Never},
+        {"reachable a", Pattern::Reachable},
+        {"inevitable a", Pattern::Inevitable},
+        {"a || b leads to c", Pattern::LeadsTo},
+        {"no deadlock", Pattern::NoDeadlock},
+        {"no timelock", Pattern::NoTimelock},
+        {"reachable all steps", Pattern::ReachableAllSteps},
+        {"exactly one of {X1, X2, X3}", Pattern::ExactlyOneOf},
+        {"always possible a", Pattern::AlwaysPossible},
+        {"uppaal \"A[] a\"", Pattern::RawUppaal},
+        {"ctl \"AG a\"", Pattern::RawCtl},
+        {"ltl \"G a\"", Pattern::RawLtl},
     };
     for (const auto& [text, pattern] : cases) {
         SCOPED_TRACE(text);
@@ -133,25 +143,26 @@ TEST(ParseProperty, KnowsEveryPattern) {
 }
 
 TEST(ParseFile, TakesWordsOfTheLanguageAsNames) {
-    EXPECT_EQ(errors_of("grafcet on {\n"
-                        "    input in, out, mid, still, with, at, stable, no, all, one, time, unit, event, if, for, after;\n"
-                        "    output initial, location, plant, rise, int: int 0..3, bool;\n"
-                        "    initial step partial { initial if with && !no || rise(rise); bool := int > 1 on event on; }\n"
-                        "    step macro;\n"
-                        "    transition of: partial -> macro, 7 when time && unit;\n"
-                        "}\n"
-                        "component to(input leads; clock = 1) {\n"
-                        "    clock clock;\n"
-                        "    initial location in with out := true;\n"
-                        "    urgent in -> in when urgent do timed := 0;\n"
-                        "}\n"
-                        "closed_loop loop {\n"
-                        "    controller with with stability_search;\n"
-                        "    plant plant = environment(in = on, at = stable) initially mid;\n"
-                        "    property property \"no\" expected violated: exactly leads to one at stable;\n"
-                        "    property no: always no.no && exactly.of;\n"
-                        "}\n"),
-              "");
+    EXPECT_EQ(
+        errors_of("grafcet on {\n"
+                  "    input in, out, mid, still, with, at, stable, no, all, one, time, unit, event, if, for, after;\n"
+                  "    output initial, location, plant, rise, int: int 0..3, bool;\n"
+                  "    initial step partial { initial if with && !no || rise(rise); bool := int > 1 on event on; }\n"
+                  "    step macro;\n"
+                  "    transition of: partial -> macro, 7 when time && unit;\n"
+                  "}\n"
+                  "component to(input leads; clock = 1) {\n"
+                  "    clock clock;\n"
+                  "    initial location in with out := true;\n"
+                  "    urgent in -> in when urgent do timed := 0;\n"
+                  "}\n"
+                  "closed_loop loop {\n"
+                  "    controller with with stability_search;\n"
+                  "    plant plant = environment(in = on, at = stable) initially mid;\n"
+                  "    property property \"no\" expected violated: exactly leads to one at stable;\n"
+                  "    property no: always no.no && exactly.of;\n"
+                  "}\n"),
+        "");
 }
 
 TEST(ParseFile, GoesOnWithTheNextDeclarationAfterAnError) {
@@ -160,7 +171,8 @@ TEST(ParseFile, GoesOnWithTheNextDeclarationAfterAnError) {
         {"grafcet a {\n    input A\n    output B;\n    step ;\n}\n", "2:12 missing-semicolon\n4:10 unexpected\n"},
         {"grafcet a {\n    step 1 { A\n    step 2;\n    step 3 4;\n}\n", "2:15 missing-semicolon\n4:12 unexpected\n"},
         {"grafcet a {\n    step 1;\n\ngrafcet b {\n    step 2 3;\n}\n", "4:1 unexpected\n5:12 unexpected\n"},
-        {"grafcet a {\n    step 1 { force G := {1, ; }; B C; }\n    step 2 3;\n}\n", "2:29 unexpected\n2:36 unexpected\n3:12 unexpected\n"},
+        {"grafcet a {\n    step 1 { force G := {1, ; }; B C; }\n    step 2 3;\n}\n",
+         "2:29 unexpected\n2:36 unexpected\n3:12 unexpected\n"},
         {"grafcet a b {\n    step 1 2;\n}\ngrafcet c {\n    step 1 2;\n}\n", "1:11 unexpected\n5:12 unexpected\n"},
         {"grafcet a {\n    step 1 { X; };\n    step 2 3;\n}\n", "2:18 unexpected\n3:12 unexpected\n"},
         {"nothing\ngrafcet a {\n    step 1 2;\n}\n", "1:1 unexpected\n3:12 unexpected\n"},
@@ -204,7 +216,7 @@ TEST(ParseFile, RefusesBytesThatAreNoText) {
     EXPECT_EQ(errors_of("// ünïcödé and ↑ in comments\ngrafcet a {\n    initial step 1;\n}\n"), "");
 }
 
-// -- limits ------------------------------------------------------------------------------------------------------------
+// -- limits -----------------------------------------------------------------------------------------------------------
 
 std::string condition_errors(const std::string& text) {
     const Sources sources = one(text);
@@ -235,6 +247,10 @@ TEST(Limits, NamesHaveAThousandBytes) {
     EXPECT_EQ(condition_errors(repeated("a", 1000)), "");
     EXPECT_EQ(condition_errors(repeated("a", 1001)), "1:1 name-too-long\n");
     EXPECT_EQ(condition_errors(repeated("a", 1 << 20)), "1:1 name-too-long\n");
+}
+
+TEST(Limits, FilesHave256MiB) {
+    EXPECT_EQ(errors_of(std::string((std::size_t{256} << 20U) + 1, ' ')), "1:1 too-large\n");
 }
 
 TEST(Limits, BlocksThatNestWithoutEndAreErrorsNotCrashes) {
