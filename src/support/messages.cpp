@@ -5,17 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "support/wording.hpp"
+
 namespace grafverif::messages {
 
 namespace {
-
-Diagnostic error(std::string_view code, Span where, std::string message) {
-    return {Severity::Error, std::string(code), where, std::move(message), {}};
-}
-
-Diagnostic warning(std::string_view code, Span where, std::string message) {
-    return {Severity::Warning, std::string(code), where, std::move(message), {}};
-}
 
 /// `a`, `b`, `c`
 std::string listed(std::span<const std::string> names) {

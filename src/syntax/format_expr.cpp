@@ -3,6 +3,7 @@
 #include <string>
 
 #include "grafverif/support/overloaded.hpp"
+#include "grafverif/syntax/dialect.hpp"
 #include "grafverif/syntax/format.hpp"
 #include "syntax/terms.hpp"
 
@@ -31,11 +32,6 @@ int precedence(tree::Op op) {
         return 7;
     }
     unreachable();
-}
-
-std::string duration_text(std::int64_t milliseconds) {
-    const bool seconds = milliseconds != 0 && milliseconds % 1000 == 0;
-    return seconds ? std::to_string(milliseconds / 1000) + "s" : std::to_string(milliseconds) + "ms";
 }
 
 class ExprPrinter {
