@@ -58,6 +58,8 @@ po::options_description visible_options(const Verb& verb) {
         add("grain", text("phased|atomic"), "whether the plant may move within a PLC cycle; wins over the file");
     if (accepts(verb, Accepts::Format)) add("format", text("text|json"), "form of the output (default: text)");
     if (accepts(verb, Accepts::FormatLatex)) add("format", text("text|latex|json"), "form of the output (default: text)");
+    if (accepts(verb, Accepts::Clock))
+        add("clock", text("simulated|real"), "how time passes: by `wait` lines, or by itself (default: simulated)");
     add_checking_options(verb, options);
     if (accepts(verb, Accepts::InPlace)) {
         add("in-place,i", po::bool_switch(), "rewrite FILE itself");
@@ -102,6 +104,7 @@ std::string choose_all(const Verb& verb, const po::variables_map& values, Option
     keep(choose<ExecutionMode>(values, "mode", {{"stability-search", ExecutionMode::StabilitySearch},
                                                 {"every-cycle", ExecutionMode::EveryCycle}}, options.mode));
     keep(choose<Grain>(values, "grain", {{"phased", Grain::Phased}, {"atomic", Grain::Atomic}}, options.grain));
+    keep(choose<Clock>(values, "clock", {{"simulated", Clock::Simulated}, {"real", Clock::Real}}, options.clock));
     keep(choose<Target>(values, "target", {{"uppaal", Target::Uppaal}, {"nusmv", Target::Nusmv}}, options.target));
     if (accepts(verb, Accepts::FormatLatex))
         keep(choose<Format>(values, "format", {{"text", Format::Text}, {"latex", Format::Latex}, {"json", Format::Json}},

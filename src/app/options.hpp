@@ -17,6 +17,8 @@ enum class Format { Text, Json, Latex };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
+/// How time passes for a controller that runs line by line: by `wait` lines, or by itself.
+enum class Clock { Simulated, Real };
 
 struct Options {
     std::vector<std::string> operands = {};          ///< FILE, or NAME for `components`
@@ -26,6 +28,7 @@ struct Options {
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
     Target target = Target::Both;
+    Clock clock = Clock::Simulated;
     Format format = Format::Text;
     DiagnosticFormat diagnostics = DiagnosticFormat::Text;
     ColourChoice colour = ColourChoice::Auto;
@@ -48,7 +51,7 @@ struct Options {
 
 /// The options a verb may take besides --help, --quiet, --color and --diagnostics, which all take.
 enum class Accepts { Output, OutputDirectory, Loop, Chart, Mode, Grain, Target, Format, FormatLatex, InPlace,
-                     Search, Traces, Walk, Verbose };
+                     Search, Traces, Walk, Verbose, Clock };
 
 struct Verb {
     std::string name = {};

@@ -95,6 +95,17 @@ std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job) {
     return chosen(model.charts, job.options.chart, "chart", "--chart", job);
 }
 
+ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const Job& job) {
+    std::optional<ExecutionMode> agreed;
+    for (const ClosedLoop& loop : model.loops)
+        for (const ClosedLoop::Controller& controller : loop.controllers) {
+            if (controller.chart != chart) continue;
+            if (agreed && *agreed != controller.mode) return job.options.mode.value_or(ExecutionMode::StabilitySearch);
+            agreed = controller.mode;
+        }
+    return job.options.mode.value_or(agreed.value_or(ExecutionMode::StabilitySearch));
+}
+
 std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Job& job) {
     return derive(model.charts[chart], job.diagnostics);
 }

@@ -33,6 +33,9 @@ std::optional<Model> read_model(const std::string& path, Job& job);
 std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, Job& job);
 std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job);
 
+/// How `chart` is executed: as the options say, or else as every loop that runs it says, or else with stability search.
+ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const Job& job);
+
 /// Chart -> Equations
 std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Job& job);
 

@@ -22,9 +22,15 @@ struct Entry {
 };
 
 constexpr std::array entries = {
-    Entry{build_usage, build},           Entry{uppaal_usage, uppaal},         Entry{nusmv_usage, nusmv},
-    Entry{equations_usage, equations},   Entry{components_usage, components}, Entry{fmt_usage, fmt},
-    Entry{check_usage, check},           Entry{simulate_usage, simulate},
+    Entry{build_usage, build},
+    Entry{uppaal_usage, uppaal},
+    Entry{nusmv_usage, nusmv},
+    Entry{equations_usage, equations},
+    Entry{components_usage, components},
+    Entry{fmt_usage, fmt},
+    Entry{check_usage, check},
+    Entry{simulate_usage, simulate},
+    Entry{plc_usage, plc},
 };
 
 void print_overview(std::ostream& out) {

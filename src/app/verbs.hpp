@@ -16,6 +16,7 @@ ExitCode components(Job& job, const Streams& streams);
 ExitCode fmt(Job& job, const Streams& streams);
 ExitCode check(Job& job, const Streams& streams);
 ExitCode simulate(Job& job, const Streams& streams);
+ExitCode plc(Job& job, const Streams& streams);
 
 Verb build_usage();
 Verb uppaal_usage();
@@ -25,6 +26,7 @@ Verb components_usage();
 Verb fmt_usage();
 Verb check_usage();
 Verb simulate_usage();
+Verb plc_usage();
 
 /// Writes `content` to the file of `-o`, or to standard output without it.
 void deliver(const std::string& content, const Job& job, const Streams& streams);
