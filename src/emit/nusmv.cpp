@@ -18,12 +18,16 @@ struct ModulePrinter {
     std::ostream& out;
     const System& system;
     const Names& names;
+    NamedValues& values;
     Id<System::Module> id = {};
     LeafPrinter leaf = leaf_printer(names, id);
 
     const System::Module& module() const { return system.modules[id]; }
     const std::string& name(Id<System::Symbol> symbol) const { return names.symbols[id.index][symbol.index]; }
-    void term(Id<Expr> value) const { print_expr(out, system.exprs, value, nusmv_spelling, leaf); }
+    const Exprs& exprs() const { return values.exprs(); }
+    /// `value`, of the type of `symbol` if one is given, as it is written: named values by their names.
+    Id<Expr> written(Id<Expr> value, Id<System::Symbol> symbol = {}) const { return values.named(id, value, symbol); }
+    void print(Id<Expr> value) const { print_expr(out, exprs(), value, nusmv_spelling, leaf); }
 };
 
 /// The keyword of a part, written before the first entry; a comment before each section of entries.
@@ -41,24 +45,25 @@ struct Part {
     }
 };
 
-/// A value; one of more than two cases is laid out as such.
-void print_value(const ModulePrinter& printer, Id<Expr> value) {
-    const Exprs& exprs = printer.system.exprs;
+/// A value of `symbol`; one of more than two cases is laid out as such.
+void print_value(const ModulePrinter& printer, Id<System::Symbol> symbol, Id<Expr> value) {
+    const Exprs& exprs = printer.exprs();
+    value = printer.written(value, symbol);
     const auto is_conditional = [&](Id<Expr> term) { return exprs[term].op == Op::Conditional; };
     if (!is_conditional(value) || !is_conditional(exprs.operands(value)[2])) {
-        printer.term(value);
+        printer.print(value);
         return;
     }
     printer.out << "case\n";
     for (; is_conditional(value); value = exprs.operands(value)[2]) {
         printer.out << "    ";
-        printer.term(exprs.operands(value)[0]);
+        printer.print(exprs.operands(value)[0]);
         printer.out << " : ";
-        printer.term(exprs.operands(value)[1]);
+        printer.print(exprs.operands(value)[1]);
         printer.out << ";\n";
     }
     printer.out << "    TRUE : ";
-    printer.term(value);
+    printer.print(value);
     printer.out << ";\n  esac";
 }
 
@@ -84,15 +89,40 @@ void print_instance(const ModulePrinter& printer, Id<System::Instance> id) {
     printer.out << (*separator == ',' ? ");\n" : ";\n");
 }
 
+void print_declaration(const ModulePrinter& printer, Id<System::Symbol> id) {
+    const System::Symbol& symbol = printer.module().symbols[id];
+    printer.out << "  " << printer.name(id) << " : ";
+    if (symbol.type.boolean) {
+        printer.out << "boolean;\n";
+    } else if (symbol.values.empty()) {
+        printer.out << symbol.type.low << ".." << symbol.type.high << ";\n";
+    } else {
+        const char* separator = "{";
+        for (const std::string& name : symbol.values) {
+            printer.out << separator << printer.names.values[printer.names.value_places.at(name)];
+            separator = ", ";
+        }
+        printer.out << "};\n";
+    }
+}
+
+void print_choices(const ModulePrinter& printer) {
+    Part part{printer.out, "IVAR"};
+    for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
+        const System::Symbol& symbol = printer.module().symbols[id];
+        if (!std::holds_alternative<System::ChoiceSymbol>(symbol.kind)) continue;
+        part.entry(symbol.comment);
+        print_declaration(printer, id);
+    }
+}
+
 void print_variables(const ModulePrinter& printer) {
     Part part{printer.out, "VAR"};
     for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
         const System::Symbol& symbol = printer.module().symbols[id];
         if (!std::holds_alternative<System::StateSymbol>(symbol.kind)) continue;
         part.entry(symbol.comment);
-        printer.out << "  " << printer.name(id) << " : ";
-        if (symbol.type.boolean) printer.out << "boolean;\n";
-        else printer.out << symbol.type.low << ".." << symbol.type.high << ";\n";
+        print_declaration(printer, id);
     }
     if (printer.id != printer.system.main) return;
     const char* section = printer.system.instances.size() == 1 ? "the controller" : "the controllers";
@@ -110,7 +140,7 @@ void print_assignments(const ModulePrinter& printer) {
         const auto assignment = [&](const char* of, Id<Expr> value) {
             part.entry(symbol.comment);
             printer.out << "  " << of << '(' << printer.name(id) << ") := ";
-            print_value(printer, value);
+            print_value(printer, id, value);
             printer.out << ";\n";
         };
         if (state == nullptr) continue;
@@ -127,7 +157,7 @@ void print_definitions(const ModulePrinter& printer) {
         if (define == nullptr) continue;
         part.entry(symbol.comment);
         printer.out << "  " << printer.name(id) << " := ";
-        print_value(printer, define->value);
+        print_value(printer, id, define->value);
         printer.out << ";\n";
     }
 }
@@ -136,21 +166,23 @@ void print_constraints(const ModulePrinter& printer) {
     const auto each = [&](const char* keyword, const std::vector<Id<Expr>>& terms) {
         for (const Id<Expr> term : terms) {
             printer.out << keyword << ' ';
-            printer.term(term);
+            printer.print(printer.written(term));
             printer.out << ";\n";
         }
     };
     each("INVAR", printer.module().invariants);
+    each("TRANS", printer.module().transitions);
     each("JUSTICE", printer.module().justice);
 }
 
 void print_module(const ModulePrinter& printer) {
     print_signature(printer);
+    print_choices(printer);
     print_variables(printer);
     print_assignments(printer);
     print_definitions(printer);
     print_constraints(printer);
-    if (printer.id == printer.system.main) print_properties(printer.out, printer.system, printer.names);
+    if (printer.id == printer.system.main) print_properties(printer.out, printer.system, printer.names, printer.values);
 }
 
 void print_header(std::ostream& out, const System& system, const Names& names) {
@@ -175,9 +207,10 @@ void emit(const System& system, std::ostream& out) {
     const Names names = names_of(system);
     std::ostringstream model;
     print_header(model, system, names);
-    print_module({model, system, names, system.main});
+    NamedValues values(system, names);
+    print_module({model, system, names, values, system.main});
     for (const Id<System::Module> id : system.modules.ids())
-        if (id != system.main) print_module({model, system, names, id});
+        if (id != system.main) print_module({model, system, names, values, id});
     print_wrapped(out, model.view());
 }
 

@@ -14,9 +14,13 @@ using System = TransitionSystem;
 struct Printer {
     std::ostream& out;
     const System& system;
+    NamedValues& values;
     LeafPrinter leaf = {};
 
-    std::string text(Id<Expr> term) const { return expr_text(system.exprs, term, nusmv_spelling, leaf); }
+    std::string text(Id<Expr> term) const {
+        const Id<Expr> written = values.named(system.main, term);
+        return expr_text(values.exprs(), written, nusmv_spelling, leaf);
+    }
 
     std::string bracketed(Id<Expr> term) const {
         const Op op = system.exprs[term].op;
@@ -87,8 +91,8 @@ void print_heading(std::ostream& out, const Property& property, const std::strin
 
 }  // namespace
 
-void print_properties(std::ostream& out, const System& system, const Names& names) {
-    const Printer printer{out, system, leaf_printer(names, system.main)};
+void print_properties(std::ostream& out, const System& system, const Names& names, NamedValues& values) {
+    const Printer printer{out, system, values, leaf_printer(names, system.main)};
     auto omitted = system.omitted.begin();
     for (const Id<Property> id : system.properties.ids()) {
         for (; omitted != system.omitted.end() && omitted->before <= id.index; ++omitted) print_omitted(out, *omitted);

@@ -2,6 +2,7 @@
 #include "emit/nusmv_text.hpp"
 
 #include <ostream>
+#include <unordered_set>
 #include <variant>
 
 namespace grafverif::nusmv {
@@ -49,6 +50,21 @@ void name_members(Names& result, const System& system) {
     }
 }
 
+/// One name per named value, which no symbol of any module has: NuSMV's constants belong to all of them.
+void name_values(Names& result, const System& system) {
+    std::vector<std::string> wishes;
+    for (const System::Module& module : system.modules)
+        for (const System::Symbol& symbol : module.symbols)
+            for (const std::string& value : symbol.values)
+                if (result.value_places.try_emplace(value, wishes.size()).second) wishes.push_back(value);
+    if (wishes.empty()) return;
+    std::unordered_set<std::string> taken(result.instances.begin(), result.instances.end());
+    for (const std::vector<std::string>& symbols : result.symbols) taken.insert(symbols.begin(), symbols.end());
+    result.values = legal_names(Target::Nusmv, wishes, taken);
+    std::vector<Renaming> changes = renamings(wishes, result.values);
+    if (!changes.empty()) result.changed.push_back({"of values", std::move(changes)});
+}
+
 }  // namespace
 
 Names names_of(const System& system) {
@@ -60,13 +76,49 @@ Names names_of(const System& system) {
     result.symbols.resize(modules.size());
     for (const Id<System::Module> id : system.modules.ids()) name_symbols(result, system, id);
     name_members(result, system);
+    name_values(result, system);
     result.properties = legal(result, "of properties", properties);
     return result;
 }
 
+Id<Expr> NamedValues::named(Id<System::Module> module, Id<Expr> term, Id<System::Symbol> symbol) {
+    if (names_.values.empty()) return term;
+    const auto [known, fresh] = known_.try_emplace(Key{module, term, symbol});
+    if (fresh) {
+        const Id<Expr> made = rewritten(module, term, symbol);   // may add to `known_`
+        known_[Key{module, term, symbol}] = made;
+        return made;
+    }
+    return known->second;
+}
+
+Id<Expr> NamedValues::rewritten(Id<System::Module> module, Id<Expr> term, Id<System::Symbol> symbol) {
+    const Expr node = exprs_[term];
+    const Table<System::Symbol>& symbols = system_.modules[module].symbols;
+    if (node.op == Op::Integer && names_values(module, symbol)) {
+        const auto offset = static_cast<std::size_t>(node.value - symbols[symbol].type.low);
+        const std::size_t place = names_.value_places.at(symbols[symbol].values[offset]);
+        return exprs_.leaf(Op::Variable, static_cast<std::uint32_t>(symbols.size() + place));
+    }
+    std::vector<Id<Expr>> operands(exprs_.operands(term).begin(), exprs_.operands(term).end());
+    if (operands.empty()) return term;
+    Id<System::Symbol> compared;
+    if (node.op == Op::Equal || node.op == Op::NotEqual)
+        for (const Id<Expr> operand : operands) {
+            const Expr& side = exprs_[operand];
+            const Id<System::Symbol> leaf{static_cast<std::uint32_t>(side.value)};
+            if (side.op == Op::Variable && names_values(module, leaf)) compared = leaf;
+        }
+    if (node.op == Op::Conditional) compared = symbol;
+    for (std::size_t i = 0; i < operands.size(); ++i)
+        operands[i] = named(module, operands[i], node.op == Op::Conditional && i == 0 ? Id<System::Symbol>{} : compared);
+    return exprs_.apply(node.op, operands);
+}
+
 LeafPrinter leaf_printer(const Names& names, Id<System::Module> module) {
-    return [&symbols = names.symbols[module.index]](std::ostream& out, const Expr& leaf) {
-        out << symbols[static_cast<std::size_t>(leaf.value)];
+    return [&symbols = names.symbols[module.index], &values = names.values](std::ostream& out, const Expr& leaf) {
+        const auto index = static_cast<std::size_t>(leaf.value);
+        out << (index < symbols.size() ? symbols[index] : values[index - symbols.size()]);
     };
 }
 

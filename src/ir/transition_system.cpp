@@ -96,6 +96,9 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
         const std::string where = module.name + ": `" + symbol.name + "`";
         if (symbol.name.empty() || !names.insert(symbol.name).second)
             faults.push_back(where + " has no name of its own");
+        const auto width = static_cast<std::size_t>(symbol.type.high - symbol.type.low + 1);
+        if (!symbol.values.empty() && (symbol.type.boolean || symbol.values.size() != width))
+            faults.push_back(where + " has not one name for each value");
         if (symbol.type.low > symbol.type.high) faults.push_back(where + " has an empty range");
         const bool parameter = std::holds_alternative<System::ParameterSymbol>(symbol.kind);
         if (parameter && (parameters_over || id == system.main))
@@ -109,6 +112,7 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
                            if (state.next)
                                check_term(sorts, *state.next, sort_of(symbol.type), where + ": next", faults);
                        },
+                       [](const System::ChoiceSymbol&) {},
                        [&](const System::DefineSymbol& define) {
                            check_term(sorts, define.value, sort_of(symbol.type), where + ": definition", faults);
                        },
@@ -120,6 +124,8 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
     }
     for (const Id<Expr> term : module.invariants)
         check_term(sorts, term, Sort::Boolean, module.name + ": invariant", faults);
+    for (const Id<Expr> term : module.transitions)
+        check_term(sorts, term, Sort::Boolean, module.name + ": transition", faults);
     for (const Id<Expr> term : module.justice)
         check_term(sorts, term, Sort::Boolean, module.name + ": justice", faults);
 }
@@ -207,6 +213,72 @@ void check_properties(const System& system, Sorts& sorts, Faults& faults) {
         if (omitted.before > system.properties.size()) faults.push_back("an omitted property has no place");
 }
 
+/// Per module and symbol: whether its value depends on a choice.
+using Chosen = std::vector<std::vector<bool>>;
+
+bool reads_choice(const System& system, const std::vector<bool>& chosen, Id<Expr> term) {
+    return std::ranges::any_of(leaves(system.exprs, term), [&](Id<Expr> leaf) {
+        return chosen[static_cast<std::size_t>(system.exprs[leaf].value)];
+    });
+}
+
+/// Whether `symbol` depends on a choice by what `chosen` knows so far.
+bool is_chosen(const System& system, const Chosen& chosen, Id<System::Module> module, Id<System::Symbol> symbol) {
+    return std::visit(
+        overloaded{
+            [&](const System::ParameterSymbol&) {
+                return std::ranges::any_of(system.instances, [&](const System::Instance& instance) {
+                    return instance.module == module &&
+                           chosen[system.main.index][instance.arguments[symbol.index].index];
+                });
+            },
+            [](const System::StateSymbol&) { return false; },
+            [](const System::ChoiceSymbol&) { return true; },
+            [&](const System::DefineSymbol& define) {
+                return reads_choice(system, chosen[module.index], define.value);
+            },
+            [&](const System::MemberSymbol& member) -> bool {
+                return chosen[system.instances[member.instance].module.index][member.symbol.index];
+            },
+        },
+        system.modules[module].symbols[symbol].kind);
+}
+
+Chosen chosen_symbols(const System& system) {
+    Chosen chosen;
+    for (const System::Module& module : system.modules) chosen.emplace_back(module.symbols.size());
+    for (bool grew = true; grew;) {
+        grew = false;
+        for (const Id<System::Module> module : system.modules.ids())
+            for (const Id<System::Symbol> symbol : system.modules[module].symbols.ids()) {
+                if (chosen[module.index][symbol.index] || !is_chosen(system, chosen, module, symbol)) continue;
+                chosen[module.index][symbol.index] = true;
+                grew = true;
+            }
+    }
+    return chosen;
+}
+
+/// What is said of states reads no choice. Requires that everything else is well formed.
+void check_choices(const System& system, Faults& faults) {
+    const Chosen chosen = chosen_symbols(system);
+    const auto check = [&](Id<System::Module> module, Id<Expr> term, const std::string& what) {
+        if (reads_choice(system, chosen[module.index], term)) faults.push_back(what + " reads a choice");
+    };
+    for (const Id<System::Module> id : system.modules.ids()) {
+        const System::Module& module = system.modules[id];
+        for (const System::Symbol& symbol : module.symbols)
+            if (const auto* state = std::get_if<System::StateSymbol>(&symbol.kind); state && state->initial)
+                check(id, *state->initial, module.name + ": the initial value of `" + symbol.name + "`");
+        for (const Id<Expr> term : module.invariants) check(id, term, module.name + ": an invariant");
+        for (const Id<Expr> term : module.justice) check(id, term, module.name + ": a justice condition");
+    }
+    for (const Property& property : system.properties)
+        for (const Id<Expr> operand : property.operands)
+            check(system.main, operand, "property `" + property.name + "`");
+    if (system.settled.valid()) check(system.main, system.settled, "settled");
+}
+
 }  // namespace
 
 std::vector<std::string> verify(const TransitionSystem& system) {
@@ -220,6 +292,7 @@ std::vector<std::string> verify(const TransitionSystem& system) {
         check_acyclic(system, system.modules[id], true, faults);
     }
     check_instances(system, faults);
+    if (faults.empty()) check_choices(system, faults);
     return faults;
 }
 

@@ -44,8 +44,8 @@ std::vector<std::string_view> tokens(std::string_view text) {
     return result;
 }
 
-constexpr std::array<std::string_view, 11> keywords{"MODULE", "VAR", "ASSIGN", "DEFINE", "INVAR", "JUSTICE", "SPEC",
-                                                    "LTLSPEC", "INVARSPEC", "NAME", ""};
+constexpr std::array<std::string_view, 13> keywords{"MODULE", "VAR",  "IVAR",    "ASSIGN",    "DEFINE", "INVAR", "TRANS",
+                                                    "JUSTICE", "SPEC", "LTLSPEC", "INVARSPEC", "NAME",   ""};
 
 struct Reader {
     NusmvModel model = {};
@@ -174,15 +174,22 @@ struct Reader {
         return result;
     }
 
-    void variable(NusmvModel::Module& module) {
+    void variable(NusmvModel::Module& module, bool chosen) {
         const std::string name = identifier();
         expect(":");
         if (accept("boolean")) {
-            module.variables.push_back({name, {}});
+            module.variables.push_back({name, {}, {}, chosen});
+        } else if (accept("{")) {
+            std::vector<std::string> values;
+            do values.push_back(identifier());
+            while (accept(","));
+            expect("}");
+            const auto last = static_cast<std::int64_t>(values.size()) - 1;
+            module.variables.push_back({name, integer_type(0, last), std::move(values), chosen});
         } else if (!peek().empty() && !starts_name(peek().front())) {
             const std::int64_t low = number();
             expect("..");
-            module.variables.push_back({name, integer_type(low, number())});
+            module.variables.push_back({name, integer_type(low, number()), {}, chosen});
         } else {
             const std::string of = identifier();
             module.instances.push_back({name, of, list()});
@@ -224,11 +231,14 @@ struct Reader {
         const auto each = [&](auto read) {
             while (!at_section()) read();
         };
-        if (keyword == "VAR") each([&] { variable(module); });
+        if (keyword == "VAR" || keyword == "IVAR") each([&] { variable(module, keyword == "IVAR"); });
         else if (keyword == "ASSIGN") each([&] { assignment(module); });
         else if (keyword == "DEFINE") each([&] { definition(module); });
-        else if (keyword == "INVAR" || keyword == "JUSTICE") {
-            (keyword == "INVAR" ? module.invariants : module.justice).push_back(expression());
+        else if (keyword == "INVAR" || keyword == "TRANS" || keyword == "JUSTICE") {
+            (keyword == "INVAR"   ? module.invariants
+             : keyword == "TRANS" ? module.transitions
+                                  : module.justice)
+                .push_back(expression());
             expect(";");
         } else if (keyword == "SPEC" || keyword == "LTLSPEC" || keyword == "INVARSPEC") specification(module, keyword);
         else expect("a section");

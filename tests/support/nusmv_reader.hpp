@@ -18,6 +18,8 @@ struct NusmvModel {
     struct Variable {
         std::string name = {};
         Type type = {};
+        std::vector<std::string> values = {};   ///< of an enumeration
+        bool chosen = false;                    ///< IVAR
     };
     struct Instance {
         std::string name = {}, module = {};
@@ -33,7 +35,7 @@ struct NusmvModel {
         std::vector<Variable> variables = {};
         std::vector<Instance> instances = {};
         std::map<std::string, Id<Expr>> initial = {}, next = {}, defines = {};
-        std::vector<Id<Expr>> invariants = {}, justice = {};
+        std::vector<Id<Expr>> invariants = {}, transitions = {}, justice = {};
         std::vector<Specification> specifications = {};
     };
 

@@ -75,16 +75,20 @@ Evaluator in_state(const System& system, const SystemState& state) {
     }};
 }
 
+/// Main, then every instance.
+template <class Visit>
+void each_module(const System& system, const Visit& visit) {
+    visit(std::optional<std::size_t>{}, module_at(system, {}));
+    for (std::size_t i = 0; i < system.instances.size(); ++i) visit(std::optional(i), module_at(system, i));
+}
+
 template <class Visit>
 void each_state_symbol(const System& system, const Visit& visit) {
-    const auto each = [&](std::optional<std::size_t> instance) {
-        const System::Module& module = module_at(system, instance);
+    each_module(system, [&](std::optional<std::size_t> instance, const System::Module& module) {
         for (const Id<System::Symbol> id : module.symbols.ids())
             if (const auto* state = std::get_if<System::StateSymbol>(&module.symbols[id].kind))
                 visit(Site{instance, id}, module.symbols[id], *state);
-    };
-    each({});
-    for (std::size_t i = 0; i < system.instances.size(); ++i) each(i);
+    });
 }
 
 SystemState blank(const System& system) {
@@ -136,15 +140,43 @@ SystemState first_state(const System& system, const Choose& choose) {
 }
 
 SystemState next_state(const System& system, const SystemState& state, const Choose& choose) {
+    const auto next = taken_step(system, state, choose);
+    EXPECT_TRUE(next.has_value()) << "the step is not on offer";
+    return next.value_or(state);
+}
+
+std::optional<SystemState> taken_step(const System& system, const SystemState& state, const Choose& choose) {
+    SystemState before = state;   // with the choices, which live in the slots of their symbols
+    each_module(system, [&](std::optional<std::size_t> instance, const System::Module& module) {
+        for (const Id<System::Symbol> id : module.symbols.ids())
+            if (std::holds_alternative<System::ChoiceSymbol>(module.symbols[id].kind))
+                slot(before, {instance, id}) = choose(path_of(system, {instance, id}), module.symbols[id].type);
+    });
     SystemState next = blank(system);
-    const Evaluator evaluator = in_state(system, state);
+    const Evaluator evaluator = in_state(system, before);
     each_state_symbol(system, [&](Site place, const System::Symbol& symbol, const System::StateSymbol& kind) {
         const std::int64_t value = kind.next ? evaluator.term(*kind.next, place.instance)
                                              : choose(path_of(system, place), symbol.type);
-        expect_in_range(symbol, value);
         slot(next, place) = value;
     });
+    bool offered = true;
+    each_module(system, [&](std::optional<std::size_t> instance, const System::Module& module) {
+        for (const Id<Expr> term : module.transitions) offered = offered && evaluator.term(term, instance) != 0;
+    });
+    if (!offered || !is_allowed(system, next)) return {};
+    each_state_symbol(system, [&](Site place, const System::Symbol& symbol, const System::StateSymbol&) {
+        expect_in_range(symbol, slot(next, place));
+    });
     return next;
+}
+
+bool is_allowed(const System& system, const SystemState& state) {
+    bool allowed = true;
+    const Evaluator evaluator = in_state(system, state);
+    each_module(system, [&](std::optional<std::size_t> instance, const System::Module& module) {
+        for (const Id<Expr> term : module.invariants) allowed = allowed && evaluator.term(term, instance) != 0;
+    });
+    return allowed;
 }
 
 std::int64_t value_of(const System& system, const SystemState& state, Id<Expr> term) {

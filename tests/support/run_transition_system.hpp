@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -18,10 +19,17 @@ struct SystemState {
     auto operator<=>(const SystemState&) const = default;
 };
 
-/// The value of a free variable in the state at hand. `path` is `START`, or `station.START_first` in an instance.
+/// The value of a free variable in the state at hand, or of a choice in the step at hand. `path` is `START`, or `station.START_first` in an instance.
 using Choose = std::function<std::int64_t(std::string_view path, Type type)>;
 
 SystemState first_state(const TransitionSystem& system, const Choose& choose);
+/// The state after a step with the choices that `choose` makes, or nothing: they are not on offer, or an invariant
+/// forbids the state. Every choice and every free variable is asked for, in a fixed order.
+std::optional<SystemState> taken_step(const TransitionSystem& system, const SystemState& state, const Choose& choose);
+/// Whether every invariant holds.
+bool is_allowed(const TransitionSystem& system, const SystemState& state);
+
+/// Requires that the system has neither choices nor invariants.
 SystemState next_state(const TransitionSystem& system, const SystemState& state, const Choose& choose);
 
 /// The value of a term over the symbols of main.

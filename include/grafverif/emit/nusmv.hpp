@@ -3,7 +3,10 @@
 // the specifications, then one module per controller: VAR, ASSIGN with init and next, DEFINE.
 //
 // What becomes what:
-//   variable     `x : boolean;` or `n : 0..10;`, in the order of the symbols, which is the order of the BDD variables
+//   variable     VAR `x : boolean;`, `n : 0..10;` or `{still, moving}`, in the order of the symbols, which is the order
+//                of the BDD variables
+//   choice       IVAR
+//   transitions, invariants, justice   TRANS, INVAR, JUSTICE
 //   always, never, exactly one of   INVARSPEC      at stable: `settled -> ...`
 //   reachable    SPEC EF p         at stable: EF (settled & p)
 //   inevitable   SPEC AF p         at stable: AF (settled & p)

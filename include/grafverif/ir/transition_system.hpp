@@ -6,10 +6,14 @@
 // variables and definitions. `main` is the module that is the system; modules do not nest deeper than main -> instance.
 //
 // A variable without `next` is free: it takes any value of its type in each step. A variable without `initial` starts
-// with any value. `next` reads current values only. The system is total: every state has a successor.
+// with any value. `next` reads current values and choices only. A choice takes any value anew in each step and is no
+// part of the state: who moves, which of two edges. A step is made of current values, choices that satisfy all
+// `transitions`, and the next values they give; states that violate an invariant do not exist. The system is total:
+// every reachable state has a step.
 //
 // Invariants (see verify): ids in their tables; definitions do not depend on themselves; a symbol that refers to an
-// instance's symbol names one that exists; types agree.
+// instance's symbol names one that exists; types agree; initial values, invariants, justice and properties read no
+// choice.
 #pragma once
 
 #include <cstddef>
@@ -38,6 +42,8 @@ struct TransitionSystem {
         std::optional<Id<Expr>> next = {};
         bool operator==(const StateSymbol&) const = default;
     };
+    /// Chosen anew in each step.
+    struct ChoiceSymbol { bool operator==(const ChoiceSymbol&) const = default; };
     struct DefineSymbol { Id<Expr> value = {}; bool operator==(const DefineSymbol&) const = default; };
     /// `instance.symbol`, as main sees it.
     struct MemberSymbol { Id<Instance> instance = {}; Id<Symbol> symbol = {}; bool operator==(const MemberSymbol&) const = default; };
@@ -45,9 +51,11 @@ struct TransitionSystem {
     struct Symbol {
         std::string name = {};
         Type type = {};
-        std::variant<ParameterSymbol, StateSymbol, DefineSymbol, MemberSymbol> kind = ParameterSymbol{};
+        std::variant<ParameterSymbol, StateSymbol, ChoiceSymbol, DefineSymbol, MemberSymbol> kind = ParameterSymbol{};
         std::string comment = {};          ///< the section it is listed under: `inputs`, `steps`, ...
         Span origin = {};
+        /// The names of its values, from `type.low` to `type.high`, where they are no numbers: `still`, `going_out`.
+        std::vector<std::string> values = {};
         bool operator==(const Symbol&) const = default;
     };
 
@@ -55,7 +63,8 @@ struct TransitionSystem {
         std::string name = {};
         Table<Symbol> symbols = {};        ///< parameters first, in order of the arguments
         std::vector<Id<Expr>> invariants = {};
-        std::vector<Id<Expr>> justice = {};
+        std::vector<Id<Expr>> transitions = {};   ///< hold in every step: which choices a state offers
+        std::vector<Id<Expr>> justice = {};       ///< each holds infinitely often
         bool operator==(const Module&) const = default;
     };
 

@@ -240,5 +240,24 @@ TEST(EmitNusmv, BreaksLongLinesBetweenTokens) {
     EXPECT_EQ(model.modules[0].specifications[0].formula, expected);
 }
 
+TEST(EmitNusmv, ChoicesAreInputVariablesAndNamedValuesAreWords) {
+    Small small;
+    Exprs& exprs = small.system.exprs;
+    System::Module& inner = small.inner();
+    const auto choice = inner.symbols.add({"edge", integer_type(0, 1), System::ChoiceSymbol{}, "", {}, {"go", "stay"}});
+    const auto location = inner.symbols.add({"location", integer_type(0, 1), {}, "", {}, {"in", "out"}});
+    const Id<Expr> goes = exprs.apply(Op::Equal, small.leaf(choice), exprs.integer(0));
+    inner.symbols[location].kind = System::StateSymbol{
+        exprs.integer(0), exprs.conditional(goes, exprs.integer(1), small.leaf(location))};
+    inner.transitions.push_back(exprs.disjunction(exprs.negation(goes), small.leaf(small.parameter)));
+    ASSERT_EQ(verify(small.system), std::vector<std::string>{});
+    std::ostringstream out;
+    nusmv::emit(small.system, out);
+    const std::string text = out.str();
+    for (const char* line : {"IVAR\n  edge : {go, stay};\n", "  location : {in_, out};\n", "init(location) := in_;",
+                             "next(location) := (edge = go ? out : location);", "TRANS !(edge = go) | a;", "in is in_"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+}
+
 }  // namespace
 }  // namespace grafverif

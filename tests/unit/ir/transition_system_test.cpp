@@ -49,6 +49,24 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
     const Case cases[] = {
         {"no main module", [](Small& s) { s.system.main = {}; }},
         {"`a` has no name of its own", [](Small& s) { s.inner().symbols[s.define].name = "a"; }},
+        {"`x` has not one name for each value",
+         [](Small& s) { s.inner().symbols[s.state].values = {"off", "on"}; }},
+        {"the initial value of `x` reads a choice",
+         [](Small& s) {
+             const auto choice = s.inner().symbols.add({"e", {}, System::ChoiceSymbol{}, "", {}});
+             std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).initial = s.leaf(choice);
+         }},
+        {"a justice condition reads a choice",
+         [](Small& s) {
+             s.main().symbols[s.input].kind = System::ChoiceSymbol{};
+             s.inner().justice.push_back(s.leaf(s.parameter));
+         }},
+        {"property `P` reads a choice",
+         [](Small& s) {
+             const auto choice = s.inner().symbols.add({"e", {}, System::ChoiceSymbol{}, "", {}});
+             s.inner().symbols[s.define].kind = System::DefineSymbol{s.leaf(choice)};
+         }},
+        {"transition is no term of its type", [](Small& s) { s.inner().transitions.push_back(s.system.exprs.integer(1)); }},
         {"`c.d` has another type than the symbol it stands for",
          [](Small& s) { s.main().symbols[s.member].type = integer_type(0, 3); }},
         {"initial is no term of its type",
