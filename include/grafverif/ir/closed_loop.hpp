@@ -14,12 +14,11 @@
 
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/component.hpp"
+#include "grafverif/ir/execution_mode.hpp"
 #include "grafverif/ir/property.hpp"
 
 namespace grafverif {
 
-/// JESA13 section 3: whether outputs are written when the situation is stable, or in every cycle.
-enum class ExecutionMode { StabilitySearch, EveryCycle };
 /// Whether the plant may move between the phases of one PLC cycle, or a cycle is one edge.
 enum class Grain { Phased, Atomic };
 

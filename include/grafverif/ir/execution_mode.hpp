@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// ExecutionMode: how a PLC executes a chart (JESA13 section 3.2, Algorithms 1 and 2).
+#pragma once
+
+namespace grafverif {
+
+/// Outputs are written once the situation is stable, or in every cycle.
+enum class ExecutionMode { StabilitySearch, EveryCycle };
+
+}  // namespace grafverif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// MealyMachine: a location automaton as a machine that answers every combination of inputs (JESA13 section 6).
+//
+//   state       a location; in a chart with timers also how long each timer that runs has been running
+//   transition  under a set of inputs, or by waiting, to the next state, and the outputs written then
+//
+// INIT is merged with the location of the initial situation where that is one: with stability search both answer every
+// input alike; without it `activation` says that a cycle which only activates the initial steps goes before the
+// first transition of the machine.
+//
+// Conditions are sets of inputs, never listed one by one; those of one state are disjoint and, with `unstable`, all
+// that is `assumed`. The inputs are those of the chart; timers are not among them: a `wait` transition lets time pass
+// until the next timer ends, its inputs being held.
+//
+// Invariants (see verify): ids in their tables; `transitions` and `unstable` ordered by `from`; outputs complete; no
+// condition is the constant false; waits are positive; state names differ.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/execution_mode.hpp"
+#include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/type.hpp"
+#include "grafverif/support/table.hpp"
+
+namespace grafverif {
+
+struct MealyMachine {
+    struct Variable {
+        std::string name = {};
+        Type type = {};
+        bool operator==(const Variable&) const = default;
+    };
+    struct State {
+        std::string situation = {};               ///< `{2,5}`
+        std::string detail = {};                  ///< stored values and running timers: `LOCK=1, T_X2_3s 1s`; or empty
+        bool operator==(const State&) const = default;
+    };
+    struct Answer {
+        std::vector<std::int64_t> values = {};    ///< per output
+        bool operator==(const Answer&) const = default;
+    };
+    struct Transition {
+        Id<State> from = {}, to = {};
+        Id<Expr> condition = {};                  ///< on the inputs
+        Id<Answer> answer = {};
+        std::int64_t wait_ms = 0;                 ///< 0: the inputs are applied; else they are held so long
+        bool operator==(const Transition&) const = default;
+    };
+    /// Inputs under which the machine never answers again.
+    struct Unstable {
+        Id<State> from = {};
+        Id<Expr> condition = {};
+        bool operator==(const Unstable&) const = default;
+    };
+    /// What the cycle that activates the initial steps writes, by its inputs.
+    struct Activation {
+        Id<Expr> condition = {};
+        Id<Answer> answer = {};
+        bool operator==(const Activation&) const = default;
+    };
+
+    std::string name = {};
+    ExecutionMode mode = ExecutionMode::StabilitySearch;
+    Exprs exprs = {};
+    std::vector<Variable> inputs = {}, outputs = {};
+    Table<State> states = {};
+    Table<Answer> answers = {};
+    Id<State> initial = {};
+    std::vector<Transition> transitions = {};
+    std::vector<Unstable> unstable = {};
+    std::vector<Activation> activation = {};      ///< empty: the first cycle is one like any other
+    Id<Expr> assumed = {};
+
+    bool operator==(const MealyMachine&) const = default;
+};
+
+/// The transitions that leave `state`.
+std::span<const MealyMachine::Transition> transitions_from(const MealyMachine& machine, Id<MealyMachine::State> state);
+
+/// How many combinations the inputs have, constraints apart; empty: more than 2^62.
+std::optional<std::uint64_t> input_combinations(const MealyMachine& machine);
+
+std::vector<std::string> verify(const MealyMachine& machine);
+
+}  // namespace grafverif

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/ir/location_automaton.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace grafverif {
+
+using Location = LocationAutomaton::Location;
+using Step = LocationAutomaton::Step;
+
+namespace {
+
+/// The entries of `all`, which is ordered by `from`, that leave `location`.
+template <class T>
+std::span<const T> leaving(const std::vector<T>& all, Id<Location> location) {
+    const auto found = std::ranges::equal_range(all, location, {}, &T::from);
+    return {found.begin(), found.end()};
+}
+
+struct Check {
+    const LocationAutomaton& automaton;
+    std::vector<std::string> faults = {};
+
+    void fault(std::string text) { faults.push_back(std::move(text)); }
+
+    void term(Id<Expr> term, std::string_view what) {
+        if (!automaton.exprs.contains(term)) return fault(std::string(what) + " is no term of the automaton");
+        for (const Id<Expr> leaf : leaves(automaton.exprs, term)) {
+            const Expr& node = automaton.exprs[leaf];
+            const auto index = static_cast<std::size_t>(node.value);
+            if (node.op != Op::Variable || index >= automaton.inputs.size())
+                fault(std::string(what) + " reads something that is no input");
+        }
+    }
+
+    void condition(Id<Expr> condition, std::string_view what) {
+        term(condition, what);
+        if (automaton.exprs.contains(condition) && is_false(automaton.exprs, condition))
+            fault(std::string(what) + " is never true");
+    }
+
+    bool situation(const std::vector<Id<Step>>& situation) {
+        const bool known = std::ranges::all_of(situation, [&](Id<Step> step) { return automaton.steps.contains(step); });
+        if (!known) fault("a situation has a step that does not exist");
+        if (std::ranges::adjacent_find(situation, std::greater_equal{}) != situation.end())
+            fault("the steps of a situation are not in increasing order");
+        return known;
+    }
+
+    void locations() {
+        std::set<std::pair<std::vector<Id<Step>>, std::vector<std::int64_t>>> known;
+        if (!automaton.locations.contains(automaton.init)) fault("there is no INIT");
+        for (const Id<Location> id : automaton.locations.ids()) {
+            const Location& location = automaton.locations[id];
+            situation(location.situation);
+            if (location.values.size() != automaton.stored.size()) fault("a location has not one value per stored variable");
+            if (id != automaton.init && !known.emplace(location.situation, location.values).second)
+                fault("two locations are the same");
+            for (const LocationAutomaton::Emission& emission : location.emissions) {
+                if (!automaton.outputs.contains(emission.output)) fault("an emission has no output");
+                term(emission.value, "an emission");
+            }
+        }
+    }
+
+    void evolutions() {
+        if (!std::ranges::is_sorted(automaton.evolutions, {}, &LocationAutomaton::Evolution::from))
+            fault("the evolutions are not ordered by `from`");
+        for (const LocationAutomaton::Evolution& evolution : automaton.evolutions) {
+            if (!automaton.locations.contains(evolution.from) || !automaton.locations.contains(evolution.to))
+                fault("an evolution has a location that does not exist");
+            if (evolution.to == automaton.init) fault("an evolution leads to INIT");
+            condition(evolution.condition, "the condition of an evolution");
+            for (const Id<LocationAutomaton::Input> timer : evolution.restarted)
+                if (!automaton.inputs.contains(timer) || !automaton.inputs[timer].timed.valid())
+                    fault("an evolution restarts something that is no timer");
+        }
+    }
+
+    void instabilities() {
+        if (!std::ranges::is_sorted(automaton.instabilities, {}, &LocationAutomaton::Instability::from))
+            fault("the instabilities are not ordered by `from`");
+        for (const LocationAutomaton::Instability& instability : automaton.instabilities) {
+            if (!automaton.locations.contains(instability.from)) fault("an instability has no location");
+            condition(instability.condition, "the condition of an instability");
+            if (instability.witness.size() != automaton.inputs.size())
+                fault("a witness of instability has not one value per input");
+            if (instability.cycle.empty()) fault("a cycle of instability is empty");
+            for (const auto& step : instability.cycle) situation(step);
+        }
+    }
+};
+
+}  // namespace
+
+std::span<const LocationAutomaton::Evolution> evolutions_from(const LocationAutomaton& automaton, Id<Location> location) {
+    return leaving(automaton.evolutions, location);
+}
+
+std::span<const LocationAutomaton::Instability> instabilities_of(const LocationAutomaton& automaton,
+                                                                 Id<Location> location) {
+    return leaving(automaton.instabilities, location);
+}
+
+std::string situation_text(const LocationAutomaton& automaton, const std::vector<Id<Step>>& situation) {
+    std::string text = "{";
+    for (const Id<Step> step : situation) {
+        if (text.size() > 1) text += ',';
+        text += automaton.steps[step].name;
+    }
+    return text + '}';
+}
+
+std::vector<std::string> verify(const LocationAutomaton& automaton) {
+    Check check{automaton};
+    for (const LocationAutomaton::Input& input : automaton.inputs)
+        if (input.timed.valid() && (!automaton.steps.contains(input.timed) || input.wait_ms <= 0))
+            check.fault("timer `" + input.name + "` watches no step, or waits for no time");
+    check.term(automaton.assumed, "what is assumed");
+    check.locations();
+    check.evolutions();
+    check.instabilities();
+    return std::move(check.faults);
+}
+
+}  // namespace grafverif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/ir/mealy.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace grafverif {
+
+using State = MealyMachine::State;
+using Transition = MealyMachine::Transition;
+
+namespace {
+
+struct Check {
+    const MealyMachine& machine;
+    std::vector<std::string> faults = {};
+
+    void fault(std::string text) { faults.push_back(std::move(text)); }
+
+    void condition(Id<Expr> condition) {
+        if (!machine.exprs.contains(condition)) return fault("a condition is no term of the machine");
+        if (is_false(machine.exprs, condition)) fault("a condition is never true");
+        for (const Id<Expr> leaf : leaves(machine.exprs, condition)) {
+            const Expr& node = machine.exprs[leaf];
+            if (node.op != Op::Variable || static_cast<std::size_t>(node.value) >= machine.inputs.size())
+                fault("a condition reads something that is no input");
+        }
+    }
+
+    void answers() {
+        for (const MealyMachine::Answer& answer : machine.answers) {
+            if (answer.values.size() != machine.outputs.size()) {
+                fault("an answer has not one value per output");
+                continue;
+            }
+            for (std::size_t k = 0; k < answer.values.size(); ++k)
+                if (answer.values[k] < machine.outputs[k].type.low || answer.values[k] > machine.outputs[k].type.high)
+                    fault("a value of `" + machine.outputs[k].name + "` is outside its range");
+        }
+    }
+
+    void states() {
+        if (!machine.states.contains(machine.initial)) fault("there is no initial state");
+        std::set<std::pair<std::string, std::string>> names;
+        for (const State& state : machine.states)
+            if (!names.emplace(state.situation, state.detail).second) fault("two states are named " + state.situation);
+    }
+
+    void transitions() {
+        if (!std::ranges::is_sorted(machine.transitions, {}, &Transition::from))
+            fault("the transitions are not ordered by `from`");
+        for (const Transition& transition : machine.transitions) {
+            if (!machine.states.contains(transition.from) || !machine.states.contains(transition.to))
+                fault("a transition has a state that does not exist");
+            if (!machine.answers.contains(transition.answer)) fault("a transition has no answer");
+            if (transition.wait_ms < 0) fault("a transition waits for a negative time");
+            condition(transition.condition);
+        }
+        if (!std::ranges::is_sorted(machine.unstable, {}, &MealyMachine::Unstable::from))
+            fault("the unstable inputs are not ordered by `from`");
+        for (const MealyMachine::Unstable& unstable : machine.unstable) {
+            if (!machine.states.contains(unstable.from)) fault("unstable inputs have no state");
+            condition(unstable.condition);
+        }
+        for (const MealyMachine::Activation& activation : machine.activation) {
+            if (!machine.answers.contains(activation.answer)) fault("the activation has no answer");
+            condition(activation.condition);
+        }
+    }
+};
+
+}  // namespace
+
+std::span<const Transition> transitions_from(const MealyMachine& machine, Id<State> state) {
+    const auto found = std::ranges::equal_range(machine.transitions, state, {}, &Transition::from);
+    return {found.begin(), found.end()};
+}
+
+std::optional<std::uint64_t> input_combinations(const MealyMachine& machine) {
+    constexpr std::uint64_t most = std::uint64_t{1} << 62U;
+    std::uint64_t count = 1;
+    for (const MealyMachine::Variable& input : machine.inputs) {
+        const auto values = static_cast<std::uint64_t>(input.type.high - input.type.low) + 1;
+        if (count > most / values) return {};
+        count *= values;
+    }
+    return count;
+}
+
+std::vector<std::string> verify(const MealyMachine& machine) {
+    Check check{machine};
+    check.states();
+    check.answers();
+    check.transitions();
+    check.condition(machine.assumed);
+    return std::move(check.faults);
+}
+
+}  // namespace grafverif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/ir/test_sequence.hpp"
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+using Step = TestSequence::Step;
+
+namespace {
+
+struct Check {
+    const TestSequence& test;
+    std::vector<std::string> faults = {};
+
+    void fault(std::string text) { faults.push_back(std::move(text)); }
+
+    void values(const std::vector<std::int64_t>& values, const std::vector<TestSequence::Variable>& variables) {
+        if (values.size() != variables.size()) return fault("a step has not one value per variable");
+        for (std::size_t k = 0; k < values.size(); ++k)
+            if (values[k] < variables[k].type.low || values[k] > variables[k].type.high)
+                fault("a value of `" + variables[k].name + "` is outside its range");
+    }
+
+    void step(const Step& step) {
+        values(step.inputs, test.inputs);
+        values(step.outputs, test.outputs);
+        if (step.cycles == 0) fault("a step lasts no cycle");
+        if (step.wait_ms < 0) fault("a step waits for a negative time");
+        if (!test.situations.contains(step.situation)) fault("a step has no situation");
+    }
+
+    void sequence(const TestSequence::Sequence& sequence) {
+        if (sequence.steps.empty()) return fault("a sequence has no steps");
+        if (sequence.activation) {
+            step(*sequence.activation);
+            if (sequence.activation->inputs != sequence.steps.front().inputs)
+                fault("an activation has other inputs than the first step");
+            if (sequence.activation->cycles != 1) fault("an activation lasts one scan");
+        }
+        if (sequence.steps.front().wait_ms != 0) fault("the first step of a sequence waits");
+        const Step* before = nullptr;
+        for (const Step& now : sequence.steps) {
+            step(now);
+            if (before != nullptr && now.wait_ms != 0 && now.inputs != before->inputs)
+                fault("a step that waits changes an input");
+            before = &now;
+        }
+    }
+};
+
+}  // namespace
+
+std::size_t step_count(const TestSequence& test) {
+    std::size_t count = 0;
+    for (const TestSequence::Sequence& sequence : test.sequences) count += sequence.steps.size();
+    return count;
+}
+
+std::string_view word(TestCover cover) {
+    switch (cover) {
+    case TestCover::Transitions: return "transitions";
+    case TestCover::Evolutions:  return "evolutions";
+    case TestCover::Locations:   return "locations";
+    }
+    unreachable();
+}
+
+std::vector<std::string> verify(const TestSequence& test) {
+    Check check{test};
+    if (test.sequences.empty()) check.fault("there is no sequence");
+    for (const TestSequence::Sequence& sequence : test.sequences) check.sequence(sequence);
+    if (test.covered > test.to_cover) check.fault("more is covered than there is");
+    if (test.lower_bound > step_count(test)) check.fault("the lower bound is above the length");
+    if (test.proven_least && test.lower_bound != step_count(test)) check.fault("the length is not the bound that proves it");
+    return std::move(check.faults);
+}
+
+}  // namespace grafverif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/ir/test_sequence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "grafverif/ir/mealy.hpp"
+#include "grafverif/syntax/test_csv.hpp"
+
+namespace grafverif {
+namespace {
+
+/// A button, a lamp, two steps of which the second waits.
+TestSequence lamp() {
+    TestSequence test;
+    test.chart = "lamp";
+    test.mode = ExecutionMode::EveryCycle;
+    test.inputs = {{"BUTTON", {}}};
+    test.outputs = {{"LAMP", {}}, {"SPEED", integer_type(0, 3)}};
+    const auto rest = test.situations.add({"{0}"});
+    const auto lit = test.situations.add({"{1,2}"});
+    TestSequence::Sequence sequence;
+    sequence.activation = TestSequence::Step{{1}, {0, 0}, 1, 0, rest};
+    sequence.steps = {{{1}, {1, 2}, 2, 0, lit}, {{1}, {0, 0}, 1, 3000, rest}};
+    test.sequences = {sequence};
+    test.covered = test.to_cover = test.lower_bound = 2;
+    test.proven_least = true;
+    return test;
+}
+
+TEST(TestSequence, IsWellFormedAsMade) {
+    EXPECT_EQ(verify(lamp()), std::vector<std::string>{});
+    EXPECT_EQ(step_count(lamp()), 2u);
+}
+
+TEST(TestSequence, IsATableOfStepsAsCsv) {
+    std::ostringstream out;
+    print_test_csv(out, lamp());
+    EXPECT_EQ(out.str(),
+              "sequence,step,wait,cycles,BUTTON,LAMP,SPEED,situation\n"
+              "1,0,,1,1,0,0,{0}\n"
+              "1,1,,2,1,1,2,\"{1,2}\"\n"
+              "1,2,3s,1,1,0,0,{0}\n");
+}
+
+TEST(TestSequence, AStepThatWaitsChangesNoInput) {
+    TestSequence test = lamp();
+    test.sequences[0].steps[1].inputs = {0};
+    EXPECT_EQ(verify(test), std::vector<std::string>{"a step that waits changes an input"});
+}
+
+TEST(TestSequence, ALengthIsProvenLeastByItsBoundOnly) {
+    TestSequence test = lamp();
+    test.lower_bound = 1;
+    EXPECT_EQ(verify(test), std::vector<std::string>{"the length is not the bound that proves it"});
+    test.lower_bound = 3;
+    test.proven_least = false;
+    EXPECT_EQ(verify(test), std::vector<std::string>{"the lower bound is above the length"});
+}
+
+TEST(TestSequence, ValuesStayInTheRangesOfTheirVariables) {
+    TestSequence test = lamp();
+    test.sequences[0].steps[0].outputs = {1, 4};
+    EXPECT_EQ(verify(test), std::vector<std::string>{"a value of `SPEED` is outside its range"});
+}
+
+TEST(MealyMachine, CountsTheCombinationsOfItsInputs) {
+    MealyMachine machine;
+    EXPECT_EQ(input_combinations(machine), 1u);
+    machine.inputs = {{"a", {}}, {"level", integer_type(-1, 3)}, {"b", {}}};
+    EXPECT_EQ(input_combinations(machine), 20u);
+    machine.inputs.assign(63, {"c", {}});
+    EXPECT_EQ(input_combinations(machine), std::nullopt);
+}
+
+}  // namespace
+}  // namespace grafverif
