@@ -279,6 +279,41 @@ void check_choices(const System& system, Faults& faults) {
     if (system.settled.valid()) check(system.main, system.settled, "settled");
 }
 
+/// Names for traces: symbols of main, conditions over them.
+void check_names(const System& system, Sorts& sorts, Faults& faults) {
+    const Table<System::Symbol>& symbols = system.modules[system.main].symbols;
+    const auto known = [&](Id<System::Symbol> symbol, const std::string& where) {
+        if (!symbols.contains(symbol)) faults.push_back(where + " is no symbol of main");
+    };
+    const auto each = [&](const std::vector<System::Named>& list, const std::string& where) {
+        for (const System::Named& named : list) known(named.symbol, where + ": `" + named.name + "`");
+    };
+    const auto condition = [&](Id<Expr> term, const std::string& where) {
+        if (term.valid()) check_term(sorts, term, Sort::Boolean, where, faults);
+    };
+    for (const System::Controller& controller : system.controllers) {
+        const std::string where = "controller `" + controller.name + "`";
+        for (const auto* list : {&controller.steps, &controller.transitions, &controller.outputs, &controller.internals})
+            each(*list, where);
+        for (const System::Input& input : controller.inputs) {
+            known(input.symbol, where + ": `" + input.name + "`");
+            if (input.first.valid()) known(input.first, where + ": `" + input.name + "` at first");
+        }
+        for (const System::TimerEnd& timer : controller.timers) {
+            known(timer.symbol, where + ": a timer end");
+            if (timer.step >= controller.steps.size()) faults.push_back(where + ": a timer has no step");
+        }
+        for (const Id<Expr> term : {controller.starts, controller.samples, controller.evolves, controller.writes})
+            condition(term, where);
+    }
+    for (const System::Component& component : system.components) {
+        const std::string where = "component `" + component.name + "`";
+        if (component.location.valid()) known(component.location, where + ": its location");
+        each(component.variables, where);
+    }
+    condition(system.ticks, "ticks");
+}
+
 }  // namespace
 
 std::vector<std::string> verify(const TransitionSystem& system) {
@@ -287,7 +322,10 @@ std::vector<std::string> verify(const TransitionSystem& system) {
     for (const Id<System::Module> id : system.modules.ids()) {
         Sorts sorts{system.exprs, system.modules[id]};
         check_symbols(system, id, sorts, faults);
-        if (id == system.main) check_properties(system, sorts, faults);
+        if (id == system.main) {
+            check_properties(system, sorts, faults);
+            check_names(system, sorts, faults);
+        }
         check_acyclic(system, system.modules[id], false, faults);
         check_acyclic(system, system.modules[id], true, faults);
     }

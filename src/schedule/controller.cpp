@@ -2,6 +2,7 @@
 // main: the free inputs and timer ends, and the instances of the controllers' modules wired to them.
 #include "grafverif/schedule/controller.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <string_view>
 #include <unordered_map>
@@ -157,6 +158,44 @@ void wire(Members& members, const ClosedLoop& loop, std::span<const Equations> e
     }
 }
 
+/// What traces say of controller `index`: its symbols under the names of its chart.
+TransitionSystem::Controller named_controller(Members& members, std::size_t index, const Controller& controller) {
+    const Equations& equations = controller.equations;
+    const ControllerModule& module = members.controllers[index];
+    TransitionSystem::Controller named{.name = equations.name, .mode = controller.mode};
+    const auto in_main = [&](Id<Equations::Variable> id) { return member(members, index, module.symbols[id.index]); };
+    for (const Equations::StepActivity& step : equations.steps)
+        named.steps.push_back({step.step, in_main(step.variable)});
+    for (const Equations::Firing& firing : equations.firings)
+        named.transitions.push_back({firing.transition, in_main(firing.variable)});
+    const std::vector<Id<Symbol>>& arguments = members.system.instances[instance_id(index)].arguments;
+    std::vector<Id<Symbol>> argument_of(equations.variables.size());
+    for (std::size_t i = 0; i < module.parameters.size(); ++i) argument_of[module.parameters[i].index] = arguments[i];
+    for (const Id<Equations::Variable> id : equations.variables.ids()) {
+        const Equations::Variable& variable = equations.variables[id];
+        if (variable.role == Role::Input) {
+            const Id<Symbol> first = module.first[id.index];
+            named.inputs.push_back({variable.name, argument_of[id.index],
+                                    first.valid() ? member(members, index, first) : Id<Symbol>{}});
+        }
+        if (variable.role == Role::Output) named.outputs.push_back({variable.name, in_main(id)});
+        if (variable.role == Role::Internal) named.internals.push_back({variable.name, in_main(id)});
+    }
+    for (const Equations::Timer& timer : equations.timers) {
+        const auto step = std::ranges::find(equations.steps, timer.step, &Equations::StepActivity::variable);
+        named.timers.push_back({argument_of[timer.end.index],
+                                static_cast<std::size_t>(step - equations.steps.begin()), timer.duration_ms});
+    }
+    if (members.controllers.size() > 1)
+        named.evolves = members.system.exprs.leaf(Op::Variable, arguments.back().index);
+    return named;
+}
+
+void add_names(Members& members, std::span<const Controller> controllers) {
+    for (std::size_t index = 0; index < controllers.size(); ++index)
+        members.system.controllers.push_back(named_controller(members, index, controllers[index]));
+}
+
 }  // namespace
 
 TransitionSystem schedule_controller(const Equations& equations, ExecutionMode mode) {
@@ -174,6 +213,7 @@ TransitionSystem schedule_controller(const Equations& equations, ExecutionMode m
     Members all = members(assembly.system, assembly.modules);
     add_settled(all);
     add_fault_properties(all, std::span(&equations, 1));
+    add_names(all, controllers);
     return std::move(assembly.system);
 }
 
@@ -192,6 +232,7 @@ TransitionSystem schedule_controllers(const Model& model, const ClosedLoop& loop
     add_settled(all);
     add_properties(all, model, loop, equations, shared);
     add_fault_properties(all, equations);
+    add_names(all, controllers);
     return std::move(assembly.system);
 }
 

@@ -386,6 +386,7 @@ ControllerModule controller_module(const Equations& equations, ExecutionMode mod
     set_outputs(builder);
     set_flags(builder);
     set_first_inputs(builder);
+    builder.result.first = builder.first;
     return std::move(builder.result);
 }
 

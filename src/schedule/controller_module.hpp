@@ -19,6 +19,8 @@ struct ControllerModule {
     std::vector<Id<Equations::Variable>> parameters = {};
     /// Each variable of the equations as properties read it: outputs as written to the plant.
     std::vector<Id<Symbol>> symbols = {};
+    /// Per variable the symbol that holds what the first evolution reads of it, where that matters.
+    std::vector<Id<Symbol>> first = {};
     Id<Symbol> settled = {};
     Id<Symbol> race = {};                       ///< not valid: no two stored actions can race
     Id<Symbol> out_of_range = {};               ///< not valid: every assignment stays in its range

@@ -23,6 +23,7 @@
 #include <variant>
 #include <vector>
 
+#include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/expr.hpp"
 #include "grafverif/ir/property.hpp"
 #include "grafverif/ir/type.hpp"
@@ -83,6 +84,52 @@ struct TransitionSystem {
         bool operator==(const Omitted&) const = default;
     };
 
+    // What the symbols of main are to the charts and the plant: for traces, and for their replay on the rules. Names are
+    // those of the loop; lists are in the order of the chart.
+
+    struct Named {
+        std::string name = {};
+        Id<Symbol> symbol = {};
+        bool operator==(const Named&) const = default;
+    };
+    struct Input {
+        std::string name = {};
+        Id<Symbol> symbol = {};
+        Id<Symbol> first = {};             ///< what the first evolution reads; not valid: nothing there depends on it
+        bool operator==(const Input&) const = default;
+    };
+    struct TimerEnd {
+        Id<Symbol> symbol = {};
+        std::size_t step = 0;              ///< whose time it is, index in Controller::steps
+        std::int64_t duration_ms = 0;
+        bool operator==(const TimerEnd&) const = default;
+    };
+    /// Of each condition below: it holds in a state and the choices with which a step leaves it. Not valid: as said.
+    struct Controller {
+        std::string name = {};
+        ExecutionMode mode = ExecutionMode::StabilitySearch;
+        std::vector<Named> steps = {};
+        std::vector<Named> transitions = {};   ///< cleared by a step that `evolves` leaves a state where it holds
+        std::vector<Input> inputs = {};
+        std::vector<Named> outputs = {};       ///< as written to the plant
+        std::vector<Named> internals = {};
+        std::vector<TimerEnd> timers = {};
+        Id<Expr> starts = {};                  ///< the first evolution; none: it lies before the first state
+        Id<Expr> samples = {};                 ///< inputs and timer ends are read; none: where it evolves
+        Id<Expr> evolves = {};                 ///< one evolution; none: in every step
+        Id<Expr> writes = {};                  ///< outputs are written; none: where it evolves and its mode asks for it
+        bool operator==(const Controller&) const = default;
+    };
+    /// What moves beside the controllers: an instance of the loop, a timer.
+    struct Component {
+        enum class Kind { Plant, Environment, Timer };
+        std::string name = {};
+        Kind kind = Kind::Plant;
+        Id<Symbol> location = {};              ///< its values are named; not valid: it has one location only
+        std::vector<Named> variables = {};     ///< those of its variables that no controller reads or writes
+        bool operator==(const Component&) const = default;
+    };
+
     std::string name = {};
     std::string scope = {};                ///< what verdicts about this system say of the timed plant; one paragraph for headers
     Exprs exprs = {};
@@ -94,6 +141,10 @@ struct TransitionSystem {
     /// change nothing. Over symbols of main; what `at stable` means here.
     Id<Expr> settled = {};
     std::vector<Omitted> omitted = {};
+    std::vector<Controller> controllers = {};
+    std::vector<Component> components = {};
+    Id<Expr> ticks = {};                   ///< likewise: time passes by `tick_ms`; not valid: the system knows no time
+    std::int64_t tick_ms = 0;
 
     bool operator==(const TransitionSystem&) const = default;
 };
