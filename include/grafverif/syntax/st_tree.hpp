@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// st_tree: what is written in Structured Text and in the textual form of Sequential Function Charts (IEC 61131-3),
+// before any name is looked up. Importers read it, exporters can be read back into it.
+//
+// Names do not tell upper from lower case: two names of one file are equal iff their words are, and a word is shown as
+// it was first written. Expressions lie in one flat table, operands chained as siblings, statements in another.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "grafverif/support/source.hpp"
+#include "grafverif/support/table.hpp"
+
+namespace grafverif::st {
+
+struct Word {
+    std::string text = {};
+};
+
+struct Name {
+    Id<Word> word = {};
+    Span where = {};
+    bool valid() const { return word.valid(); }
+};
+
+enum class Op : std::uint8_t {
+    False, True, Integer, Time,                 // Integer, Time (milliseconds): `value`
+    Other,                                      // a literal of any other type: `word`
+    Name, Member, Address,                      // Member: operand `.` word; Address: `%IX0.0`
+    Index, Dereference,                         // operand and indices; operand
+    Call, Argument, Result,                     // Call: callee, then arguments; `formal := value`, `formal => variable`
+    Range,                                      // `1..4`, of a label of CASE
+    Not, Negate, Power, Times, Divide, Modulo, Plus, Minus,
+    Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Xor, Or,
+};
+
+struct Expr {
+    Op op = Op::False;
+    std::uint16_t depth = 1;
+    Id<Word> word = {};                         ///< Name, Member, Address, Other, Argument, Result
+    std::int64_t value = 0;
+    Id<Expr> first = {}, last = {}, next = {};  ///< first and last operand, next sibling
+    Span where = {};
+};
+
+struct Statement;
+using Block = std::vector<Id<Statement>>;
+
+/// `IF`, `ELSIF` or a label of `CASE` with what it guards; no conditions: `ELSE`.
+struct Branch {
+    std::vector<Id<Expr>> conditions = {};
+    Block body = {};
+    Span where = {};
+};
+
+enum class StatementKind : std::uint8_t { Assign, Call, If, Case, For, While, Repeat, Return, Exit };
+
+struct Statement {
+    StatementKind kind = StatementKind::Return;
+    Id<Expr> target = {};                       ///< Assign
+    Id<Expr> value = {};                        ///< Assign; Call: the call; Case: the selector
+    std::vector<Branch> branches = {};          ///< If, Case; the body of a loop
+    Span where = {};
+};
+
+struct Comment {
+    std::string text = {};                      ///< with its marks
+    Span where = {};
+};
+
+enum class Section : std::uint8_t { Input, Output, InOut, Local, External, Global, Temporary };
+
+/// `INT`, `INT (0..10)`; composite: an array, a pointer, a structure.
+struct Type {
+    Name name = {};
+    Id<Expr> low = {}, high = {};
+    bool composite = false;
+};
+
+struct Variable {
+    Section section = Section::Local;
+    bool constant = false;
+    Name name = {};
+    Type type = {};
+    Id<Expr> initial = {};
+    std::string address = {};                   ///< `%IX0.0`, or empty
+    std::string comment = {};                   ///< plain text
+    Span where = {};
+};
+
+// -- Sequential Function Charts ---------------------------------------------------------------------------------------
+
+/// An action block: `NAME (QUALIFIER, TIME);` in a step.
+struct Association {
+    Name action = {};                           ///< an action, or a Boolean variable; not valid: `body` says what is done
+    std::string qualifier = "N";                ///< in capitals
+    Id<Expr> time = {};
+    Block body = {};
+    Span where = {};
+};
+
+struct Step {
+    bool initial = false;
+    Name name = {};
+    std::vector<Association> actions = {};
+    std::string comment = {};
+    Span where = {};
+};
+
+/// Several transitions that leave one step are tried in order of `priority`, then of where they stand.
+struct Transition {
+    Name name = {};                             ///< not valid: none written
+    std::int64_t priority = 0;                  ///< 0: none written
+    std::vector<Name> from = {}, to = {};
+    Id<Expr> condition = {};                    ///< not valid: none, or one that could not be read
+    std::string comment = {};
+    Span where = {};
+};
+
+struct Action {
+    Name name = {};
+    Block body = {};
+    Span where = {};
+};
+
+/// The steps and transitions of a chart, or of what a macro-step stands for.
+struct Network {
+    Name macro_step = {};                       ///< valid: the expansion of that step
+    std::vector<Step> steps = {};
+    std::vector<Transition> transitions = {};
+    Span where = {};
+};
+
+enum class UnitKind : std::uint8_t { Program, FunctionBlock, Function };
+
+struct Unit {
+    UnitKind kind = UnitKind::Program;
+    Name name = {};
+    std::vector<Variable> variables = {};
+    std::vector<Network> networks = {};         ///< the chart, then expansions; empty: no chart
+    std::vector<Action> actions = {};
+    Block body = {};                            ///< Structured Text outside a chart
+    std::string comment = {};
+    Span where = {};
+};
+
+struct File {
+    Id<Source> source = {};
+    Table<Word> words = {};
+    std::unordered_map<std::string, Id<Word>> index = {};   ///< words by their capitals
+    Table<Expr> exprs = {};
+    Table<Statement> statements = {};
+    std::vector<Variable> globals = {};
+    std::vector<Unit> units = {};
+    std::vector<Comment> comments = {};
+
+    Id<Word> intern(std::string_view text);
+    std::string_view text(Id<Word> word) const { return words[word].text; }
+    std::string_view text(Name name) const { return words[name.word].text; }
+};
+
+/// In capitals, as names and keywords are compared.
+std::string capitals(std::string_view text);
+
+void append(Table<Expr>& exprs, Id<Expr> node, Id<Expr> operand);
+/// The operands of `node`, in order.
+std::vector<Id<Expr>> operands(const File& file, Id<Expr> node);
+
+}  // namespace grafverif::st
