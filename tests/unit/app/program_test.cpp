@@ -12,8 +12,6 @@
 namespace grafverif::app {
 namespace {
 
-const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
-
 TEST(Program, SaysWhatItIsAndItsVersion) {
     EXPECT_EQ(grafverif({"--version"}).out, "grafverif " GRAFVERIF_VERSION "\n");
     const Result help = grafverif({"--help"});

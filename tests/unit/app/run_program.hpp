@@ -15,6 +15,7 @@ namespace grafverif::app {
 namespace fs = std::filesystem;
 
 inline const fs::path root = GRAFVERIF_SOURCE_DIR;
+inline const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
 
 struct Result {
     ExitCode code = ExitCode::Failure;

@@ -8,7 +8,6 @@ namespace grafverif::app {
 namespace {
 
 const std::string blinker = (root / "samples/blinker/blinker.grafcet").string();
-const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
 
 /// The output without the columns' blanks.
 std::string squeezed(const std::string& text) {

@@ -9,6 +9,7 @@
 #include "support/law_size.hpp"
 #include "support/random_network.hpp"
 #include "unit/emit_uppaal/hand_networks.hpp"
+#include "unit/emit_uppaal/project_text.hpp"
 
 namespace grafverif {
 namespace {
@@ -16,26 +17,20 @@ namespace {
 using test::has_xmllint;
 using test::is_valid;
 
-std::string project(const Network& network) {
-    std::ostringstream out;
-    uppaal::emit(uppaal::lower(network), out);
-    return out.str();
-}
-
 TEST(UppaalDtd, HoldsForProjects) {
     if (!has_xmllint()) GTEST_SKIP() << "xmllint (libxml2-utils) is not installed";
-    EXPECT_TRUE(is_valid(project(test::station())));
-    EXPECT_TRUE(is_valid(project(test::awkward_names())));
-    EXPECT_TRUE(is_valid(project(test::crowded())));
+    EXPECT_TRUE(is_valid(test::project(test::station())));
+    EXPECT_TRUE(is_valid(test::project(test::awkward_names())));
+    EXPECT_TRUE(is_valid(test::project(test::crowded())));
     for (int seed = 0; seed < law_size(20); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        EXPECT_TRUE(is_valid(project(random_network(random)))) << "seed " << seed;
+        EXPECT_TRUE(is_valid(test::project(random_network(random)))) << "seed " << seed;
     }
 }
 
 TEST(UppaalDtd, SeesAMisplacedElement) {
     if (!has_xmllint()) GTEST_SKIP() << "xmllint (libxml2-utils) is not installed";
-    std::string xml = project(test::station());
+    std::string xml = test::project(test::station());
     const std::size_t init = xml.find("\t\t<init ");
     const std::string element = xml.substr(init, xml.find('\n', init) + 1 - init);
     xml.erase(init, element.size()).insert(xml.find("\t\t<location"), element);

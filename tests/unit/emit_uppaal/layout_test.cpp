@@ -11,28 +11,23 @@
 #include "support/random_network.hpp"
 #include "unit/emit_uppaal/drawings.hpp"
 #include "unit/emit_uppaal/hand_networks.hpp"
+#include "unit/emit_uppaal/project_text.hpp"
 
 namespace grafverif {
 namespace {
 
 using test::overlaps;
 
-std::string project(const Network& network) {
-    std::ostringstream out;
-    uppaal::emit(uppaal::lower(network), out);
-    return out.str();
-}
-
 TEST(UppaalLayout, HasNoTwoThingsInOnePlace) {
-    EXPECT_EQ(overlaps(project(test::station())), "");
-    EXPECT_EQ(overlaps(project(test::awkward_names())), "");
-    EXPECT_EQ(overlaps(project(test::crowded())), "");
+    EXPECT_EQ(overlaps(test::project(test::station())), "");
+    EXPECT_EQ(overlaps(test::project(test::awkward_names())), "");
+    EXPECT_EQ(overlaps(test::project(test::crowded())), "");
 }
 
 TEST(UppaalLayout, HasNoTwoThingsInOnePlaceInAnyNetwork) {
     for (int seed = 0; seed < law_size(150); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        EXPECT_EQ(overlaps(project(random_network(random))), "") << "seed " << seed;
+        EXPECT_EQ(overlaps(test::project(random_network(random))), "") << "seed " << seed;
     }
 }
 
@@ -55,7 +50,7 @@ pugi::xml_node template_named(const pugi::xml_document& document, const std::str
 
 TEST(UppaalLayout, DrawsThePlcCycleAsASquare) {
     pugi::xml_document document;
-    ASSERT_TRUE(document.load_string(project(test::station()).c_str()));
+    ASSERT_TRUE(document.load_string(test::project(test::station()).c_str()));
     std::map<std::string, std::pair<int, int>> places;
     for (const pugi::xml_node location : template_named(document, "plc_cycle").children("location"))
         places[location.child_value("name")] = {location.attribute("x").as_int(), location.attribute("y").as_int()};
@@ -69,7 +64,7 @@ TEST(UppaalLayout, DrawsThePlcCycleAsASquare) {
 
 TEST(UppaalLayout, GivesLoopsAndParallelEdgesNails) {
     pugi::xml_document document;
-    ASSERT_TRUE(document.load_string(project(test::crowded()).c_str()));
+    ASSERT_TRUE(document.load_string(test::project(test::crowded()).c_str()));
     for (const pugi::xml_node automaton : document.child("nta").children("template")) {
         std::map<std::pair<std::string, std::string>, int> straight;
         for (const pugi::xml_node edge : automaton.children("transition")) {
@@ -82,7 +77,7 @@ TEST(UppaalLayout, GivesLoopsAndParallelEdgesNails) {
     }
 }
 
-TEST(UppaalLayout, IsTheSameEveryTime) { EXPECT_EQ(project(test::crowded()), project(test::crowded())); }
+TEST(UppaalLayout, IsTheSameEveryTime) { EXPECT_EQ(test::project(test::crowded()), test::project(test::crowded())); }
 
 /// A template of `locations` locations in a circle, each with a loop.
 Network wheel(std::uint32_t locations) {
@@ -113,10 +108,10 @@ Network star(std::uint32_t leaves) {
 
 TEST(UppaalLayout, FindsRoomForManyLeaves) {
     for (const std::uint32_t leaves : {3U, 4U, 7U, 20U, 59U, 200U})
-        EXPECT_EQ(overlaps(project(star(leaves))), "") << leaves << " leaves";
+        EXPECT_EQ(overlaps(test::project(star(leaves))), "") << leaves << " leaves";
 }
 
-TEST(UppaalLayout, DrawsLargeTemplatesToo) { EXPECT_EQ(overlaps(project(wheel(3000))), ""); }
+TEST(UppaalLayout, DrawsLargeTemplatesToo) { EXPECT_EQ(overlaps(test::project(wheel(3000))), ""); }
 
 }  // namespace
 }  // namespace grafverif

@@ -6,15 +6,10 @@
 
 #include "grafverif/emit/uppaal.hpp"
 #include "unit/emit_uppaal/hand_networks.hpp"
+#include "unit/emit_uppaal/project_text.hpp"
 
 namespace grafverif {
 namespace {
-
-std::string project(const Network& network) {
-    std::ostringstream out;
-    uppaal::emit(uppaal::lower(network), out);
-    return out.str();
-}
 
 /// The text of the template called `name` from `tag` on, entities replaced.
 std::string template_text(const std::string& xml, const std::string& name, const char* tag) {
@@ -28,14 +23,14 @@ std::string template_text(const std::string& xml, const std::string& name, const
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(UppaalProject, BeginsWithItsDocumentType) {
-    EXPECT_TRUE(project(test::station())
+    EXPECT_TRUE(test::project(test::station())
                     .starts_with("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"
                                  "<!DOCTYPE nta PUBLIC '-//Uppaal Team//DTD Flat System 1.6//EN' "
                                  "'http://www.it.uu.se/research/group/darts/uppaal/flat-1_6.dtd'>\n<nta>\n"));
 }
 
 TEST(UppaalProject, TellsInItsHeaderWhatItIs) {
-    const std::string xml = project(test::station());
+    const std::string xml = test::project(test::station());
     for (const char* line :
          {"// station: the closed loop", "// Controller handling with stability search", "// Grain: phased",
           "// Time unit: 1s.", "// Assumed: a PLC cycle takes no time", "//   push_button.1 is called _1\n"})
@@ -43,7 +38,7 @@ TEST(UppaalProject, TellsInItsHeaderWhatItIs) {
 }
 
 TEST(UppaalProject, DeclaresVariablesByRole) {
-    const std::string xml = project(test::station());
+    const std::string xml = test::project(test::station());
     EXPECT_TRUE(holds(xml,
                       "\n// inputs of the controller\nbool START;\nbool IS_IN = true;\nbool IS_OUT;\n\n"
                       "// outputs of the controller\nbool GO_IN;\n"));
@@ -52,7 +47,7 @@ TEST(UppaalProject, DeclaresVariablesByRole) {
 }
 
 TEST(UppaalProject, PassesVariablesByReferenceAndConstantsByValue) {
-    const std::string xml = project(test::station());
+    const std::string xml = test::project(test::station());
     EXPECT_EQ(template_text(xml, "cylinder_5_3", "parameter"),
               "bool &G_IN, bool &G_OUT, int[0,20] &X, const int X_min, const int X_max, const int D_X, const int STEP");
     EXPECT_EQ(template_text(xml, "timer", "parameter"),
@@ -61,7 +56,7 @@ TEST(UppaalProject, PassesVariablesByReferenceAndConstantsByValue) {
 }
 
 TEST(UppaalProject, WritesProceduresAsFunctionsOneAssignmentPerLine) {
-    EXPECT_TRUE(holds(template_text(project(test::station()), "plc_cycle", "declaration"),
+    EXPECT_TRUE(holds(template_text(test::project(test::station()), "plc_cycle", "declaration"),
                       "void fire() {\n"
                       "    // firing conditions\n"
                       "    CF_T0 = X_0 && START;\n"
@@ -72,14 +67,14 @@ TEST(UppaalProject, WritesProceduresAsFunctionsOneAssignmentPerLine) {
 }
 
 TEST(UppaalProject, WritesAConditionalUpdateAsIf) {
-    const std::string text = template_text(project(test::station()), "plc_cycle", "declaration");
+    const std::string text = template_text(test::project(test::station()), "plc_cycle", "declaration");
     EXPECT_TRUE(holds(text, "    if (CF_T0) COUNT = COUNT + 1; else if (CF_T1 && COUNT_old == 9) COUNT = -3;\n"));
     EXPECT_TRUE(holds(text, "    if (CF_T0) LOCK_image = IS_IN_sample;\n"));
 }
 
 TEST(UppaalProject, SynchronisesUrgentEdgesAndNoOther) {
     pugi::xml_document document;
-    ASSERT_TRUE(document.load_string(project(test::station()).c_str()));
+    ASSERT_TRUE(document.load_string(test::project(test::station()).c_str()));
     int urgent = 0, timed = 0;
     for (const pugi::xml_node node : document.child("nta").children("template"))
         for (const pugi::xml_node edge : node.children("transition")) {
@@ -103,18 +98,18 @@ TEST(UppaalProject, BracketsADisjunctionBeforeAClock) {
                          .constraint = {{clock, Op::Equal, h.number(3)}},
                          .resets = {clock}});
     h.process("p", h.network.templates.add(std::move(automaton)), {}, Network::ProcessKind::Plant);
-    EXPECT_TRUE(holds(project(h.network), ">(a || b) &amp;&amp; c == 3<"));
+    EXPECT_TRUE(holds(test::project(h.network), ">(a || b) &amp;&amp; c == 3<"));
 }
 
 TEST(UppaalProject, PutsALongGuardIntoAFunction) {
-    const std::string xml = project(test::crowded());
+    const std::string xml = test::project(test::crowded());
     EXPECT_TRUE(holds(template_text(xml, "guarded", "declaration"),
                       "bool guard_1() {\n    return (a_rather_long_name_0 || !a_rather_long_name_5) && "));
     EXPECT_TRUE(holds(xml, ">guard_1()</label>"));
 }
 
 TEST(UppaalProject, ListsProcessesByKind) {
-    const std::string xml = project(test::station());
+    const std::string xml = test::project(test::station());
     EXPECT_TRUE(holds(xml, "<system>// plant\nH_Act = cylinder_5_3(GO_IN, GO_OUT, H, 0, 20, 2, 1);\n"));
     EXPECT_TRUE(holds(xml,
                       "\n// environment\nStart = push_button(START, EVOL_PL);\n\n// controller\nhandling = "
@@ -123,7 +118,7 @@ TEST(UppaalProject, ListsProcessesByKind) {
 }
 
 TEST(UppaalProject, KeepsLocalNamesFromHidingGlobals) {
-    const std::string xml = project(test::awkward_names());
+    const std::string xml = test::project(test::awkward_names());
     EXPECT_TRUE(holds(xml, "//   process.W is called W_\n"));  // the guard of its edge reads the global W
     EXPECT_TRUE(holds(xml, ">W</label>"));
     EXPECT_TRUE(holds(xml, "urgent broadcast chan hurry_;"));
@@ -146,7 +141,7 @@ TEST(UppaalProject, KeepsALegalisedLocalNameFromHidingAGlobalToo) {
                              .guard = h.network.exprs.disjunction(terms),
                              .assignments = {{h.v(written), h.v(read)}}});
         h.process("p", h.network.templates.add(std::move(automaton)), {}, Network::ProcessKind::Plant);
-        const std::string xml = project(h.network);
+        const std::string xml = test::project(h.network);
         EXPECT_TRUE(holds(xml, "bool " + global + ";\n"));
         EXPECT_TRUE(holds(xml, ">w = " + global + "</label>"));
         for (const std::string& declared : {">" + global + "</name>", "bool " + global + "()", "chan " + global + ";"})
@@ -160,7 +155,7 @@ TEST(UppaalProject, IsWellFormedWhateverATextHolds) {
         std::string("tab\t, <&>, \x01, broken \xC3, \xED\xA0\x80, fine \xE2\x86\x91 ") + '\0' + ".";
     network.properties[{6}].text = "--->";
     pugi::xml_document document;
-    const std::string xml = project(network);
+    const std::string xml = test::project(network);
     ASSERT_TRUE(document.load_string(xml.c_str()));
     EXPECT_TRUE(holds(xml,
                       "tab\t, &lt;&amp;&gt;, \xEF\xBF\xBD, broken \xEF\xBF\xBD, \xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD, "
@@ -168,7 +163,7 @@ TEST(UppaalProject, IsWellFormedWhateverATextHolds) {
     EXPECT_TRUE(holds(xml, "<!-- T: - - ->: left out"));
 }
 
-TEST(UppaalProject, IsTheSameEveryTime) { EXPECT_EQ(project(test::station()), project(test::station())); }
+TEST(UppaalProject, IsTheSameEveryTime) { EXPECT_EQ(test::project(test::station()), test::project(test::station())); }
 
 }  // namespace
 }  // namespace grafverif

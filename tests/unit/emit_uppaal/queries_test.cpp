@@ -7,6 +7,7 @@
 
 #include "grafverif/emit/uppaal.hpp"
 #include "unit/emit_uppaal/hand_networks.hpp"
+#include "unit/emit_uppaal/project_text.hpp"
 
 namespace grafverif {
 namespace {
@@ -14,12 +15,6 @@ namespace {
 struct Query {
     std::string formula = {}, comment = {}, outcome = {};
 };
-
-std::string project(const Network& network) {
-    std::ostringstream out;
-    uppaal::emit(uppaal::lower(network), out);
-    return out.str();
-}
 
 std::string queries_text(const Network& network) {
     std::ostringstream out;
@@ -30,7 +25,7 @@ std::string queries_text(const Network& network) {
 /// By the name at the beginning of the comment.
 std::map<std::string, Query> queries(const Network& network) {
     pugi::xml_document document;
-    EXPECT_TRUE(document.load_string(project(network).c_str()));
+    EXPECT_TRUE(document.load_string(test::project(network).c_str()));
     std::map<std::string, Query> found;
     for (const pugi::xml_node node : document.child("nta").child("queries").children("query")) {
         const std::string comment = node.child_value("comment"), title = comment.substr(0, comment.find('\n'));
@@ -87,8 +82,8 @@ TEST(UppaalQueries, ExpectNothingOfASingleStepWhereSomeStepIsOutOfReach) {
     ASSERT_EQ(network.properties[{7}].pattern, Pattern::ReachableAllSteps);
     EXPECT_NE(queries_text(network).find("S.X0\nevery step; expected of one step at least: not satisfied"),
               std::string::npos);
-    EXPECT_EQ(project(network).find("<expect", project(network).find("S.X0")),
-              project(network).find("<expect", project(network).find("A[] X_0 + X_1")));
+    EXPECT_EQ(test::project(network).find("<expect", test::project(network).find("S.X0")),
+              test::project(network).find("<expect", test::project(network).find("A[] X_0 + X_1")));
 }
 
 TEST(UppaalQueries, LeaveOutWithACommentWhatCannotBeSaid) {
@@ -99,7 +94,7 @@ TEST(UppaalQueries, LeaveOutWithACommentWhatCannotBeSaid) {
         EXPECT_FALSE(reason.empty());
     }
     EXPECT_EQ(names, (std::vector<std::string>{"T", "A", "C", "L"}));
-    const std::string xml = project(network);
+    const std::string xml = test::project(network);
     const std::size_t place = xml.find("<!-- T: time - - goes on: left out;");
     EXPECT_LT(xml.find("A[] not deadlock"), place);
     EXPECT_LT(place, xml.find("S.X0"));
@@ -108,15 +103,15 @@ TEST(UppaalQueries, LeaveOutWithACommentWhatCannotBeSaid) {
 
 // UPPAAL's own reader breaks off at a comment that is the last thing in `queries`.
 TEST(UppaalQueries, EndWithAQuery) {
-    const std::string xml = project(test::station());
+    const std::string xml = test::project(test::station());
     EXPECT_LT(xml.rfind("-->", xml.find("</queries>")), xml.rfind("<query>"));
     Network network = test::station();
     Property only = network.properties[{6}];
     ASSERT_EQ(only.pattern, Pattern::NoTimelock);
     network.properties = {};
     network.properties.add(only);
-    EXPECT_EQ(project(network).find("<queries>"), std::string::npos);
-    EXPECT_NE(project(network).find("// Property T is left out: "), std::string::npos);
+    EXPECT_EQ(test::project(network).find("<queries>"), std::string::npos);
+    EXPECT_NE(test::project(network).find("// Property T is left out: "), std::string::npos);
 }
 
 TEST(UppaalQueries, StandInTheQueryFileAsInTheProject) {

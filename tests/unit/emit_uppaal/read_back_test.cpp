@@ -13,7 +13,7 @@
 namespace grafverif {
 namespace {
 
-std::string project(const Network& lowered) {
+std::string emitted(const Network& lowered) {
     std::ostringstream out;
     uppaal::emit(lowered, out);
     return out.str();
@@ -21,7 +21,7 @@ std::string project(const Network& lowered) {
 
 void expect_read_back(const Network& network) {
     const Network lowered = uppaal::lower(network);
-    const Network read = test::read_uppaal(project(lowered));
+    const Network read = test::read_uppaal(emitted(lowered));
     EXPECT_EQ(test::comparable_text(read), test::comparable_text(test::as_read_back(lowered)));
 }
 
