@@ -3,24 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 
+#include "house/files.hpp"
+
+namespace grafverif::house {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path root = GRAFVERIF_SOURCE_DIR;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 /// The codes that src/support/messages*.cpp hand out: the first string of each error(...) or warning(...).
 std::set<std::string> codes() {
@@ -52,3 +45,4 @@ TEST(House, EveryDiagnosticHasAReject) {
 }
 
 }  // namespace
+}  // namespace grafverif::house

@@ -8,26 +8,19 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "house/files.hpp"
 
+namespace grafverif::house {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = GRAFVERIF_SOURCE_DIR;
 const fs::path program = GRAFVERIF_PROGRAM;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
@@ -171,3 +164,4 @@ TEST(Help, EveryVerbExplainsItselfWithExamples) {
 }
 
 }  // namespace
+}  // namespace grafverif::house

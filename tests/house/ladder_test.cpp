@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -12,11 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "house/files.hpp"
+
+namespace grafverif::house {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path root = GRAFVERIF_SOURCE_DIR;
 
 const std::map<std::string, int> rungs = {
     {"support", 0}, {"ir", 1},      {"syntax", 2},   {"run", 2},  {"bdd", 2},   {"read", 3},    {"derive", 3}, {"plant", 3},
@@ -28,13 +28,6 @@ struct Inclusion {
     std::string room = {};
     std::string header = {};   ///< as written between the quotes or brackets
 };
-
-std::string text_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 std::vector<fs::path> sources(const std::vector<fs::path>& folders) {
     std::vector<fs::path> found;
@@ -141,3 +134,4 @@ TEST(House, EveryPublicHeaderIsInstalled) {
 }
 
 }  // namespace
+}  // namespace grafverif::house
