@@ -166,6 +166,17 @@ Id<Expr> stable(Derivation& derivation) {
     return exprs.negation(exprs.disjunction(fires));
 }
 
+/// The variables of the equations begin with those of the chart, so inputs keep their index.
+void derive_assumptions(Derivation& derivation) {
+    Exprs& exprs = derivation.equations.exprs;
+    for (const Chart::Constraint& constraint : derivation.chart.constraints) {
+        const Id<Expr> condition =
+            translate(derivation.chart.exprs, constraint.condition, exprs,
+                      [&](const Expr& leaf) { return exprs.leaf(leaf.op, static_cast<std::uint32_t>(leaf.value)); });
+        derivation.equations.assumptions.push_back({condition, constraint.origin});
+    }
+}
+
 }  // namespace
 
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics) {
@@ -185,6 +196,7 @@ std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics) {
     if (failed(derivation)) return {};
     derive_stored(derivation);
     derivation.equations.stable = stable(derivation);
+    derive_assumptions(derivation);
     if (failed(derivation)) return {};
     return std::move(derivation.equations);
 }

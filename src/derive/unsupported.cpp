@@ -98,7 +98,6 @@ bool unsupported(const Chart& chart, Diagnostics& diagnostics) {
     refusal.transitions();
     refusal.continuous_actions();
     refusal.stored_actions();
-    if (!chart.constraints.empty()) refusal.refuse(chart.origin, "constraint in grafcet `" + chart.name + "`");
     return diagnostics.errors() != errors;
 }
 

@@ -95,6 +95,12 @@ void check_partial_charts(const Chart& chart, Faults& faults) {
     }
 }
 
+bool is_input(const Chart& chart, const Expr& leaf) {
+    const Id<Chart::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
+    return leaf.op == Op::Variable && chart.variables.contains(variable) &&
+           chart.variables[variable].kind == Chart::VariableKind::Input;
+}
+
 void check_condition(const Chart& chart, Id<Expr> condition, const std::string& owner, Faults& faults) {
     const bool known = chart.exprs.contains(condition);
     faults.check(known, "the condition of " + owner + " is not in the table");
@@ -124,7 +130,12 @@ void check_transitions(const Chart& chart, Faults& faults) {
         faults.check(time.rise_ms >= 0 && time.fall_ms >= 0 && time.rise_ms + time.fall_ms > 0,
                      "a time condition has no duration");
     }
-    for (const auto condition : chart.constraints) check_condition(chart, condition, "a constraint", faults);
+    for (const auto& constraint : chart.constraints) {
+        check_condition(chart, constraint.condition, "a constraint", faults);
+        if (chart.exprs.contains(constraint.condition))
+            for (const Id<Expr> leaf : leaves(chart.exprs, constraint.condition))
+                faults.check(is_input(chart, chart.exprs[leaf]), "a constraint reads something that is no input");
+    }
 }
 
 void check_actions(const Chart& chart, Faults& faults) {

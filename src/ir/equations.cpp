@@ -112,6 +112,13 @@ struct Check {
             if (known(output.variable)) without_firings(output.value, "the value of " + name(output.variable));
         }
         condition(equations.stable, true, "the condition `stable`");
+        for (const Equations::Assumption& assumption : equations.assumptions) {
+            condition(assumption.condition, true, "an assumption");
+            if (!equations.exprs.contains(assumption.condition)) continue;
+            for (const Id<Expr> leaf : leaves(equations.exprs, assumption.condition))
+                if (equations.variables[{static_cast<std::uint32_t>(equations.exprs[leaf].value)}].role != Role::Input)
+                    fault("an assumption reads something that is no input");
+        }
     }
 
     void store(const Equations::Stored& stored) {

@@ -97,6 +97,11 @@ Diagnostic entry_and_exit(Span where, std::string_view chart) {
                  fmt::format("the expansion `{}` needs one entry step and one exit step", clipped(chart)));
 }
 
+Diagnostic constraint_not_on_inputs(Span where, std::string_view other) {
+    return error("constraint-not-on-inputs", where,
+                 fmt::format("this constraint reads {}; a constraint is an assumption on the inputs alone", other));
+}
+
 Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place) {
     return error("misplaced-mark", where, fmt::format("`{}` has no meaning here; it stands in {}", mark, place));
 }

@@ -64,9 +64,9 @@ private:
             std::get<tree::Variables>(items.back()).variables.push_back(variable(declared));
             last = &declared;
         }
-        for (const Id<Expr> condition : chart_.constraints) {
+        for (const Chart::Constraint& constraint : chart_.constraints) {
             const Span where = trees_.next();
-            items.emplace_back(tree::Constraint{expression(condition, {}), where});
+            items.emplace_back(tree::Constraint{expression(constraint.condition, {}), where});
         }
     }
 

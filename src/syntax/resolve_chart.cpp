@@ -6,6 +6,34 @@
 
 namespace grafverif {
 
+namespace {
+
+/// Whether `condition` is about inputs and present values alone; else the first that is not is reported.
+bool reads_inputs_only(ChartScope& scope, Id<Expr> condition, Span where) {
+    const Chart& chart = scope.chart;
+    std::vector<Id<Expr>> open{condition};
+    while (!open.empty()) {
+        const Expr& node = chart.exprs[open.back()];
+        const auto index = static_cast<std::uint32_t>(node.value);
+        std::string other;
+        if (node.op == Op::Rise || node.op == Op::Fall) other = "an edge";
+        if (node.op == Op::Timed) other = "a time condition";
+        if (node.op == Op::Step) other = "`" + step_variable(chart, {index}) + "`";
+        if (node.op == Op::Variable && chart.variables[{index}].kind != Chart::VariableKind::Input)
+            other = "`" + chart.variables[{index}].name + "`";
+        if (!other.empty()) {
+            scope.diagnostics.add(messages::constraint_not_on_inputs(where, other));
+            return false;
+        }
+        const auto operands = chart.exprs.operands(open.back());
+        open.pop_back();
+        open.insert(open.end(), operands.begin(), operands.end());
+    }
+    return true;
+}
+
+}  // namespace
+
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     ChartScope scope{file, diagnostics};
@@ -23,7 +51,8 @@ std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& wr
         const auto* constraint = std::get_if<tree::Constraint>(&item);
         if (constraint == nullptr) continue;
         const Id<Expr> condition = resolve_condition(scope, constraint->condition, {}, "a constraint");
-        if (condition.valid()) scope.chart.constraints.push_back(condition);
+        if (condition.valid() && reads_inputs_only(scope, condition, constraint->where))
+            scope.chart.constraints.push_back({condition, constraint->where});
     }
     if (diagnostics.errors() != errors) return {};
     check_reachability(scope.chart, diagnostics);

@@ -109,6 +109,14 @@ struct Chart {
         bool operator==(const ForcingOrder&) const = default;
     };
 
+    /// An assumption on the inputs (`constraint`): combinations outside it never occur. It restricts the inputs only
+    /// where they are free; with a plant it is a claim about the plant.
+    struct Constraint {
+        Id<Expr> condition = {};                ///< over inputs alone
+        Span origin = {};
+        bool operator==(const Constraint&) const = default;
+    };
+
     std::string name = {};
     Exprs exprs = {};
     Table<Variable> variables = {};
@@ -119,7 +127,7 @@ struct Chart {
     Table<ContinuousAction> continuous = {};
     Table<StoredAction> stored = {};
     Table<ForcingOrder> forcing = {};
-    std::vector<Id<Expr>> constraints = {};     ///< assumptions on inputs (`constraint`)
+    std::vector<Constraint> constraints = {};
     Span origin = {};
 
     bool operator==(const Chart&) const = default;

@@ -95,6 +95,13 @@ struct Equations {
         bool operator==(const Timer&) const = default;
     };
 
+    /// An assumption on the inputs of the chart (`constraint`), for those who leave the inputs free.
+    struct Assumption {
+        Id<Expr> condition = {};       ///< over inputs alone
+        Span origin = {};
+        bool operator==(const Assumption&) const = default;
+    };
+
     std::string name = {};
     Exprs exprs = {};
     Table<Variable> variables = {};
@@ -103,6 +110,7 @@ struct Equations {
     std::vector<Stored> stored = {};
     std::vector<Timer> timers = {};
     std::vector<Output> outputs = {};
+    std::vector<Assumption> assumptions = {};
     /// One more cycle with the same inputs would change nothing: no firing condition holds, no stored variable changed.
     /// Over firing conditions and, where needed, values before the cycle.
     Id<Expr> stable = {};

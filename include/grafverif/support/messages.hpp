@@ -77,6 +77,7 @@ Diagnostic not_an_expansion(Span where, std::string_view chart);
 Diagnostic owned_twice(Span where, std::string_view chart, Span first);
 Diagnostic unused_expansion(Span where, std::string_view chart);
 Diagnostic entry_and_exit(Span where, std::string_view chart);
+Diagnostic constraint_not_on_inputs(Span where, std::string_view other);
 Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place);
 
 // (src/support/messages_component.cpp)

@@ -213,7 +213,6 @@ TEST(Refused, EachElementOfLaterWorkByItsName) {
               "partial G2 { linked step 20; }",
               "enclosing step `6`"},
              {"initial step 1 { force G2 := {}; } partial G2 { initial step 20; }", "forcing order on `G2`"},
-             {"input a, b; constraint !(a && b); initial step 1;", "constraint in grafcet `chart`"},
          }) {
         SCOPED_TRACE(one.chart);
         const std::vector<std::string> messages = refusals(one.chart);
@@ -254,6 +253,13 @@ TEST(Refused, TooManyDifferentValuesForOneVariable) {
     ASSERT_EQ(messages.size(), 1U);
     EXPECT_TRUE(messages[0].starts_with("[too-large] more than 1000 different values are stored in `N`"))
         << messages[0];
+}
+
+TEST(Derive, KeepsConstraintsAsAssumptionsOnTheInputs) {
+    const Equations e = equations("input a, b; constraint !(a && b); initial step 1; constraint a || b;");
+    ASSERT_EQ(e.assumptions.size(), 2U);
+    EXPECT_EQ(text(e, e.assumptions[0].condition), "not (a and b)");
+    EXPECT_EQ(text(e, e.assumptions[1].condition), "a or b");
 }
 
 TEST(Derive, ARaceAmongManyConstantsStaysSmall) {
