@@ -48,6 +48,13 @@ std::int64_t value_of(const BddWord& word, const std::vector<bool>& assignment) 
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(word.type.boolean ? 0 : word.type.low) + offset);
 }
 
+std::vector<Bdd> word_bits(const BddTerm& term, Type type) {
+    if (type.boolean) return term.bits;
+    bdd::Integer offset = bdd::difference(term.bits, bdd::constant(type.low));
+    offset.resize(bit_count(type), offset.back());
+    return offset;
+}
+
 Bdd equal(const BddTerm& left, const BddTerm& right) {
     assert(left.boolean == right.boolean);
     return bdd::equal(left.bits, right.bits) & ~(left.undefined | right.undefined);

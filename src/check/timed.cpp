@@ -75,7 +75,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     result.time_passes = graph.time_passes;
     result.seconds = limits.seconds();
     for (Verdict& verdict : result.verdicts) {
-        verdict.states = result.states;
+        verdict.states = std::to_string(result.states);
         verdict.transitions = result.transitions;
         verdict.seconds = result.seconds;
     }

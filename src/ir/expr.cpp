@@ -198,11 +198,13 @@ Id<Expr> Exprs::apply(Op op, std::span<const Id<Expr>> operands) {
     return intern(op, 0, operands);
 }
 
-std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
-                                     const std::function<std::int64_t(const Expr&)>& leaf) {
+namespace {
+
+/// The value of a term; `value(i)` gives that of its operand i.
+template <class Value>
+std::optional<std::int64_t> value_of(const Exprs& exprs, Id<Expr> root,
+                                     const std::function<std::int64_t(const Expr&)>& leaf, const Value& value) {
     const Expr& node = exprs[root];
-    const std::span<const Id<Expr>> operands = exprs.operands(root);
-    const auto value = [&](std::size_t i) { return evaluate(exprs, operands[i], leaf); };
     switch (node.op) {
     case Op::False:    return 0;
     case Op::True:     return 1;
@@ -218,7 +220,7 @@ std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
     case Op::And:
     case Op::Or: {
         const bool absorbing = node.op == Op::Or;
-        for (std::size_t i = 0; i < operands.size(); ++i) {
+        for (std::size_t i = 0; i < node.count; ++i) {
             const auto operand = value(i);
             if (!operand) return {};
             if ((*operand != 0) == absorbing) return absorbing;
@@ -243,6 +245,26 @@ std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
     }
     }
     unreachable();
+}
+
+}  // namespace
+
+std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
+                                     const std::function<std::int64_t(const Expr&)>& leaf) {
+    const std::span<const Id<Expr>> operands = exprs.operands(root);
+    return value_of(exprs, root, leaf, [&](std::size_t i) { return evaluate(exprs, operands[i], leaf); });
+}
+
+std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
+                                                      const std::function<std::int64_t(const Expr&)>& leaf) {
+    std::vector<std::optional<std::int64_t>> values;
+    values.reserve(exprs.size());
+    for (std::uint32_t index = 0; index < exprs.size(); ++index) {
+        const std::span<const Id<Expr>> operands = exprs.operands({index});
+        values.push_back(
+            value_of(exprs, {index}, leaf, [&](std::size_t i) { return values[operands[i].index]; }));
+    }
+    return values;
 }
 
 }  // namespace grafverif

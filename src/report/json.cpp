@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grafverif/report/json.hpp"
 
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -40,6 +41,15 @@ Json trace(const Trace& trace) {
     return {{"loop_from", trace.loop_from ? Json(*trace.loop_from) : Json(nullptr)}, {"steps", std::move(steps)}};
 }
 
+/// A number where it fits 64 bits, else its digits: JSON has no bound, its readers do.
+Json number(const std::string& decimal) {
+    if (decimal.empty()) return nullptr;
+    std::uint64_t value = 0;
+    const char* const end = decimal.data() + decimal.size();
+    const std::from_chars_result read = std::from_chars(decimal.data(), end, value);
+    return read.ec == std::errc() && read.ptr == end ? Json(value) : Json(decimal);
+}
+
 Json property(const Report& report, const Answer& answer) {
     const Verdict& verdict = answer.verdict;
     return {{"name", verdict.property},
@@ -49,8 +59,8 @@ Json property(const Report& report, const Answer& answer) {
             {"engine", report.basis.engine},
             {"mode", report.basis.mode},
             {"grain", report.basis.grain},
-            {"states", verdict.states},
-            {"transitions", verdict.transitions},
+            {"states", number(verdict.states)},
+            {"transitions", verdict.transitions ? Json(*verdict.transitions) : Json(nullptr)},
             {"seconds", verdict.seconds},
             {"reason", text_or_null(verdict.reason)},
             {"vacuous", verdict.vacuous},

@@ -52,6 +52,9 @@ Bdd equals(const BddWord& word, std::int64_t value);
 /// The value of the word under an assignment to all its bits; Booleans 0 and 1.
 std::int64_t value_of(const BddWord& word, const std::vector<bool>& assignment);
 
+/// The bits of a word of `type` that holds the term, whose value is in the range of the type.
+std::vector<Bdd> word_bits(const BddTerm& term, Type type);
+
 /// Where two terms of one kind have the same value, both being defined.
 Bdd equal(const BddTerm& left, const BddTerm& right);
 /// Where the integer has a value in [low, high]; of a Boolean: where it is defined.

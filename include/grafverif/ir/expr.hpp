@@ -101,6 +101,11 @@ std::uint32_t at_location(const Expr& node);
 std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
                                      const std::function<std::int64_t(const Expr&)>& leaf);
 
+/// The value of every term of the table, each computed once from those before it: for tables whose terms share much.
+/// `leaf` is asked for every leaf in the table.
+std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
+                                                      const std::function<std::int64_t(const Expr&)>& leaf);
+
 /// A copy of the term `root` of `from` in `to`, each leaf replaced by what `leaf` returns for it (an id in `to`).
 Id<Expr> translate(const Exprs& from, Id<Expr> root, Exprs& to, const std::function<Id<Expr>(const Expr&)>& leaf);
 

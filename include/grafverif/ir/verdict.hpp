@@ -63,8 +63,8 @@ struct Verdict {
     std::vector<std::string> notes = {};
     bool declared = true;               ///< false: decided though the model does not ask (`no timelock`)
     bool expected_violated = false;
-    std::uint64_t states = 0;           ///< of the whole search
-    std::uint64_t transitions = 0;
+    std::string states = {};            ///< of the whole search, in decimal, however many; empty: not known
+    std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
     std::optional<Run> run = {};        ///< counterexample; of a `reachable` that holds: witness
     Span origin = {};                   ///< of the property

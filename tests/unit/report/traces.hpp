@@ -32,14 +32,14 @@ inline Trace sample_trace() {
 
 inline Report sample_report() {
     Report report{"station", {"timed", "stability-search", "phased", 500}, {}, {}};
-    Verdict holds{.property = "P1", .outcome = Outcome::Holds, .states = 12, .transitions = 20, .seconds = 0.25};
+    Verdict holds{.property = "P1", .outcome = Outcome::Holds, .states = "12", .transitions = 20, .seconds = 0.25};
     Verdict violated{.property = "P2",
                      .pattern = Pattern::LeadsTo,
                      .outcome = Outcome::Violated,
-                     .states = 12,
+                     .states = "12",
                      .transitions = 20,
                      .seconds = 0.25};
-    Verdict unknown{.property = "P3", .obstacle = Obstacle::Bound, .reason = "12 states are not enough", .states = 12};
+    Verdict unknown{.property = "P3", .obstacle = Obstacle::Bound, .reason = "12 states are not enough", .states = "12"};
     Verdict timelock{.property = "no_timelock",
                      .pattern = Pattern::NoTimelock,
                      .obstacle = Obstacle::Inexact,

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A TransitionSystem searched state by state, with verdicts read off its graph: the other opinion on symbolic engines
+// and model checkers. Free variables and choices take every value in every step.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "support/run_transition_system.hpp"
+
+namespace grafverif {
+
+struct SystemGraph {
+    std::vector<SystemState> states = {};
+    std::vector<std::vector<std::size_t>> successors = {};
+    std::size_t initial = 0;   ///< the first so many states
+    bool total = true;         ///< every state has a successor
+
+    std::vector<std::size_t> distances() const;   ///< per state, in steps from the initial ones
+};
+
+/// Every state that can be reached; empty optional: more than `limit`, or more than `most_ways` ways to choose in a step.
+std::optional<SystemGraph> explored(const TransitionSystem& system, std::size_t limit, std::int64_t most_ways = 64);
+
+/// One entry per state of a graph.
+using StateSet = std::vector<bool>;
+
+StateSet where(const SystemGraph& graph, const std::function<bool(const SystemState&)>& holds);
+/// The operands of a property as sets of states, `at stable` resolved; of `always` and `exactly one of` the states
+/// that break it.
+std::vector<StateSet> operand_sets(const TransitionSystem& system, const SystemGraph& graph, const Property& property);
+/// The states of `within` from which an infinite path stays in it and meets each of `justice` infinitely often.
+StateSet fairly_staying(const SystemGraph& graph, const StateSet& within, const std::vector<StateSet>& justice);
+std::vector<StateSet> justice_sets(const TransitionSystem& system, const SystemGraph& graph);
+
+/// As check/symbolic.hpp defines the patterns. The system is total.
+bool explicit_verdict(const TransitionSystem& system, const SystemGraph& graph, const Property& property);
+
+}  // namespace grafverif
