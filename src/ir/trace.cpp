@@ -2,6 +2,7 @@
 #include "grafverif/ir/trace.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "grafverif/support/overloaded.hpp"
 
@@ -64,6 +65,19 @@ std::string_view word(Trace::Kind kind) {
         case Trace::Kind::Delay: return "delay";
     }
     unreachable();
+}
+
+std::vector<std::string> shortened_names(const std::vector<std::string>& names) {
+    const auto last_part = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
+    std::unordered_map<std::string, int> uses;
+    for (const std::string& name : names) ++uses[last_part(name)];
+    std::vector<std::string> list;
+    for (const std::string& name : names) list.push_back(uses[last_part(name)] == 1 ? last_part(name) : name);
+    return list;
+}
+
+std::string moment_text(const Trace& trace, const Trace::State& state) {
+    return trace.timed ? seconds_text(state.time_ms) : std::to_string(state.time_ms);
 }
 
 std::string seconds_text(std::int64_t milliseconds) {

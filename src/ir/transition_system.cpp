@@ -310,6 +310,7 @@ void check_names(const System& system, Sorts& sorts, Faults& faults) {
         const std::string where = "component `" + component.name + "`";
         if (component.location.valid()) known(component.location, where + ": its location");
         each(component.variables, where);
+        each(component.inputs, where);
     }
     condition(system.ticks, "ticks");
 }

@@ -26,7 +26,7 @@ Json step(const Trace& trace, const Trace::Step& step) {
         for (const std::string& transition : evolution) fired.push_back(transition);
     Json situation = Json::array();
     for (const std::uint32_t active : step.after.situation) situation.push_back(trace.steps_of_charts[active]);
-    return {{"time", step.after.time_ms},
+    return {{"time", trace.timed ? Json(step.after.time_ms) : Json(nullptr)},
             {"kind", word(step.kind)},
             {"component", text_or_null(step.component)},
             {"inputs", values(trace.inputs, step.after.inputs)},
@@ -56,9 +56,9 @@ Json property(const Report& report, const Answer& answer) {
             {"text", text_or_null(answer.text)},
             {"verdict", word(verdict.outcome)},
             {"expected", verdict.expected_violated ? "violated" : "holds"},
-            {"engine", report.basis.engine},
-            {"mode", report.basis.mode},
-            {"grain", report.basis.grain},
+            {"engine", text_or_null(report.basis.engine)},
+            {"mode", text_or_null(report.basis.mode)},
+            {"grain", text_or_null(report.basis.grain)},
             {"states", number(verdict.states)},
             {"transitions", verdict.transitions ? Json(*verdict.transitions) : Json(nullptr)},
             {"seconds", verdict.seconds},

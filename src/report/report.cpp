@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "grafverif/report/tell_system.hpp"
 #include "grafverif/support/overloaded.hpp"
 
 namespace grafverif {
@@ -12,14 +13,19 @@ namespace grafverif {
 namespace {
 
 /// The property that a verdict is about; one that expands is named before the first point (`S.X7`).
-const Property* property_of(const Network& network, const std::string& name) {
+const Property* property_of(const Table<Property>& properties, const std::string& name) {
     const auto named = [&](std::string_view wanted) {
-        return std::ranges::find_if(network.properties,
-                                    [&](const Property& property) { return property.name == wanted; });
+        return std::ranges::find_if(properties, [&](const Property& property) { return property.name == wanted; });
     };
     auto found = named(name);
-    if (found == network.properties.end()) found = named(std::string_view(name).substr(0, name.find('.')));
-    return found == network.properties.end() ? nullptr : &*found;
+    if (found == properties.end()) found = named(std::string_view(name).substr(0, name.find('.')));
+    return found == properties.end() ? nullptr : &*found;
+}
+
+std::string mode_words(bool searches, bool cycles) {
+    std::string mode = searches ? "stability-search" : "";
+    if (cycles) mode += searches ? ", every-cycle" : "every-cycle";
+    return mode;
 }
 
 std::string edge_words(const Network& network, const ModelError& error) {
@@ -53,14 +59,28 @@ Basis basis_of(const Network& network, std::string engine) {
     bool searches = false, cycles = false;
     for (const Network::Controller& controller : network.controllers)
         (controller.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
-    std::string mode = searches ? "stability-search" : "";
-    if (cycles) mode += searches ? ", every-cycle" : "every-cycle";
-    return {std::move(engine), mode, network.grain == Grain::Atomic ? "atomic" : "phased", network.time_unit_ms};
+    const std::string mode = mode_words(searches, cycles);
+    return {std::move(engine), mode, network.grain == Grain::Atomic ? "atomic" : "phased", network.time_unit_ms, {}};
+}
+
+Basis basis_of(const TransitionSystem& system, std::string engine, std::string untimed) {
+    bool searches = false, cycles = false;
+    for (const TransitionSystem::Controller& controller : system.controllers)
+        (controller.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
+    return {std::move(engine), mode_words(searches, cycles), {}, 0, std::move(untimed)};
+}
+
+Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run, Detail detail) {
+    Answer answer;
+    if (const Property* property = property_of(system.properties, verdict.property)) answer.text = property->text;
+    if (run) answer.trace = tell(system, *run, detail);
+    answer.verdict = std::move(verdict);
+    return answer;
 }
 
 Answer answer_of(const Network& network, Verdict verdict, Detail detail) {
     Answer answer;
-    if (const Property* property = property_of(network, verdict.property)) answer.text = property->text;
+    if (const Property* property = property_of(network.properties, verdict.property)) answer.text = property->text;
     if (verdict.run) answer.trace = tell(network, *verdict.run, detail);
     verdict.run.reset();
     answer.verdict = std::move(verdict);

@@ -65,7 +65,7 @@ Group steps(const Trace& trace, const Columns& columns) {
 
 class Drawing {
 public:
-    Drawing(const Trace& trace, std::string_view title) : title_(title) {
+    Drawing(const Trace& trace, std::string_view title) : trace_(trace), title_(title) {
         for (const std::size_t index : shown_steps(trace)) {
             if (trace.loop_from == index) loop_from_ = columns_.size();
             columns_.push_back(&trace.steps[index]);
@@ -189,7 +189,7 @@ private:
             body_ += "</text>\n";
             if (i > 0 && columns_[i]->after.time_ms == columns_[i - 1]->after.time_ms) continue;
             rules_.push_back(x(i));
-            text(x(i) + 3, top_ - 8, "time", seconds_text(columns_[i]->after.time_ms));
+            text(x(i) + 3, top_ - 8, "time", moment_text(trace_, columns_[i]->after));
         }
     }
 
@@ -232,6 +232,7 @@ private:
         text((x(begin) + x(end)) / 2, low - 4, "value", std::to_string(value));
     }
 
+    const Trace& trace_;
     std::string title_;
     Columns columns_ = {};
     std::optional<std::size_t> loop_from_ = {};  ///< a column

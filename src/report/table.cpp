@@ -64,7 +64,7 @@ Cells cells(const Trace& trace, std::size_t index, bool complete) {
     while (previous > 0 && !is_shown(trace, previous)) --previous;
     const Trace::State& before = trace.steps[previous].after;
     Cells cells;
-    if (first || now.time_ms != before.time_ms) cells[0] = seconds_text(now.time_ms);
+    if (first || now.time_ms != before.time_ms) cells[0] = moment_text(trace, now);
     cells[1] = happening(trace, index);
     cells[2] =
         first ? standing_words(trace.inputs, now.inputs) : changed_words(trace.inputs, before.inputs, now.inputs);

@@ -2,7 +2,6 @@
 #include "grafverif/report/tell.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "grafverif/support/overloaded.hpp"
@@ -59,16 +58,6 @@ std::vector<std::string> cleared(const Network::Controller& controller, const Ne
     return names;
 }
 
-/// Each name from its last point on, where that is enough to know it by.
-std::vector<std::string> short_names(const std::vector<std::string>& names) {
-    const auto last_part = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
-    std::unordered_map<std::string, int> uses;
-    for (const std::string& name : names) ++uses[last_part(name)];
-    std::vector<std::string> list;
-    for (const std::string& name : names) list.push_back(uses[last_part(name)] == 1 ? last_part(name) : name);
-    return list;
-}
-
 }  // namespace
 
 Teller::Teller(const Network& network, Detail detail) : network_(network), detail_(detail) {
@@ -107,7 +96,7 @@ void Teller::make_signals() {
             if (role == Network::Role::Internal) signal(variable, internals_, trace_.internals);
         }
     }
-    trace_.short_names = short_names(trace_.steps_of_charts);
+    trace_.short_names = shortened_names(trace_.steps_of_charts);
     for (const Id<Network::Variable> id : network_.variables.ids())
         if (network_.variables[id].role == Network::Role::Plant && !network_.variables[id].scratch)
             signal(id, plant_, trace_.plant);

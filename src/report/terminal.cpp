@@ -89,7 +89,9 @@ void print_row(const Trace& trace, std::size_t index, bool complete, const Table
 
 void print_trace(const Trace& trace, std::ostream& out) {
     const TableWidths widths = fitting(trace);
-    print_header(widths, out);
+    Cells titles = column_titles;
+    if (!trace.timed) titles[0] = "step";
+    print_cells(titles, std::string(gutter, ' '), widths, out);
     for (const std::size_t i : shown_steps(trace)) {
         if (trace.loop_from == i) out << "+-- from here on, for ever:\n";
         print_row(trace, i, i + 1 == trace.steps.size(), widths, out);

@@ -37,8 +37,15 @@ private:
         return painted(text, as_expected(verdict) ? green : red);
     }
 
-    std::string basis(const Verdict& verdict) const {
+    std::string basis(const Answer& answer) const {
         const Basis& basis = report_.basis;
+        const Verdict& verdict = answer.verdict;
+        if (!basis.untimed.empty()) {
+            const std::string grain = basis.grain.empty() ? "" : ", " + basis.grain + " grain";
+            return fmt::format("{}, untimed: {}; {}{}{}{}", basis.engine, basis.untimed, basis.mode, grain,
+                               verdict.states.empty() ? "" : "; " + verdict.states + " states",
+                               answer.carries.empty() ? "" : "; " + answer.carries);
+        }
         return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero; {} states", basis.engine,
                            basis.mode, basis.grain, seconds_text(basis.time_unit_ms), verdict.states);
     }
@@ -48,7 +55,7 @@ private:
         out_ << verdict.property;
         if (!answer.text.empty()) out_ << " \"" << answer.text << '"';
         if (!verdict.declared) out_ << " (not declared)";
-        out_ << ": " << outcome(verdict) << "\n    " << basis(verdict) << '\n';
+        out_ << ": " << outcome(verdict) << "\n    " << basis(answer) << '\n';
         if (!verdict.reason.empty()) out_ << "    why: " << verdict.reason << '\n';
         for (const std::string& note : verdict.notes) out_ << "    note: " << note << '\n';
         if (!answer.trace) return;

@@ -32,7 +32,7 @@ struct Trace {
 
     /// Values in the order of the signals.
     struct State {
-        std::int64_t time_ms = 0;
+        std::int64_t time_ms = 0;    ///< of an untimed trace: steps of the model so far
         std::vector<std::uint32_t> situation = {};  ///< the active steps, indices into `steps_of_charts`
         std::vector<std::int64_t> inputs = {}, outputs = {}, internals = {}, plant = {};
         bool operator==(const State&) const = default;
@@ -55,6 +55,7 @@ struct Trace {
     std::vector<Signal> outputs = {};           ///< what they have written
     std::vector<Signal> internals = {};         ///< their internal variables
     std::vector<Signal> plant = {};             ///< what only the plant knows
+    bool timed = true;                          ///< false: of a model that knows no time
     std::vector<Step> steps = {};
     std::optional<std::size_t> loop_from = {};  ///< in `steps`
 
@@ -71,6 +72,12 @@ std::vector<std::string> verify(const Trace& trace);
 
 /// `plant`, `environment`, `timer`, `controller`, `delay`.
 std::string_view word(Trace::Kind kind);
+
+/// Each name from its last point on, where that is enough to know it by: what short_names are.
+std::vector<std::string> shortened_names(const std::vector<std::string>& names);
+
+/// When a state is: its time, `12 s`, or the number of steps, `3`.
+std::string moment_text(const Trace& trace, const Trace::State& state);
 
 /// `0 s`, `12 s`, `0.25 s`.
 std::string seconds_text(std::int64_t milliseconds);

@@ -127,6 +127,7 @@ struct TransitionSystem {
         Kind kind = Kind::Plant;
         Id<Symbol> location = {};              ///< its values are named; not valid: it has one location only
         std::vector<Named> variables = {};     ///< those of its variables that no controller reads or writes
+        std::vector<Named> inputs = {};        ///< the inputs of controllers that it writes
         bool operator==(const Component&) const = default;
     };
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "grafverif/ir/flat_system.hpp"
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/trace.hpp"
 #include "grafverif/ir/verdict.hpp"
@@ -21,17 +22,22 @@ struct Basis {
     std::string mode = {};    ///< `stability-search`, `every-cycle`; both where controllers differ
     std::string grain = {};   ///< `phased`, `atomic`
     std::int64_t time_unit_ms = 1000;
+    /// What an untimed model is made of: `no plant`, `plant automata, interleaved`; empty: the check is timed.
+    std::string untimed = {};
 
     bool operator==(const Basis&) const = default;
 };
 
 /// Of the controllers and the grain of `network`.
 Basis basis_of(const Network& network, std::string engine);
+/// Of an untimed check; it has no grain of its own unless the caller says so.
+Basis basis_of(const TransitionSystem& system, std::string engine, std::string untimed);
 
 struct Answer {
     Verdict verdict = {};
     std::string text = {};            ///< of the property, as the model has it
     std::optional<Trace> trace = {};  ///< tells the verdict's run
+    std::string carries = {};         ///< of an untimed verdict: what it says of the timed loop
 
     bool operator==(const Answer&) const = default;
 };
@@ -56,6 +62,8 @@ struct Report {
 
 /// `verdict` with the text of its property; its run is told, and dropped.
 Answer answer_of(const Network& network, Verdict verdict, Detail detail);
+/// The same of an untimed check; `run` shows the verdict.
+Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run, Detail detail);
 Breakdown breakdown_of(const Network& network, const ModelError& error, Detail detail);
 
 /// How many verdicts there are of each kind. An unknown verdict that the model does not ask for is only a note.

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/run/replay_system.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "grafverif/run/interpreter.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using System = TransitionSystem;
+using SymbolValues = std::vector<std::int64_t>;   ///< per symbol of main
+
+std::string joined_names(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "{" : ", ") + name;
+    return text.empty() ? "{}" : text + "}";
+}
+
+/// One controller of the system beside its chart.
+class SystemTwin {
+public:
+    SystemTwin(const System& system, const System::Controller& controller, const Chart& chart)
+        : system_(system), controller_(controller), chart_(chart), state_(power_on(chart)) {
+        inputs_.resize(chart.variables.size());
+        for (const System::Named& output : controller.outputs) outputs_.push_back(variable(output.name));
+        for (const System::Named& internal : controller.internals) internals_.push_back(variable(internal.name));
+        for (const System::Input& input : controller.inputs) input_variables_.push_back(variable(input.name));
+        for (const Chart::TimeCondition& timed : chart.time_conditions) {
+            const auto step = static_cast<std::size_t>(chart.exprs[timed.watched].value);
+            timers_.push_back(std::ranges::find_if(controller.timers, [&](const System::TimerEnd& timer) {
+                return timer.step == step && timer.duration_ms == timed.rise_ms;
+            }));
+        }
+        timed_.resize(timers_.size());
+    }
+
+    /// Before the first state, where the system has no first evolution of its own.
+    std::string begin(const SymbolValues& first) {
+        if (controller_.starts.valid()) return {};
+        for (std::size_t i = 0; i < input_variables_.size(); ++i)
+            if (const Id<System::Symbol> symbol = controller_.inputs[i].first; symbol.valid())
+                inputs_[input_variables_[i].index] = first[symbol.index];
+        return evolved(evolve(chart_, state_, inputs_, timed_), first, first, false);
+    }
+
+    /// The step of the system from `before` to `after`; what the system has that the rules do not give.
+    std::string step(const SymbolValues& before, const SymbolValues& after) {
+        if (over_) return {};
+        const bool evolves = holds(controller_.evolves, before, true);
+        if (holds(controller_.starts, before, false)) {
+            sample(before);
+            timed_.assign(timed_.size(), false);
+            return evolved(evolve(chart_, state_, inputs_, timed_), before, after, false);
+        }
+        if (holds(controller_.samples, before, evolves)) sample(before);
+        if (!evolves) return holds(controller_.writes, before, false) ? written(after) : kept_outputs(before, after);
+        Evolution result = evolve(chart_, state_, inputs_, timed_);
+        std::vector<std::string> theirs, ours;
+        for (const System::Named& transition : controller_.transitions)
+            if (before[transition.symbol.index] != 0) theirs.push_back(transition.name);
+        for (const Id<Chart::Transition> id : result.fired) ours.push_back(chart_.transitions[id].name);
+        if (theirs != ours)
+            return "transitions cleared: " + joined_names(theirs) + ", by the rules " + joined_names(ours);
+        return evolved(std::move(result), before, after, true);
+    }
+
+private:
+    Id<Chart::Variable> variable(const std::string& name) const {
+        const auto found = std::ranges::find(chart_.variables, name, &Chart::Variable::name);
+        assert(found != chart_.variables.end());
+        return {static_cast<std::uint32_t>(found - chart_.variables.begin())};
+    }
+
+    bool holds(Id<Expr> condition, const SymbolValues& values, bool otherwise) const {
+        return condition.valid() ? value_in(system_, values, condition) != 0 : otherwise;
+    }
+
+    void sample(const SymbolValues& now) {
+        for (std::size_t i = 0; i < input_variables_.size(); ++i)
+            inputs_[input_variables_[i].index] = now[controller_.inputs[i].symbol.index];
+        for (std::size_t i = 0; i < timers_.size(); ++i)
+            timed_[i] = timers_[i] != controller_.timers.end() && now[timers_[i]->symbol.index] != 0;
+    }
+
+    std::string evolved(Evolution result, const SymbolValues& before, const SymbolValues& after, bool in_cycle) {
+        over_ = result.race || result.fault;   // the system goes on, with a flag set; the rules do not
+        if (over_) return {};
+        state_ = std::move(result.state);
+        std::vector<std::string> theirs, ours;
+        for (std::size_t i = 0; i < controller_.steps.size(); ++i) {
+            if (after[controller_.steps[i].symbol.index] != 0) theirs.push_back(controller_.steps[i].name);
+            if (state_.situation[i]) ours.push_back(controller_.steps[i].name);
+        }
+        if (theirs != ours) return "situation " + joined_names(theirs) + ", by the rules " + joined_names(ours);
+        for (std::size_t i = 0; i < internals_.size(); ++i)
+            if (after[controller_.internals[i].symbol.index] != state_.values[internals_[i].index])
+                return differs(controller_.internals[i], after, state_.values[internals_[i].index]);
+        const bool writes = controller_.mode == ExecutionMode::EveryCycle || (in_cycle && result.stable);
+        if (holds(controller_.writes, before, writes)) return written(after);
+        return in_cycle ? kept_outputs(before, after) : std::string();
+    }
+
+    std::string written(const SymbolValues& after) const {
+        const auto outputs = output_values(chart_, state_, inputs_);
+        if (!outputs) return {};   // a division by zero: the flag of the system says so
+        for (std::size_t i = 0; i < outputs_.size(); ++i)
+            if (after[controller_.outputs[i].symbol.index] != (*outputs)[outputs_[i].index])
+                return differs(controller_.outputs[i], after, (*outputs)[outputs_[i].index]);
+        return {};
+    }
+
+    std::string kept_outputs(const SymbolValues& before, const SymbolValues& after) const {
+        for (const System::Named& output : controller_.outputs)
+            if (before[output.symbol.index] != after[output.symbol.index])
+                return differs(output, after, before[output.symbol.index]);
+        return {};
+    }
+
+    static std::string differs(const System::Named& named, const SymbolValues& values, std::int64_t expected) {
+        return named.name + " is " + std::to_string(values[named.symbol.index]) + ", by the rules " +
+               std::to_string(expected);
+    }
+
+    const System& system_;
+    const System::Controller& controller_;
+    const Chart& chart_;
+    State state_;
+    std::vector<std::int64_t> inputs_ = {};   ///< as sampled, per variable of the chart
+    std::vector<bool> timed_ = {};            ///< as sampled, per time condition
+    std::vector<Id<Chart::Variable>> input_variables_ = {}, outputs_ = {}, internals_ = {};
+    std::vector<std::vector<System::TimerEnd>::const_iterator> timers_ = {};   ///< per time condition
+    bool over_ = false;
+};
+
+}  // namespace
+
+std::optional<Disagreement> disagreement(const System& system, std::span<const Chart* const> charts,
+                                         const SystemRun& run) {
+    std::vector<SystemTwin> twins;
+    for (std::size_t i = 0; i < system.controllers.size(); ++i)
+        twins.emplace_back(system, system.controllers[i], *charts[i]);
+    const auto found = [&](std::size_t step, std::size_t twin, std::string what) {
+        return Disagreement{step, "controller " + system.controllers[twin].name, std::move(what)};
+    };
+    for (std::size_t twin = 0; twin < twins.size(); ++twin)
+        if (std::string what = twins[twin].begin(run.states.front()); !what.empty()) return found(0, twin, what);
+    for (std::size_t i = 0; i < run.states.size(); ++i) {
+        const bool last = i + 1 == run.states.size();
+        if (last && !run.loop) break;
+        for (std::size_t twin = 0; twin < twins.size(); ++twin) {
+            std::string what = twins[twin].step(run.states[i], run.states[last ? *run.loop : i + 1]);
+            if (!what.empty()) return found(i, twin, what);
+        }
+    }
+    return {};
+}
+
+}  // namespace grafverif
