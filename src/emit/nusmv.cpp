@@ -143,7 +143,8 @@ void print_assignments(const ModulePrinter& printer) {
             print_value(printer, id, value);
             printer.out << ";\n";
         };
-        if (state == nullptr) continue;
+        // NuSMV takes a variable of one value for a constant, and refuses to assign it.
+        if (state == nullptr || symbol.type.low == symbol.type.high) continue;
         if (state->initial) assignment("init", *state->initial);
         if (state->next) assignment("next", *state->next);
     }

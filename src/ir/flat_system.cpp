@@ -140,6 +140,15 @@ Id<Expr> flattened(const System& system, FlatSystem& flat, Id<Expr> term) {
                      [&](const Expr& node) { return flat.symbols[static_cast<std::size_t>(node.value)]; });
 }
 
+std::string_view word(SystemFault::Kind kind) {
+    switch (kind) {
+    case SystemFault::Kind::NoInitialState: return "no-initial-state";
+    case SystemFault::Kind::DeadEnd:        return "dead-end";
+    case SystemFault::Kind::OutOfRange:     return "out-of-range";
+    }
+    unreachable();
+}
+
 std::vector<std::int64_t> symbol_values(const FlatSystem& flat, std::span<const std::int64_t> variables) {
     const std::vector<std::optional<std::int64_t>> values =
         evaluate_all(flat.exprs, [&](const Expr& node) { return variables[static_cast<std::size_t>(node.value)]; });

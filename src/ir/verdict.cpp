@@ -23,6 +23,7 @@ std::string_view word(Obstacle obstacle) {
     case Obstacle::Inexact:     return "inexact";
     case Obstacle::Unsupported: return "unsupported";
     case Obstacle::Faulty:      return "faulty";
+    case Obstacle::Failed:      return "failed";
     }
     unreachable();
 }

@@ -62,7 +62,8 @@ void print_junit(const Report& report, std::ostream& out) {
     std::string cases;
     for (const Breakdown& breakdown : report.breakdowns)
         cases += test_case(report, breakdown.code, "", 0,
-                           element("failure", breakdown.code, breakdown.message, told(breakdown.trace)));
+                           element("failure", breakdown.code, breakdown.message,
+                                   breakdown.trace.steps.empty() ? "" : told(breakdown.trace)));
     for (const Answer& answer : report.answers) {
         cases += test_case(report, answer.verdict.property, answer.text, answer.verdict.seconds, result(answer));
         seconds = std::max(seconds, answer.verdict.seconds);

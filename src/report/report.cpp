@@ -70,6 +70,24 @@ Basis basis_of(const TransitionSystem& system, std::string engine, std::string u
     return {std::move(engine), mode_words(searches, cycles), {}, 0, std::move(untimed)};
 }
 
+namespace {
+
+std::string message_of(const SystemFault& fault) {
+    switch (fault.kind) {
+    case SystemFault::Kind::NoInitialState: return "there is no state to begin with: constraints contradict each other";
+    case SystemFault::Kind::DeadEnd: return "the model gets stuck in a state that has no step";
+    case SystemFault::Kind::OutOfRange: return fmt::format("`{}` would leave its range, or get no value", fault.variable);
+    }
+    unreachable();
+}
+
+}  // namespace
+
+Breakdown breakdown_of(const TransitionSystem& system, const SystemFault& fault, Detail detail) {
+    const bool shown = !fault.run.states.empty();
+    return {std::string(word(fault.kind)), message_of(fault), shown ? tell(system, fault.run, detail) : Trace{}};
+}
+
 Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run, Detail detail) {
     Answer answer;
     if (const Property* property = property_of(system.properties, verdict.property)) answer.text = property->text;

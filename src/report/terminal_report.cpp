@@ -82,7 +82,7 @@ private:
 
     void print(const Breakdown& breakdown) {
         out_ << painted("the model breaks off", 31) << ": " << breakdown.message << " [" << breakdown.code << "]\n";
-        print_told("the way there", breakdown.trace, "");
+        if (!breakdown.trace.steps.empty()) print_told("the way there", breakdown.trace, "");
     }
 
     void print_tally() {

@@ -41,20 +41,6 @@ struct SymbolicOptions {
     std::function<void(const SymbolicProgress&)> progress = {};   ///< called after every step of the search
 };
 
-/// Why a system means nothing: no verdict about it would be worth anything.
-struct SystemFault {
-    enum class Kind {
-        NoInitialState,   ///< the invariants and initial values contradict each other
-        DeadEnd,          ///< a reachable state has no step
-        OutOfRange,       ///< a step gives `variable` a value outside its range, or none
-    };
-    Kind kind = Kind::NoInitialState;
-    std::string variable = {};
-    SystemRun run = {};          ///< to the state where it shows
-
-    bool operator==(const SystemFault&) const = default;
-};
-
 struct SymbolicResult {
     std::vector<Verdict> verdicts = {};                     ///< in the order of the properties
     std::vector<std::optional<SystemRun>> runs = {};        ///< per verdict: counterexample, or witness of `reachable`

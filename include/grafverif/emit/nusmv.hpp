@@ -19,11 +19,14 @@
 
 #include <iosfwd>
 
-#include "grafverif/ir/transition_system.hpp"
+#include "grafverif/ir/flat_system.hpp"
 
 namespace grafverif::nusmv {
 
 /// Requires verify(system).empty().
 void emit(const TransitionSystem& system, std::ostream& out);
+
+/// The names that stand in the model that `emit` writes.
+SystemSpelling spelling(const TransitionSystem& system);
 
 }  // namespace grafverif::nusmv

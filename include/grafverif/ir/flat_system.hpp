@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grafverif/ir/transition_system.hpp"
@@ -41,6 +42,15 @@ FlatSystem flattened(const TransitionSystem& system);
 /// `term`, over the symbols of the system's main, as a term over the variables of `flat`, in flat.exprs.
 Id<Expr> flattened(const TransitionSystem& system, FlatSystem& flat, Id<Expr> term);
 
+/// How a program that reads a model of the system spells what is in its tables.
+struct SystemSpelling {
+    std::vector<std::string> variables = {};             ///< of flattened(system).variables
+    std::vector<std::vector<std::string>> values = {};   ///< per variable, the names of its values from type.low; none: numbers
+    std::vector<std::string> properties = {};            ///< of system.properties
+
+    bool operator==(const SystemSpelling&) const = default;
+};
+
 /// A run of a TransitionSystem. States hold the value of each symbol of main; where that depends on choices, with those
 /// of the step that leaves the state. A symbol without a value there (a definition that divides by zero) is 0.
 struct SystemRun {
@@ -49,6 +59,23 @@ struct SystemRun {
 
     bool operator==(const SystemRun&) const = default;
 };
+
+/// Why a system means nothing: no verdict about it would be worth anything.
+struct SystemFault {
+    enum class Kind {
+        NoInitialState,   ///< the invariants and initial values contradict each other
+        DeadEnd,          ///< a reachable state has no step
+        OutOfRange,       ///< a step gives `variable` a value outside its range, or none
+    };
+    Kind kind = Kind::NoInitialState;
+    std::string variable = {};
+    SystemRun run = {};          ///< to the state where it shows
+
+    bool operator==(const SystemFault&) const = default;
+};
+
+/// `no-initial-state`, `dead-end`, `out-of-range`.
+std::string_view word(SystemFault::Kind kind);
 
 /// The values of all symbols of main, as a state of a SystemRun. `variables`: one value for each of flat.variables.
 std::vector<std::int64_t> symbol_values(const FlatSystem& flat, std::span<const std::int64_t> variables);

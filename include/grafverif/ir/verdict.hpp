@@ -51,6 +51,7 @@ enum class Obstacle {
     Inexact,       ///< integer time does not decide it for dense time
     Unsupported,   ///< this engine does not take the property
     Faulty,        ///< the model breaks off somewhere: see ModelError
+    Failed,        ///< the external program gave no verdict
 };
 
 struct Verdict {
@@ -91,7 +92,7 @@ struct ModelError {
 
 /// `holds`, `violated`, `unknown`.
 std::string_view word(Outcome outcome);
-/// `bound`, `memory`, `stopped`, `inexact`, `unsupported`, `faulty`; empty for None.
+/// `bound`, `memory`, `stopped`, `inexact`, `unsupported`, `faulty`, `failed`; empty for None.
 std::string_view word(Obstacle obstacle);
 /// The code of a model error: `out-of-range`, `action-race`, `no-value`.
 std::string_view word(ModelError::Kind kind);

@@ -64,6 +64,7 @@ struct Report {
 Answer answer_of(const Network& network, Verdict verdict, Detail detail);
 /// The same of an untimed check; `run` shows the verdict.
 Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run, Detail detail);
+Breakdown breakdown_of(const TransitionSystem& system, const SystemFault& fault, Detail detail);
 Breakdown breakdown_of(const Network& network, const ModelError& error, Detail detail);
 
 /// How many verdicts there are of each kind. An unknown verdict that the model does not ask for is only a note.

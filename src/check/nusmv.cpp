@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/check/nusmv.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <unordered_map>
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::string_view mark = "grafverif: ";
+
+/// What was printed behind each mark.
+std::unordered_map<std::string, std::string_view> sections(std::string_view text) {
+    std::unordered_map<std::string, std::string_view> found;
+    for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
+        const std::size_t line_end = std::min(text.find('\n', at), text.size());
+        std::string_view name = text.substr(at + mark.size(), line_end - at - mark.size());
+        name = name.substr(0, name.find_last_not_of(" \r") + 1);   // `echo` adds a blank
+        const std::size_t next = text.find(mark, line_end);
+        found[std::string(name)] = text.substr(line_end, (next == std::string_view::npos ? text.size() : next) - line_end);
+        at = next;
+    }
+    return found;
+}
+
+std::string_view trimmed_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+    while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
+    return line;
+}
+
+std::optional<bool> truth(std::string_view section) {
+    while (!section.empty()) {
+        const std::string_view line = trimmed_line(section);
+        if (!line.starts_with("-- specification") && !line.starts_with("-- invariant") && !line.starts_with("-- LTL"))
+            continue;
+        if (line.ends_with("is true")) return true;
+        if (line.ends_with("is false")) return false;
+    }
+    return {};
+}
+
+/// A counterexample as NuSMV prints it: what did not change is left out; the choices of a step stand before the state
+/// that it leads to.
+class TraceReader {
+public:
+    TraceReader(const FlatSystem& flat, const SystemSpelling& spelling) : flat_(flat), spelling_(spelling) {
+        for (const Id<FlatSystem::Variable> id : flat.variables.ids()) places_[spelling.variables[id.index]] = id;
+        for (const FlatSystem::Variable& variable : flat.variables) now_.push_back(variable.type.low);
+    }
+
+    /// Empty: there is none, or it has a value of ours that means nothing to us. `repeats`: a loop matters.
+    std::optional<SystemRun> read(std::string_view section, bool repeats) {
+        bool in_trace = false;
+        while (!section.empty()) {
+            const std::string_view line = trimmed_line(section);
+            if (line.starts_with("Trace Type:")) in_trace = true;
+            if (!in_trace) continue;
+            if (line.starts_with("-- Loop starts here")) begin_loop();
+            else if (line.starts_with("-> Input:")) close_state();
+            else if (line.starts_with("-> State:")) begin_state();
+            else if (const std::size_t at = line.find(" = "); at != std::string_view::npos)
+                if (!assign(line.substr(0, at), line.substr(at + 3))) return {};
+        }
+        close_state();
+        return run(repeats);
+    }
+
+private:
+    void begin_loop() {
+        close_state();
+        if (!loop_) loop_ = states_.size();
+    }
+
+    void close_state() {
+        if (open_) states_.push_back(now_);
+        open_ = false;
+    }
+
+    void begin_state() {
+        close_state();
+        for (const Id<FlatSystem::Variable> id : flat_.variables.ids())
+            if (flat_.variables[id].choice && !states_.empty()) states_.back()[id.index] = now_[id.index];
+        open_ = true;
+    }
+
+    bool assign(std::string_view name, std::string_view value) {
+        const auto place = places_.find(std::string(name));
+        if (place == places_.end()) return true;   // a definition
+        const auto number = value_of(place->second, value);
+        if (number) now_[place->second.index] = *number;
+        return number.has_value();
+    }
+
+    std::optional<std::int64_t> value_of(Id<FlatSystem::Variable> id, std::string_view text) const {
+        if (text == "TRUE" || text == "FALSE") return text == "TRUE";
+        const std::vector<std::string>& names = spelling_.values[id.index];
+        const auto named = std::ranges::find(names, text);
+        if (named != names.end()) return flat_.variables[id].type.low + (named - names.begin());
+        std::int64_t number = 0;
+        const std::from_chars_result read = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return {};
+        return number;
+    }
+
+    std::optional<SystemRun> run(bool repeats) {
+        if (states_.empty()) return {};
+        SystemRun run;
+        if (repeats && loop_ && *loop_ + 1 < states_.size()) {
+            run.loop = loop_;
+            states_.pop_back();   // it is the state where the loop began
+        }
+        for (const std::vector<std::int64_t>& state : states_) run.states.push_back(symbol_values(flat_, state));
+        return run;
+    }
+
+    const FlatSystem& flat_;
+    const SystemSpelling& spelling_;
+    std::unordered_map<std::string, Id<FlatSystem::Variable>> places_ = {};
+    std::vector<std::int64_t> now_ = {};
+    std::vector<std::vector<std::int64_t>> states_ = {};
+    bool open_ = false;
+    std::optional<std::size_t> loop_ = {};
+};
+
+/// `reachable states: 19456 (2^14.25) out of ...`; a large number is rounded (`1.2e+21`) and not taken.
+std::string state_count(std::string_view section) {
+    constexpr std::string_view before = "reachable states: ";
+    const std::size_t at = section.find(before);
+    if (at == std::string_view::npos) return {};
+    section.remove_prefix(at + before.size());
+    const std::size_t end = section.find_first_not_of("0123456789");
+    return end != std::string_view::npos && section[end] == ' ' ? std::string(section.substr(0, end)) : std::string();
+}
+
+std::string failure_of(const ProgramResult& said) {
+    switch (said.end) {
+    case ProgramResult::End::TimedOut: return "stopped at the time limit";
+    case ProgramResult::End::Stopped: return "stopped";
+    case ProgramResult::End::TooMuchOutput: return "the program wrote more than is read";
+    case ProgramResult::End::Signalled: return "the program was ended by signal " + std::to_string(said.status);
+    case ProgramResult::End::Exited: break;
+    }
+    std::string_view text = said.err;
+    std::string last;
+    while (!text.empty())
+        if (const std::string_view line = trimmed_line(text); !line.empty()) last = line;
+    return last.empty() ? "the program gave no verdict" : "the program gave no verdict; its last words: " + last;
+}
+
+Obstacle obstacle_of(const ProgramResult& said) {
+    const bool stopped = said.end == ProgramResult::End::TimedOut || said.end == ProgramResult::End::Stopped;
+    return stopped ? Obstacle::Stopped : Obstacle::Failed;
+}
+
+}  // namespace
+
+TransitionSystem asked_of_nusmv(const TransitionSystem& system) {
+    TransitionSystem asked = system;
+    for (Property& property : asked.properties)
+        if (property.pattern == Pattern::Reachable) {
+            if (property.at_stable) property.operands = {asked.exprs.conjunction(asked.settled, property.operands[0])};
+            property.at_stable = false;
+            property.pattern = Pattern::Never;
+        }
+    return asked;
+}
+
+std::string nusmv_commands(const std::string& model, const SystemSpelling& spelling,
+                           const std::vector<std::size_t>& properties) {
+    const auto section = [](std::string_view name) { return "echo " + std::string(mark) + std::string(name) + "\n"; };
+    std::string text = "set on_failure_script_quits\nread_model -i " + model +
+                       "\nflatten_hierarchy\nencode_variables\nbuild_model\n";
+    text += section("fsm") + "check_fsm\n" + section("states") + "print_reachable_states\n";
+    for (const std::size_t property : properties)
+        text += section(std::to_string(property)) + "check_property -P \"" + spelling.properties[property] + "\"\n";
+    return text + section("end") + "quit\n";
+}
+
+NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
+                       const std::vector<std::size_t>& properties, const ProgramResult& said) {
+    const FlatSystem flat = flattened(system);
+    const auto parts = sections(said.out);
+    const auto part = [&](const std::string& name) {
+        const auto found = parts.find(name);
+        return found == parts.end() ? std::string_view() : found->second;
+    };
+    NusmvResult result;
+    for (const std::string_view words : {"The transition relation is total", "the machine is deadlock-free"})
+        result.total = result.total || part("fsm").find(words) != std::string_view::npos;
+    result.states = state_count(part("states"));
+    for (const std::size_t index : properties) {
+        const Property& property = system.properties[{static_cast<std::uint32_t>(index)}];
+        Verdict verdict{.property = property.name,
+                        .pattern = property.pattern,
+                        .expected_violated = property.expected_violated,
+                        .states = result.states,
+                        .origin = property.origin};
+        const std::string_view text = part(std::to_string(index));
+        const std::optional<bool> holds = truth(text);
+        std::optional<SystemRun> run;
+        if (holds && result.total) {
+            const bool reachable = property.pattern == Pattern::Reachable;
+            verdict.outcome = *holds != reachable ? Outcome::Holds : Outcome::Violated;
+            const bool about_paths = property.pattern == Pattern::Inevitable || property.pattern == Pattern::LeadsTo ||
+                                     property.pattern == Pattern::RawLtl || property.pattern == Pattern::RawCtl;
+            if (!*holds) run = TraceReader(flat, spelling).read(text, about_paths);
+        } else if (holds || (!result.total && said.end == ProgramResult::End::Exited && !part("states").empty())) {
+            verdict.obstacle = Obstacle::Faulty;
+            verdict.reason = "some reachable state has no step";
+        } else {
+            verdict.obstacle = obstacle_of(said);
+            verdict.reason = failure_of(said);
+        }
+        result.verdicts.push_back(std::move(verdict));
+        result.runs.push_back(std::move(run));
+    }
+    return result;
+}
+
+}  // namespace grafverif

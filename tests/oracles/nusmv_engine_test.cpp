@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// NuSMV as an engine beside our own: the same verdicts and numbers of states, and counterexamples that are runs, read
+// back from what it prints; on random systems and on the controllers of random loops.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "app/process.hpp"
+#include "grafverif/check/nusmv.hpp"
+#include "grafverif/check/symbolic.hpp"
+#include "grafverif/derive/derive.hpp"
+#include "grafverif/emit/nusmv.hpp"
+#include "grafverif/run/replay_system.hpp"
+#include "grafverif/schedule/controller.hpp"
+#include "support/law_size.hpp"
+#include "support/random_loop.hpp"
+#include "support/random_system.hpp"
+
+namespace grafverif {
+namespace {
+
+/// What NuSMV answers, and the model and its words for the message of a failure.
+struct Asked {
+    NusmvResult result = {};
+    std::string conversation = {};
+};
+
+Asked asked_nusmv(const TransitionSystem& system, const std::string& program) {
+    const app::TemporaryFolder folder;
+    const std::string model = (folder.path() / "model.smv").string(), commands = (folder.path() / "commands").string();
+    const TransitionSystem asked = asked_of_nusmv(system);
+    const SystemSpelling spelling = nusmv::spelling(asked);
+    std::vector<std::size_t> all;
+    for (const Id<Property> id : system.properties.ids()) all.push_back(id.index);
+    std::ostringstream text;
+    nusmv::emit(asked, text);
+    std::ofstream(model) << text.str();
+    std::ofstream(commands) << nusmv_commands(model, spelling, all);
+    const ProgramResult said = app::run_program({program, "-source", commands}, "", {});
+    return {read_nusmv(system, spelling, all, said), text.str() + said.out + said.err};
+}
+
+struct Agreement {
+    std::size_t verdicts = 0, runs = 0;
+};
+
+/// Whether a run of NuSMV's shows what it should is asked of our own reading of the property.
+void expect_agreement(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
+    const SymbolicResult ours = check_symbolic(system);
+    if (ours.fault) return;
+    const auto [theirs, conversation] = asked_nusmv(system, program);
+    ASSERT_TRUE(theirs.total) << conversation;
+    ASSERT_EQ(theirs.states, ours.states);
+    ASSERT_EQ(theirs.verdicts.size(), ours.verdicts.size());
+    const bool just = !system.modules[system.main].justice.empty();
+    for (std::size_t i = 0; i < ours.verdicts.size(); ++i) {
+        SCOPED_TRACE(ours.verdicts[i].property);
+        if (ours.verdicts[i].obstacle == Obstacle::Unsupported) continue;
+        ASSERT_EQ(theirs.verdicts[i].outcome, ours.verdicts[i].outcome) << conversation;
+        ++agreement.verdicts;
+        if (!ours.runs[i] || ours.verdicts[i].pattern == Pattern::AlwaysPossible) continue;
+        ASSERT_TRUE(theirs.runs[i]);
+        const bool about_states = !ours.runs[i]->loop;
+        if (about_states) { EXPECT_EQ(theirs.runs[i]->states.size(), ours.runs[i]->states.size()) << "both are shortest"; }
+        else if (!just) { EXPECT_TRUE(theirs.runs[i]->loop); }
+        ++agreement.runs;
+    }
+}
+
+TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnRandomSystems) {
+    const auto program = app::find_program("NuSMV");
+    if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
+    Agreement agreement;
+    for (int seed = 1; seed <= law_size(40); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        TransitionSystem system = random_system(random);
+        ask_more(system, random);
+        expect_agreement(system, program->string(), agreement);
+        if (HasFatalFailure()) return;
+    }
+    std::cout << agreement.verdicts << " verdicts, " << agreement.runs << " runs\n";
+}
+
+TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
+    const auto program = app::find_program("NuSMV");
+    if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
+    std::size_t replayed = 0;
+    for (int seed = 1; seed <= law_size(20); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Model model = random_loop(random);
+        const ClosedLoop& loop = model.loops[{0}];
+        Diagnostics diagnostics;
+        std::vector<Equations> equations;
+        std::vector<const Chart*> charts;
+        for (const ClosedLoop::Controller& controller : loop.controllers) {
+            charts.push_back(&model.charts[controller.chart]);
+            if (auto derived = derive(*charts.back(), diagnostics)) equations.push_back(std::move(*derived));
+        }
+        if (equations.size() != loop.controllers.size()) continue;
+        const TransitionSystem system = schedule_controllers(model, loop, equations);
+        for (const auto& run : asked_nusmv(system, program->string()).result.runs) {
+            if (!run) continue;
+            const auto found = disagreement(system, charts, *run);
+            EXPECT_FALSE(found) << "step " << found->move << ", " << found->where << ": " << found->what;
+            ++replayed;
+        }
+    }
+    std::cout << replayed << " runs replayed\n";
+}
+
+TEST(NusmvEngine, AProgramThatSaysNothingGivesNoVerdict) {
+    Random random(3);
+    TransitionSystem system = random_system(random);
+    ask_more(system, random);
+    const SystemSpelling spelling = nusmv::spelling(system);
+    const NusmvResult result =
+        read_nusmv(system, spelling, {0, 1}, {ProgramResult::End::Exited, 1, "", "file model.smv: line 3: syntax error\n"});
+    ASSERT_EQ(result.verdicts.size(), 2u);
+    EXPECT_EQ(result.verdicts[0].outcome, Outcome::Unknown);
+    EXPECT_EQ(result.verdicts[0].obstacle, Obstacle::Failed);
+    EXPECT_NE(result.verdicts[0].reason.find("syntax error"), std::string::npos) << result.verdicts[0].reason;
+}
+
+TEST(NusmvEngine, AModelThatGetsStuckGivesNoVerdict) {
+    Random random(3);
+    TransitionSystem system = random_system(random);
+    ask_more(system, random);
+    const std::string out = "grafverif: fsm\nThe transition relation is not total.\ngrafverif: states\nreachable states: 4 (2^2) out of 8\n"
+                            "grafverif: 0\n-- invariant x  is true\ngrafverif: end\n";
+    const NusmvResult result =
+        read_nusmv(system, nusmv::spelling(system), {0}, {ProgramResult::End::Exited, 0, out, ""});
+    EXPECT_EQ(result.verdicts[0].outcome, Outcome::Unknown);
+    EXPECT_EQ(result.verdicts[0].obstacle, Obstacle::Faulty);
+}
+
+}  // namespace
+}  // namespace grafverif
