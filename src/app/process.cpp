@@ -3,9 +3,7 @@
 // without a name: nothing has to be written to it while it runs, and one that does not read it breaks no pipe.
 #include "app/process.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,53 +15,15 @@
 #include <cstdlib>
 #include <memory>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
-extern char** environ;
+#include "app/spawn.hpp"
 
 namespace grafverif::app {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-[[noreturn]] void fail(int code, const std::string& what) { throw std::system_error(code, std::generic_category(), what); }
-
-/// A file descriptor and its end.
-class Descriptor {
-public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-    Descriptor& operator=(Descriptor&& other) noexcept {
-        std::swap(number_, other.number_);
-        return *this;
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { close(); }
-
-    int number() const { return number_; }
-    bool open() const { return number_ >= 0; }
-    void close() {
-        if (number_ >= 0) ::close(number_);
-        number_ = -1;
-    }
-
-private:
-    int number_;
-};
-
-struct Pipe {
-    Descriptor read = Descriptor(), write = Descriptor();
-};
-
-Pipe make_pipe() {
-    std::array<int, 2> ends = {};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "cannot make a pipe");
-    ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
-    return {Descriptor(ends[0]), Descriptor(ends[1])};
-}
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
@@ -74,28 +34,6 @@ File file_of(const std::string& input) {
         fail(errno, "cannot write a temporary file");
     ::lseek(::fileno(file.get()), 0, SEEK_SET);
     return file;
-}
-
-pid_t start(const std::vector<std::string>& arguments, int input, int output, int error) {
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawnattr_init(&attributes);
-    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, error, STDERR_FILENO);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    std::vector<std::string> copies = arguments;
-    std::vector<char*> pointers;
-    for (std::string& argument : copies) pointers.push_back(argument.data());
-    pointers.push_back(nullptr);
-    pid_t child = 0;
-    const int failure = posix_spawn(&child, pointers[0], &actions, &attributes, pointers.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
-    if (failure != 0) fail(failure, "cannot run `" + arguments.front() + "`");
-    return child;
 }
 
 /// One of its output streams as it comes in.
@@ -142,7 +80,9 @@ std::optional<fs::path> find_program(const std::string& name) {
 ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& input, const ProgramLimits& limits) {
     const File stdin_file = file_of(input);
     Pipe out_pipe = make_pipe(), err_pipe = make_pipe();
-    const pid_t child = start(arguments, ::fileno(stdin_file.get()), out_pipe.write.number(), err_pipe.write.number());
+    set_nonblocking(out_pipe.read);
+    set_nonblocking(err_pipe.read);
+    const pid_t child = spawn(arguments, ::fileno(stdin_file.get()), out_pipe.write.number(), err_pipe.write.number());
     out_pipe.write.close();
     err_pipe.write.close();
     Stream out{std::move(out_pipe.read), {}}, err{std::move(err_pipe.read), {}};

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// All three pipes are read and written as they get ready, so that a program that writes before it reads, or never reads,
+// blocks nobody. What it writes is kept up to a limit; what stands on its standard error is kept from the end.
+#include "app/dialogue.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include "grafverif/syntax/scan_line.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+/// Reads what is there, but no more than `most` bytes; closes at the end.
+std::string taken(Descriptor& from, std::size_t most) {
+    std::string text(most, '\0');
+    const ssize_t count = ::read(from.number(), text.data(), text.size());
+    const bool later = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+    if (count <= 0 && !later) from.close();
+    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return text;
+}
+
+constexpr std::size_t block = 65'536;   ///< bytes read at once
+constexpr int shell_found_nothing = 127, shell_could_not_run = 126;
+
+}  // namespace
+
+Dialogue::Dialogue(const std::string& command, const DialogueLimits& limits) : limits_(limits) {
+    Pipe in = make_pipe(), out = make_pipe(), err = make_pipe();
+    program_ = spawn({"/bin/sh", "-c", command}, in.read.number(), out.write.number(), err.write.number());
+    to_ = std::move(in.write);
+    from_ = std::move(out.read);
+    errors_ = std::move(err.read);
+    for (const Descriptor* ours : {&to_, &from_, &errors_}) set_nonblocking(*ours);
+    pipe_signal_before_ = std::signal(SIGPIPE, SIG_IGN);   // who has ended does not read
+}
+
+Dialogue::~Dialogue() {
+    to_.close();
+    from_.close();
+    if (!wait_for_end(milliseconds(over_ ? 0 : 500))) {
+        ::kill(-program_, SIGTERM);
+        wait_for_end(milliseconds(200));
+    }
+    ::kill(-program_, SIGKILL);
+    if (!reaped_) ::waitpid(program_, &status_, 0);
+    std::signal(SIGPIPE, pipe_signal_before_);
+}
+
+Answer Dialogue::ask(const std::string& line) {
+    Answer answer = answer_to(line);
+    over_ = answer.kind != Answer::Kind::Line;
+    return answer;
+}
+
+Answer Dialogue::answer_to(const std::string& line) {
+    receive();
+    if (!heard_.empty()) return {Answer::Kind::Flood, heard_.substr(0, heard_.find('\n'))};
+    tell(line);
+    const Steady::time_point deadline = Steady::now() + limits_.patience;
+    for (;;) {
+        const bool answered = heard_.find('\n') != std::string::npos;
+        if (answered || heard_.size() > limits_.longest_line || !from_.open()) return answer_so_far();
+        if (limits_.stop != nullptr && limits_.stop->load()) return {Answer::Kind::Stopped, {}};
+        const auto left = std::chrono::duration_cast<milliseconds>(deadline - Steady::now());
+        if (left.count() <= 0) return {Answer::Kind::Silent, {}};
+        wait(left);
+        send();
+        receive();
+        listen();
+    }
+}
+
+/// There is a line, there is more than a line, or there will be none.
+Answer Dialogue::answer_so_far() {
+    const std::size_t end = heard_.find('\n');
+    if (end == std::string::npos && heard_.size() <= limits_.longest_line) return {Answer::Kind::Ended, heard_};
+    if (end != heard_.size() - 1) return {Answer::Kind::Flood, heard_.substr(0, end)};
+    std::string line = std::exchange(heard_, {});
+    line.pop_back();
+    return {Answer::Kind::Line, std::move(line)};
+}
+
+void Dialogue::send() {
+    if (!to_.open() || unsent_.empty()) return;
+    const ssize_t count = ::write(to_.number(), unsent_.data(), unsent_.size());
+    if (count > 0) unsent_.erase(0, static_cast<std::size_t>(count));
+    else if (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) to_.close();
+}
+
+void Dialogue::receive() {
+    if (from_.open() && heard_.size() <= limits_.longest_line) heard_ += taken(from_, block);
+}
+
+void Dialogue::listen() {
+    constexpr std::size_t kept = 2000;
+    if (!errors_.open()) return;
+    said_ += taken(errors_, block);
+    if (said_.size() > kept) said_.erase(0, said_.size() - kept);
+}
+
+/// Until something can be read or written, but not much longer than somebody who asks us to stop would wait.
+void Dialogue::wait(milliseconds longest) {
+    constexpr milliseconds most{100};
+    const auto writing = static_cast<short>(unsent_.empty() ? 0 : POLLOUT);
+    std::array<pollfd, 3> waited = {pollfd{from_.number(), POLLIN, 0}, pollfd{errors_.number(), POLLIN, 0},
+                                    pollfd{writing != 0 ? to_.number() : -1, writing, 0}};
+    ::poll(waited.data(), waited.size(), static_cast<int>(std::min(longest, most).count()));
+}
+
+bool Dialogue::ended() {
+    if (!reaped_) reaped_ = ::waitpid(program_, &status_, WNOHANG) == program_;
+    return reaped_;
+}
+
+/// Its standard error is read meanwhile: nobody ends who cannot say why.
+bool Dialogue::wait_for_end(milliseconds longest) {
+    const Steady::time_point deadline = Steady::now() + longest;
+    while (!ended() && Steady::now() < deadline) {
+        pollfd waited{errors_.number(), POLLIN, 0};
+        ::poll(&waited, 1, 2);
+        listen();
+    }
+    return reaped_;
+}
+
+std::string Dialogue::end_text() {
+    std::string text = "it closed its output";
+    if (wait_for_end(milliseconds(500)))
+        text = WIFSIGNALED(status_)
+                   ? fmt::format("it was ended by signal {} ({})", WTERMSIG(status_), ::strsignal(WTERMSIG(status_)))
+                   : fmt::format("it ended with exit code {}", WEXITSTATUS(status_));
+    if (!heard_.empty()) text += fmt::format(", in the midst of the line `{}`", shown_line(heard_));
+    listen();
+    std::string_view last = said_;
+    while (last.ends_with('\n')) last.remove_suffix(1);
+    last.remove_prefix(last.rfind('\n') + 1);   // npos + 1 is 0
+    if (!last.empty()) text += fmt::format("; it said: {}", shown_line(last));
+    return text;
+}
+
+bool Dialogue::not_found() {
+    return wait_for_end(milliseconds(500)) && WIFEXITED(status_) &&
+           (WEXITSTATUS(status_) == shell_found_nothing || WEXITSTATUS(status_) == shell_could_not_run);
+}
+
+}  // namespace grafverif::app

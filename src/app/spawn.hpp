@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What a one-shot run (process.hpp) and a dialogue (dialogue.hpp) with another program share: descriptors that end with
+// their owner, pipes, and the start of a program in a process group of its own, so that it can be ended with all it has
+// started.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace grafverif::app {
+
+/// A file descriptor and its end.
+class Descriptor {
+public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+
+    int number() const { return number_; }
+    bool open() const { return number_ >= 0; }
+    void close();
+
+private:
+    int number_;
+};
+
+struct Pipe {
+    Descriptor read = Descriptor(), write = Descriptor();
+};
+
+/// A pipe that no other program inherits. Throws std::system_error.
+Pipe make_pipe();
+
+/// `number` no longer blocks who reads or writes.
+void set_nonblocking(const Descriptor& descriptor);
+
+/// Throws std::system_error.
+[[noreturn]] void fail(int code, const std::string& what);
+
+/// Starts the program at the path `arguments[0]` with these standard streams, in a process group named by its id, with
+/// no signal blocked or ignored that we block or ignore. Throws std::system_error.
+pid_t spawn(const std::vector<std::string>& arguments, int input, int output, int error);
+
+}  // namespace grafverif::app

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Dialogues with programs that behave, and with those that do not.
+#include "app/dialogue.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <csignal>
+
+namespace grafverif::app {
+namespace {
+
+using Kind = Answer::Kind;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+DialogueLimits impatient() { return {.patience = milliseconds(150)}; }
+
+/// Whether no child of ours is left, not even a dead one.
+bool no_child() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
+
+TEST(Dialogue, EachLineIsAnsweredByOne) {
+    {
+        Dialogue dialogue("while read line; do echo \"<$line>\"; done", {});
+        EXPECT_EQ(dialogue.ask("a"), (Answer{Kind::Line, "<a>"}));
+        EXPECT_EQ(dialogue.ask("b c"), (Answer{Kind::Line, "<b c>"}));
+    }
+    EXPECT_TRUE(no_child());
+}
+
+TEST(Dialogue, SomeLinesHaveNoAnswer) {
+    Dialogue dialogue("while read line; do case $line in wait*) ;; *) echo \"$line\";; esac; done", {});
+    dialogue.tell("wait 5s");
+    EXPECT_EQ(dialogue.ask("a").text, "a");
+}
+
+TEST(Dialogue, LongLinesGoThroughBothWays) {
+    const std::string line(300'000, 'x');
+    Dialogue dialogue("cat", {.longest_line = 400'000});
+    EXPECT_EQ(dialogue.ask(line), (Answer{Kind::Line, line}));
+}
+
+TEST(Dialogue, AProgramThatEndsSaysHow) {
+    struct Case {
+        const char* command;
+        const char* text;
+    };
+    for (const Case& c : {
+             Case{"exit 3", "it ended with exit code 3"},
+             Case{"read x; exit 0", "it ended with exit code 0"},
+             Case{"echo why >&2; exit 1", "it ended with exit code 1; it said: why"},
+             Case{"kill -SEGV $$", "it was ended by signal 11 (Segmentation fault)"},
+             Case{"printf 1,0; exit 2", "it ended with exit code 2, in the midst of the line `1,0`"},
+         }) {
+        SCOPED_TRACE(c.command);
+        {
+            Dialogue dialogue(c.command, {});
+            EXPECT_EQ(dialogue.ask("a").kind, Kind::Ended);
+            EXPECT_EQ(dialogue.end_text(), c.text);
+            EXPECT_FALSE(dialogue.not_found());
+        }
+        EXPECT_TRUE(no_child());
+    }
+}
+
+TEST(Dialogue, AProgramThatClosesItsOutputIsNotWaitedFor) {
+    const auto start = steady_clock::now();
+    {
+        Dialogue dialogue("exec >&-; sleep 60", {});
+        EXPECT_EQ(dialogue.ask("a").kind, Kind::Ended);
+        EXPECT_EQ(dialogue.end_text(), "it closed its output");
+    }
+    EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(20));
+    EXPECT_TRUE(no_child());
+}
+
+TEST(Dialogue, AProgramThatIsNotThereIsToldFromOneThatFails) {
+    Dialogue dialogue("/nowhere/at/all", {});
+    EXPECT_EQ(dialogue.ask("a").kind, Kind::Ended);
+    EXPECT_TRUE(dialogue.not_found());
+}
+
+TEST(Dialogue, PatienceHasAnEnd) {
+    const auto start = steady_clock::now();
+    for (const char* command : {"sleep 60", "sleep 60 & sleep 60", "trap '' TERM; sleep 60 & wait; sleep 60", "read x; printf 1; sleep 60"}) {
+        SCOPED_TRACE(command);
+        {
+            Dialogue dialogue(command, impatient());
+            EXPECT_EQ(dialogue.ask("a").kind, Kind::Silent);
+        }
+        EXPECT_TRUE(no_child());
+    }
+    EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(30));
+}
+
+TEST(Dialogue, AProgramThatNeverReadsBlocksNobody) {
+    Dialogue dialogue("sleep 60", impatient());
+    EXPECT_EQ(dialogue.ask(std::string(1'000'000, '1')).kind, Kind::Silent);
+}
+
+TEST(Dialogue, AFloodIsCut) {
+    Dialogue many("yes", {});
+    EXPECT_EQ(many.ask("a"), (Answer{Kind::Flood, "y"}));
+    Dialogue two("while read line; do echo 1; echo 2; done", {});
+    Kind kind = two.ask("a").kind;
+    if (kind == Kind::Line) kind = two.ask("a").kind;   // the second line came a moment later
+    EXPECT_EQ(kind, Kind::Flood);
+    Dialogue endless("read x; tr '\\0' x < /dev/zero", {});
+    const Answer answer = endless.ask("a");
+    EXPECT_EQ(answer.kind, Kind::Flood);
+    EXPECT_LT(answer.text.size(), 200'000u);
+}
+
+TEST(Dialogue, AFloodOfErrorsIsCutToo) {
+    Dialogue dialogue("head -c 3000000 /dev/zero | tr '\\0' x >&2; echo >&2; echo last words >&2; exit 1", {});
+    EXPECT_EQ(dialogue.ask("a").kind, Kind::Ended);
+    EXPECT_EQ(dialogue.end_text(), "it ended with exit code 1; it said: last words");
+}
+
+TEST(Dialogue, StopsWaitingWhenAsked) {
+    const std::atomic<bool> stop = true;
+    Dialogue dialogue("sleep 60", {.stop = &stop});
+    EXPECT_EQ(dialogue.ask("a").kind, Kind::Stopped);
+}
+
+TEST(Dialogue, SignalsAreAsTheyWereAfterwards) {
+    void (*const before)(int) = std::signal(SIGPIPE, SIG_DFL);
+    {
+        Dialogue dialogue("exit 0", {});
+        dialogue.ask("a");
+        dialogue.ask("b");   // into a pipe that nobody reads
+    }
+    EXPECT_EQ(std::signal(SIGPIPE, before), SIG_DFL);
+}
+
+}  // namespace
+}  // namespace grafverif::app
