@@ -6,6 +6,8 @@
 #include <charconv>
 #include <vector>
 
+#include "grafverif/syntax/dialect.hpp"
+
 namespace grafverif::app {
 
 namespace {
@@ -28,25 +30,18 @@ std::vector<std::string> words(std::string_view line) {
     return list;
 }
 
-std::optional<std::int64_t> number(std::string_view text, std::string_view* rest = nullptr) {
+std::optional<std::int64_t> number(std::string_view text) {
     std::int64_t value = 0;
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc{}) return {};
-    if (rest != nullptr) *rest = {end, static_cast<std::size_t>(text.data() + text.size() - end)};
-    else if (end != text.data() + text.size()) return {};
+    if (failure != std::errc{} || end != text.data() + text.size()) return {};
     return value;
 }
 
 Command wait_of(const std::vector<std::string>& list) {
     if (list.size() == 1) return WaitCommand{};
-    std::string_view unit;
-    const std::optional<std::int64_t> count = number(list[1], &unit);
-    if (list.size() == 3 && unit.empty()) unit = list[2];
-    const std::int64_t factor = unit == "ms" ? 1 : unit == "s" ? 1000 : unit == "min" ? 60'000 : 0;
-    constexpr std::int64_t longest = std::int64_t{1} << 40U;
-    if (!count || factor == 0 || *count <= 0 || *count > longest || list.size() > 3)
-        return BadCommand{"`wait` takes a duration such as `3s`, `250ms` or `2min`"};
-    return WaitCommand{*count * factor};
+    const auto milliseconds = duration_ms(list.size() == 2 ? list[1] : list[1] + " " + list[2]);
+    if (!milliseconds || list.size() > 3) return BadCommand{"`wait` takes a duration such as `3s`, `250ms` or `2min`"};
+    return WaitCommand{*milliseconds};
 }
 
 Command set_of(const std::vector<std::string>& list) {

@@ -31,6 +31,14 @@ void add_checking_options(const Verb& verb, po::options_description& options) {
         add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
         add("junit", text("FILE"), "write a JUnit report to FILE");
     }
+    if (accepts(verb, Accepts::Bench)) {
+        add("against", text("PROGRAM"), "the controller under test: a command for the shell");
+        add("sequence", text("FILE"), "the test sequence, as CSV");
+        add("stop-on-failure", po::bool_switch(), "run no step after the first failure (the default)");
+        add("go-on", po::bool_switch(), "run on after a failure, as far as the controller can");
+        add("timeout", text("TIME"), "give an answer up after TIME, such as 500ms or 5s (default: 10s)");
+        add("junit", text("FILE"), "write a JUnit report to FILE");
+    }
     if (accepts(verb, Accepts::Traces)) {
         add("trace-vcd", text("FILE"), "write the first trace as a waveform for GTKWave to FILE");
         add("trace-svg", text("FILE"), "write the first trace as a timing diagram to FILE");
@@ -195,6 +203,9 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     options.junit = text("junit");
     options.trace_vcd = text("trace-vcd");
     options.trace_svg = text("trace-svg");
+    options.against = text("against").value_or("");
+    options.sequence = text("sequence");
+    options.go_on = flag("go-on");
     options.script = text("script");
     if (values.count("property") != 0) options.properties = values["property"].as<std::vector<std::string>>();
     options.verbose = flag("verbose");
@@ -204,6 +215,9 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (std::string complaint = check_engine(values); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = read_numbers(values, options); !complaint.empty()) return {{}, complaint};
     if (options.help) return {options, {}};
+    if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
+    if (accepts(verb, Accepts::Bench) && !options.sequence) return {{}, "`--sequence FILE` is missing"};
+    if (options.go_on && flag("stop-on-failure")) return {{}, "`--stop-on-failure` and `--go-on` exclude each other"};
     if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
     if (options.operands.size() > verb.most_operands)
         return {{}, fmt::format("one argument too many: `{}`", options.operands[verb.most_operands])};

@@ -44,6 +44,9 @@ struct Options {
     std::optional<std::uint64_t> timeout_ms = {};
     std::optional<std::string> junit = {};
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
+    std::string against = {};                        ///< of `test`: the command that runs the controller
+    std::optional<std::string> sequence = {};        ///< of `test`: the table to run; else it is made of the chart
+    bool go_on = false;
     std::optional<std::string> script = {};          ///< of `simulate`
     std::optional<std::uint64_t> random_seed = {};
     std::uint64_t steps = 100;                       ///< of a random walk
@@ -51,7 +54,7 @@ struct Options {
 
 /// The options a verb may take besides --help, --quiet, --color and --diagnostics, which all take.
 enum class Accepts { Output, OutputDirectory, Loop, Chart, Mode, Grain, Target, Format, FormatLatex, InPlace,
-                     Search, Traces, Walk, Verbose, Clock };
+                     Search, Traces, Walk, Verbose, Clock, Bench };
 
 struct Verb {
     std::string name = {};

@@ -13,6 +13,7 @@
 #include "grafverif/emit/nusmv.hpp"
 #include "grafverif/emit/uppaal.hpp"
 #include "grafverif/plant/plant.hpp"
+#include "grafverif/read/test_csv.hpp"
 #include "grafverif/read/text.hpp"
 #include "grafverif/schedule/controller.hpp"
 #include "grafverif/support/messages.hpp"
@@ -108,6 +109,16 @@ ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const Job& job
 
 std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Job& job) {
     return derive(model.charts[chart], job.diagnostics);
+}
+
+std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, Job& job) {
+    const Chart& tested = model.charts[chart];
+    for (const auto& [kind, what] : {std::pair(Chart::VariableKind::Input, "inputs"), std::pair(Chart::VariableKind::Output, "outputs")})
+        if (std::ranges::none_of(tested.variables, [kind = kind](const auto& variable) { return variable.kind == kind; }))
+            job.diagnostics.add(messages::nothing_to_test(tested.origin, tested.name, what));
+    const auto file = job.diagnostics.has_errors() ? std::nullopt : read_source(*job.options.sequence, job);
+    if (!file) return {};
+    return read_test_csv(*file, job.sources, tested, execution_mode(model, chart, job), job.diagnostics);
 }
 
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, Job& job) {

@@ -10,6 +10,7 @@
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/network.hpp"
+#include "grafverif/ir/test_sequence.hpp"
 #include "grafverif/ir/transition_system.hpp"
 #include "grafverif/support/diagnostic.hpp"
 
@@ -38,6 +39,9 @@ ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const Job& job
 
 /// Chart -> Equations
 std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Job& job);
+
+/// The test of the chart in the table of `--sequence`.
+std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, Job& job);
 
 /// ClosedLoop -> plant -> Network
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Job& job);

@@ -31,6 +31,7 @@ constexpr std::array entries = {
     Entry{check_usage, check},
     Entry{simulate_usage, simulate},
     Entry{plc_usage, plc},
+    Entry{test_usage, test},
 };
 
 void print_overview(std::ostream& out) {

@@ -3,7 +3,9 @@
 // comparison, sum, product, prefix, atom. Each dialect takes the levels of its own language.
 #include "grafverif/syntax/dialect.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <ostream>
 #include <sstream>
 
@@ -214,6 +216,17 @@ std::string expr_text(const Exprs& exprs, Id<Expr> root, Dialect dialect, const 
 std::string duration_text(std::int64_t milliseconds) {
     if (milliseconds % 1000 == 0) return std::to_string(milliseconds / 1000) + "s";
     return std::to_string(milliseconds) + "ms";
+}
+
+std::optional<std::int64_t> duration_ms(std::string_view text) {
+    constexpr std::int64_t longest = std::int64_t{1} << 40U;
+    std::int64_t count = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (failure != std::errc{} || count <= 0 || count > longest) return {};
+    std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
+    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+    const std::int64_t factor = unit == "ms" ? 1 : unit == "s" ? 1000 : unit == "min" ? 60'000 : 0;
+    return factor == 0 ? std::nullopt : std::optional(count * factor);
 }
 
 }  // namespace grafverif

@@ -80,6 +80,19 @@ Diagnostic entry_and_exit(Span where, std::string_view chart);
 Diagnostic constraint_not_on_inputs(Span where, std::string_view other);
 Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place);
 
+// (src/support/messages_test.cpp)
+Diagnostic cannot_run(std::string_view command);
+Diagnostic nothing_to_test(Span where, std::string_view chart, std::string_view what);
+Diagnostic empty_test(Span where);
+Diagnostic unknown_column(Span where, std::string_view name, std::string_view chart);
+Diagnostic missing_column(Span where, std::string_view kind, std::string_view name);
+Diagnostic repeated_column(Span where, std::string_view name);
+Diagnostic row_length(Span where, std::size_t found, std::size_t wanted);
+/// `problem`: what is wrong with the field, in the words of a message.
+Diagnostic bad_field(Span where, std::string_view problem);
+Diagnostic misplaced_wait(Span where, bool first);
+Diagnostic misplaced_activation(Span where);
+
 // (src/support/messages_component.cpp)
 Diagnostic constant_cycle(Span where, std::string_view constant);
 Diagnostic clock_not_conjunct(Span where);

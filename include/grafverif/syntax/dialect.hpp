@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,5 +46,7 @@ std::string expr_text(const Exprs& exprs, Id<Expr> root, Dialect dialect, const 
 
 /// A duration as it is written everywhere: `3s` for whole seconds, else `250ms`.
 std::string duration_text(std::int64_t milliseconds);
+/// The milliseconds of `3s`, `250 ms` or `2min`; empty where `text` is no positive duration, or one beyond all reason.
+std::optional<std::int64_t> duration_ms(std::string_view text);
 
 }  // namespace grafverif

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/read/test_csv.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "grafverif/support/messages.hpp"
+#include "grafverif/syntax/dialect.hpp"
+#include "grafverif/syntax/scan_line.hpp"
+
+namespace grafverif {
+
+namespace {
+
+struct Field {
+    std::string text = {};
+    Span where = {};
+};
+using Row = std::vector<Field>;
+
+/// The rows of a text, one after the other; empty lines are none.
+class Rows {
+public:
+    Rows(Id<Source> source, std::string_view text) : source_(source), text_(text) {
+        if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;   // byte order mark: spreadsheets write one
+    }
+
+    /// False at the end.
+    bool next(Row& row) {
+        row.clear();
+        while (at_ < text_.size() && (text_[at_] == '\n' || text_[at_] == '\r')) ++at_;
+        if (at_ >= text_.size()) return false;
+        for (;;) {
+            row.push_back(field());
+            if (at_ >= text_.size() || text_[at_] != ',') return true;
+            ++at_;
+        }
+    }
+
+    Span here() const { return {source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_)}; }
+
+private:
+    Field field() {
+        const std::size_t begin = at_;
+        std::string text;
+        if (at_ < text_.size() && text_[at_] == '"') {
+            for (++at_; at_ < text_.size(); ++at_) {
+                if (text_[at_] == '"' && !text_.substr(at_ + 1).starts_with('"')) break;
+                if (text_[at_] == '"') ++at_;
+                text += text_[at_];
+            }
+            at_ = std::min(at_ + 1, text_.size());
+        }
+        while (at_ < text_.size() && text_[at_] != ',' && text_[at_] != '\n' && text_[at_] != '\r') text += text_[at_++];
+        const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
+        const std::size_t last = text.find_last_not_of(" \t");
+        text = last == std::string::npos ? "" : text.substr(first, last - first + 1);
+        return {std::move(text), {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)}};
+    }
+
+    Id<Source> source_;
+    std::string_view text_;
+    std::size_t at_ = 0;
+};
+
+enum class Word : std::uint8_t { Sequence, Step, Wait, Cycles, Situation, Input, Output };
+
+struct Column {
+    Word word = Word::Input;
+    std::size_t index = 0;   ///< of the input or output
+};
+
+std::optional<Word> word_of(std::string_view text) {
+    constexpr std::array<std::string_view, 5> words = {"sequence", "step", "wait", "cycles", "situation"};
+    const auto found = std::ranges::find(words, text);
+    if (found == words.end()) return {};
+    return static_cast<Word>(found - words.begin());
+}
+
+Span span_of(const Row& row) { return {row.front().where.source, row.front().where.begin, row.back().where.end}; }
+
+class Reader {
+public:
+    Reader(TestSequence& test, Diagnostics& diagnostics) : test_(test), diagnostics_(diagnostics) {
+        for (const TestSequence::Variable& input : test.inputs) inputs_.push_back({input.name, input.type});
+        for (const TestSequence::Variable& output : test.outputs) outputs_.push_back({output.name, output.type});
+    }
+
+    void header(const Row& row) {
+        const bool ours = row.size() >= 4 && row[0].text == "sequence" && row[1].text == "step" && row[2].text == "wait" &&
+                          row[3].text == "cycles";
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            const auto word = word_of(row[k].text);
+            const bool fixed = ours && (k < 4 || (k + 1 == row.size() && word == Word::Situation));
+            const auto variable = fixed ? std::nullopt : variable_column(row[k].text);
+            if (!variable && !word) {
+                diagnostics_.add(messages::unknown_column(row[k].where, row[k].text, test_.chart));
+                continue;
+            }
+            const Column column = variable ? *variable : Column{*word, 0};
+            if (has(column)) diagnostics_.add(messages::repeated_column(row[k].where, row[k].text));
+            columns_.push_back(column);
+        }
+        for (std::size_t k = 0; k < inputs_.size(); ++k)
+            if (!has({Word::Input, k})) diagnostics_.add(messages::missing_column(span_of(row), "input", inputs_[k].name));
+        for (std::size_t k = 0; k < outputs_.size(); ++k)
+            if (!has({Word::Output, k})) diagnostics_.add(messages::missing_column(span_of(row), "output", outputs_[k].name));
+    }
+
+    void step(const Row& row) {
+        if (row.size() != columns_.size()) {
+            diagnostics_.add(messages::row_length(span_of(row), row.size(), columns_.size()));
+            return;
+        }
+        TestSequence::Step step;
+        step.inputs.resize(inputs_.size());
+        step.outputs.resize(outputs_.size());
+        std::string sequence, number, situation;
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            switch (columns_[k].word) {
+            case Word::Sequence:  sequence = row[k].text; break;
+            case Word::Step:      number = row[k].text; break;
+            case Word::Situation: situation = row[k].text; break;
+            case Word::Wait:      step.wait_ms = wait(row[k]); break;
+            case Word::Cycles:    step.cycles = cycles(row[k]); break;
+            case Word::Input:     step.inputs[columns_[k].index] = value(row[k], inputs_[columns_[k].index]); break;
+            case Word::Output:    step.outputs[columns_[k].index] = value(row[k], outputs_[columns_[k].index]); break;
+            }
+        }
+        step.situation = situation_of(situation);
+        if (test_.sequences.empty() || sequence != sequence_) test_.sequences.emplace_back();
+        sequence_ = std::move(sequence);
+        place(row, std::move(step), number == "0");
+    }
+
+private:
+    void place(const Row& row, TestSequence::Step step, bool activation) {
+        TestSequence::Sequence& sequence = test_.sequences.back();
+        if (activation) {
+            if (sequence.activation || !sequence.steps.empty() || step.cycles != 1 || step.wait_ms != 0)
+                diagnostics_.add(messages::misplaced_activation(span_of(row)));
+            sequence.activation = std::move(step);
+            return;
+        }
+        const bool first = sequence.steps.empty();
+        if (first && sequence.activation && sequence.activation->inputs != step.inputs)
+            diagnostics_.add(messages::misplaced_activation(span_of(row)));
+        if (step.wait_ms != 0 && (first || sequence.steps.back().inputs != step.inputs))
+            diagnostics_.add(messages::misplaced_wait(span_of(row), first));
+        sequence.steps.push_back(std::move(step));
+    }
+
+    std::optional<Column> variable_column(std::string_view name) const {
+        for (std::size_t k = 0; k < inputs_.size(); ++k)
+            if (inputs_[k].name == name) return Column{Word::Input, k};
+        for (std::size_t k = 0; k < outputs_.size(); ++k)
+            if (outputs_[k].name == name) return Column{Word::Output, k};
+        return {};
+    }
+
+    bool has(const Column& wanted) const {
+        return std::ranges::any_of(columns_, [&](const Column& column) {
+            return column.word == wanted.word && column.index == wanted.index;
+        });
+    }
+
+    std::int64_t value(const Field& field, const ScanColumn& column) {
+        const ScanValues read = read_scan_line(field.text, {&column, 1});
+        if (read.values) return read.values->front();
+        diagnostics_.add(messages::bad_field(field.where, read.problem));
+        return 0;
+    }
+
+    std::int64_t wait(const Field& field) {
+        if (field.text.empty()) return 0;
+        const auto milliseconds = duration_ms(field.text);
+        if (!milliseconds)
+            diagnostics_.add(messages::bad_field(
+                field.where, "`" + shown_line(field.text) + "` is no time to wait; write `3s`, `250ms` or `2min`"));
+        return milliseconds.value_or(0);
+    }
+
+    std::uint32_t cycles(const Field& field) {
+        std::uint32_t count = 0;
+        const char* const end = field.text.data() + field.text.size();
+        const auto [rest, failure] = std::from_chars(field.text.data(), end, count);
+        if (failure == std::errc{} && rest == end && count > 0) return count;
+        diagnostics_.add(messages::bad_field(
+            field.where, "`" + shown_line(field.text) + "` is no number of cycles; write 1, 2, ..."));
+        return 1;
+    }
+
+    Id<TestSequence::Situation> situation_of(const std::string& text) {
+        const auto [found, fresh] = situations_.try_emplace(text);
+        if (fresh) found->second = test_.situations.add({text});
+        return found->second;
+    }
+
+    TestSequence& test_;
+    Diagnostics& diagnostics_;
+    std::vector<ScanColumn> inputs_ = {}, outputs_ = {};
+    std::vector<Column> columns_ = {};
+    std::string sequence_ = {};
+    std::unordered_map<std::string, Id<TestSequence::Situation>> situations_ = {};
+};
+
+/// The inputs and outputs of `chart`, in order of declaration, and no steps.
+TestSequence test_without_steps(const Chart& chart, ExecutionMode mode) {
+    TestSequence test;
+    test.chart = chart.name;
+    test.mode = mode;
+    for (const Chart::Variable& variable : chart.variables) {
+        if (variable.kind == Chart::VariableKind::Input) test.inputs.push_back({variable.name, variable.type});
+        if (variable.kind == Chart::VariableKind::Output) test.outputs.push_back({variable.name, variable.type});
+    }
+    return test;
+}
+
+}  // namespace
+
+std::optional<TestSequence> read_test_csv(Id<Source> file, const Sources& sources, const Chart& chart, ExecutionMode mode,
+                                          Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    TestSequence test = test_without_steps(chart, mode);
+    Reader reader(test, diagnostics);
+    Rows rows(file, sources[file].text);
+    Row row;
+    if (rows.next(row)) reader.header(row);
+    if (diagnostics.errors() != errors) return {};
+    while (!diagnostics.full() && rows.next(row)) reader.step(row);
+    const bool lacking = test.sequences.empty() || std::ranges::any_of(test.sequences, [](const auto& sequence) {
+                             return sequence.steps.empty();
+                         });
+    if (lacking && diagnostics.errors() == errors) diagnostics.add(messages::empty_test(rows.here()));
+    if (diagnostics.errors() != errors) return {};
+    return test;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The words of a test report, and its rows in order.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "grafverif/report/test_report.hpp"
+
+namespace grafverif {
+
+/// `stability-search`, `every-cycle`.
+std::string_view mode_word(ExecutionMode mode);
+
+/// `V1 and W1 differ`, `no answer in time`.
+std::string cause_words(const TestReport& report, const TestReport::Failure& failure);
+
+/// Inputs, expected and answered outputs by name, the situation to expect; lines that end with a line feed.
+std::string failure_words(const TestReport& report, const TestReport::Failure& failure);
+
+/// Calls `visit(sequence, row, failure)` for each row; `failure` is null where it has none.
+template <class Visit>
+void for_each_row(const TestReport& report, Visit visit) {
+    std::size_t next = 0;
+    for (std::size_t sequence = 0; sequence < report.verdicts.size(); ++sequence) {
+        for (std::size_t row = 0; row < report.verdicts[sequence].size(); ++row) {
+            const bool failed = report.verdicts[sequence][row] == StepVerdict::Failed;
+            visit(sequence, row, failed ? &report.failures[next++] : nullptr);
+        }
+    }
+}
+
+}  // namespace grafverif
