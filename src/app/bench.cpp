@@ -17,7 +17,6 @@ namespace {
 
 using Cause = TestReport::Cause;
 using Failure = TestReport::Failure;
-using std::chrono::milliseconds;
 
 class Bench {
 public:
@@ -84,26 +83,26 @@ private:
     /// A real controller is kept waiting a little longer: its clock may tick less often than ours.
     void wait(Dialogue& dialogue, std::int64_t wait_ms) const {
         if (options_.clock == Clock::Simulated) return dialogue.tell("wait " + duration_text(wait_ms));
-        constexpr milliseconds margin{20}, nap{50};
-        const auto end = std::chrono::steady_clock::now() + milliseconds(wait_ms) + margin;
+        constexpr std::chrono::milliseconds margin{20}, nap{50};
+        const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(wait_ms) + margin;
         for (auto now = std::chrono::steady_clock::now(); now < end && !stopped(); now = std::chrono::steady_clock::now())
             std::this_thread::sleep_for(std::min<std::chrono::nanoseconds>(end - now, nap));
     }
 
-    std::optional<Failure> judge(Dialogue& dialogue, const Answer& answer, const TestSequence::Step& step) const {
+    std::optional<Failure> judge(Dialogue& dialogue, const Reply& answer, const TestSequence::Step& step) const {
         Failure failure;
         switch (answer.kind) {
-        case Answer::Kind::Line: return judge(answer.text, step);
-        case Answer::Kind::Stopped: return {};
-        case Answer::Kind::Silent:
+        case Reply::Kind::Line: return judge(answer.text, step);
+        case Reply::Kind::Stopped: return {};
+        case Reply::Kind::Silent:
             failure.cause = Cause::Silent;
             failure.message = fmt::format("no answer within {}", duration_text(options_.patience.count()));
             break;
-        case Answer::Kind::Ended:
+        case Reply::Kind::Ended:
             failure.cause = Cause::Ended;
             failure.message = "no answer: " + dialogue.end_text();
             break;
-        case Answer::Kind::Flood:
+        case Reply::Kind::Flood:
             failure.cause = Cause::Flood;
             failure.message = fmt::format("more than one line for one scan, or one without end: `{}`", shown_line(answer.text));
             break;

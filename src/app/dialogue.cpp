@@ -20,7 +20,6 @@ namespace grafverif::app {
 
 namespace {
 
-using std::chrono::milliseconds;
 
 /// Reads what is there, but no more than `most` bytes; closes at the end.
 std::string taken(Descriptor& from, std::size_t most) {
@@ -32,7 +31,7 @@ std::string taken(Descriptor& from, std::size_t most) {
     return text;
 }
 
-constexpr std::size_t block = 65'536;   ///< bytes read at once
+constexpr std::size_t bytes_at_once = 65'536;   ///< bytes read at once
 constexpr int shell_found_nothing = 127, shell_could_not_run = 126;
 
 }  // namespace
@@ -50,32 +49,32 @@ Dialogue::Dialogue(const std::string& command, const DialogueLimits& limits) : l
 Dialogue::~Dialogue() {
     to_.close();
     from_.close();
-    if (!wait_for_end(milliseconds(over_ ? 0 : 500))) {
+    if (!wait_for_end(std::chrono::milliseconds(over_ ? 0 : 500))) {
         ::kill(-program_, SIGTERM);
-        wait_for_end(milliseconds(200));
+        wait_for_end(std::chrono::milliseconds(200));
     }
     ::kill(-program_, SIGKILL);
     if (!reaped_) ::waitpid(program_, &status_, 0);
     std::signal(SIGPIPE, pipe_signal_before_);
 }
 
-Answer Dialogue::ask(const std::string& line) {
-    Answer answer = answer_to(line);
-    over_ = answer.kind != Answer::Kind::Line;
+Reply Dialogue::ask(const std::string& line) {
+    Reply answer = answer_to(line);
+    over_ = answer.kind != Reply::Kind::Line;
     return answer;
 }
 
-Answer Dialogue::answer_to(const std::string& line) {
+Reply Dialogue::answer_to(const std::string& line) {
     receive();
-    if (!heard_.empty()) return {Answer::Kind::Flood, heard_.substr(0, heard_.find('\n'))};
+    if (!heard_.empty()) return {Reply::Kind::Flood, heard_.substr(0, heard_.find('\n'))};
     tell(line);
     const Steady::time_point deadline = Steady::now() + limits_.patience;
     for (;;) {
         const bool answered = heard_.find('\n') != std::string::npos;
         if (answered || heard_.size() > limits_.longest_line || !from_.open()) return answer_so_far();
-        if (limits_.stop != nullptr && limits_.stop->load()) return {Answer::Kind::Stopped, {}};
-        const auto left = std::chrono::duration_cast<milliseconds>(deadline - Steady::now());
-        if (left.count() <= 0) return {Answer::Kind::Silent, {}};
+        if (limits_.stop != nullptr && limits_.stop->load()) return {Reply::Kind::Stopped, {}};
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Steady::now());
+        if (left.count() <= 0) return {Reply::Kind::Silent, {}};
         wait(left);
         send();
         receive();
@@ -84,13 +83,13 @@ Answer Dialogue::answer_to(const std::string& line) {
 }
 
 /// There is a line, there is more than a line, or there will be none.
-Answer Dialogue::answer_so_far() {
+Reply Dialogue::answer_so_far() {
     const std::size_t end = heard_.find('\n');
-    if (end == std::string::npos && heard_.size() <= limits_.longest_line) return {Answer::Kind::Ended, heard_};
-    if (end != heard_.size() - 1) return {Answer::Kind::Flood, heard_.substr(0, end)};
+    if (end == std::string::npos && heard_.size() <= limits_.longest_line) return {Reply::Kind::Ended, heard_};
+    if (end != heard_.size() - 1) return {Reply::Kind::Flood, heard_.substr(0, end)};
     std::string line = std::exchange(heard_, {});
     line.pop_back();
-    return {Answer::Kind::Line, std::move(line)};
+    return {Reply::Kind::Line, std::move(line)};
 }
 
 void Dialogue::send() {
@@ -101,19 +100,19 @@ void Dialogue::send() {
 }
 
 void Dialogue::receive() {
-    if (from_.open() && heard_.size() <= limits_.longest_line) heard_ += taken(from_, block);
+    if (from_.open() && heard_.size() <= limits_.longest_line) heard_ += taken(from_, bytes_at_once);
 }
 
 void Dialogue::listen() {
     constexpr std::size_t kept = 2000;
     if (!errors_.open()) return;
-    said_ += taken(errors_, block);
+    said_ += taken(errors_, bytes_at_once);
     if (said_.size() > kept) said_.erase(0, said_.size() - kept);
 }
 
 /// Until something can be read or written, but not much longer than somebody who asks us to stop would wait.
-void Dialogue::wait(milliseconds longest) {
-    constexpr milliseconds most{100};
+void Dialogue::wait(std::chrono::milliseconds longest) {
+    constexpr std::chrono::milliseconds most{100};
     const auto writing = static_cast<short>(unsent_.empty() ? 0 : POLLOUT);
     std::array<pollfd, 3> waited = {pollfd{from_.number(), POLLIN, 0}, pollfd{errors_.number(), POLLIN, 0},
                                     pollfd{writing != 0 ? to_.number() : -1, writing, 0}};
@@ -126,7 +125,7 @@ bool Dialogue::ended() {
 }
 
 /// Its standard error is read meanwhile: nobody ends who cannot say why.
-bool Dialogue::wait_for_end(milliseconds longest) {
+bool Dialogue::wait_for_end(std::chrono::milliseconds longest) {
     const Steady::time_point deadline = Steady::now() + longest;
     while (!ended() && Steady::now() < deadline) {
         pollfd waited{errors_.number(), POLLIN, 0};
@@ -138,7 +137,7 @@ bool Dialogue::wait_for_end(milliseconds longest) {
 
 std::string Dialogue::end_text() {
     std::string text = "it closed its output";
-    if (wait_for_end(milliseconds(500)))
+    if (wait_for_end(std::chrono::milliseconds(500)))
         text = WIFSIGNALED(status_)
                    ? fmt::format("it was ended by signal {} ({})", WTERMSIG(status_), ::strsignal(WTERMSIG(status_)))
                    : fmt::format("it ended with exit code {}", WEXITSTATUS(status_));
@@ -152,7 +151,7 @@ std::string Dialogue::end_text() {
 }
 
 bool Dialogue::not_found() {
-    return wait_for_end(milliseconds(500)) && WIFEXITED(status_) &&
+    return wait_for_end(std::chrono::milliseconds(500)) && WIFEXITED(status_) &&
            (WEXITSTATUS(status_) == shell_found_nothing || WEXITSTATUS(status_) == shell_could_not_run);
 }
 

@@ -20,7 +20,7 @@ struct DialogueLimits {
     const std::atomic<bool>* stop = nullptr;         ///< set by somebody else: stop waiting
 };
 
-struct Answer {
+struct Reply {
     enum class Kind {
         Line,      ///< `text` is the line, without its end
         Silent,    ///< none came in time
@@ -31,7 +31,7 @@ struct Answer {
     Kind kind = Kind::Line;
     std::string text = {};
 
-    bool operator==(const Answer&) const = default;
+    bool operator==(const Reply&) const = default;
 };
 
 class Dialogue {
@@ -43,7 +43,7 @@ public:
     ~Dialogue();
 
     /// Sends `line` and waits for the one that answers it. After any answer but a Line the dialogue is over.
-    Answer ask(const std::string& line);
+    Reply ask(const std::string& line);
     /// Sends `line`, which has no answer, before the next one.
     void tell(const std::string& line) { unsent_ += line + '\n'; }
 
@@ -55,8 +55,8 @@ public:
 private:
     using Steady = std::chrono::steady_clock;
 
-    Answer answer_to(const std::string& line);
-    Answer answer_so_far();
+    Reply answer_to(const std::string& line);
+    Reply answer_so_far();
     void send();
     void receive();
     void listen();

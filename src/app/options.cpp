@@ -31,9 +31,9 @@ void add_checking_options(const Verb& verb, po::options_description& options) {
         add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
         add("junit", text("FILE"), "write a JUnit report to FILE");
     }
+    if (accepts(verb, Accepts::Sequence)) add("sequence", text("FILE"), "the test sequence, as CSV");
     if (accepts(verb, Accepts::Bench)) {
         add("against", text("PROGRAM"), "the controller under test: a command for the shell");
-        add("sequence", text("FILE"), "the test sequence, as CSV");
         add("stop-on-failure", po::bool_switch(), "run no step after the first failure (the default)");
         add("go-on", po::bool_switch(), "run on after a failure, as far as the controller can");
         add("timeout", text("TIME"), "give an answer up after TIME, such as 500ms or 5s (default: 10s)");
@@ -68,6 +68,9 @@ po::options_description visible_options(const Verb& verb) {
     if (accepts(verb, Accepts::FormatLatex)) add("format", text("text|latex|json"), "form of the output (default: text)");
     if (accepts(verb, Accepts::Clock))
         add("clock", text("simulated|real"), "how time passes: by `wait` lines, or by itself (default: simulated)");
+    if (accepts(verb, Accepts::FormatXml)) add("format", text("xml|text"), "PLCopen XML or a textual unit (default: xml)");
+    if (accepts(verb, Accepts::MaxEvolutions))
+        add("max-evolutions", text("N"), "evolutions of one cycle, beyond which it is unstable (default: 1000)");
     add_checking_options(verb, options);
     if (accepts(verb, Accepts::InPlace)) {
         add("in-place,i", po::bool_switch(), "rewrite FILE itself");
@@ -117,7 +120,10 @@ std::string choose_all(const Verb& verb, const po::variables_map& values, Option
     if (accepts(verb, Accepts::FormatLatex))
         keep(choose<Format>(values, "format", {{"text", Format::Text}, {"latex", Format::Latex}, {"json", Format::Json}},
                             options.format));
-    else
+    else if (accepts(verb, Accepts::FormatXml)) {
+        options.format = Format::Xml;
+        keep(choose<Format>(values, "format", {{"xml", Format::Xml}, {"text", Format::Text}}, options.format));
+    } else
         keep(choose<Format>(values, "format", {{"text", Format::Text}, {"json", Format::Json}}, options.format));
     keep(choose<DiagnosticFormat>(values, "diagnostics",
                                   {{"text", DiagnosticFormat::Text}, {"json", DiagnosticFormat::Json}}, options.diagnostics));
@@ -147,16 +153,20 @@ std::string read_number(const po::variables_map& values, const char* name,
 
 std::string read_numbers(const po::variables_map& values, Options& options) {
     constexpr std::uint64_t mega = std::uint64_t{1} << 20U;
-    std::optional<std::uint64_t> steps = options.steps;
+    std::optional<std::uint64_t> steps = options.steps, evolutions = options.max_evolutions;
     for (const std::string& complaint :
          {read_number(values, "max-states", {}, options.max_states),
           read_number(values, "max-memory", {{"", mega}, {"K", mega >> 10U}, {"M", mega}, {"G", mega << 10U}},
                       options.max_memory),
           read_number(values, "timeout", {{"", 1000}, {"ms", 1}, {"s", 1000}, {"min", 60'000}, {"h", 3'600'000}},
                       options.timeout_ms),
-          read_number(values, "random", {}, options.random_seed), read_number(values, "steps", {}, steps)})
+          read_number(values, "random", {}, options.random_seed), read_number(values, "steps", {}, steps),
+          read_number(values, "max-evolutions", {}, evolutions)})
         if (!complaint.empty()) return complaint;
     options.steps = *steps;
+    if (*evolutions == 0 || *evolutions > std::numeric_limits<std::uint32_t>::max())
+        return "`--max-evolutions` takes a number from 1 to 4294967295";
+    options.max_evolutions = static_cast<std::uint32_t>(*evolutions);
     return {};
 }
 

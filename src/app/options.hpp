@@ -13,7 +13,7 @@
 
 namespace grafverif::app {
 
-enum class Format { Text, Json, Latex };
+enum class Format { Text, Json, Latex, Xml };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
@@ -47,6 +47,7 @@ struct Options {
     std::string against = {};                        ///< of `test`: the command that runs the controller
     std::optional<std::string> sequence = {};        ///< of `test`: the table to run; else it is made of the chart
     bool go_on = false;
+    std::uint32_t max_evolutions = 1000;             ///< of `st`
     std::optional<std::string> script = {};          ///< of `simulate`
     std::optional<std::uint64_t> random_seed = {};
     std::uint64_t steps = 100;                       ///< of a random walk
@@ -54,7 +55,7 @@ struct Options {
 
 /// The options a verb may take besides --help, --quiet, --color and --diagnostics, which all take.
 enum class Accepts { Output, OutputDirectory, Loop, Chart, Mode, Grain, Target, Format, FormatLatex, InPlace,
-                     Search, Traces, Walk, Verbose, Clock, Bench };
+                     Search, Traces, Walk, Verbose, Clock, Bench, Sequence, FormatXml, MaxEvolutions };
 
 struct Verb {
     std::string name = {};

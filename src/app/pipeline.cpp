@@ -11,6 +11,7 @@
 #include "grafverif/compose/compose.hpp"
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/emit/nusmv.hpp"
+#include "grafverif/emit/structured_text.hpp"
 #include "grafverif/emit/uppaal.hpp"
 #include "grafverif/plant/plant.hpp"
 #include "grafverif/read/test_csv.hpp"
@@ -141,6 +142,27 @@ std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> char
     const auto equations = equations_of(model, chart, job);
     if (!equations) return {};
     return schedule_controller(*equations, job.options.mode.value_or(ExecutionMode::StabilitySearch));
+}
+
+namespace {
+
+structured_text::Form structured_text_form(const Job& job) {
+    return job.options.format == Format::Text ? structured_text::Form::Text : structured_text::Form::PlcopenXml;
+}
+
+}  // namespace
+
+std::string structured_text_controller(const Equations& equations, ExecutionMode mode, Job& job) {
+    if (!structured_text::expressible(equations, job.diagnostics)) return {};
+    std::ostringstream out;
+    structured_text::emit(equations, {mode, job.options.max_evolutions, structured_text_form(job)}, out);
+    return std::move(out).str();
+}
+
+std::string structured_text_test(const TestSequence& test, const Job& job) {
+    std::ostringstream out;
+    structured_text::emit_test(test, structured_text_form(job), out);
+    return std::move(out).str();
 }
 
 UppaalProject uppaal_project(const Network& network, Job& job) {

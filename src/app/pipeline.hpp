@@ -50,6 +50,10 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Job& 
 std::optional<TransitionSystem> controllers_of(const Model& model, Id<ClosedLoop> loop, Job& job);
 std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> chart, Job& job);
 
+/// Equations, TestSequence -> Structured Text in the form of `--format`. Empty after an error.
+std::string structured_text_controller(const Equations& equations, ExecutionMode mode, Job& job);
+std::string structured_text_test(const TestSequence& test, const Job& job);
+
 /// Network -> UPPAAL project and its queries; TransitionSystem -> NuSMV model. Warn of properties left out.
 struct UppaalProject {
     std::string project = {};

@@ -16,7 +16,7 @@ namespace grafverif::app {
 
 namespace {
 
-std::vector<Id<Chart::Variable>> variables_of(const Chart& chart, Chart::VariableKind kind) {
+std::vector<Id<Chart::Variable>> variables_of_kind(const Chart& chart, Chart::VariableKind kind) {
     std::vector<Id<Chart::Variable>> found;
     for (const Id<Chart::Variable> id : chart.variables.ids())
         if (chart.variables[id].kind == kind) found.push_back(id);
@@ -39,7 +39,7 @@ std::string instability_text(const Chart& chart, const std::vector<std::vector<b
 }
 
 /// Why `cycle` is none that a PLC can make; empty: it is one.
-std::string problem_of(const Chart& chart, const Cycle& cycle) {
+std::string problem_in(const Chart& chart, const Cycle& cycle) {
     if (cycle.race)
         return fmt::format("race: two actions store different values in `{}` in one evolution [action-race]",
                            chart.variables[cycle.race->variable].name);
@@ -72,7 +72,7 @@ public:
         for (std::size_t k = 0; k < inputs_.size(); ++k) inputs[inputs_[k].index] = values[k];
         Cycle result = cycle(chart_, state_, inputs, mode_);
         state_ = std::move(result.state);
-        return problem_of(chart_, result);
+        return problem_in(chart_, result);
     }
 
     std::vector<std::int64_t> outputs() const {
@@ -85,8 +85,8 @@ private:
     const Chart& chart_;
     ExecutionMode mode_;
     State state_;
-    std::vector<Id<Chart::Variable>> inputs_ = variables_of(chart_, Chart::VariableKind::Input);
-    std::vector<Id<Chart::Variable>> outputs_ = variables_of(chart_, Chart::VariableKind::Output);
+    std::vector<Id<Chart::Variable>> inputs_ = variables_of_kind(chart_, Chart::VariableKind::Input);
+    std::vector<Id<Chart::Variable>> outputs_ = variables_of_kind(chart_, Chart::VariableKind::Output);
     std::vector<ScanColumn> columns_ = {};
 };
 
@@ -102,9 +102,9 @@ bool next_line(std::istream& in, std::size_t longest, std::string& line) {
 }
 
 /// The PLC at its lines: each that is understood is obeyed, each that is not is answered by what is wrong with it.
-class Session {
+class PlcSession {
 public:
-    Session(Plc& plc, Clock clock, const Streams& streams) : plc_(plc), clock_(clock), streams_(streams) {}
+    PlcSession(Plc& plc, Clock clock, const Streams& streams) : plc_(plc), clock_(clock), streams_(streams) {}
 
     ExitCode run() {
         const std::size_t longest = longest_scan_line(plc_.columns().size());
@@ -169,7 +169,7 @@ ExitCode plc(Job& job, const Streams& streams) {
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
     if (!chart || !equations_of(*model, *chart, job)) return ExitCode::Input;
     Plc plc(model->charts[*chart], execution_mode(*model, *chart, job));
-    return Session(plc, job.options.clock, streams).run();
+    return PlcSession(plc, job.options.clock, streams).run();
 }
 
 Verb plc_usage() {

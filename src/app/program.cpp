@@ -32,6 +32,7 @@ constexpr std::array entries = {
     Entry{simulate_usage, simulate},
     Entry{plc_usage, plc},
     Entry{test_usage, test},
+    Entry{st_usage, st},
 };
 
 void print_overview(std::ostream& out) {

@@ -17,12 +17,12 @@ namespace grafverif::app {
 namespace {
 
 /// A line on the terminal, written over until the test ends.
-class ProgressLine {
+class StepCounter {
 public:
-    ProgressLine(const Streams& streams, bool shown, std::size_t rows) : err_(streams.err), shown_(shown), rows_(rows) {}
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
-    ~ProgressLine() {
+    StepCounter(const Streams& streams, bool shown, std::size_t rows) : err_(streams.err), shown_(shown), rows_(rows) {}
+    StepCounter(const StepCounter&) = delete;
+    StepCounter& operator=(const StepCounter&) = delete;
+    ~StepCounter() {
         if (written_) err_ << "\r\x1b[K" << std::flush;
     }
 
@@ -42,7 +42,7 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void write_report(const TestReport& report, const Options& options, const Streams& streams) {
+void write_test_report(const TestReport& report, const Options& options, const Streams& streams) {
     if (options.format == Format::Json) print_json(report, streams.out);
     else print_text(report, options.quiet, streams.out);
     if (!options.junit) return;
@@ -60,7 +60,7 @@ ExitCode test(Job& job, const Streams& streams) {
     if (!sequence) return ExitCode::Input;
 
     const Interrupt interrupt;
-    ProgressLine line(streams, streams.err_is_terminal && !job.options.quiet, step_count(*sequence));
+    StepCounter line(streams, streams.err_is_terminal && !job.options.quiet, step_count(*sequence));
     BenchOptions bench{job.options.against, job.options.clock, job.options.go_on};
     bench.patience = std::chrono::milliseconds(job.options.timeout_ms.value_or(10'000));
     bench.stop = &interrupt.asked();
@@ -70,7 +70,7 @@ ExitCode test(Job& job, const Streams& streams) {
         job.diagnostics.add(messages::cannot_run(job.options.against));
         return ExitCode::Input;
     }
-    write_report(*report, job.options, streams);
+    write_test_report(*report, job.options, streams);
     if (!report->failures.empty()) return ExitCode::Verdict;
     return interrupt.asked() ? ExitCode::Unknown : ExitCode::Done;
 }
@@ -86,7 +86,7 @@ Verb test_usage() {
             "scan (docs/conformance.md). Exit code 1: it does not conform. Formats: text, JSON, JUnit XML (--junit).",
             {"grafverif test tanks.grafcet --sequence samples/tanks/table2.csv --against ./my_controller",
              "grafverif test tanks.grafcet --sequence table2.csv --against \"grafverif plc tanks.grafcet --mode every-cycle\""},
-            {Accepts::Bench, Accepts::Chart, Accepts::Mode, Accepts::Clock, Accepts::Format}};
+            {Accepts::Bench, Accepts::Sequence, Accepts::Chart, Accepts::Mode, Accepts::Clock, Accepts::Format}};
 }
 
 }  // namespace grafverif::app

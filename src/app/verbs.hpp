@@ -17,6 +17,7 @@ ExitCode fmt(Job& job, const Streams& streams);
 ExitCode check(Job& job, const Streams& streams);
 ExitCode simulate(Job& job, const Streams& streams);
 ExitCode plc(Job& job, const Streams& streams);
+ExitCode st(Job& job, const Streams& streams);
 ExitCode test(Job& job, const Streams& streams);
 
 Verb build_usage();
@@ -28,6 +29,7 @@ Verb fmt_usage();
 Verb check_usage();
 Verb simulate_usage();
 Verb plc_usage();
+Verb st_usage();
 Verb test_usage();
 
 /// Writes `content` to the file of `-o`, or to standard output without it.

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "emit/nusmv_text.hpp"
+#include "emit/wrapped_text.hpp"
 
 namespace grafverif::nusmv {
 
@@ -212,7 +213,7 @@ void emit(const System& system, std::ostream& out) {
     print_module({model, system, names, values, system.main});
     for (const Id<System::Module> id : system.modules.ids())
         if (id != system.main) print_module({model, system, names, values, id});
-    print_wrapped(out, model.view());
+    print_wrapped(out, model.view(), "--");
 }
 
 }  // namespace grafverif::nusmv

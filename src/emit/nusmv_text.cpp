@@ -137,22 +137,4 @@ void print_comment(std::ostream& out, std::string_view text) {
     }
 }
 
-void print_wrapped(std::ostream& out, std::string_view model) {
-    constexpr std::size_t width = 118;
-    while (!model.empty()) {
-        std::string_view line = model.substr(0, model.find('\n'));
-        model.remove_prefix(std::min(line.size() + 1, model.size()));
-        const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
-        const bool comment = line.substr(indent).starts_with("--");
-        const std::string margin(indent + 4, ' ');
-        while (!comment && line.size() > width) {
-            const std::size_t space = line.rfind(' ', width);
-            if (space == std::string_view::npos || space <= margin.size()) break;
-            out << line.substr(0, space) << '\n' << margin;
-            line.remove_prefix(space + 1);
-        }
-        out << line << '\n';
-    }
-}
-
 }  // namespace grafverif::nusmv

@@ -65,9 +65,6 @@ LeafPrinter leaf_printer(const Names& names, Id<TransitionSystem::Module> module
 /// `text` as a comment of lines of at most 100 columns.
 void print_comment(std::ostream& out, std::string_view text);
 
-/// `model` with each line beyond 118 columns that is no comment broken between tokens.
-void print_wrapped(std::ostream& out, std::string_view model);
-
 /// The specifications of main, in the order of the properties.
 void print_properties(std::ostream& out, const TransitionSystem& system, const Names& names, NamedValues& values);
 

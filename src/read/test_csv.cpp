@@ -17,21 +17,21 @@ namespace grafverif {
 
 namespace {
 
-struct Field {
+struct CsvField {
     std::string text = {};
     Span where = {};
 };
-using Row = std::vector<Field>;
+using CsvRow = std::vector<CsvField>;
 
 /// The rows of a text, one after the other; empty lines are none.
-class Rows {
+class CsvRows {
 public:
-    Rows(Id<Source> source, std::string_view text) : source_(source), text_(text) {
+    CsvRows(Id<Source> source, std::string_view text) : source_(source), text_(text) {
         if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;   // byte order mark: spreadsheets write one
     }
 
     /// False at the end.
-    bool next(Row& row) {
+    bool next(CsvRow& row) {
         row.clear();
         while (at_ < text_.size() && (text_[at_] == '\n' || text_[at_] == '\r')) ++at_;
         if (at_ >= text_.size()) return false;
@@ -45,7 +45,7 @@ public:
     Span here() const { return {source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_)}; }
 
 private:
-    Field field() {
+    CsvField field() {
         const std::size_t begin = at_;
         std::string text;
         if (at_ < text_.size() && text_[at_] == '"') {
@@ -68,53 +68,53 @@ private:
     std::size_t at_ = 0;
 };
 
-enum class Word : std::uint8_t { Sequence, Step, Wait, Cycles, Situation, Input, Output };
+enum class TestWord : std::uint8_t { Sequence, Step, Wait, Cycles, Situation, Input, Output };
 
-struct Column {
-    Word word = Word::Input;
+struct TestColumn {
+    TestWord word = TestWord::Input;
     std::size_t index = 0;   ///< of the input or output
 };
 
-std::optional<Word> word_of(std::string_view text) {
+std::optional<TestWord> test_word(std::string_view text) {
     constexpr std::array<std::string_view, 5> words = {"sequence", "step", "wait", "cycles", "situation"};
     const auto found = std::ranges::find(words, text);
     if (found == words.end()) return {};
-    return static_cast<Word>(found - words.begin());
+    return static_cast<TestWord>(found - words.begin());
 }
 
-Span span_of(const Row& row) { return {row.front().where.source, row.front().where.begin, row.back().where.end}; }
+Span row_span(const CsvRow& row) { return {row.front().where.source, row.front().where.begin, row.back().where.end}; }
 
-class Reader {
+class TestTable {
 public:
-    Reader(TestSequence& test, Diagnostics& diagnostics) : test_(test), diagnostics_(diagnostics) {
+    TestTable(TestSequence& test, Diagnostics& diagnostics) : test_(test), diagnostics_(diagnostics) {
         for (const TestSequence::Variable& input : test.inputs) inputs_.push_back({input.name, input.type});
         for (const TestSequence::Variable& output : test.outputs) outputs_.push_back({output.name, output.type});
     }
 
-    void header(const Row& row) {
+    void header(const CsvRow& row) {
         const bool ours = row.size() >= 4 && row[0].text == "sequence" && row[1].text == "step" && row[2].text == "wait" &&
                           row[3].text == "cycles";
         for (std::size_t k = 0; k < row.size(); ++k) {
-            const auto word = word_of(row[k].text);
-            const bool fixed = ours && (k < 4 || (k + 1 == row.size() && word == Word::Situation));
+            const auto word = test_word(row[k].text);
+            const bool fixed = ours && (k < 4 || (k + 1 == row.size() && word == TestWord::Situation));
             const auto variable = fixed ? std::nullopt : variable_column(row[k].text);
             if (!variable && !word) {
                 diagnostics_.add(messages::unknown_column(row[k].where, row[k].text, test_.chart));
                 continue;
             }
-            const Column column = variable ? *variable : Column{*word, 0};
+            const TestColumn column = variable ? *variable : TestColumn{*word, 0};
             if (has(column)) diagnostics_.add(messages::repeated_column(row[k].where, row[k].text));
             columns_.push_back(column);
         }
         for (std::size_t k = 0; k < inputs_.size(); ++k)
-            if (!has({Word::Input, k})) diagnostics_.add(messages::missing_column(span_of(row), "input", inputs_[k].name));
+            if (!has({TestWord::Input, k})) diagnostics_.add(messages::missing_column(row_span(row), "input", inputs_[k].name));
         for (std::size_t k = 0; k < outputs_.size(); ++k)
-            if (!has({Word::Output, k})) diagnostics_.add(messages::missing_column(span_of(row), "output", outputs_[k].name));
+            if (!has({TestWord::Output, k})) diagnostics_.add(messages::missing_column(row_span(row), "output", outputs_[k].name));
     }
 
-    void step(const Row& row) {
+    void step(const CsvRow& row) {
         if (row.size() != columns_.size()) {
-            diagnostics_.add(messages::row_length(span_of(row), row.size(), columns_.size()));
+            diagnostics_.add(messages::row_length(row_span(row), row.size(), columns_.size()));
             return;
         }
         TestSequence::Step step;
@@ -123,13 +123,13 @@ public:
         std::string sequence, number, situation;
         for (std::size_t k = 0; k < row.size(); ++k) {
             switch (columns_[k].word) {
-            case Word::Sequence:  sequence = row[k].text; break;
-            case Word::Step:      number = row[k].text; break;
-            case Word::Situation: situation = row[k].text; break;
-            case Word::Wait:      step.wait_ms = wait(row[k]); break;
-            case Word::Cycles:    step.cycles = cycles(row[k]); break;
-            case Word::Input:     step.inputs[columns_[k].index] = value(row[k], inputs_[columns_[k].index]); break;
-            case Word::Output:    step.outputs[columns_[k].index] = value(row[k], outputs_[columns_[k].index]); break;
+            case TestWord::Sequence:  sequence = row[k].text; break;
+            case TestWord::Step:      number = row[k].text; break;
+            case TestWord::Situation: situation = row[k].text; break;
+            case TestWord::Wait:      step.wait_ms = wait(row[k]); break;
+            case TestWord::Cycles:    step.cycles = cycles(row[k]); break;
+            case TestWord::Input:     step.inputs[columns_[k].index] = value(row[k], inputs_[columns_[k].index]); break;
+            case TestWord::Output:    step.outputs[columns_[k].index] = value(row[k], outputs_[columns_[k].index]); break;
             }
         }
         step.situation = situation_of(situation);
@@ -139,44 +139,44 @@ public:
     }
 
 private:
-    void place(const Row& row, TestSequence::Step step, bool activation) {
+    void place(const CsvRow& row, TestSequence::Step step, bool activation) {
         TestSequence::Sequence& sequence = test_.sequences.back();
         if (activation) {
             if (sequence.activation || !sequence.steps.empty() || step.cycles != 1 || step.wait_ms != 0)
-                diagnostics_.add(messages::misplaced_activation(span_of(row)));
+                diagnostics_.add(messages::misplaced_activation(row_span(row)));
             sequence.activation = std::move(step);
             return;
         }
         const bool first = sequence.steps.empty();
         if (first && sequence.activation && sequence.activation->inputs != step.inputs)
-            diagnostics_.add(messages::misplaced_activation(span_of(row)));
+            diagnostics_.add(messages::misplaced_activation(row_span(row)));
         if (step.wait_ms != 0 && (first || sequence.steps.back().inputs != step.inputs))
-            diagnostics_.add(messages::misplaced_wait(span_of(row), first));
+            diagnostics_.add(messages::misplaced_wait(row_span(row), first));
         sequence.steps.push_back(std::move(step));
     }
 
-    std::optional<Column> variable_column(std::string_view name) const {
+    std::optional<TestColumn> variable_column(std::string_view name) const {
         for (std::size_t k = 0; k < inputs_.size(); ++k)
-            if (inputs_[k].name == name) return Column{Word::Input, k};
+            if (inputs_[k].name == name) return TestColumn{TestWord::Input, k};
         for (std::size_t k = 0; k < outputs_.size(); ++k)
-            if (outputs_[k].name == name) return Column{Word::Output, k};
+            if (outputs_[k].name == name) return TestColumn{TestWord::Output, k};
         return {};
     }
 
-    bool has(const Column& wanted) const {
-        return std::ranges::any_of(columns_, [&](const Column& column) {
+    bool has(const TestColumn& wanted) const {
+        return std::ranges::any_of(columns_, [&](const TestColumn& column) {
             return column.word == wanted.word && column.index == wanted.index;
         });
     }
 
-    std::int64_t value(const Field& field, const ScanColumn& column) {
+    std::int64_t value(const CsvField& field, const ScanColumn& column) {
         const ScanValues read = read_scan_line(field.text, {&column, 1});
         if (read.values) return read.values->front();
         diagnostics_.add(messages::bad_field(field.where, read.problem));
         return 0;
     }
 
-    std::int64_t wait(const Field& field) {
+    std::int64_t wait(const CsvField& field) {
         if (field.text.empty()) return 0;
         const auto milliseconds = duration_ms(field.text);
         if (!milliseconds)
@@ -185,7 +185,7 @@ private:
         return milliseconds.value_or(0);
     }
 
-    std::uint32_t cycles(const Field& field) {
+    std::uint32_t cycles(const CsvField& field) {
         std::uint32_t count = 0;
         const char* const end = field.text.data() + field.text.size();
         const auto [rest, failure] = std::from_chars(field.text.data(), end, count);
@@ -204,7 +204,7 @@ private:
     TestSequence& test_;
     Diagnostics& diagnostics_;
     std::vector<ScanColumn> inputs_ = {}, outputs_ = {};
-    std::vector<Column> columns_ = {};
+    std::vector<TestColumn> columns_ = {};
     std::string sequence_ = {};
     std::unordered_map<std::string, Id<TestSequence::Situation>> situations_ = {};
 };
@@ -227,9 +227,9 @@ std::optional<TestSequence> read_test_csv(Id<Source> file, const Sources& source
                                           Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     TestSequence test = test_without_steps(chart, mode);
-    Reader reader(test, diagnostics);
-    Rows rows(file, sources[file].text);
-    Row row;
+    TestTable reader(test, diagnostics);
+    CsvRows rows(file, sources[file].text);
+    CsvRow row;
     if (rows.next(row)) reader.header(row);
     if (diagnostics.errors() != errors) return {};
     while (!diagnostics.full() && rows.next(row)) reader.step(row);

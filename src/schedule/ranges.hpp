@@ -7,19 +7,10 @@
 #include <functional>
 
 #include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/interval.hpp"
 #include "grafverif/ir/type.hpp"
 
 namespace grafverif::schedule {
-
-/// The type of the variable with this leaf.
-using TypeOf = std::function<Type(const Expr&)>;
-
-struct Interval {
-    std::int64_t low = 0, high = 1;
-};
-
-/// An interval that holds every value of `term`.
-Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
 
 /// The condition under which `term`, evaluated as grafverif::evaluate does, divides by zero.
 Id<Expr> divides_by_zero(Exprs& exprs, Id<Expr> term, const TypeOf& type_of);

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Test sequences that are read from a table.
+// Tests, their tables, and Structured Text.
 #include <fmt/format.h>
 
 #include "grafverif/support/messages.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
+
+Diagnostic not_in_structured_text(Span where, std::string_view what) {
+    return error("not-in-structured-text", where,
+                 fmt::format("{} cannot be written in Structured Text so that every PLC computes the same", what));
+}
 
 Diagnostic cannot_run(std::string_view command) {
     return error("cannot-run", {}, fmt::format("the shell cannot run `{}`; give a command that starts the controller", command));

@@ -106,6 +106,21 @@ Spelling nusmv_spelling(Op op) {
     }
 }
 
+Spelling structured_text_spelling(Op op) {
+    switch (op) {
+    case Op::False: return {"FALSE", atom_precedence};
+    case Op::True: return {"TRUE", atom_precedence};
+    case Op::Not: return {"NOT", prefix_level};
+    case Op::And: return {"AND", and_level};
+    case Op::Or: return {"OR", or_level};
+    case Op::Equal: return {"=", comparison_level};
+    case Op::NotEqual: return {"<>", comparison_level};
+    case Op::Modulo: return {"MOD", product_level};
+    case Op::Conditional: return {"SEL", atom_precedence};
+    default: return c_spelling(op);
+    }
+}
+
 namespace {
 
 struct Printer {
@@ -145,6 +160,7 @@ struct Printer {
 
     void conditional(Id<Expr> id, Spelling spelling) const {
         const std::span<const Id<Expr>> operands = exprs.operands(id);
+        if (std::isalpha(static_cast<unsigned char>(spelling.token.front())) != 0) return selection(operands, spelling);
         const bool bracketed = spelling.precedence == atom_precedence;
         if (bracketed) out << '(';
         operand(operands[0], conditional_level + 1);
@@ -153,6 +169,17 @@ struct Printer {
         out << " : ";
         operand(operands[2], conditional_level);
         if (bracketed) out << ')';
+    }
+
+    /// As a function whose second argument is taken where the first is false.
+    void selection(std::span<const Id<Expr>> operands, Spelling spelling) const {
+        out << spelling.token << '(';
+        term(operands[0]);
+        out << ", ";
+        term(operands[2]);
+        out << ", ";
+        term(operands[1]);
+        out << ')';
     }
 
     void prefix(Id<Expr> id, Spelling spelling) const {

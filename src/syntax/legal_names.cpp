@@ -3,7 +3,8 @@
 //
 // UPPAAL: the keywords of its declarations and of its queries (a variable called as a query keyword can be declared but
 // not asked about), its mathematical functions, its built-in constants and types. NuSMV: the keywords of NuSMV 2.6 and
-// of nuXmv, which reads the same files; single capital letters are operators of its temporal logics.
+// of nuXmv, which reads the same files; single capital letters are operators of its temporal logics. Structured Text: the
+// keywords, elementary types, standard functions and function blocks of IEC 61131-3.
 #include "grafverif/syntax/legal_names.hpp"
 
 #include <algorithm>
@@ -53,6 +54,25 @@ constexpr auto nusmv_words = std::to_array<std::string_view>({
     "unsigned", "uwconst", "word", "word1", "xnor", "xor",
 });
 
+constexpr auto structured_text_words = std::to_array<std::string_view>({
+    "ABS", "ABSTRACT", "ACOS", "ACTION", "ADD", "AND", "ANY", "ARRAY", "ASIN", "AT", "ATAN", "ATAN2", "BOOL", "BY",
+    "BYTE", "CAL", "CASE", "CHAR", "CLASS", "CONCAT", "CONFIGURATION", "CONSTANT", "CONTINUE", "COS", "CTD", "CTU",
+    "CTUD", "DATE", "DATE_AND_TIME", "DELETE", "DINT", "DIV", "DO", "DT", "DWORD", "ELSE", "ELSIF", "END_ACTION",
+    "END_CASE", "END_CLASS", "END_CONFIGURATION", "END_FOR", "END_FUNCTION", "END_FUNCTION_BLOCK", "END_IF",
+    "END_INTERFACE", "END_METHOD", "END_NAMESPACE", "END_PROGRAM", "END_REPEAT", "END_RESOURCE", "END_STEP",
+    "END_STRUCT", "END_TRANSITION", "END_TYPE", "END_VAR", "END_WHILE", "ENO", "EN", "EQ", "EXIT", "EXP", "EXPT",
+    "EXTENDS", "FALSE", "FINAL", "FIND", "FOR", "FROM", "FUNCTION", "FUNCTION_BLOCK", "F_EDGE", "F_TRIG", "GE", "GT",
+    "IF", "IMPLEMENTS", "INITIAL_STEP", "INSERT", "INT", "INTERFACE", "INTERNAL", "INTERVAL", "JMP", "LD", "LDATE", "LDT",
+    "LE", "LEFT", "LEN", "LIMIT", "LINT", "LN", "LOG", "LREAL", "LT", "LTIME", "LTOD", "LWORD", "MAX", "METHOD", "MID",
+    "MIN", "MOD", "MOVE", "MUL", "MUX", "NAMESPACE", "NE", "NON_RETAIN", "NOT", "NULL", "OF", "ON", "OR", "OVERLAP",
+    "OVERRIDE", "PRIORITY", "PRIVATE", "PROGRAM", "PROTECTED", "PUBLIC", "READ_ONLY", "READ_WRITE", "REAL", "REF",
+    "REF_TO", "REPEAT", "REPLACE", "RESOURCE", "RET", "RETAIN", "RETURN", "RIGHT", "ROL", "ROR", "RS", "RTC", "R_EDGE",
+    "R_TRIG", "SEL", "SEMA", "SHL", "SHR", "SIN", "SINGLE", "SINT", "SQRT", "SR", "ST", "STEP", "STRING", "STRUCT", "SUB",
+    "SUPER", "TAN", "TASK", "THEN", "THIS", "TIME", "TIME_OF_DAY", "TO", "TOD", "TOF", "TON", "TP", "TRANSITION", "TRUE",
+    "TRUNC", "TYPE", "UDINT", "UINT", "ULINT", "UNTIL", "USING", "USINT", "VAR", "VAR_ACCESS", "VAR_CONFIG",
+    "VAR_EXTERNAL", "VAR_GLOBAL", "VAR_INPUT", "VAR_IN_OUT", "VAR_OUTPUT", "VAR_TEMP", "WCHAR", "WHILE", "WITH", "WORD",
+    "WSTRING", "XOR",
+});
 
 /// A set of words that tells most other names by their first letter and length.
 class Words {
@@ -76,12 +96,29 @@ private:
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+/// What two names have in common that are one to the target.
+std::string key_of(Target target, std::string_view name) {
+    std::string key(name);
+    if (target == Target::StructuredText)
+        for (char& c : key) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return key;
+}
+
+/// Whether each `_` of `name` stands before a letter or digit, as IEC 61131-3 wants it.
+bool has_single_underscores(std::string_view name) {
+    return !name.ends_with('_') && name.find("__") == std::string_view::npos;
+}
+
 /// `name` with nothing left in it that no identifier may hold.
-std::string spelled(std::string_view name) {
+std::string spelled(Target target, std::string_view name) {
     std::string text;
     if (name.empty() || is_digit(name.front())) text += '_';
     for (const char c : name) text += is_letter(c) || is_digit(c) ? c : '_';
-    return text;
+    if (target != Target::StructuredText) return text;
+    std::string single;
+    for (const char c : text)
+        if (c != '_' || !single.ends_with('_')) single += c;
+    return single.ends_with('_') ? single + "0" : single;
 }
 
 /// The first of `base`, `base_`, `base_2`, `base_3`, ... that `free` accepts; `next` remembers where the search for
@@ -90,7 +127,7 @@ template <class Free>
 std::string first_free(const std::string& base, std::unordered_map<std::string, std::size_t>& next, const Free& free) {
     for (std::size_t& tried = next[base];; ++tried) {
         std::string name = base;
-        if (tried == 1) name += '_';
+        if (tried == 1) name += '_';   // never free in Structured Text
         if (tried >= 2) name += '_' + std::to_string(tried);
         if (free(name)) return name;
     }
@@ -99,37 +136,42 @@ std::string first_free(const std::string& base, std::unordered_map<std::string, 
 }  // namespace
 
 bool is_reserved(Target target, std::string_view name) {
-    static const Words uppaal(uppaal_words), queries(uppaal_query_words), nusmv(nusmv_words);
+    static const Words uppaal(uppaal_words), queries(uppaal_query_words), nusmv(nusmv_words),
+        structured_text(structured_text_words);
     switch (target) {
     case Target::Uppaal:      return uppaal.contains(name) || queries.contains(name);
     case Target::UppaalLocal: return uppaal.contains(name);
     case Target::Nusmv:       return nusmv.contains(name);
+    case Target::StructuredText: return structured_text.contains(key_of(target, name));
     }
     unreachable();
 }
 
 bool is_legal(Target target, std::string_view name) {
     if (name.empty() || !is_letter(name.front())) return false;
+    if (target == Target::StructuredText && !has_single_underscores(name)) return false;
     return std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c); }) && !is_reserved(target, name);
 }
 
 std::vector<std::string> legal_names(Target target, std::span<const std::string> names,
                                      const std::unordered_set<std::string>& taken) {
     std::vector<std::string> legal(names.size());
-    std::unordered_set<std::string_view> used;
-    used.reserve(names.size());
+    std::unordered_set<std::string> used;
+    used.reserve(names.size() + taken.size());
+    for (const std::string& name : taken) used.insert(key_of(target, name));
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (!is_legal(target, names[i]) || taken.contains(names[i]) || !used.insert(names[i]).second) continue;
+        if (!is_legal(target, names[i]) || !used.insert(key_of(target, names[i])).second) continue;
         legal[i] = names[i];
     }
     std::unordered_map<std::string, std::size_t> next;
     const auto free = [&](const std::string& name) {
-        return !is_reserved(target, name) && !taken.contains(name) && !used.contains(name);
+        return (target != Target::StructuredText || has_single_underscores(name)) && !is_reserved(target, name) &&
+               !used.contains(key_of(target, name));
     };
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (!legal[i].empty()) continue;
-        legal[i] = first_free(spelled(names[i]), next, free);
-        used.insert(legal[i]);
+        legal[i] = first_free(spelled(target, names[i]), next, free);
+        used.insert(key_of(target, legal[i]));
     }
     return legal;
 }

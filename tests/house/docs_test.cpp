@@ -155,7 +155,7 @@ TEST(Documents, NameOnlyFilesThatExist) {
 TEST(Help, EveryVerbExplainsItselfWithExamples) {
     const Workplace workplace;
     const std::string overview = workplace.output_of("grafverif --help");
-    for (const char* verb : {"build", "uppaal", "nusmv", "equations", "components", "fmt", "plc", "test"}) {
+    for (const char* verb : {"build", "uppaal", "nusmv", "equations", "components", "fmt", "plc", "test", "st"}) {
         EXPECT_NE(overview.find(std::string("\n  ") + verb), std::string::npos) << verb;
         const std::string help = workplace.output_of(std::string("grafverif ") + verb + " --help");
         EXPECT_TRUE(help.starts_with(std::string("Usage: grafverif ") + verb)) << help;

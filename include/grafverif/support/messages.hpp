@@ -81,6 +81,8 @@ Diagnostic constraint_not_on_inputs(Span where, std::string_view other);
 Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place);
 
 // (src/support/messages_test.cpp)
+/// `what`: what the block cannot compute as the equations say.
+Diagnostic not_in_structured_text(Span where, std::string_view what);
 Diagnostic cannot_run(std::string_view command);
 Diagnostic nothing_to_test(Span where, std::string_view chart, std::string_view what);
 Diagnostic empty_test(Span where);

@@ -16,7 +16,9 @@
 namespace grafverif {
 
 /// UppaalLocal: what no query can name, such as the parameters of a template; the words of queries may be used there.
-enum class Target { Uppaal, UppaalLocal, Nusmv };
+/// StructuredText: identifiers of IEC 61131-3, where upper and lower case are the same and `_` neither doubles nor ends
+/// a name.
+enum class Target { Uppaal, UppaalLocal, Nusmv, StructuredText };
 
 /// Whether `name` means something else in the target: a keyword, a built-in, or an operator of its properties.
 bool is_reserved(Target target, std::string_view name);
@@ -26,7 +28,7 @@ bool is_legal(Target target, std::string_view name);
 
 /// What the entities called `names`, which share one scope, are called in the target; none gets a name in `taken`.
 /// What no identifier may hold becomes `_`, a number gets a `_` in front, and a reserved or taken name one behind,
-/// then `_2`, `_3`, ... until it is free.
+/// then `_2`, `_3`, ... until it is free (in Structured Text at once).
 std::vector<std::string> legal_names(Target target, std::span<const std::string> names,
                                      const std::unordered_set<std::string>& taken = {});
 

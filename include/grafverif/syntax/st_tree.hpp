@@ -62,7 +62,7 @@ enum class StatementKind : std::uint8_t { Assign, Call, If, Case, For, While, Re
 struct Statement {
     StatementKind kind = StatementKind::Return;
     Id<Expr> target = {};                       ///< Assign
-    Id<Expr> value = {};                        ///< Assign; Call: the call; Case: the selector
+    Id<Expr> value = {};                        ///< Assign; Call: the call; Case: the selector; Repeat: the condition at its end
     std::vector<Branch> branches = {};          ///< If, Case; the body of a loop
     Span where = {};
 };

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `test --against`: controllers that conform, that do not, and that do not even answer.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cerrno>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -15,13 +13,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+const std::string tanks_chart = (root / "samples/tanks/tanks.grafcet").string();
 const std::string table2 = (root / "samples/tanks/table2.csv").string();
-const std::string program = GRAFVERIF_PROGRAM;
+const std::string this_program = GRAFVERIF_PROGRAM;
 
 /// JESA13 section 6: the sequence of Table 2 against `controller`.
 Result tested(const std::string& controller, std::vector<std::string> options = {}) {
-    options.insert(options.begin(), {"test", tanks, "--sequence", table2, "--against", controller});
+    options.insert(options.begin(), {"test", tanks_chart, "--sequence", table2, "--against", controller});
     return grafverif(options);
 }
 
@@ -36,16 +34,14 @@ std::vector<std::string> verdicts(const Json& report) {
     return words;
 }
 
-bool no_child() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
-
 TEST(Bench, PassesAControllerWithStabilitySearch) {
-    const Result result = tested(program + " plc " + tanks + " --mode stability-search");
+    const Result result = tested(this_program + " plc " + tanks_chart + " --mode stability-search");
     EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
     EXPECT_TRUE(result.out.ends_with("passes the whole test: 3 passed, 0 failed, 0 not run\n")) << result.out;
 }
 
 TEST(Bench, FailsAControllerWithoutStabilitySearchAtTheSecondStep) {
-    const Result result = tested(program + " plc " + tanks + " --mode every-cycle", {"--format", "json"});
+    const Result result = tested(this_program + " plc " + tanks_chart + " --mode every-cycle", {"--format", "json"});
     EXPECT_EQ(result.code, ExitCode::Verdict);
     const Json report = Json::parse(result.out);
     EXPECT_EQ(report["verdict"], "failed");
@@ -84,7 +80,7 @@ TEST(Bench, GivesAVerdictOnControllersThatMisbehaveAndEndsThem) {
         EXPECT_EQ(verdicts(report), (std::vector<std::string>{"passed", "failed", "not run"}));
         const Json failure = report["steps"][1]["failure"];
         const std::string message = failure["message"];
-        if (*c.cause != '\0') EXPECT_EQ(failure["cause"], c.cause);
+        EXPECT_TRUE(*c.cause == '\0' || failure["cause"] == c.cause) << failure;
         EXPECT_NE(message.find(c.message), std::string::npos) << message;
         EXPECT_LT(message.size(), 400u);
         EXPECT_TRUE(no_child());
@@ -122,12 +118,12 @@ TEST(Bench, ComparesInEveryScanOfAStepAndWaitsWhereItIsAsked) {
         arguments.insert(arguments.end(), options.begin(), options.end());
         return Json::parse(grafverif(arguments).out);
     };
-    EXPECT_EQ(run(program + " plc " + chart)["passed"], 5);
+    EXPECT_EQ(run(this_program + " plc " + chart)["passed"], 5);
     const Json early = run("sed -u -e /wait/d -e s/0/0/");
     EXPECT_EQ(early["steps"][2]["failure"]["cause"], "different");
     const Json late = run("read a; echo 0; read a; echo 0; read a; echo 1; read a; echo 0");
     EXPECT_EQ(late["steps"][1]["failure"]["scan"], 2) << "the second scan of the step is compared, too";
-    const Json real = run(program + " plc " + chart + " --clock real", {"--clock", "real"});
+    const Json real = run(this_program + " plc " + chart + " --clock real", {"--clock", "real"});
     EXPECT_EQ(real["passed"], 5) << real.dump(1);
     EXPECT_GT(real["seconds"], 3.0);
 }
@@ -174,7 +170,7 @@ TEST(Bench, RefusesTablesThatAreNoTest) {
         SCOPED_TRACE(c.table);
         const Folder folder;
         const Result result =
-            grafverif({"test", tanks, "--against", "exit 1", "--sequence", folder.write("t.csv", c.table)});
+            grafverif({"test", tanks_chart, "--against", "exit 1", "--sequence", folder.write("t.csv", c.table)});
         EXPECT_EQ(result.code, ExitCode::Input);
         EXPECT_NE(result.err.find(c.complaint), std::string::npos) << result.err;
         EXPECT_NE(result.err.find("[bad-sequence]"), std::string::npos) << result.err;
@@ -187,14 +183,14 @@ TEST(Bench, ReadsTablesAsSpreadsheetsWriteThem) {
                                            "\xEF\xBB\xBFW2,s,\"h1\",h2, l1 ,l2,situation,V1,V2,W1\r\n"
                                            "0,0,0,0,1,1,\"{1} \"\"rest\"\"\",0,0,0\r\n\r\n"
                                            "0,TRUE,TRUE,0,1,1,\"{3,5}\",0,1,1\r\n");
-    const Result result = grafverif({"test", tanks, "--sequence", table, "--format", "json", "--against",
-                                     program + " plc " + tanks});
+    const Result result = grafverif({"test", tanks_chart, "--sequence", table, "--format", "json", "--against",
+                                     this_program + " plc " + tanks_chart});
     EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
     EXPECT_EQ(Json::parse(result.out)["steps"][0]["situation"], "{1} \"rest\"");
 }
 
 TEST(Bench, NeedsAControllerAndOneWayToGoOn) {
-    EXPECT_NE(grafverif({"test", tanks, "--sequence", table2}).err.find("`--against PROGRAM` is missing"), std::string::npos);
+    EXPECT_NE(grafverif({"test", tanks_chart, "--sequence", table2}).err.find("`--against PROGRAM` is missing"), std::string::npos);
     EXPECT_NE(tested("x", {"--go-on", "--stop-on-failure"}).err.find("exclude each other"), std::string::npos);
     EXPECT_EQ(tested("x", {"--clock", "wall"}).code, ExitCode::Input);
 }

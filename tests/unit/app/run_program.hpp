@@ -2,6 +2,9 @@
 // The program run in-process, and a folder of its own for each test.
 #pragma once
 
+#include <sys/wait.h>
+
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -29,6 +32,9 @@ inline Result grafverif(const std::vector<std::string>& arguments, const std::st
     const ExitCode code = run(arguments, {in, out, err, false});
     return {code, out.str(), err.str()};
 }
+
+/// Whether no child of ours is left, not even a dead one.
+inline bool no_child() { return ::waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD; }
 
 /// A folder of its own for one test, gone with it.
 class Folder {

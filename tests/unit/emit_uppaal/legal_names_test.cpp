@@ -41,11 +41,23 @@ TEST(LegalNames, AvoidTheWordsOfTheTarget) {
         {Target::Uppaal, "location", "location_"},
         {Target::Nusmv, "F", "F_"},
         {Target::Uppaal, "X12", "X12"},
+        {Target::StructuredText, "X12", "X12"},
+        {Target::StructuredText, "Step", "Step_2"},
+        {Target::StructuredText, "r_trig", "r_trig_2"},
+        {Target::StructuredText, "a__b_", "a_b_0"},
+        {Target::StructuredText, "2", "_2"},
+        {Target::StructuredText, "_", "_0"},
     };
     for (const auto& [target, name, legal] : cases) {
         SCOPED_TRACE(name);
         EXPECT_EQ(legal_names(target, Names{name}), Names{legal});
     }
+}
+
+TEST(LegalNames, TellNoUpperFromLowerCaseInStructuredText) {
+    EXPECT_EQ(legal_names(Target::StructuredText, Names{"a", "A", "a_2"}), (Names{"a", "A_3", "a_2"}));
+    EXPECT_EQ(legal_names(Target::StructuredText, Names{"GO"}, {"go"}), Names{"GO_2"});
+    EXPECT_EQ(legal_names(Target::Uppaal, Names{"a", "A"}), (Names{"a", "A"}));
 }
 
 TEST(LegalNames, SpellWhatNoIdentifierMayHold) {

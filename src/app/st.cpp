@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// `st`: a chart, or a test of it, as a program for a PLC.
+#include "app/verbs.hpp"
+
+namespace grafverif::app {
+
+ExitCode st(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    const auto found = chart ? equations_of(*model, *chart, job) : std::nullopt;
+    if (!found) return ExitCode::Input;
+    std::string text;
+    if (!job.options.sequence) {
+        text = structured_text_controller(*found, execution_mode(*model, *chart, job), job);
+    } else if (const auto sequence = test_sequence(*model, *chart, job)) {
+        text = structured_text_test(*sequence, job);
+    }
+    if (!job.diagnostics.has_errors()) deliver(text, job, streams);
+    return ExitCode::Done;
+}
+
+Verb st_usage() {
+    return {"st",
+            "FILE",
+            1,
+            1,
+            "write a chart as a controller in Structured Text, or a test of it",
+            "Writes a chart of FILE as a function block in Structured Text (IEC 61131-3), made of the equations that are\n"
+            "proven: one call is one PLC cycle. With --sequence: a program that drives such a block through the test, one scan\n"
+            "per call, and compares its outputs in each. Formats: PLCopen XML (TC6 2.01), text.",
+            {"grafverif st samples/tanks/tanks.grafcet -o tanks.xml",
+             "grafverif st samples/tanks/tanks.grafcet --mode every-cycle --format text",
+             "grafverif st samples/tanks/tanks.grafcet --sequence samples/tanks/table2.csv -o test.xml"},
+            {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::FormatXml, Accepts::Sequence, Accepts::MaxEvolutions}};
+}
+
+}  // namespace grafverif::app

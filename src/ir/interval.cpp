@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/ir/interval.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+constexpr std::int64_t greatest = std::numeric_limits<std::int64_t>::max();
+
+std::int64_t sum(std::int64_t a, std::int64_t b) {
+    std::int64_t result = 0;
+    if (!__builtin_add_overflow(a, b, &result)) return result;
+    return a < 0 ? least : greatest;
+}
+
+std::int64_t difference(std::int64_t a, std::int64_t b) {
+    std::int64_t result = 0;
+    if (!__builtin_sub_overflow(a, b, &result)) return result;
+    return a < 0 ? least : greatest;
+}
+
+std::int64_t product(std::int64_t a, std::int64_t b) {
+    std::int64_t result = 0;
+    if (!__builtin_mul_overflow(a, b, &result)) return result;
+    return (a < 0) == (b < 0) ? greatest : least;
+}
+
+Interval product(Interval a, Interval b) {
+    const auto [low, high] = std::minmax({product(a.low, b.low), product(a.low, b.high),
+                                          product(a.high, b.low), product(a.high, b.high)});
+    return {low, high};
+}
+
+std::int64_t magnitude(Interval a) { return std::max(a.high, a.low == least ? greatest : -a.low); }
+
+/// Truncated towards zero, a quotient is never farther from zero than its dividend.
+Interval quotient(Interval a, Interval b) {
+    if (b.low == b.high && b.low > 0) return {a.low / b.low, a.high / b.low};
+    const std::int64_t bound = magnitude(a);
+    return {-bound, bound};
+}
+
+/// A remainder has the sign of its dividend and is nearer to zero than both operands allow.
+Interval remainder(Interval a, Interval b) {
+    const std::int64_t bound = std::min(magnitude(a), std::max<std::int64_t>(magnitude(b) - 1, 0));
+    return {a.low < 0 ? -bound : 0, a.high > 0 ? bound : 0};
+}
+
+}  // namespace
+
+Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
+    const Expr& node = exprs[term];
+    if (node.op == Op::Integer || node.op == Op::Duration) return {node.value, node.value};
+    if (is_leaf(node.op)) {
+        const Type type = type_of(node);
+        return {type.low, type.high};
+    }
+    if (!is_arithmetic(node.op) && node.op != Op::Conditional) return {0, 1};
+
+    const std::span<const Id<Expr>> operands = exprs.operands(term);
+    const Interval right = interval(exprs, operands.back(), type_of);
+    if (node.op == Op::Negate) return {difference(0, right.high), difference(0, right.low)};
+    const Interval left = interval(exprs, operands[operands.size() - 2], type_of);
+    switch (node.op) {
+    case Op::Plus:        return {sum(left.low, right.low), sum(left.high, right.high)};
+    case Op::Minus:       return {difference(left.low, right.high), difference(left.high, right.low)};
+    case Op::Times:       return product(left, right);
+    case Op::Divide:      return quotient(left, right);
+    case Op::Modulo:      return remainder(left, right);
+    case Op::Conditional: return {std::min(left.low, right.low), std::max(left.high, right.high)};
+    default:              unreachable();
+    }
+}
+
+}  // namespace grafverif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// A small PLC for laws: programs and function blocks in Structured Text, executed call by call as IEC 61131-3 says, with
+// TON, TOF and SEL of the standard library. It knows the language only, nothing of charts or equations.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grafverif/syntax/parse_st.hpp"
+
+namespace grafverif {
+
+/// The textual form of the units of a PLCopen project. Throws std::runtime_error where it is none.
+std::string units_of_plcopen(const std::string& xml);
+
+/// Throws std::runtime_error wherever a real compiler or PLC would refuse: unknown names, division by zero, values
+/// outside 32 bits, a loop without end.
+class SmallPlc {
+public:
+    /// `units`: texts of programs and function blocks. `unit`: the one that runs.
+    SmallPlc(const std::vector<std::string>& units, const std::string& unit);
+    SmallPlc(const SmallPlc&) = delete;
+    SmallPlc& operator=(const SmallPlc&) = delete;
+    ~SmallPlc();
+
+    void set(const std::string& variable, std::int64_t value);
+    std::int64_t value(const std::string& variable) const;
+    bool has(const std::string& variable) const;
+    /// One call, `now` milliseconds after the first.
+    void call(std::int64_t now);
+
+private:
+    struct Instance;
+    enum class Flow { Next, Return };
+
+    const st::Unit* unit_named(const std::string& name) const;
+    std::unique_ptr<Instance> instance(const std::string& type) const;
+    void run(Instance& instance);
+    Flow execute(const st::Block& block, Instance& instance);
+    Flow execute(const st::Statement& statement, Instance& instance);
+    Flow choose(const st::Statement& statement, Instance& instance);
+    Flow repeat(const st::Statement& statement, Instance& instance);
+    void call(Id<st::Expr> expression, Instance& instance);
+    std::int64_t evaluate(Id<st::Expr> expression, Instance& instance) const;
+    std::int64_t combine(st::Op op, std::int64_t left, std::int64_t right) const;
+    std::string name(Id<st::Word> word) const { return st::capitals(file_.text(word)); }
+
+    Sources sources_ = {};
+    st::File file_ = {};
+    std::unique_ptr<Instance> main_;
+    std::int64_t now_ = 0;
+};
+
+}  // namespace grafverif
