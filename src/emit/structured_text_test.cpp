@@ -101,7 +101,9 @@ private:
             text += fmt::format(" {} := {};", names_.inputs[k], value_text(test_.inputs[k], step.inputs[k]));
         for (std::size_t k = 0; k < test_.outputs.size(); ++k)
             text += fmt::format(" {} := {};", names_.expected[k], value_text(test_.outputs[k], step.outputs[k]));
-        line("(* sequence {}, step {} {} *)", sequence + 1, number, test_.situations[step.situation].text);
+        const std::string& situation = test_.situations[step.situation].text;
+        line("(* {}step {}{}{} *)", test_.sequences.size() > 1 ? fmt::format("sequence {}, ", sequence + 1) : "", number,
+             situation.empty() ? "" : ": ", situation);
         line("{}", text);
     }
 
