@@ -106,29 +106,38 @@ void Questions::answer_state(Question& question, Graph& graph) const {
     if (wanted && question.verdict.outcome == Outcome::Holds) question.verdict.outcome = Outcome::Violated;
 }
 
-StateSet Questions::states_where(Graph& graph, std::uint32_t predicate) const {
+/// The states where `predicate` holds; nothing, and the verdict unknown, where it has no value in some state.
+std::optional<StateSet> Questions::states_where(Question& question, Graph& graph, std::uint32_t predicate) const {
     StateSet set(graph.states());
-    for (std::uint32_t state = 0; state < graph.states(); ++state)
-        if (graph.holds(predicate, state) == End::Yes) set.add(state);
+    for (std::uint32_t state = 0; state < graph.states(); ++state) {
+        const End end = graph.holds(predicate, state);
+        if (end == End::Yes) set.add(state);
+        if (end != End::NoValue) continue;
+        unknown(question.verdict, Obstacle::Faulty, "an operand divides by zero in some state");
+        return {};
+    }
     return set;
 }
 
 void Questions::answer_liveness(Question& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
-    StateSet met = states_where(graph, question.q);
+    std::optional<StateSet> met = states_where(question, graph, question.q);
+    if (!met) return;
     std::vector<std::uint32_t> roots;
     if (question.property->pattern == Pattern::Inevitable) {
-        if (!met.has(0)) roots.push_back(0);
+        if (!met->has(0)) roots.push_back(0);
     } else {
+        const std::optional<StateSet> asked = states_where(question, graph, question.p);
+        if (!asked) return;
         for (std::uint32_t state = 0; state < graph.states(); ++state)
-            if (!met.has(state) && graph.holds(question.p, state) == End::Yes) roots.push_back(state);
+            if (!met->has(state) && asked->has(state)) roots.push_back(state);
     }
-    const std::optional<bool> holds = unavoidable(graph, met, roots, limits);
+    const std::optional<bool> holds = unavoidable(graph, *met, roots, limits);
     if (!holds) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (*holds) return holds_if_dense(question, graph, graph.stuck_gap);
-    std::erase_if(roots, [&](std::uint32_t root) { return met.has(root); });
+    std::erase_if(roots, [&](std::uint32_t root) { return met->has(root); });
     // Where integer time is stuck by a strict bound, dense time may pass a little more.
-    const Lasso lasso = avoiding(graph, met, roots, inexact_.has_value());
+    const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value());
     if (lasso.path.empty()) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
 }
@@ -165,8 +174,9 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
 
 void Questions::answer_possible(Question& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
-    StateSet goal = states_where(graph, question.p);
-    const auto lost = out_of_reach(graph, goal, Ways::All, limits);
+    std::optional<StateSet> goal = states_where(question, graph, question.p);
+    if (!goal) return;
+    const auto lost = out_of_reach(graph, *goal, Ways::All, limits);
     if (!lost) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (!lost->empty() && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     if (!lost->empty()) return violated(question.verdict, graph.run_to(lost->front()));

@@ -53,7 +53,7 @@ private:
     void holds_unless(Question& question, Obstacle obstacle, const std::string& reason) const;
     void holds_if_dense(Question& question, Graph& graph, const std::optional<GapAt>& gap) const;
     void mark_vacuous(Question& question, const Graph& graph) const;
-    StateSet states_where(Graph& graph, std::uint32_t predicate) const;
+    std::optional<StateSet> states_where(Question& question, Graph& graph, std::uint32_t predicate) const;
     std::string place_of(Graph& graph, const GapAt& gap) const;
     std::string inexact_reason() const;
 

@@ -188,6 +188,21 @@ TEST(TimedEngine, DoesNotSayThatHoldsWhatATimeLockBetweenTheTicksBreaks) {
     EXPECT_EQ(told(checked(refined(s.network, 2)), "on"), "violated");
 }
 
+TEST(TimedEngine, GivesNoLivenessVerdictOnOperandsWithoutAValue) {
+    Sketch s;
+    const auto n = s.integer("n", 0, 3, 1);
+    const auto p = s.process("p", 2);
+    s.edge(p, {.from = 0, .to = 1, .set = {{n, s.number(0)}}});
+    const Id<Expr> broken = s.op(Op::Equal, s.op(Op::Divide, s.number(3), s.is(n)), s.number(1));
+    s.property("left", Pattern::LeadsTo, {broken, s.at(p, 1)});
+    s.property("right", Pattern::LeadsTo, {s.at(p, 0), broken});
+    s.property("inevitable", Pattern::Inevitable, {broken});
+    s.property("possible", Pattern::AlwaysPossible, {broken});
+    const TimedResult result = checked(s.network);
+    for (const char* property : {"left", "right", "inevitable", "possible"})
+        EXPECT_EQ(told(result, property), "unknown (faulty)") << property;
+}
+
 TEST(TimedEngine, WantsMoreOfABoundForTimeThanForRuns) {
     // At its bound the stay ends, but the clock is bounded again without a reset: no run ends, time does.
     Sketch s;
