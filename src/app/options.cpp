@@ -76,6 +76,8 @@ po::options_description visible_options(const Verb& verb) {
         add("in-place,i", po::bool_switch(), "rewrite FILE itself");
         add("check", po::bool_switch(), "write nothing; exit 1 if FILE is not in canonical form");
     }
+    if (verb.operand == "FILE")
+        add("lossy", po::bool_switch(), "leave out what cannot be taken over from another format, with a warning");
     add("diagnostics", text("text|json"), "form of errors and warnings on standard error (default: text)");
     add("color", text("auto|always|never"), "colours in errors and warnings (default: auto)");
     add("quiet,q", po::bool_switch(), "no warnings, no list of files");
@@ -220,6 +222,7 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (values.count("property") != 0) options.properties = values["property"].as<std::vector<std::string>>();
     options.verbose = flag("verbose");
     options.quiet = flag("quiet");
+    options.lossy = flag("lossy");
     options.help = flag("help");
     if (std::string complaint = choose_all(verb, values, options); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = check_engine(values); !complaint.empty()) return {{}, complaint};

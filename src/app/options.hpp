@@ -35,6 +35,7 @@ struct Options {
     bool in_place = false;
     bool check = false;
     bool quiet = false;
+    bool lossy = false;                              ///< leave out what cannot be taken over from another format
     bool verbose = false;
     bool help = false;
 

@@ -53,7 +53,7 @@ std::optional<Model> read_model(const std::string& path, Job& job) {
                                   why = "it lies neither below the folder of the main file nor below the current one";
                                   return {};
                               },
-                              library()};
+                              library(), job.options.lossy};
     return read_text(*file, job.sources, context, job.diagnostics);
 }
 

@@ -28,6 +28,7 @@ constexpr std::array entries = {
     Entry{equations_usage, equations},
     Entry{components_usage, components},
     Entry{fmt_usage, fmt},
+    Entry{import_usage, import_chart},
     Entry{check_usage, check},
     Entry{simulate_usage, simulate},
     Entry{plc_usage, plc},

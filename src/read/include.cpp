@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "grafverif/support/messages.hpp"
-#include "grafverif/syntax/parse.hpp"
+#include "grafverif/read/formats.hpp"
 
 namespace grafverif {
 
@@ -36,7 +36,7 @@ std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, c
     std::vector<Open> open;
     const auto enter = [&](Id<Source> source, std::string path) {
         states[path] = State::Open;
-        open.push_back({parse_file(source, sources, diagnostics), std::move(path), 0});
+        open.push_back({read_any(source, sources, {context.lossy}, diagnostics), std::move(path), 0});
     };
     enter(file, std::filesystem::path(sources[file].name).lexically_normal().generic_string());
     while (!open.empty()) {

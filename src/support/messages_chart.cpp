@@ -28,7 +28,7 @@ Diagnostic unreachable_step(Span where, std::string_view step, std::size_t other
     std::string message = fmt::format("no sequence of transitions activates step `{}`", clipped(step));
     if (others == 1) message += ", nor another step after it";
     if (others > 1) message += fmt::format(", nor {} more steps linked to it", others);
-    return error("unreachable-step", where, message + "; link it to the rest of the chart");
+    return warning("unreachable-step", where, message + "; link it to the rest of the chart");
 }
 
 Diagnostic missing_condition(Span where) {

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "grafverif/support/messages.hpp"
+#include "support/xml_text.hpp"
 #include "syntax/st_builder.hpp"
 #include "syntax/st_literals.hpp"
 
@@ -81,7 +82,7 @@ bool Lexer::open_next_piece() {
     here_ = {piece.where.source, piece.where.begin, piece.where.begin};
     std::string_view text = written;
     if (piece.escaped && written.find('&') != std::string_view::npos) {
-        decoded_ = decoded(written, piece.where.begin, origins_);
+        decoded_ = unescape_xml(written, piece.where.begin, origins_);
         text = decoded_;
     }
     scanner_.emplace(text);

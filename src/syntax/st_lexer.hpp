@@ -80,8 +80,4 @@ private:
     bool too_deep_ = false;
 };
 
-/// The characters that the text of XML between `begin` and `end` stands for, with the place of each byte. Empty places:
-/// there are no references to characters, the text is what is written.
-std::string decoded(std::string_view written, std::uint32_t begin, std::vector<std::uint32_t>& origins);
-
 }  // namespace grafverif::st

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// read/text: a .grafcet file with its includes -> Model. Files are read through `load` alone, each once; components of
+// read/text: a file of any format (see formats) with its includes -> Model. Files are read through `load` alone, each once; components of
 // the library are taken in where a closed loop names them and the input has none of that name.
 #pragma once
 
@@ -26,6 +26,7 @@ struct ReadContext {
     /// empty with `why`: not found, out of reach, too large.
     std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};
     std::span<const LibraryEntry> library = {};
+    bool lossy = false;   ///< what a file of another format says and a chart cannot is left out, with a warning
 };
 
 /// Charts, components and loops of `file` and what it includes, in order; empty after at least one error.

@@ -123,6 +123,28 @@ Diagnostic no_controller(Span where, std::string_view loop);
 Diagnostic clock_in_property(Span where, std::string_view clock);
 Diagnostic declared_twice(Span where, std::string_view what);
 
+// -- import (src/support/messages_import.cpp) --------------------------------------------------------------------------
+Diagnostic broken_xml(Span where, std::string_view why);
+Diagnostic elements_too_deep(Span where, std::size_t limit);
+Diagnostic declared_entities(Span where);
+Diagnostic unknown_encoding(Span where, std::string_view encoding);
+Diagnostic unknown_format(Span where, std::string_view root);
+/// `kind`: step, variable declaration, ...
+Diagnostic dangling_reference(Span where, std::string_view reference, std::string_view kind);
+Diagnostic missing_part(Span where, std::string_view element, std::string_view part);
+Diagnostic bad_value(Span where, std::string_view what, std::string_view value, std::string_view expected);
+/// `what`: "this arc leads from a step to a step".
+Diagnostic misplaced_link(Span where, std::string_view what, std::string_view hint);
+Diagnostic cannot_import(Span where, std::string_view what, std::string_view hint);
+Diagnostic left_out(Span where, std::string_view what);
+Diagnostic renamed(Span where, std::string_view name, std::string_view now);
+Diagnostic chosen_range(Span where, std::string_view variable, std::int64_t low, std::int64_t high,
+                        std::string_view why);
+Diagnostic without_effect(Span where, std::string_view what, std::string_view hint);
+Diagnostic chosen_kind(Span where, std::string_view variable, std::string_view kind, std::string_view why);
+Diagnostic mixed_actions(Span where, std::string_view output, std::string_view stored);
+Diagnostic nothing_to_import(Span where, std::string_view what);
+
 // -- derive ----------------------------------------------------------------------------------------------------------
 Diagnostic unsupported_in_chart(Span where, std::string_view what);
 /// `outputs`: each reads the next, the last the first.

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// `import`: a chart of another format as our text.
+#include "app/files.hpp"
+#include "app/verbs.hpp"
+#include "grafverif/read/formats.hpp"
+#include "grafverif/support/messages.hpp"
+#include "grafverif/syntax/format.hpp"
+#include "grafverif/syntax/resolve.hpp"
+
+namespace grafverif::app {
+
+ExitCode import_chart(Job& job, const Streams& streams) {
+    const auto source = read_source(job.options.operands[0], job);
+    if (!source) return ExitCode::Input;
+    if (format_of(job.sources[*source].text) == FileFormat::Grafcet) {
+        job.diagnostics.add(messages::nothing_to_import({*source, 0, 0}, "chart in another language; `grafverif fmt` prints it"));
+        return ExitCode::Input;
+    }
+    tree::File file = read_any(*source, job.sources, {job.options.lossy}, job.diagnostics);
+    for (const tree::Declaration& declaration : file.declarations)
+        if (const auto* chart = std::get_if<tree::Chart>(&declaration); chart != nullptr && !file.broken)
+            resolve_chart(file, *chart, job.diagnostics);
+    if (job.diagnostics.has_errors()) return ExitCode::Input;
+    deliver(formatted(laid_out(std::move(file))), job, streams);
+    return ExitCode::Done;
+}
+
+Verb import_usage() {
+    return {"import", "FILE", 1, 1, "write a chart of another format in our language",
+            "Writes the charts of FILE as .grafcet text, its comments kept. FILE is AGRAFE GRAFCET (XMI), PLCopen TC6 XML 1.01, 2.0\n"
+            "or 2.01 with the dialect of CODESYS, or the textual form of Sequential Function Charts (IEC 61131-3); which of them is\n"
+            "told from what is written. Every other verb takes such files directly. What cannot be taken over is an error with its\n"
+            "place in FILE; with --lossy it is left out, with a warning, and named at the head of the text. docs/import.md tells\n"
+            "what of each format works.",
+            {"grafverif import plant.xml -o plant.grafcet", "grafverif import --lossy --diagnostics json press.xml"},
+            {Accepts::Output}};
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// A tree from another format gets places in the order of our text: what is printed first stands first. Comments hang on
+// the place, in the other file, of what they are about; those about nothing that is left go to the head.
+#include <map>
+#include <utility>
+
+#include "grafverif/support/overloaded.hpp"
+#include "grafverif/read/formats.hpp"
+
+namespace grafverif {
+
+namespace {
+
+class Layout {
+public:
+    explicit Layout(tree::File& file) : file_(file) {
+        position_ += static_cast<std::uint32_t>(file.comments.size());   // room for those of the head
+        for (tree::Comment& comment : file.comments) hung_[comment.where.begin].push_back(std::move(comment));
+        file.comments.clear();
+        file.gaps.clear();
+    }
+
+    void run() {
+        for (tree::Declaration& declaration : file_.declarations) {
+            auto* chart = std::get_if<tree::Chart>(&declaration);
+            if (chart == nullptr) continue;
+            begin(chart->where, false);
+            items(chart->items);
+            end(chart->where);
+        }
+        std::vector<tree::Comment> lost;
+        for (auto& [where, comments] : hung_)
+            for (tree::Comment& comment : comments) lost.push_back(std::move(comment));
+        for (std::uint32_t at = 0; at < lost.size(); ++at) {
+            lost[at].own_line = true;
+            lost[at].where = {{}, at, at + 1};
+        }
+        file_.comments.insert(file_.comments.begin(), lost.begin(), lost.end());
+    }
+
+private:
+    Span next() { return {{}, std::exchange(position_, position_ + 2), position_ - 1}; }
+
+    /// The place of the next thing, its comments put around it.
+    void begin(Span& where, bool gap) {
+        std::vector<tree::Comment> behind;
+        const auto hung = hung_.extract(where.begin);
+        if (!hung.empty()) {
+            for (tree::Comment& comment : hung.mapped()) {
+                if (!comment.own_line) {
+                    behind.push_back(std::move(comment));
+                    continue;
+                }
+                comment.where = next();
+                if (std::exchange(gap, false)) file_.gaps.push_back(comment.where.begin);
+                file_.comments.push_back(std::move(comment));
+            }
+        }
+        where = next();
+        if (gap) file_.gaps.push_back(where.begin);
+        for (tree::Comment& comment : behind) {
+            comment.where = next();
+            file_.comments.push_back(std::move(comment));
+        }
+    }
+
+    void end(Span& where) { where.end = std::exchange(position_, position_ + 2); }
+
+    void items(std::vector<tree::ChartItem>& all) {
+        std::size_t last = std::variant_npos;
+        for (tree::ChartItem& item : all) {
+            const bool gap = last != std::variant_npos && (last != item.index() || std::holds_alternative<tree::Partial>(item));
+            last = item.index();
+            std::visit(overloaded{
+                [&](auto& plain) { begin(plain.where, gap); },
+                [&](tree::Step& step) {
+                    begin(step.where, gap);
+                    for (tree::Action& action : step.actions)
+                        std::visit([this](auto& one) { begin(one.where, false); }, action);
+                    end(step.where);
+                },
+                [&](tree::Partial& partial) {
+                    begin(partial.where, gap);
+                    items(partial.items);   // there are no partial charts in partial charts
+                    end(partial.where);
+                },
+            }, item);
+        }
+    }
+
+    tree::File& file_;
+    std::map<std::uint32_t, std::vector<tree::Comment>> hung_ = {};
+    std::uint32_t position_ = 1;
+};
+
+}  // namespace
+
+tree::File laid_out(tree::File file) {
+    Layout(file).run();
+    return file;
+}
+
+}  // namespace grafverif

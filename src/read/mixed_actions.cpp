@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "read/mixed_actions.hpp"
+
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "grafverif/support/messages.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// The steps and transitions of the chart and its partial charts.
+template <class OnStep, class OnTransition>
+void each(std::vector<tree::ChartItem>& items, const OnStep& on_step, const OnTransition& on_transition) {
+    for (tree::ChartItem& item : items) {
+        if (auto* step = std::get_if<tree::Step>(&item)) on_step(*step);
+        if (auto* transition = std::get_if<tree::Transition>(&item)) on_transition(*transition);
+        if (auto* partial = std::get_if<tree::Partial>(&item)) each(partial->items, on_step, on_transition);
+    }
+}
+
+struct Mixed {
+    tree::Name output = {};
+    std::string stored = {};
+};
+
+}  // namespace
+
+void split_mixed_actions(Draft& draft, tree::Chart& chart) {
+    std::unordered_set<Id<tree::Word>> continuous;
+    std::unordered_set<std::string> names;
+    std::vector<tree::Assignment*> assignments;
+    for (const tree::ChartItem& item : chart.items) {
+        if (const auto* variables = std::get_if<tree::Variables>(&item))
+            for (const tree::Variable& one : variables->variables) names.emplace(draft.text(one.name));
+        if (const auto* partial = std::get_if<tree::Partial>(&item)) names.emplace(draft.text(partial->name));
+    }
+    each(chart.items,
+         [&](tree::Step& step) {
+             names.emplace(draft.text(step.name));
+             for (tree::Action& action : step.actions) {
+                 if (const auto* one = std::get_if<tree::ContinuousAction>(&action)) continuous.insert(one->output.word);
+                 if (auto* one = std::get_if<tree::StoredAction>(&action)) assignments.push_back(&one->assignment);
+             }
+         },
+         [&](tree::Transition& transition) {
+             for (tree::Assignment& one : transition.assignments) assignments.push_back(&one);
+         });
+    const auto fresh = [&names](const std::string& wish) {
+        std::string name = wish;
+        for (int i = 2; !names.insert(name).second; ++i) name = wish + '_' + std::to_string(i);
+        return name;
+    };
+    std::unordered_map<Id<tree::Word>, std::size_t> known;
+    std::vector<Mixed> mixed;
+    for (tree::Assignment* one : assignments) {
+        if (!continuous.contains(one->target.word)) continue;
+        const auto [at, first] = known.try_emplace(one->target.word, mixed.size());
+        if (first) {
+            const std::string output(draft.text(one->target));
+            mixed.push_back({one->target, fresh(output + "_stored")});
+            draft.diagnostics().add(messages::mixed_actions(one->target.where, output, mixed.back().stored));
+        }
+        one->target = draft.name(mixed[at->second].stored, one->target.where);
+    }
+    if (mixed.empty()) return;
+    tree::Step always;
+    always.initial = true;
+    always.where = chart.where;
+    always.name = draft.name(fresh("outputs_stored"), chart.where);
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < chart.items.size(); ++i)
+        if (std::holds_alternative<tree::Variables>(chart.items[i])) last = i + 1;
+    for (const Mixed& one : mixed) {
+        const Span where = one.output.where;
+        tree::Variable variable;
+        variable.name = draft.name(one.stored, where);
+        variable.where = where;
+        chart.items.insert(chart.items.begin() + static_cast<std::ptrdiff_t>(last++),
+                           tree::Variables{tree::VariableKind::Internal, {variable}, where});
+        always.actions.emplace_back(tree::ContinuousAction{one.output, draft.variable(one.stored, where), {}, {}, where});
+    }
+    tree::Partial partial{tree::PartialKind::Partial, draft.name(fresh("stored_outputs"), chart.where), {}, chart.where};
+    partial.items.emplace_back(std::move(always));
+    chart.items.emplace_back(std::move(partial));
+}
+
+}  // namespace grafverif

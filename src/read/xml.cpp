@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "read/xml.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <unordered_set>
+
+#include "grafverif/support/messages.hpp"
+#include "support/xml_text.hpp"
+#include "syntax/readable.hpp"
+#include "read/encoding.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::size_t deepest_element = 1000;
+
+std::string_view described(pugi::xml_parse_status status) {
+    switch (status) {
+    case pugi::status_unrecognized_tag:        return "this is no tag";
+    case pugi::status_bad_pi:                  return "a processing instruction does not end";
+    case pugi::status_bad_comment:             return "a comment does not end";
+    case pugi::status_bad_cdata:               return "a CDATA section does not end";
+    case pugi::status_bad_doctype:             return "the document type does not end";
+    case pugi::status_bad_pcdata:              return "a text does not end";
+    case pugi::status_bad_start_element:       return "a start tag does not end";
+    case pugi::status_bad_attribute:           return "an attribute wants `name=\"value\"`";
+    case pugi::status_bad_end_element:         return "an end tag is malformed";
+    case pugi::status_end_element_mismatch:    return "an end tag closes another element, or an element is not closed";
+    case pugi::status_no_document_element:     return "there is no element";
+    default:                                   return "it cannot be parsed";
+    }
+}
+
+/// An attribute twice on one element, which XML forbids.
+bool has_twins(pugi::xml_node node) {
+    std::unordered_set<std::string_view> seen;
+    for (const pugi::xml_attribute& one : node.attributes())
+        if (!seen.insert(one.name()).second) return true;
+    return false;
+}
+
+}  // namespace
+
+std::optional<Xml> Xml::read(Id<Source> source, Sources& sources, Diagnostics& diagnostics) {
+    if (!make_utf8(source, sources, diagnostics)) return {};
+    const Span whole = without_mark({source, 0, static_cast<std::uint32_t>(sources[source].text.size())}, sources);
+    if (!is_readable(whole, sources, diagnostics)) return {};
+    const std::string_view text = std::string_view(sources[source].text).substr(whole.begin);
+    const auto place = [&](std::size_t at) {
+        const auto begin = static_cast<std::uint32_t>(whole.begin + std::min(at, text.size()));
+        return Span{source, begin, std::min(begin + 1, whole.end)};
+    };
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+        diagnostics.add(messages::broken_xml(place(nul), "there is a byte 0"));
+        return {};
+    }
+    Xml xml;
+    xml.source_ = source;
+    xml.begin_ = whole.begin;
+    xml.buffer_.assign(text.begin(), text.end());
+    const unsigned flags = pugi::parse_cdata | pugi::parse_comments | pugi::parse_doctype;
+    const pugi::xml_parse_result result =
+        xml.document_.load_buffer_inplace(xml.buffer_.data(), xml.buffer_.size(), flags, pugi::encoding_utf8);
+    if (!result) {
+        diagnostics.add(messages::broken_xml(place(static_cast<std::size_t>(result.offset)), described(result.status)));
+        return {};
+    }
+    for (const pugi::xml_node& node : xml.document_.children()) {
+        if (node.type() == pugi::node_doctype && std::strstr(node.value(), "<!ENTITY") != nullptr) {
+            diagnostics.add(messages::declared_entities(xml.where(node)));
+            return {};
+        }
+        if (node.type() != pugi::node_element) continue;
+        if (xml.root_) {
+            diagnostics.add(messages::broken_xml(xml.where(node), "there is a second outermost element"));
+            return {};
+        }
+        xml.root_ = node;
+    }
+    std::size_t depth = 0;
+    for (pugi::xml_node node = xml.root_;;) {
+        if (node.type() == pugi::node_element && has_twins(node)) {
+            diagnostics.add(messages::broken_xml(xml.where(node), "an attribute stands there twice"));
+            return {};
+        }
+        if (node.first_child()) {
+            node = node.first_child();
+            if (++depth < deepest_element) continue;
+            diagnostics.add(messages::elements_too_deep(xml.where(node), deepest_element));
+            return {};
+        }
+        while (node != xml.root_ && !node.next_sibling()) {
+            node = node.parent();
+            --depth;
+        }
+        if (node == xml.root_) return xml;
+        node = node.next_sibling();
+    }
+}
+
+Span Xml::where(pugi::xml_node node) const {
+    const bool element = node.type() == pugi::node_element;
+    const char* text = element ? node.name() : node.value();
+    if (*text == '\0') return {source_, begin_, begin_};
+    const std::uint32_t begin = offset(text);
+    const auto length = static_cast<std::uint32_t>(std::strlen(text));
+    return {source_, begin, begin + (element ? length : std::min<std::uint32_t>(length, 1))};
+}
+
+Span Xml::where(pugi::xml_node node, std::string_view attribute) const {
+    const pugi::xml_attribute found = grafverif::attribute(node, attribute);
+    if (!found || *found.value() == '\0') return where(node);
+    const std::uint32_t begin = offset(found.value());
+    return {source_, begin, begin + static_cast<std::uint32_t>(std::strlen(found.value()))};
+}
+
+st::Text Xml::text(pugi::xml_node node) const {
+    st::Text pieces;
+    for (pugi::xml_node at = node.first_child(); at && at != node;) {
+        const bool data = at.type() == pugi::node_cdata || at.type() == pugi::node_pcdata;
+        if (data && *at.value() != '\0') {
+            const std::uint32_t begin = offset(at.value());
+            const auto length = static_cast<std::uint32_t>(std::strlen(at.value()));
+            pieces.push_back({{source_, begin, begin + length}, at.type() == pugi::node_pcdata});
+        }
+        if (at.first_child()) {
+            at = at.first_child();
+            continue;
+        }
+        while (at != node && !at.next_sibling()) at = at.parent();
+        if (at != node) at = at.next_sibling();
+    }
+    if (pieces.empty()) pieces.push_back({{source_, where(node).end, where(node).end}, false});
+    return pieces;
+}
+
+st::Text Xml::text(pugi::xml_node node, std::string_view attribute) const { return {{where(node, attribute), true}}; }
+
+std::string Xml::content(pugi::xml_node node) const {
+    std::string all;
+    for (const st::Piece& piece : text(node)) {
+        const std::string part(buffer_.data() + (piece.where.begin - begin_), piece.where.end - piece.where.begin);
+        all += piece.escaped ? unescape_xml(part) : part;
+    }
+    return all;
+}
+
+std::string_view local_name(const char* name) {
+    const std::string_view whole = name;
+    const std::size_t colon = whole.rfind(':');
+    return colon == std::string_view::npos ? whole : whole.substr(colon + 1);
+}
+
+bool is(pugi::xml_node node, std::string_view name) {
+    return node.type() == pugi::node_element && local_name(node.name()) == name;
+}
+
+pugi::xml_node child(pugi::xml_node node, std::string_view name) {
+    for (const pugi::xml_node& one : node.children())
+        if (is(one, name)) return one;
+    return {};
+}
+
+std::vector<pugi::xml_node> children(pugi::xml_node node, std::string_view name) {
+    std::vector<pugi::xml_node> found;
+    for (const pugi::xml_node& one : node.children())
+        if (is(one, name)) found.push_back(one);
+    return found;
+}
+
+pugi::xml_attribute attribute(pugi::xml_node node, std::string_view name) {
+    for (const pugi::xml_attribute& one : node.attributes())
+        if (local_name(one.name()) == name && std::strncmp(one.name(), "xmlns", 5) != 0) return one;
+    return {};
+}
+
+std::string value(pugi::xml_node node, std::string_view name) { return unescape_xml(attribute(node, name).value()); }
+
+std::vector<std::string> comment_lines(std::string_view text) {
+    std::vector<std::string> lines;
+    constexpr std::string_view blanks = " \t\r\f\v";
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::size_t first = line.find_first_not_of(blanks);
+        if (first == std::string_view::npos) continue;
+        line = line.substr(first, line.find_last_not_of(blanks) + 1 - first);
+        lines.push_back("// " + std::string(line));
+    }
+    return lines;
+}
+
+}  // namespace grafverif

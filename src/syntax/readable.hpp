@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Whether bytes are text at all.
+#pragma once
+
+#include "grafverif/support/diagnostic.hpp"
+#include "grafverif/support/source.hpp"
+
+namespace grafverif {
+
+inline constexpr std::size_t largest_text = std::size_t{256} << 20U;   ///< bytes
+
+/// Reports the first byte of `part` that is not UTF-8, and parts above `largest_text`.
+bool is_readable(Span part, const Sources& sources, Diagnostics& diagnostics);
+
+/// `part` without a byte order mark at its beginning.
+Span without_mark(Span part, const Sources& sources);
+
+}  // namespace grafverif
