@@ -12,9 +12,7 @@ namespace {
 using Kind = AgrafeEntity::Kind;
 
 bool is_action(Kind kind) { return kind == Kind::Action; }
-bool is_any_step(Kind kind) { return is_step(kind); }
 bool is_forceable(Kind kind) { return kind == Kind::Partial || kind == Kind::Expansion; }
-bool is_declaration(Kind kind) { return kind == Kind::Declaration; }
 
 /// The variable that an action is about; not valid after an error.
 tree::Name target(AgrafeReader& reader, pugi::xml_node action) {
@@ -115,7 +113,7 @@ std::optional<tree::Action> forcing(AgrafeReader& reader, pugi::xml_node action)
             reader.xml.where(action, "forcingOrderType"), "type of this forcing order", type,
             "`currentSituation`, `emptySituation`, `initialSituation` or `explicitSituation`"));
     if (made.to != tree::ForcedTo::Steps) return made;
-    for (const std::size_t step : reader.references(action, "forcedSteps", "step", is_any_step)) {
+    for (const std::size_t step : reader.references(action, "forcedSteps", "step", is_step)) {
         if (reader.index[step].partial != *forced)
             reader.diagnostics().add(messages::misplaced_link(reader.xml.where(action, "forcedSteps"),
                                                               "a step of another partial grafcet is forced",
@@ -153,7 +151,7 @@ std::vector<std::vector<tree::Action>> agrafe_actions(AgrafeReader& reader) {
                                                                   "link it to a step and an action, or remove it"));
                 continue;
             }
-            const auto step = reader.reference(link, "step", "step", is_any_step);
+            const auto step = reader.reference(link, "step", "step", is_step);
             const auto action = reader.reference(link, "actionType", "action", is_action);
             if (!step || !action) continue;
             linked[*action] = true;

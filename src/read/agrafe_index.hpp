@@ -40,6 +40,7 @@ private:
 };
 
 bool is_step(AgrafeEntity::Kind kind);
+inline bool is_declaration(AgrafeEntity::Kind kind) { return kind == AgrafeEntity::Kind::Declaration; }
 bool is_partial(AgrafeEntity::Kind kind);
 
 }  // namespace grafverif

@@ -11,9 +11,6 @@ namespace {
 
 using Kind = AgrafeEntity::Kind;
 
-bool is_declaration(Kind kind) { return kind == Kind::Declaration; }
-bool is_any_step(Kind kind) { return is_step(kind); }
-
 struct Operator {
     std::string_view type = {};
     tree::Op op = tree::Op::And;
@@ -43,7 +40,7 @@ Id<tree::Expr> variable(AgrafeReader& reader, pugi::xml_node term) {
     const AgrafeEntity& declaration = reader.index[*found];
     const Span where = reader.xml.where(term, "variableDeclaration");
     if (value(declaration.node, "variableDeclarationType") != "step") return reader.draft.variable(declaration.name, where);
-    const auto step = reader.reference(declaration.node, "step", "step", is_any_step);
+    const auto step = reader.reference(declaration.node, "step", "step", is_step);
     return step ? step_variable(reader, reader.index[*step], where) : Id<tree::Expr>{};
 }
 
