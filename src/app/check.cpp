@@ -1,61 +1,24 @@
 // SPDX-License-Identifier: MIT
-// `check`: every property of a closed loop, decided on the spot. No trace is shown that does not replay on the rules.
+// `check`: every property of a closed loop, decided on the spot.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <ostream>
 #include <sstream>
 
+#include "app/engines.hpp"
 #include "app/files.hpp"
-#include "app/interrupt.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
-#include "grafverif/check/timed.hpp"
 #include "grafverif/report/json.hpp"
 #include "grafverif/report/junit.hpp"
 #include "grafverif/report/terminal.hpp"
 #include "grafverif/support/messages.hpp"
+#include "grafverif/support/overloaded.hpp"
 
 namespace grafverif::app {
 
 namespace {
-
-/// `1,234,567`
-std::string grouped(std::uint64_t number) {
-    std::string text = std::to_string(number);
-    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
-    return text;
-}
-
-/// A line on the terminal, written over until the search ends.
-class ProgressLine {
-public:
-    ProgressLine(std::ostream& err, bool shown) : err_(err), shown_(shown) {}
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
-    ~ProgressLine() { erase(); }
-
-    void show(const TimedProgress& now) {
-        if (!shown_) return;
-        erase();
-        const double rate = now.seconds > 0 ? static_cast<double>(now.states) / now.seconds / 1e6 : 0;
-        const std::string line =
-            fmt::format("{} states, {:.2f} million/s, {} to go on from, {} MiB, {:.0f} s", grouped(now.states), rate,
-                        grouped(now.queue), now.bytes >> 20U, now.seconds);
-        width_ = line.size();
-        err_ << line << std::flush;
-    }
-
-private:
-    void erase() {
-        if (width_ != 0) err_ << '\r' << std::string(width_, ' ') << '\r' << std::flush;
-        width_ = 0;
-    }
-
-    std::ostream& err_;
-    bool shown_;
-    std::size_t width_ = 0;
-};
 
 bool knows_properties(const Network& network, Job& job) {
     std::vector<std::string> known;
@@ -68,58 +31,15 @@ bool knows_properties(const Network& network, Job& job) {
     return true;
 }
 
-TimedResult search(const Network& network, const Options& options, const Streams& streams, const Interrupt& interrupt) {
-    ProgressLine line(streams.err, streams.err_is_terminal && !options.quiet);
-    TimedOptions timed;
-    timed.properties = options.properties;
-    timed.max_states = options.max_states.value_or(timed.max_states);
-    timed.max_memory = options.max_memory.value_or(timed.max_memory);
-    if (options.timeout_ms)
-        timed.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
-    timed.stop = &interrupt.asked();
-    timed.progress = [&line](const TimedProgress& now) { line.show(now); };
-    return check_timed(network, timed);
+/// What the engine asked for finds out; nothing after an error.
+std::optional<Findings> findings(const LoopToCheck& loop, Job& job, const Streams& streams, const Interrupt& interrupt) {
+    switch (job.options.engine) {
+    case Engine::Auto:
+    case Engine::Timed:    return check_embedded(loop, job.options, streams, interrupt);
+    case Engine::Verifyta: return check_by_verifyta(loop, job, interrupt);
+    }
+    unreachable();
 }
-
-/// Turns what the engine found into a report; runs that do not replay are failures and are not told.
-class Reporter {
-public:
-    Reporter(const Network& network, std::vector<const Chart*> charts, const Options& options)
-        : network_(network),
-          charts_(std::move(charts)),
-          detail_(options.verbose ? Detail::Everything : Detail::Chart),
-          witnesses_(options.verbose || options.format == Format::Json || options.trace_vcd || options.trace_svg) {}
-
-    Report report(TimedResult result) {
-        Report report{network_.name, basis_of(network_, "timed"), {}, {}};
-        for (ModelError& error : result.errors) {
-            if (!replays(error.run, fmt::format("the way to `{}`", word(error.kind)))) error.run = {};
-            report.breakdowns.push_back(breakdown_of(network_, error, detail_));
-        }
-        for (Verdict& verdict : result.verdicts) {
-            if (verdict.outcome == Outcome::Holds && !witnesses_) verdict.run.reset();
-            if (verdict.run && !replays(*verdict.run, fmt::format("the trace of `{}`", verdict.property)))
-                verdict.run.reset();
-            report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
-        }
-        return report;
-    }
-
-    const std::vector<std::string>& failures() const { return failures_; }
-
-private:
-    bool replays(const Run& run, const std::string& what) {
-        const std::optional<Disagreement> found = disagreement(network_, charts_, run);
-        if (found) failures_.push_back(replay_failure(what, *found));
-        return !found;
-    }
-
-    const Network& network_;
-    std::vector<const Chart*> charts_;
-    Detail detail_;
-    bool witnesses_;  ///< whether anybody looks at them
-    std::vector<std::string> failures_ = {};
-};
 
 /// The trace that goes to files: of the first place where the model breaks off, of the first verdict against
 /// expectation, of the first that has one.
@@ -166,18 +86,18 @@ ExitCode check(Job& job, const Streams& streams) {
     if (!network || !knows_properties(*network, job)) return ExitCode::Input;
 
     const Interrupt interrupt;
-    TimedResult result = search(*network, job.options, streams, interrupt);
-    Reporter reporter(*network, charts_of(*model, model->loops[*loop]), job.options);
-    const Report report = reporter.report(std::move(result));
+    const auto found = findings({*network, charts_of(*model, model->loops[*loop])}, job, streams, interrupt);
+    if (!found) return ExitCode::Input;
+    const Report& report = found->report;
     if (job.options.format == Format::Json) print_json(report, streams.out);
     else
         print_report(report,
                      {job.options.verbose, job.options.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain},
                      streams.out);
-    for (const std::string& failure : reporter.failures())
+    for (const std::string& failure : found->failures)
         streams.err << "grafverif: internal failure: " << failure << '\n';
     write_reports(report, job.options, streams);
-    return exit_code(report, !reporter.failures().empty(), interrupt.asked());
+    return exit_code(report, !found->failures.empty(), interrupt.asked());
 }
 
 Verb check_usage() {
@@ -189,12 +109,13 @@ Verb check_usage() {
             "Decides every property of FILE's closed loop with the embedded timed engine, and whether time can stop. "
             "Each verdict\n"
             "says what it rests on; a violated property comes with a trace, replayed on the rules of IEC 60848 first.\n"
+            "`--engine verifyta` asks the model checker of UPPAAL instead, where it is on the PATH: verdicts, no traces.\n"
             "Formats: text, JSON (--format json), JUnit XML (--junit); traces also as VCD and SVG.",
             {"grafverif check samples/testing_station/testing_station.grafcet",
              "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
              "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G"},
             {Accepts::Search, Accepts::Loop, Accepts::Mode, Accepts::Grain, Accepts::Format, Accepts::Traces,
-             Accepts::Verbose}};
+             Accepts::Verbose, Accepts::Ablations}};
 }
 
 }  // namespace grafverif::app

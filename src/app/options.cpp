@@ -25,7 +25,7 @@ void add_checking_options(const Verb& verb, po::options_description& options) {
     if (accepts(verb, Accepts::Search)) {
         add("property", po::value<std::vector<std::string>>()->value_name("NAME"),
             "check this property only; may be repeated");
-        add("engine", text("auto|timed"), "the engine that proves (default: auto)");
+        add("engine", text("auto|timed|verifyta"), "the engine that proves (default: auto, the embedded one)");
         add("max-states", text("N"), "give up after N states (default: 500000000)");
         add("max-memory", text("SIZE"), "give up above SIZE, such as 500M or 2G (default: 4G)");
         add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
@@ -172,22 +172,41 @@ std::string read_numbers(const po::variables_map& values, Options& options) {
     return {};
 }
 
-/// The one engine there is; others are known by name.
-std::string check_engine(const po::variables_map& values) {
+/// `--without CURE`: models with a failure that the method cures, for the page that shows them. Not in --help.
+void add_hidden_options(const Verb& verb, po::options_description& options) {
+    auto add = options.add_options();
+    add("operand", po::value<std::vector<std::string>>());
+    if (accepts(verb, Accepts::Ablations)) add("without", po::value<std::vector<std::string>>());
+}
+
+std::string leave_out_cures(const po::variables_map& values, Options& options) {
+    if (values.count("without") == 0) return {};
+    for (const std::string& cure : values["without"].as<std::vector<std::string>>()) {
+        if (cure == "urgency") options.without.sensors_not_urgent = true;
+        else if (cure == "flags") options.without.cycle_always = true;
+        else if (cure == "stable") options.without.cycle_unless_stable = true;
+        else if (cure == "restart") options.without.timers_as_published = true;
+        else return fmt::format("`--without` takes one of `urgency`, `flags`, `stable`, `restart`; not `{}`", cure);
+        options.cures_left_out.push_back(cure);
+    }
+    return {};
+}
+
+/// Those there are; others are known by name.
+std::string choose_engine(const po::variables_map& values, Options& options) {
     if (values.count("engine") == 0) return {};
     const std::string& given = values["engine"].as<std::string>();
-    if (given == "auto" || given == "timed") return {};
-    for (const char* planned : {"symbolic", "verifyta", "NuSMV", "nuXmv"})
-        if (given == planned)
-            return fmt::format("`--engine {}` is not supported yet; the embedded engine is `timed`", given);
-    return fmt::format("`--engine` takes one of `auto`, `timed`; not `{}`", given);
+    for (const char* planned : {"symbolic", "NuSMV", "nuXmv"})
+        if (given == planned) return fmt::format("`--engine {}` is not supported yet; the embedded engine is `timed`", given);
+    return choose<Engine>(values, "engine", {{"auto", Engine::Auto}, {"timed", Engine::Timed}, {"verifyta", Engine::Verifyta}},
+                          options.engine);
 }
 
 }  // namespace
 
 ParsedOptions parse_options(const Verb& verb, std::span<const std::string> arguments) {
     po::options_description all = visible_options(verb);
-    all.add_options()("operand", po::value<std::vector<std::string>>());
+    add_hidden_options(verb, all);
     po::positional_options_description positional;
     positional.add("operand", -1);
 
@@ -225,7 +244,8 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     options.lossy = flag("lossy");
     options.help = flag("help");
     if (std::string complaint = choose_all(verb, values, options); !complaint.empty()) return {{}, complaint};
-    if (std::string complaint = check_engine(values); !complaint.empty()) return {{}, complaint};
+    if (std::string complaint = leave_out_cures(values, options); !complaint.empty()) return {{}, complaint};
+    if (std::string complaint = choose_engine(values, options); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = read_numbers(values, options); !complaint.empty()) return {{}, complaint};
     if (options.help) return {options, {}};
     if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "grafverif/compose/compose.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 
 namespace grafverif::app {
@@ -17,6 +18,7 @@ enum class Format { Text, Json, Latex, Xml };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
+enum class Engine { Auto, Timed, Verifyta };   ///< Auto: Timed
 /// How time passes for a controller that runs line by line: by `wait` lines, or by itself.
 enum class Clock { Simulated, Real };
 
@@ -40,6 +42,9 @@ struct Options {
     bool help = false;
 
     std::vector<std::string> properties = {};        ///< of `check`; empty: all
+    Engine engine = Engine::Auto;
+    Ablations without = {};                          ///< cures of the method left out: see docs/method.md
+    std::vector<std::string> cures_left_out = {};    ///< the same by name
     std::optional<std::uint64_t> max_states = {};
     std::optional<std::uint64_t> max_memory = {};    ///< bytes
     std::optional<std::uint64_t> timeout_ms = {};
@@ -56,7 +61,7 @@ struct Options {
 
 /// The options a verb may take besides --help, --quiet, --color and --diagnostics, which all take.
 enum class Accepts { Output, OutputDirectory, Loop, Chart, Mode, Grain, Target, Format, FormatLatex, InPlace,
-                     Search, Traces, Walk, Verbose, Clock, Bench, Sequence, FormatXml, MaxEvolutions };
+                     Search, Traces, Walk, Verbose, Ablations, Clock, Bench, Sequence, FormatXml, MaxEvolutions };
 
 struct Verb {
     std::string name = {};

@@ -127,7 +127,8 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, Job& jo
     const auto equations = equations_of_controllers(model, loop, job);
     const auto plant_network = plant(model, loop, job.diagnostics);
     if (!equations || !plant_network) return {};
-    const ComposeOptions options{job.options.grain, job.options.mode, {}};
+    for (const std::string& cure : job.options.cures_left_out) job.diagnostics.add(messages::cure_left_out(cure));
+    const ComposeOptions options{job.options.grain, job.options.mode, job.options.without};
     return compose(*plant_network, model, loop, *equations, options, job.diagnostics);
 }
 
@@ -175,6 +176,20 @@ UppaalProject uppaal_project(const Network& network, Job& job) {
     uppaal::emit(lowered, project);
     uppaal::emit_queries(lowered, queries);
     return {std::move(project).str(), std::move(queries).str()};
+}
+
+UppaalQuestions uppaal_questions(const Network& network) {
+    const Network lowered = uppaal::lower(network);
+    const std::vector<uppaal::Inexpressible> left_out = uppaal::inexpressible(lowered);
+    UppaalQuestions result;
+    for (const uppaal::Formula& formula : uppaal::formulas(lowered)) {
+        const auto why = std::ranges::find(left_out, formula.property, &uppaal::Inexpressible::property);
+        result.questions.push_back({formula.property, formula.name, formula.text, why == left_out.end() ? "" : why->reason});
+    }
+    std::ostringstream project;
+    uppaal::emit(lowered, project);
+    result.project = std::move(project).str();
+    return result;
 }
 
 std::string nusmv_model(const TransitionSystem& system, Job& job) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/options.hpp"
+#include "grafverif/check/verifyta.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/network.hpp"
@@ -60,6 +61,14 @@ struct UppaalProject {
     std::string queries = {};
 };
 UppaalProject uppaal_project(const Network& network, Job& job);
+
+/// Network -> UPPAAL project and what to ask of it, a formula per verdict.
+struct UppaalQuestions {
+    std::string project = {};
+    std::vector<ExternalQuestion> questions = {};
+};
+UppaalQuestions uppaal_questions(const Network& network);
+
 std::string nusmv_model(const TransitionSystem& system, Job& job);
 
 }  // namespace grafverif::app

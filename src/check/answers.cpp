@@ -143,7 +143,8 @@ void Questions::answer_liveness(Question& question, Graph& graph, const Limits& 
 }
 
 void Questions::answer_deadlock(Question& question, Graph& graph) {
-    const std::optional<std::uint32_t> state = first_deadlock(graph);
+    const auto judged = [&](std::uint32_t state) { return graph.holds(question.p, state) == End::Yes; };
+    const std::optional<std::uint32_t> state = first_deadlock(graph, judged);
     if (state && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     if (state) return violated(question.verdict, graph.run_to(*state));
     holds_if_dense(question, graph, graph.stuck_gap);
@@ -154,8 +155,9 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
     StateSet passes(graph.states());
     for (std::uint32_t state = 0; state < graph.looked_at; ++state)
         if (graph.passes(state)) passes.add(state);
-    const auto locked = out_of_reach(graph, passes, Ways::Edges, limits);
+    auto locked = out_of_reach(graph, passes, Ways::Edges, limits);
     if (!locked) return unknown(question.verdict, Obstacle::Stopped, "stopped");
+    std::erase_if(*locked, [&](std::uint32_t state) { return graph.holds(question.p, state) != End::Yes; });
     if (!locked->empty()) {
         if (inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
         const Lasso lasso = without_time(graph, locked->front());

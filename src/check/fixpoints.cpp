@@ -105,15 +105,18 @@ std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<s
     return true;
 }
 
-std::optional<std::uint32_t> first_deadlock(const Graph& graph) {
+std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged) {
     StateSet alive(graph.states());
+    const auto goes_on = [&](std::uint32_t state) {
+        return !graph.open(state) && !alive.has(state) && graph.way(state) == Way::Passes && graph.target(state) != state;
+    };
     for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
-        for (std::uint32_t now = state; !graph.open(now) && !alive.has(now); now = graph.target(now)) {
-            const Way way = graph.way(now);
-            if (way == Way::Stuck || (way == Way::Passes && graph.target(now) == now)) return state;
-            if (way != Way::Passes) break;
-            alive.add(now);
-        }
+        std::uint32_t end = state;
+        while (goes_on(end)) end = graph.target(end);
+        const bool dead = !graph.open(end) && !alive.has(end) && (graph.way(end) == Way::Stuck || graph.way(end) == Way::Passes);
+        if (dead && judged(state)) return state;
+        if (dead) continue;
+        for (std::uint32_t now = state; now != end; now = graph.target(now)) alive.add(now);
     }
     return {};
 }

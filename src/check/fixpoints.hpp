@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <functional>
 #include <vector>
 
 #include "check/explore.hpp"
@@ -34,7 +35,7 @@ struct Lasso {
 };
 Lasso avoiding(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots, bool endless);
 
-/// The first state from which no edge can fire, now or after any delay.
-std::optional<std::uint32_t> first_deadlock(const Graph& graph);
+/// The first state that is `judged` and from which no edge can fire, now or after any delay.
+std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged);
 
 }  // namespace grafverif::timed

@@ -20,9 +20,9 @@ std::string step_name(const Network& network, const std::string& variable) {
     return variable;
 }
 
-bool reads_operands(Pattern pattern) {
-    return pattern != Pattern::NoDeadlock && pattern != Pattern::NoTimelock && pattern != Pattern::RawUppaal &&
-           pattern != Pattern::RawCtl && pattern != Pattern::RawLtl;
+/// Whether `at stable` restricts the states that the property is judged in.
+bool is_judged(Pattern pattern) {
+    return pattern != Pattern::RawUppaal && pattern != Pattern::RawCtl && pattern != Pattern::RawLtl;
 }
 
 }  // namespace
@@ -75,13 +75,13 @@ void Questions::ask(const Property& property, bool declared) {
     question.verdict.declared = declared;
     question.verdict.expected_violated = property.expected_violated;
     question.verdict.origin = property.origin;
-    if (property.at_stable && reads_operands(property.pattern) && !network_.settled.valid()) {
+    if (property.at_stable && is_judged(property.pattern) && !network_.settled.valid()) {
         question.verdict.obstacle = Obstacle::Unsupported;
         question.verdict.reason = "nothing says which states of this network are settled";
         questions_.push_back(std::move(question));
         return;
     }
-    if (property.at_stable && reads_operands(property.pattern) && settled_watch_ == none)
+    if (property.at_stable && is_judged(property.pattern) && settled_watch_ == none)
         settled_watch_ = watch_.add(machine_.compiler().condition(network_.settled, Program::yes, Program::no));
     if (property.pattern == Pattern::ReachableAllSteps) return ask_steps(property, question);
     compile(question);
@@ -104,6 +104,8 @@ void Questions::compile(Question& question) {
     case Pattern::AlwaysPossible: question.p = settled_and(property, property.operands[0]); return;
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock:
+        question.p = property.at_stable ? machine_.compiler().condition(network_.settled, Program::yes, Program::no) : Program::yes;
+        return;
     case Pattern::ReachableAllSteps: return;
     case Pattern::RawUppaal:
     case Pattern::RawCtl:

@@ -29,7 +29,7 @@ std::vector<ModelError> errors_of(timed::Graph& graph) {
     return errors;
 }
 
-/// The property that every timed check decides.
+/// `no timelock`, which every timed check decides, for models that do not declare it.
 Property no_timelock(const Network& network) {
     Property property{.name = "no_timelock", .pattern = Pattern::NoTimelock};
     while (std::ranges::any_of(network.properties, [&](const Property& other) { return other.name == property.name; }))
@@ -37,8 +37,11 @@ Property no_timelock(const Network& network) {
     return property;
 }
 
+bool about_time(const Property& property) { return property.pattern == Pattern::NoTimelock && !property.at_stable; }
+
 bool asked(const TimedOptions& options, const Property& property) {
-    return options.properties.empty() || std::ranges::find(options.properties, property.name) != options.properties.end();
+    return options.properties.empty() || about_time(property) ||
+           std::ranges::find(options.properties, property.name) != options.properties.end();
 }
 
 }  // namespace
@@ -54,7 +57,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     for (const Property& property : flat.properties) {
         if (!asked(options, property)) continue;
         questions.ask(property, true);
-        timelock_asked = timelock_asked || property.pattern == Pattern::NoTimelock;
+        timelock_asked = timelock_asked || about_time(property);
     }
     if (!timelock_asked) questions.ask(timelock, false);
 

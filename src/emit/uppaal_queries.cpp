@@ -44,30 +44,32 @@ public:
 
     std::vector<Query> all() {
         std::vector<Query> list;
-        for (const Property& property : network_.properties) add(list, property);
+        for (const Id<Property> property : network_.properties.ids()) add(list, property);
         return list;
     }
 
 private:
-    void add(std::vector<Query>& list, const Property& property) {
+    void add(std::vector<Query>& list, Id<Property> id) {
+        const Property& property = network_.properties[id];
         if (const std::string_view why = reason(property.pattern); !why.empty()) {
-            list.push_back({{}, headline(property, property.name) + ": left out; " + std::string(why), {}});
+            list.push_back({id, property.name, {}, headline(property, property.name) + ": left out; " + std::string(why), {}});
             return;
         }
-        if (property.pattern == Pattern::ReachableAllSteps) return add_steps(list, property);
+        if (property.pattern == Pattern::ReachableAllSteps) return add_steps(list, id);
         const bool satisfied = !property.expected_violated;
         const std::string outcome = satisfied ? "expected: satisfied" : "expected: not satisfied";
         const std::string comment = headline(property, property.name) + '\n' + std::string(remark(property)) + outcome;
-        list.push_back({formula(property), comment, satisfied});
+        list.push_back({id, property.name, formula(property), comment, satisfied});
     }
 
     /// One query per step. Expected violated: some step is out of reach, so no single query is told what to expect.
-    void add_steps(std::vector<Query>& list, const Property& property) {
+    void add_steps(std::vector<Query>& list, Id<Property> id) {
+        const Property& property = network_.properties[id];
         const bool satisfied = !property.expected_violated;
         const std::string outcome = satisfied ? "expected: satisfied" : "expected of one step at least: not satisfied";
         for (const Id<Network::Variable> step : steps(property)) {
             const std::string name = property.name + '.' + step_name(network_.variables[step].name);
-            list.push_back({"E<> " + (property.at_stable ? settled() + " && " : "") + names_.variables[step.index],
+            list.push_back({id, name, "E<> " + (property.at_stable ? settled() + " && " : "") + names_.variables[step.index],
                             headline(property, name) + "\nevery step; " + std::string(remark(property)) + outcome,
                             satisfied ? std::optional(true) : std::nullopt});
         }
@@ -149,6 +151,13 @@ private:
 
 std::vector<Query> queries(const Network& network, const Names& names) { return Writer(network, names).all(); }
 
+std::vector<Formula> formulas(const Network& network) {
+    std::vector<Formula> list;
+    for (Query& query : queries(network, names(network)))
+        list.push_back({query.property, std::move(query.name), std::move(query.formula)});
+    return list;
+}
+
 std::vector<Inexpressible> inexpressible(const Network& network) {
     std::vector<Inexpressible> list;
     for (const Id<Property> id : network.properties.ids()) {
@@ -160,12 +169,12 @@ std::vector<Inexpressible> inexpressible(const Network& network) {
 
 void emit_queries(const Network& network, std::ostream& out) {
     std::string text;
-    for (const auto& [formula, comment, satisfied] : queries(network, names(network))) {
-        std::string quoted = comment;
+    for (const Query& query : queries(network, names(network))) {
+        std::string quoted = query.comment;
         for (std::size_t at = quoted.find("*/"); at != std::string::npos; at = quoted.find("*/", at))
             quoted.insert(at + 1, " ");
         text += (text.empty() ? "/*\n" : "\n/*\n") + quoted + "\n*/\n";
-        if (!formula.empty()) text += formula + '\n';
+        if (!query.formula.empty()) text += query.formula + '\n';
     }
     out << text;
 }

@@ -40,14 +40,14 @@ private:
     std::string basis(const Answer& answer) const {
         const Basis& basis = report_.basis;
         const Verdict& verdict = answer.verdict;
+        const std::string states = verdict.states.empty() ? "" : "; " + verdict.states + " states";
         if (!basis.untimed.empty()) {
             const std::string grain = basis.grain.empty() ? "" : ", " + basis.grain + " grain";
-            return fmt::format("{}, untimed: {}; {}{}{}{}", basis.engine, basis.untimed, basis.mode, grain,
-                               verdict.states.empty() ? "" : "; " + verdict.states + " states",
+            return fmt::format("{}, untimed: {}; {}{}{}{}", basis.engine, basis.untimed, basis.mode, grain, states,
                                answer.carries.empty() ? "" : "; " + answer.carries);
         }
-        return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero; {} states", basis.engine,
-                           basis.mode, basis.grain, seconds_text(basis.time_unit_ms), verdict.states);
+        return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero{}", basis.engine, basis.mode,
+                           basis.grain, seconds_text(basis.time_unit_ms), states);
     }
 
     void print(const Answer& answer) {

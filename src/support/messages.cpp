@@ -28,6 +28,15 @@ Diagnostic cannot_read(std::string_view path, std::string_view why) {
 
 Diagnostic world_failed(std::string_view what) { return error("cannot-write", {}, std::string(what)); }
 
+Diagnostic cure_left_out(std::string_view cure) {
+    return warning("cure-left-out", {}, fmt::format("`{}` is left out of the model: no verdict here is about the chart", cure));
+}
+
+Diagnostic missing_program(std::string_view program, std::string_view instead) {
+    return error("missing-program", {},
+                 fmt::format("`{}` is not on the PATH; the embedded engine needs nothing installed: `{}`", program, instead));
+}
+
 Diagnostic no_closed_loop() {
     return error("no-closed-loop", {},
                  "the file has no closed loop; declare `closed_loop NAME { controller CHART; ... }`, or use `grafverif nusmv` "

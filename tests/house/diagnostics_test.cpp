@@ -26,22 +26,12 @@ std::set<std::string> codes() {
     return found;
 }
 
-/// What no chart alone can show: files that are missing, too large or cannot be written, choices of the command line, and what one target cannot say (see unit_app).
+/// What no chart alone can show: files that are missing, too large or cannot be written, choices of the command line,
+/// programs that are not installed, and what one target cannot say (see unit_app).
 const std::set<std::string> of_the_world = {
-    "cannot-read",
-    "cannot-write",
-    "too-large",
-    "no-closed-loop",
-    "no-such-choice",
-    "ambiguous-choice",
-    "not-expressible",
-    "bad-sequence",
-    "not-in-structured-text",
-    "cannot-run",
-    "nothing-to-test",
-    "nothing-to-import",
-    "left-out",
-};
+    "cannot-read", "cannot-write", "too-large", "no-closed-loop", "no-such-choice", "ambiguous-choice",
+    "not-expressible", "bad-sequence", "not-in-structured-text", "cannot-run", "nothing-to-test",
+    "nothing-to-import", "left-out", "missing-program", "cure-left-out"};
 
 TEST(House, EveryDiagnosticHasAReject) {
     const std::set<std::string> all = codes();

@@ -16,6 +16,10 @@ namespace grafverif::messages {
 Diagnostic cannot_read(std::string_view path, std::string_view why);
 Diagnostic world_failed(std::string_view what);
 Diagnostic no_closed_loop();
+/// The model checked is not that of the file: a cure of the method is left out on purpose.
+Diagnostic cure_left_out(std::string_view cure);
+/// An external engine that is asked for and not installed; `instead`: the options that choose an embedded one.
+Diagnostic missing_program(std::string_view program, std::string_view instead);
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known);
 Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std::span<const std::string> known);
 Diagnostic not_expressible(Span property, std::string_view name, std::string_view target, std::string_view reason);

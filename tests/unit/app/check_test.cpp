@@ -164,6 +164,55 @@ TEST(Check, TellsTheSameEachTime) {
     EXPECT_EQ(grafverif({"check", file}).out, grafverif({"check", file}).out);
 }
 
+TEST(Check, NamesTheEmbeddedEngineWhereVerifytaIsNotInstalled) {
+    const Folder nothing;
+    const Path path(nothing.file(""));
+    const Result result = grafverif({"check", sample("blinker/blinker.grafcet"), "--engine", "verifyta"});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_EQ(result.err,
+              "error: `verifyta` is not on the PATH; the embedded engine needs nothing installed: `--engine timed` "
+              "[missing-program]\n");
+}
+
+/// A program called verifyta that says of every formula with `wrong` in it that it is not satisfied, and of no other. It
+/// stands in for the real one, whose licence keeps it out of automated tests.
+void install_stand_in(const Folder& folder, const std::string& wrong) {
+    fs::permissions(folder.write("verifyta", "#!/bin/sh\n"
+                                             "grep -q '<!DOCTYPE nta' \"$1\" || exit 1\n"
+                                             "echo 'Verifying formula 1 at line 1'\n"
+                                             "if grep -q '" + wrong + "' \"$2\"; then echo ' -- Formula is NOT satisfied.'\n"
+                                             "else echo ' -- Formula is satisfied.'; fi\n"),
+                    fs::perms::owner_all);
+}
+
+TEST(Check, ReadsTheVerdictsOfVerifyta) {
+    const Folder folder;
+    install_stand_in(folder, "deadlock");
+    const Path path(fs::path(folder.file("")).string() + ":/usr/bin:/bin");
+    const Result result = grafverif({"check", sample("testing_station/testing_station.grafcet"), "--engine", "verifyta"});
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(result.code, ExitCode::Verdict);
+    EXPECT_EQ(result.out,
+              "P14 \"the station always comes back to rest\": holds\n"
+              "    verifyta engine; stability-search, phased grain; time unit 1 s, cycle time taken as zero\n"
+              "P15 \"no horizontal move unless the cup is up\": holds\n"
+              "    verifyta engine; stability-search, phased grain; time unit 1 s, cycle time taken as zero\n"
+              "no_deadlock: violated\n"
+              "    verifyta engine; stability-search, phased grain; time unit 1 s, cycle time taken as zero\n"
+              "no_timelock: unknown\n"
+              "    verifyta engine; stability-search, phased grain; time unit 1 s, cycle time taken as zero\n"
+              "    why: UPPAAL has no query for `no timelock`\n"
+              "station: 2 hold, 1 violated, 1 unknown; 1 against expectation\n");
+    const Json document = Json::parse(grafverif({"check", sample("oven_door/oven_door.grafcet"), "--engine", "verifyta",
+                                                 "--property", "warned", "--format", "json"}).out);
+    const Json& property = document["properties"][0];
+    EXPECT_EQ(property["name"], "warned");
+    EXPECT_EQ(property["engine"], "verifyta");
+    EXPECT_EQ(property["verdict"], "holds");
+    EXPECT_TRUE(property["states"].is_null());
+    EXPECT_TRUE(property["trace"].is_null());
+}
+
 TEST(Check, NeedsAClosedLoop) {
     const Folder folder;
     const Result result =

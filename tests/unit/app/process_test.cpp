@@ -66,18 +66,6 @@ TEST(Process, WhatCannotBeStartedIsAnError) {
     EXPECT_THROW(run_program({"/does/not/exist"}, "", {}), std::system_error);
 }
 
-/// The PATH for the length of a test.
-class Path {
-public:
-    explicit Path(const std::string& value) : before_(std::getenv("PATH")) { ::setenv("PATH", value.c_str(), 1); }
-    ~Path() { ::setenv("PATH", before_.c_str(), 1); }
-    Path(const Path&) = delete;
-    Path& operator=(const Path&) = delete;
-
-private:
-    std::string before_;
-};
-
 TEST(Process, ProgramsAreFoundOnThePathIfTheyCanBeRun) {
     const Folder first, second;
     first.write("tool", "not a program");

@@ -114,6 +114,7 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
     }
     case Pattern::NoDeadlock:
         return everywhere([&](std::size_t i) {
+            if (!judged(i)) return true;
             std::set<std::size_t> seen;
             for (; seen.insert(i).second; i = all.later[i])
                 if (all.acts[i] || all.faulty[i]) return true;
@@ -123,7 +124,7 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
         std::vector<bool> goal = all.passes;
         for (std::size_t i = 0; i < goal.size(); ++i) goal[i] = goal[i] || all.faulty[i];
         const auto flows = possible(all, goal, [](std::size_t, std::size_t) { return true; });
-        return everywhere([&](std::size_t i) { return flows[i]; });
+        return everywhere([&](std::size_t i) { return !judged(i) || flows[i]; });
     }
     case Pattern::AlwaysPossible: {
         std::vector<bool> goal = where(0);

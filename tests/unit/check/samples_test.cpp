@@ -22,15 +22,6 @@ TEST(TimedEngineOnSamples, StoresTheTestingStationIn64BytesAState) {
     EXPECT_LE(result.bytes, 64 * result.states);
 }
 
-TEST(TimedEngineOnSamples, FindsTheTimelockOfTheCycleThatIsAlwaysReady) {
-    const ComposeOptions options{.ablations = {.cycle_always = true}};
-    const TimedResult result = checked(read_sample("testing_station/testing_station.grafcet", options).network);
-    EXPECT_EQ(told(result, "no_deadlock"), "holds, vacuous");
-    EXPECT_EQ(told(result, "no_timelock"), "violated");
-    EXPECT_EQ(told(result, "P15"), "holds, vacuous");
-    EXPECT_FALSE(result.time_passes);
-}
-
 TEST(TimedEngineOnSamples, ProvesOfTheOvenDoorWhatIsPublished) {
     const TimedResult result = checked(read_sample("oven_door/oven_door.grafcet").network);
     EXPECT_GE(result.verdicts.size(), 5u);

@@ -388,6 +388,25 @@ TEST(TimedEngine, SaysWhatItDoesNotRead) {
     EXPECT_EQ(told(result, "impossible"), "violated");
 }
 
+TEST(TimedEngine, JudgesDeadlocksAtStableInSettledStatesOnly) {
+    Sketch s;
+    const auto p = s.process("p", 3);
+    s.edge(p, {.from = 0, .to = 1});
+    s.property("anywhere", Pattern::NoDeadlock);
+    s.property("settled", Pattern::NoDeadlock, {}, true);
+    s.property("time", Pattern::NoTimelock, {}, true);
+    s.network.settled = s.no(s.at(p, 1));   // it ends in l1
+    TimedResult result = checked(s.network);
+    EXPECT_EQ(told(result, "anywhere"), "violated");
+    EXPECT_EQ(told(result, "settled"), "holds");
+    EXPECT_EQ(told(result, "time"), "holds");
+    s.network.settled = s.at(p, 1);
+    EXPECT_EQ(told(checked(s.network), "settled"), "violated");
+    s.edge(p, {.from = 1, .to = 2, .urgent = true});
+    s.edge(p, {.from = 2, .to = 1, .urgent = true});
+    EXPECT_EQ(told(checked(s.network), "time"), "violated");
+}
+
 TEST(TimedEngine, MarksWhatIsJudgedInNoState) {
     Lamp lamp;
     lamp.s.network.settled = lamp.s.no(lamp.s.yes());

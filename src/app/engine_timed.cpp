@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// The embedded timed engine, run for `check`. No trace is shown that does not replay on the rules.
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "app/engines.hpp"
+#include "app/traces.hpp"
+#include "grafverif/check/timed.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// `1,234,567`
+std::string grouped(std::uint64_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+    return text;
+}
+
+/// A line on the terminal, written over until the search ends.
+class ProgressLine {
+public:
+    ProgressLine(std::ostream& err, bool shown) : err_(err), shown_(shown) {}
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+    ~ProgressLine() { erase(); }
+
+    void show(const TimedProgress& now) {
+        if (!shown_) return;
+        erase();
+        const double rate = now.seconds > 0 ? static_cast<double>(now.states) / now.seconds / 1e6 : 0;
+        const std::string line =
+            fmt::format("{} states, {:.2f} million/s, {} to go on from, {} MiB, {:.0f} s", grouped(now.states), rate,
+                        grouped(now.queue), now.bytes >> 20U, now.seconds);
+        width_ = line.size();
+        err_ << line << std::flush;
+    }
+
+private:
+    void erase() {
+        if (width_ != 0) err_ << '\r' << std::string(width_, ' ') << '\r' << std::flush;
+        width_ = 0;
+    }
+
+    std::ostream& err_;
+    bool shown_;
+    std::size_t width_ = 0;
+};
+
+TimedResult search(const Network& network, const Options& options, const Streams& streams, const Interrupt& interrupt) {
+    ProgressLine line(streams.err, streams.err_is_terminal && !options.quiet);
+    TimedOptions timed;
+    timed.properties = options.properties;
+    timed.max_states = options.max_states.value_or(timed.max_states);
+    timed.max_memory = options.max_memory.value_or(timed.max_memory);
+    if (options.timeout_ms)
+        timed.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
+    timed.stop = &interrupt.asked();
+    timed.progress = [&line](const TimedProgress& now) { line.show(now); };
+    return check_timed(network, timed);
+}
+
+/// Turns what the engine found into a report; runs that do not replay are failures and are not told.
+class Reporter {
+public:
+    Reporter(const Network& network, std::vector<const Chart*> charts, const Options& options)
+        : network_(network),
+          charts_(std::move(charts)),
+          detail_(options.verbose ? Detail::Everything : Detail::Chart),
+          cures_left_out_(!options.cures_left_out.empty()),
+          witnesses_(options.verbose || options.format == Format::Json || options.trace_vcd || options.trace_svg) {}
+
+    Report report(TimedResult result) {
+        Report report{network_.name, basis_of(network_, "timed"), {}, {}};
+        for (ModelError& error : result.errors) {
+            if (!replays(error.run, fmt::format("the way to `{}`", word(error.kind)))) error.run = {};
+            report.breakdowns.push_back(breakdown_of(network_, error, detail_));
+        }
+        for (Verdict& verdict : result.verdicts) {
+            if (verdict.outcome == Outcome::Holds && !witnesses_) verdict.run.reset();
+            if (verdict.run && !replays(*verdict.run, fmt::format("the trace of `{}`", verdict.property)))
+                verdict.run.reset();
+            report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
+        }
+        return report;
+    }
+
+    std::vector<std::string> failures() && { return std::move(failures_); }
+
+private:
+    bool replays(const Run& run, const std::string& what) {
+        if (cures_left_out_) return true;   // not the runs of a chart: that is their point
+        const std::optional<Disagreement> found = disagreement(network_, charts_, run);
+        if (found) failures_.push_back(replay_failure(what, *found));
+        return !found;
+    }
+
+    const Network& network_;
+    std::vector<const Chart*> charts_;
+    Detail detail_;
+    bool cures_left_out_;
+    bool witnesses_;  ///< whether anybody looks at them
+    std::vector<std::string> failures_ = {};
+};
+
+}  // namespace
+
+Findings check_embedded(const LoopToCheck& loop, const Options& options, const Streams& streams, const Interrupt& interrupt) {
+    TimedResult result = search(loop.network, options, streams, interrupt);
+    Reporter reporter(loop.network, loop.charts, options);
+    Report report = reporter.report(std::move(result));
+    return {std::move(report), std::move(reporter).failures()};
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// `check --engine verifyta`: our UPPAAL project in a temporary folder, and verifyta run on it once per query. Written
+// to its documented behaviour; its licence keeps it out of automated tests, which run a stand-in.
+#include "app/engines.hpp"
+#include "app/files.hpp"
+#include "app/process.hpp"
+#include "grafverif/check/verifyta.hpp"
+#include "grafverif/support/messages.hpp"
+
+namespace grafverif::app {
+
+std::optional<Findings> check_by_verifyta(const LoopToCheck& loop, Job& job, const Interrupt& interrupt) {
+    const auto program = find_program("verifyta");
+    if (!program) {
+        job.diagnostics.add(messages::missing_program("verifyta", "--engine timed"));
+        return {};
+    }
+    ProgramLimits limits{.stop = &interrupt.asked()};
+    if (job.options.timeout_ms)
+        limits.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*job.options.timeout_ms);
+    const UppaalQuestions uppaal = uppaal_questions(loop.network);
+    const TemporaryFolder folder;
+    const std::string model = (folder.path() / "model.xml").string(), query = (folder.path() / "query.q").string();
+    write_files({{model, uppaal.project}});
+
+    ExternalOptions options{.properties = job.options.properties};
+    options.run = [&](const std::string& formula) {
+        write_files({{query, formula + '\n'}});
+        return run_program({program->string(), model, query}, "", limits);
+    };
+    Findings findings{{loop.network.name, basis_of(loop.network, "verifyta"), {}, {}}, {}};
+    for (Verdict& verdict : check_verifyta(loop.network, uppaal.questions, options))
+        findings.report.answers.push_back(answer_of(loop.network, std::move(verdict), Detail::Chart));
+    return findings;
+}
+
+}  // namespace grafverif::app
