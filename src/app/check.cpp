@@ -9,6 +9,7 @@
 #include "app/engines.hpp"
 #include "app/files.hpp"
 #include "app/traces.hpp"
+#include "app/untimed.hpp"
 #include "app/verbs.hpp"
 #include "grafverif/report/json.hpp"
 #include "grafverif/report/junit.hpp"
@@ -20,15 +21,20 @@ namespace grafverif::app {
 
 namespace {
 
-bool knows_properties(const Network& network, Job& job) {
-    std::vector<std::string> known;
-    for (const Property& property : network.properties) known.push_back(property.name);
+/// Whether every property asked for is among `known`; one that expands is known by its first part too.
+bool knows_properties(const std::vector<std::string>& known, Job& job) {
     for (const std::string& name : job.options.properties) {
-        if (std::ranges::find(known, name) != known.end()) continue;
+        if (std::ranges::any_of(known, [&](const std::string& each) { return is_asked(each, {name}); })) continue;
         job.diagnostics.add(messages::no_such_choice("property", name, known));
         return false;
     }
     return true;
+}
+
+std::vector<std::string> property_names(const Table<Property>& properties) {
+    std::vector<std::string> names;
+    for (const Property& property : properties) names.push_back(property.name);
+    return names;
 }
 
 /// What the engine asked for finds out; nothing after an error.
@@ -37,8 +43,35 @@ std::optional<Findings> findings(const LoopToCheck& loop, Job& job, const Stream
     case Engine::Auto:
     case Engine::Timed:    return check_embedded(loop, job.options, streams, interrupt);
     case Engine::Verifyta: return check_by_verifyta(loop, job, interrupt);
+    case Engine::Symbolic: case Engine::Nusmv: case Engine::Nuxmv: break;   // of untimed models
     }
     unreachable();
+}
+
+/// The same of an untimed model of `model`: of its closed loop, or of a chart alone.
+std::optional<Findings> untimed_findings(const Model& model, Job& job, const Streams& streams,
+                                         const Interrupt& interrupt) {
+    const auto loop = is_of_a_chart(model, job.options) ? std::nullopt : chosen_loop(model, job);
+    const auto chart = is_of_a_chart(model, job.options) ? chosen_chart(model, job) : std::nullopt;
+    std::optional<TransitionSystem> system;
+    if (loop) system = controllers_of(model, *loop, job);
+    if (chart) system = controller_of(model, *chart, job);
+    if (!system) return {};
+    if (chart) {
+        ask_for_steps(*system);
+        if (!job.options.quiet)
+            streams.err << "note: `" << model.charts[*chart].name
+                        << "` is no closed loop: its steps are checked with free inputs, untimed\n";
+    }
+    std::vector<std::string> known = property_names(system->properties);
+    for (const TransitionSystem::Omitted& omitted : system->omitted) known.push_back(omitted.property.name);
+    if (!knows_properties(known, job)) return {};
+    const ClosedLoop* const of = loop ? &model.loops[*loop] : nullptr;
+    const SystemToCheck check{*system, of != nullptr ? charts_of(model, *of) : std::vector{&model.charts[*chart]},
+                              abstraction_of(job.options, of)};
+    if (job.options.engine == Engine::Nusmv) return check_by_nusmv(check, "NuSMV", job, interrupt);
+    if (job.options.engine == Engine::Nuxmv) return check_by_nusmv(check, "nuXmv", job, interrupt);
+    return check_symbolically(check, job.options, streams, interrupt);
 }
 
 /// The trace that goes to files: of the first place where the model breaks off, of the first verdict against
@@ -48,7 +81,7 @@ struct Chosen {
     std::string title = {};
 };
 Chosen first_trace(const Report& report) {
-    if (!report.breakdowns.empty())
+    if (!report.breakdowns.empty() && !report.breakdowns.front().trace.steps.empty())
         return {&report.breakdowns.front().trace, report.model + ": " + report.breakdowns.front().code};
     for (const bool unexpected : {true, false})
         for (const Answer& answer : report.answers)
@@ -81,12 +114,18 @@ ExitCode exit_code(const Report& report, bool failed, bool stopped) {
 
 ExitCode check(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
-    const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
-    const auto network = loop ? network_of(*model, *loop, job) : std::nullopt;
-    if (!network || !knows_properties(*network, job)) return ExitCode::Input;
-
+    if (!model) return ExitCode::Input;
     const Interrupt interrupt;
-    const auto found = findings({*network, charts_of(*model, model->loops[*loop])}, job, streams, interrupt);
+    std::optional<Findings> found;
+    const bool timed = job.options.engine == Engine::Timed || job.options.engine == Engine::Verifyta;
+    if (job.options.check_untimed || (is_of_a_chart(*model, job.options) && !timed)) {
+        found = untimed_findings(*model, job, streams, interrupt);
+    } else {
+        const auto loop = chosen_loop(*model, job);
+        const auto network = loop ? network_of(*model, *loop, job) : std::nullopt;
+        if (network && knows_properties(property_names(network->properties), job))
+            found = findings({*network, charts_of(*model, model->loops[*loop])}, job, streams, interrupt);
+    }
     if (!found) return ExitCode::Input;
     const Report& report = found->report;
     if (job.options.format == Format::Json) print_json(report, streams.out);
@@ -110,11 +149,15 @@ Verb check_usage() {
             "Each verdict\n"
             "says what it rests on; a violated property comes with a trace, replayed on the rules of IEC 60848 first.\n"
             "`--engine verifyta` asks the model checker of UPPAAL instead, where it is on the PATH: verdicts, no traces.\n"
+            "With --untimed the model without time is checked, by the embedded symbolic engine or by NuSMV or nuXmv from\n"
+            "the PATH; so is a chart that belongs to no loop, with free inputs. What that says of the real plant stands\n"
+            "under each verdict.\n"
             "Formats: text, JSON (--format json), JUnit XML (--junit); traces also as VCD and SVG.",
             {"grafverif check samples/testing_station/testing_station.grafcet",
              "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
-             "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G"},
-            {Accepts::Search, Accepts::Loop, Accepts::Mode, Accepts::Grain, Accepts::Format, Accepts::Traces,
+             "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G",
+             "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV"},
+            {Accepts::Search, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Format, Accepts::Traces,
              Accepts::Verbose, Accepts::Ablations}};
 }
 

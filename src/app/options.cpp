@@ -25,7 +25,9 @@ void add_checking_options(const Verb& verb, po::options_description& options) {
     if (accepts(verb, Accepts::Search)) {
         add("property", po::value<std::vector<std::string>>()->value_name("NAME"),
             "check this property only; may be repeated");
-        add("engine", text("auto|timed|verifyta"), "the engine that proves (default: auto, the embedded one)");
+        add("engine", text("auto|timed|symbolic|verifyta|NuSMV|nuXmv"),
+            "the engine that proves (default: auto, an embedded one)");
+        add("untimed", po::bool_switch(), "check the untimed model, with the symbolic engine or NuSMV");
         add("max-states", text("N"), "give up after N states (default: 500000000)");
         add("max-memory", text("SIZE"), "give up above SIZE, such as 500M or 2G (default: 4G)");
         add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
@@ -192,14 +194,18 @@ std::string leave_out_cures(const po::variables_map& values, Options& options) {
     return {};
 }
 
-/// Those there are; others are known by name.
 std::string choose_engine(const po::variables_map& values, Options& options) {
-    if (values.count("engine") == 0) return {};
-    const std::string& given = values["engine"].as<std::string>();
-    for (const char* planned : {"symbolic", "NuSMV", "nuXmv"})
-        if (given == planned) return fmt::format("`--engine {}` is not supported yet; the embedded engine is `timed`", given);
-    return choose<Engine>(values, "engine", {{"auto", Engine::Auto}, {"timed", Engine::Timed}, {"verifyta", Engine::Verifyta}},
-                          options.engine);
+    options.check_untimed = values.count("untimed") != 0 && values["untimed"].as<bool>();
+    std::string complaint = choose<Engine>(values, "engine",
+                                           {{"auto", Engine::Auto}, {"timed", Engine::Timed}, {"symbolic", Engine::Symbolic},
+                                            {"verifyta", Engine::Verifyta}, {"NuSMV", Engine::Nusmv}, {"nuXmv", Engine::Nuxmv}},
+                                           options.engine);
+    if (!complaint.empty()) return complaint;
+    const bool timed = options.engine == Engine::Timed || options.engine == Engine::Verifyta;
+    if (timed && options.check_untimed)
+        return fmt::format("`--engine {}` checks timed models; leave out `--untimed`", values["engine"].as<std::string>());
+    options.check_untimed = options.check_untimed || (!timed && options.engine != Engine::Auto);
+    return {};
 }
 
 }  // namespace

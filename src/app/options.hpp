@@ -18,7 +18,7 @@ enum class Format { Text, Json, Latex, Xml };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
-enum class Engine { Auto, Timed, Verifyta };   ///< Auto: Timed
+enum class Engine { Auto, Timed, Verifyta, Symbolic, Nusmv, Nuxmv };   ///< Auto: Timed, of untimed models Symbolic
 /// How time passes for a controller that runs line by line: by `wait` lines, or by itself.
 enum class Clock { Simulated, Real };
 
@@ -43,6 +43,7 @@ struct Options {
 
     std::vector<std::string> properties = {};        ///< of `check`; empty: all
     Engine engine = Engine::Auto;
+    bool check_untimed = false;                      ///< --untimed, or an engine that knows no time
     Ablations without = {};                          ///< cures of the method left out: see docs/method.md
     std::vector<std::string> cures_left_out = {};    ///< the same by name
     std::optional<std::uint64_t> max_states = {};

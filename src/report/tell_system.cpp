@@ -111,7 +111,7 @@ private:
         moment_ += trace_.timed ? (ticks ? system_.tick_ms : 0) : 1;
         if (ticks) tell_delay();
         for (const System::Controller& controller : system_.controllers) tell_controller(controller, before, next);
-        for (const System::Controller& controller : system_.controllers) tell_timers(controller, next);
+        for (const System::Controller& controller : system_.controllers) tell_timers(controller, before, next);
         for (const System::Component& component : system_.components) tell_component(component, next);
         bool changed = false;
         for (const Id<System::Symbol> input : inputs_) changed = take(input, next) || changed;
@@ -142,10 +142,14 @@ private:
     }
 
     /// A timer matters while its step is active.
-    void tell_timers(const System::Controller& controller, const Values& next) {
+    void tell_timers(const System::Controller& controller, const Values& before, const Values& next) {
         for (const System::TimerEnd& timer : controller.timers) {
             const System::Named& step = controller.steps[timer.step];
-            if (!take(timer.symbol, next) || next[timer.symbol.index] == 0 || next[step.symbol.index] == 0) continue;
+            const auto over = [&](const Values& values) {
+                return values[timer.symbol.index] != 0 && values[step.symbol.index] != 0;
+            };
+            take(timer.symbol, next);
+            if (over(before) || !over(next)) continue;
             const std::string of = step.name.find('.') == std::string::npos ? "X" + step.name : step.name;
             add({.kind = Trace::Kind::Timer,
                  .component = controller.name,

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// The embedded symbolic engine and NuSMV or nuXmv, run for `check`. No trace is shown that does not replay on the rules.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <ranges>
+#include <sstream>
+
+#include "app/files.hpp"
+#include "app/process.hpp"
+#include "app/traces.hpp"
+#include "app/untimed.hpp"
+#include "grafverif/check/nusmv.hpp"
+#include "grafverif/check/symbolic.hpp"
+#include "grafverif/emit/nusmv.hpp"
+#include "grafverif/run/replay_system.hpp"
+#include "grafverif/support/messages.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// A line on the terminal while the search goes on.
+class DepthLine {
+public:
+    DepthLine(std::ostream& err, bool shown) : err_(err), shown_(shown) {}
+    DepthLine(const DepthLine&) = delete;
+    DepthLine& operator=(const DepthLine&) = delete;
+    ~DepthLine() { erase(); }
+
+    void show(const SymbolicProgress& now) {
+        if (!shown_ || now.seconds < last_ + 0.2) return;
+        last_ = now.seconds;
+        erase();
+        const std::string line = fmt::format("{} steps deep, {} MiB, {:.0f} s", now.depth, now.bytes >> 20U, now.seconds);
+        width_ = line.size();
+        err_ << line << std::flush;
+    }
+
+private:
+    void erase() {
+        if (width_ != 0) err_ << '\r' << std::string(width_, ' ') << '\r' << std::flush;
+        width_ = 0;
+    }
+
+    std::ostream& err_;
+    bool shown_;
+    double last_ = 0;
+    std::size_t width_ = 0;
+};
+
+/// Turns verdicts and runs into a report; runs that do not replay are failures and are not told.
+class SystemReporter {
+public:
+    SystemReporter(const SystemToCheck& check, std::string engine, const Options& options)
+        : check_(check),
+          detail_(options.verbose ? Detail::Everything : Detail::Chart),
+          witnesses_(options.verbose || options.format == Format::Json || options.trace_vcd || options.trace_svg) {
+        findings_.report = {check.system.name,
+                            basis_of(check.system, std::move(engine), check.abstraction.words), {}, {}};
+        findings_.report.basis.grain = check.abstraction.grain;
+    }
+
+    void add(Verdict verdict, std::optional<SystemRun> run) {
+        if (verdict.outcome == Outcome::Holds && !witnesses_) run.reset();
+        if (run && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) run.reset();
+        const auto property = std::ranges::find(check_.system.properties, verdict.property, &Property::name);
+        std::string carries = carries_words(check_, *property, verdict);
+        Answer answer = answer_of(check_.system, std::move(verdict), run, detail_);
+        answer.carries = std::move(carries);
+        findings_.report.answers.push_back(std::move(answer));
+    }
+
+    void add(const SystemFault& fault) {
+        if (!fault.run.states.empty()) replays(fault.run, "the way to the fault");
+        findings_.report.breakdowns.push_back(breakdown_of(check_.system, fault, detail_));
+    }
+
+    /// What cannot be asked of the system, each in its place among the properties.
+    void add_omitted(const std::vector<std::string>& asked) {
+        std::vector<Answer>& answers = findings_.report.answers;
+        for (const TransitionSystem::Omitted& omitted : check_.system.omitted | std::views::reverse) {
+            const Property& property = omitted.property;
+            if (!asked.empty() && !is_asked(property.name, asked)) continue;
+            Answer answer{.text = property.text};
+            answer.verdict = {.property = property.name,
+                              .pattern = property.pattern,
+                              .obstacle = Obstacle::Unsupported,
+                              .reason = omitted.reason,
+                              .expected_violated = property.expected_violated,
+                              .origin = property.origin};
+            const std::size_t place = asked.empty() ? std::min(omitted.before, answers.size()) : answers.size();
+            answers.insert(answers.begin() + static_cast<std::ptrdiff_t>(place), std::move(answer));
+        }
+    }
+
+    Findings findings() && { return std::move(findings_); }
+
+private:
+    bool replays(const SystemRun& run, const std::string& what) {
+        const std::optional<Disagreement> found = disagreement(check_.system, check_.charts, run);
+        if (found) findings_.failures.push_back(replay_failure(what, *found));
+        return !found;
+    }
+
+    const SystemToCheck& check_;
+    Detail detail_;
+    bool witnesses_;   ///< whether anybody looks at them
+    Findings findings_ = {};
+};
+
+std::optional<std::chrono::steady_clock::time_point> deadline_of(const Options& options) {
+    if (!options.timeout_ms) return {};
+    return std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
+}
+
+std::vector<std::size_t> asked_properties(const TransitionSystem& system, const Options& options) {
+    std::vector<std::size_t> asked;
+    for (const Id<Property> id : system.properties.ids()) {
+        const bool all = options.properties.empty();
+        if (all || is_asked(system.properties[id].name, options.properties)) asked.push_back(id.index);
+    }
+    return asked;
+}
+
+}  // namespace
+
+bool is_asked(std::string_view property, const std::vector<std::string>& asked) {
+    return std::ranges::any_of(asked, [&](const std::string& name) {
+        return property == name || (property.starts_with(name) && property.substr(name.size()).starts_with('.'));
+    });
+}
+
+Findings check_symbolically(const SystemToCheck& check, const Options& options, const Streams& streams,
+                            const Interrupt& interrupt) {
+    SymbolicOptions symbolic;
+    for (const std::size_t index : asked_properties(check.system, options))
+        symbolic.properties.push_back(check.system.properties[{static_cast<std::uint32_t>(index)}].name);
+    symbolic.max_memory = options.max_memory.value_or(symbolic.max_memory);
+    symbolic.deadline = deadline_of(options);
+    symbolic.stop = &interrupt.asked();
+    SymbolicResult result;
+    {
+        DepthLine line(streams.err, streams.err_is_terminal && !options.quiet);
+        symbolic.progress = [&line](const SymbolicProgress& now) { line.show(now); };
+        result = check_symbolic(check.system, symbolic);
+    }
+    SystemReporter reporter(check, "symbolic", options);
+    if (result.fault) reporter.add(*result.fault);
+    for (std::size_t i = 0; i < result.verdicts.size(); ++i)
+        reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));
+    reporter.add_omitted(options.properties);
+    return std::move(reporter).findings();
+}
+
+std::optional<Findings> check_by_nusmv(const SystemToCheck& check, const std::string& program, Job& job,
+                                       const Interrupt& interrupt) {
+    const auto path = find_program(program);
+    if (!path) {
+        job.diagnostics.add(messages::missing_program(program, "--engine symbolic"));
+        return {};
+    }
+    const TransitionSystem asked = asked_of_nusmv(check.system);
+    const SystemSpelling spelling = nusmv::spelling(asked);
+    const std::vector<std::size_t> properties = asked_properties(check.system, job.options);
+    std::ostringstream model;
+    nusmv::emit(asked, model);
+    const TemporaryFolder folder;
+    const std::string file = (folder.path() / "model.smv").string(), commands = (folder.path() / "commands").string();
+    write_files({{file, std::move(model).str()}, {commands, nusmv_commands(file, spelling, properties)}});
+
+    const auto start = std::chrono::steady_clock::now();
+    const ProgramResult said = run_program({path->string(), "-source", commands}, "",
+                                           {.deadline = deadline_of(job.options), .stop = &interrupt.asked()});
+    NusmvResult result = read_nusmv(check.system, spelling, properties, said);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    SystemReporter reporter(check, program, job.options);
+    for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+        result.verdicts[i].seconds = seconds;
+        reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));
+    }
+    reporter.add_omitted(job.options.properties);
+    return std::move(reporter).findings();
+}
+
+}  // namespace grafverif::app

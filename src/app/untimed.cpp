@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "app/untimed.hpp"
+
+#include <algorithm>
+
+namespace grafverif::app {
+
+namespace {
+
+bool is_about_all_states(Pattern pattern) {
+    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
+}
+
+bool is_liveness(Pattern pattern) { return pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo; }
+
+/// Whether the value of `term` depends on what a free variable is at that very moment.
+bool reads_free_variable(const TransitionSystem& system, Id<Expr> term) {
+    FlatSystem flat = flattened(system);
+    const Id<Expr> root = flattened(system, flat, term);
+    return std::ranges::any_of(leaves(flat.exprs, root), [&](Id<Expr> leaf) {
+        return !flat.variables[{static_cast<std::uint32_t>(flat.exprs[leaf].value)}].next;
+    });
+}
+
+/// With no plant, `leads to` says less: its left side may name an input that a plant never gives at that moment.
+bool speaks_of_every_plant(const SystemToCheck& check, const Property& property, Outcome outcome) {
+    const bool holds = outcome == Outcome::Holds;
+    if (is_about_all_states(property.pattern)) return holds;
+    if (property.at_stable) return false;
+    if (property.pattern == Pattern::Reachable) return !holds;
+    if (property.pattern == Pattern::Inevitable) return holds;
+    return holds && property.pattern == Pattern::LeadsTo && !reads_free_variable(check.system, property.operands[0]);
+}
+
+/// `2` -> `X2`, `G2.2` -> `G2.X2`.
+std::string step_variable_name(const std::string& step) {
+    const std::size_t dot = step.rfind('.');
+    const std::size_t own = dot == std::string::npos ? 0 : dot + 1;
+    return step.substr(0, own) + "X" + step.substr(own);
+}
+
+}  // namespace
+
+Abstraction abstraction_of(const Options&, const ClosedLoop*) {
+    return {"no plant", {}, Abstraction::Carries::ToEveryPlant, false};
+}
+
+bool is_of_a_chart(const Model& model, const Options& options) {
+    return options.chart || (!options.loop && model.loops.empty());
+}
+
+void ask_for_steps(TransitionSystem& system) {
+    for (const TransitionSystem::Controller& controller : system.controllers)
+        for (const TransitionSystem::Named& step : controller.steps) {
+            Property property{.name = "reachable." + step_variable_name(step.name), .pattern = Pattern::Reachable};
+            property.operands = {system.exprs.leaf(Op::Variable, step.symbol.index)};
+            system.properties.add(std::move(property));
+        }
+}
+
+std::string carries_words(const SystemToCheck& check, const Property& property, const Verdict& verdict) {
+    if (verdict.outcome == Outcome::Unknown) return {};
+    const bool holds = verdict.outcome == Outcome::Holds;
+    const bool all_runs = is_about_all_states(property.pattern) || is_liveness(property.pattern);
+    switch (check.abstraction.carries) {
+    case Abstraction::Carries::ToEveryPlant: {
+        if (!speaks_of_every_plant(check, property, verdict.outcome))
+            return all_runs && !holds ? "it may yet hold with the real plant" : "it says nothing of any plant";
+        std::string words = check.abstraction.constrained ? "so with every plant that keeps the constraints"
+                                                          : "so with every plant";
+        if (is_liveness(property.pattern)) words += " that lets the controller run";
+        return words + ", in grain atomic";
+    }
+    case Abstraction::Carries::ToTimedLoop:
+        if ((holds && all_runs) || (!holds && property.pattern == Pattern::Reachable)) return "so in the timed loop";
+        return all_runs ? "it may yet hold in the timed loop" : "it says nothing of the timed loop";
+    case Abstraction::Carries::ExactInIntegerTime:
+        return is_about_all_states(property.pattern) || property.pattern == Pattern::Reachable
+                   ? "the states of the timed engine"
+                   : "integer time only";
+    case Abstraction::Carries::Nowhere: return "it says nothing beyond this model";
+    }
+    return {};
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// `check --untimed`: verdicts of the symbolic engine, what they rest on, traces without time, and other engines.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/untimed.hpp"
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+using UntimedJson = nlohmann::json;
+
+const std::string tank_sample = (root / "samples/tanks/tanks.grafcet").string();
+
+std::string lamp(const std::string& properties) {
+    return "grafcet lamp { input A, B; output L, M; initial step 0; step 1 { L; } step 2 { M; }\n"
+           "transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when B; transition t2: 2 -> 0 when !A; }\n"
+           "closed_loop room { controller lamp; environment a = free(OUT = A); environment b = free(OUT = B); " +
+           properties + " }\n";
+}
+
+TEST(CheckUntimed, SaysUnderEachVerdictWhatItRestsOn) {
+    const Folder folder;
+    const std::string file = folder.write("lamp.grafcet", lamp("property apart: never L && M; property lit: never L;"
+                                                               "property shown: reachable M;"
+                                                               "property quick: inevitable X1;"));
+    const Result result = grafverif({"check", file, "--untimed"});
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    for (const char* line :
+         {"apart: holds\n    symbolic, untimed: no plant; stability-search; 44 states; so with every plant, in grain atomic\n",
+          "lit: violated\n    symbolic, untimed: no plant; stability-search; 44 states; it may yet hold with the real plant\n",
+          "shown: holds\n    symbolic, untimed: no plant; stability-search; 44 states; it says nothing of any plant\n"})
+        EXPECT_NE(result.out.find(line), std::string::npos) << line << '\n' << result.out;
+}
+
+TEST(CheckUntimed, TellsItsTracesInStepsAndInTheWordsOfTheChart) {
+    const Folder folder;
+    const std::string file = folder.write("lamp.grafcet", lamp("property dark: never M;"));
+    const Result result = grafverif({"check", file, "--untimed", "--format", "json"});
+    const UntimedJson property = UntimedJson::parse(result.out)["properties"][0];
+    EXPECT_EQ(property["engine"], "symbolic");
+    EXPECT_TRUE(property["grain"].is_null());
+    EXPECT_TRUE(property["transitions"].is_null());
+    EXPECT_EQ(property["states"], 44);
+    const UntimedJson& steps = property["trace"]["steps"];
+    std::vector<std::string> fired;
+    for (const UntimedJson& step : steps) {
+        EXPECT_TRUE(step["time"].is_null());
+        for (const UntimedJson& transition : step["fired"]) fired.push_back(transition);
+    }
+    EXPECT_EQ(fired, (std::vector<std::string>{"t0", "t1"}));
+    EXPECT_EQ(steps.back()["situation"], UntimedJson::array({"2"}));
+    EXPECT_TRUE(steps.back()["outputs"]["M"]);
+}
+
+TEST(CheckUntimed, ALassoMarksItsLoop) {
+    const Folder folder;
+    const std::string file = folder.write("lamp.grafcet", lamp("property quick: inevitable X1;"));
+    const Result result = grafverif({"check", file, "--untimed", "--format", "json"});
+    const UntimedJson property = UntimedJson::parse(result.out)["properties"][0];
+    EXPECT_EQ(property["verdict"], "violated");
+    EXPECT_TRUE(property["trace"]["loop_from"].is_number());
+}
+
+TEST(CheckUntimed, AChartWithoutALoopIsCheckedWithFreeInputs) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "dead.grafcet", "grafcet dead { input A; initial step 0; step 1; step 2;\n"
+                        "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when !A; transition t2: 1 -> 2 when A && !A; }\n");
+    const Result result = grafverif({"check", file});
+    EXPECT_EQ(result.code, ExitCode::Verdict);
+    EXPECT_NE(result.err.find("`dead` is no closed loop: its steps are checked with free inputs, untimed"), std::string::npos) << result.err;
+    EXPECT_NE(result.out.find("reachable.X1: holds"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("reachable.X2: violated\n    symbolic, untimed: no plant; stability-search; "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("so with every plant, in grain atomic"), std::string::npos) << result.out;
+    EXPECT_EQ(grafverif({"check", tank_sample, "--chart", "tanks", "--property", "reachable"}).code, ExitCode::Done);
+}
+
+TEST(CheckUntimed, WhatAnUntimedModelCannotSayIsUnknown) {
+    const Result result = grafverif({"check", tank_sample, "--untimed", "--property", "no_timelock"});
+    EXPECT_EQ(result.code, ExitCode::Unknown);
+    EXPECT_NE(result.out.find("no_timelock: unknown\n"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("why: there is no time in this model"), std::string::npos) << result.out;
+}
+
+TEST(CheckUntimed, AskingForAnEngineThatKnowsNoTimeIsEnough) {
+    const Result result = grafverif({"check", tank_sample, "--engine", "symbolic", "--property", "one_way_1"});
+    EXPECT_EQ(result.code, ExitCode::Done);
+    EXPECT_NE(result.out.find("symbolic, untimed"), std::string::npos) << result.out;
+    const Result wrong = grafverif({"check", tank_sample, "--engine", "timed", "--untimed"});
+    EXPECT_EQ(wrong.code, ExitCode::Input);
+    EXPECT_NE(wrong.err.find("`--engine timed` checks timed models; leave out `--untimed`"), std::string::npos) << wrong.err;
+}
+
+TEST(CheckUntimed, AProgramThatIsNotThereIsNamedWithTheWayOut) {
+    const Result result = grafverif({"check", tank_sample, "--engine", "nuXmv"});
+    if (result.code == ExitCode::Done) GTEST_SKIP() << "nuXmv is on the PATH";
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("`nuXmv` is not on the PATH"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("--engine symbolic"), std::string::npos) << result.err;
+}
+
+TEST(CheckUntimed, ATimeLimitEndsInUnknown) {
+    const Result result = grafverif({"check", station, "--untimed", "--timeout", "0ms"});
+    EXPECT_EQ(result.code, ExitCode::Unknown);
+    EXPECT_NE(result.out.find("why: stopped"), std::string::npos) << result.out;
+}
+
+}  // namespace
+}  // namespace grafverif::app
