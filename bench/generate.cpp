@@ -40,4 +40,46 @@ std::string ring(std::size_t steps) {
     return fmt::to_string(text);
 }
 
+std::string assembly_stations(std::size_t count) {
+    struct Line {
+        const char* from;
+        const char* to;
+        const char* condition;
+    };
+    static constexpr Line transitions[] = {
+        {"1", "2,3", "p_a_s"}, {"3", "4", "p_s"},    {"4,13", "5", "p_g"},   {"5", "6", "v_c_d"},
+        {"6", "7", "ason"},    {"7", "8", "v_c_u"},  {"8", "9", "h_c_l"},    {"9", "10", "v_c_d"},
+        {"10", "11,12", "v_c_u"}, {"12", "13", "h_c_r"}, {"2,11", "14", "true"}, {"14", "1", "!p_a_s"},
+    };
+    static constexpr const char* inputs[] = {"p_a_s", "p_s", "p_g", "v_c_d", "v_c_u", "h_c_l", "h_c_r", "ason"};
+    static constexpr std::pair<const char*, const char*> actions[] = {
+        {"5", "D_V_C"}, {"6", "D_V_C"}, {"9", "D_V_C"}, {"6", "ASP"}, {"7", "ASP"},
+        {"8", "ASP"},   {"9", "ASP"},   {"8", "L_H_C"}, {"12", "R_H_C"}, {"14", "R_P"},
+    };
+    std::string text = "grafcet stations {\n";
+    for (std::size_t station = 1; station <= count; ++station) {
+        const std::string number = std::to_string(station);
+        const auto steps = [&](std::string_view list) {
+            std::string named;
+            for (const char c : list) named += named.empty() || named.ends_with(", ") ? "A" + number + "_" + c : c == ',' ? std::string(", ") : std::string(1, c);
+            return named;
+        };
+        for (const char* input : inputs) text += fmt::format("input {}{};\n", input, number);
+        for (const char* output : {"D_V_C", "ASP", "L_H_C", "R_H_C", "R_P"}) text += fmt::format("output {}{};\n", output, number);
+        for (int step = 1; step <= 14; ++step) {
+            text += fmt::format("{}step A{}_{} {{ ", step == 1 || step == 13 ? "initial " : "", number, step);
+            for (const auto& [of, output] : actions)
+                if (of == std::to_string(step)) text += fmt::format("{}{}; ", output, number);
+            text += "}\n";
+        }
+        int name = 0;
+        for (const Line& line : transitions) {
+            const std::string condition(line.condition);
+            text += fmt::format("transition t{}_{}: {} -> {} when {};\n", number, ++name, steps(line.from), steps(line.to),
+                                condition == "true" ? condition : condition + number);
+        }
+    }
+    return text + "}\n";
+}
+
 }  // namespace grafverif::bench

@@ -11,4 +11,7 @@ namespace grafverif::bench {
 /// 16 outputs; every tenth step has a time condition, every tenth counts.
 std::string ring(std::size_t steps);
 
+/// A chart of `count` assembly stations (DESDES06 Fig. 2) that have nothing to do with each other.
+std::string assembly_stations(std::size_t count);
+
 }  // namespace grafverif::bench
