@@ -141,7 +141,7 @@ Findings check_symbolically(const SystemToCheck& check, const Options& options, 
     symbolic.deadline = deadline_of(options);
     symbolic.stop = &interrupt.asked();
     SymbolicResult result;
-    {
+    if (options.properties.empty() || !symbolic.properties.empty()) {   // no names would ask for all
         DepthLine line(streams.err, streams.err_is_terminal && !options.quiet);
         symbolic.progress = [&line](const SymbolicProgress& now) { line.show(now); };
         result = check_symbolic(check.system, symbolic);

@@ -213,10 +213,10 @@ TEST(Check, ReadsTheVerdictsOfVerifyta) {
     EXPECT_TRUE(property["trace"].is_null());
 }
 
-TEST(Check, NeedsAClosedLoop) {
+TEST(Check, TheTimedEngineNeedsAClosedLoop) {
     const Folder folder;
     const Result result =
-        grafverif({"check", folder.write("lone.grafcet",
+        grafverif({"check", "--engine", "timed", folder.write("lone.grafcet",
                                          "grafcet a { input x; output L; initial step 0 { L; } step 1;\n"
                                          "transition t: 0 -> 1 when x; }\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
