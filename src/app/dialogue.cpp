@@ -66,7 +66,8 @@ Reply Dialogue::ask(const std::string& line) {
 
 Reply Dialogue::answer_to(const std::string& line) {
     receive();
-    if (!heard_.empty()) return {Reply::Kind::Flood, heard_.substr(0, heard_.find('\n'))};
+    if (const std::size_t end = heard_.find('\n'); end != std::string::npos)   // a line that nobody asked for
+        return {Reply::Kind::Flood, heard_.substr(0, end)};
     tell(line);
     const Steady::time_point deadline = Steady::now() + limits_.patience;
     for (;;) {
