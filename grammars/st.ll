@@ -80,6 +80,10 @@ NAME        [A-Z_][A-Z0-9_]*
 "RETAIN"|"NON_RETAIN"|"PERSISTENT"  return lexer.unit_word(Kind::RETAIN, MATCH);
 "ARRAY"         return lexer.unit_word(Kind::ARRAY, MATCH);
 "POINTER"|"REFERENCE" return lexer.unit_word(Kind::REFERENCE, MATCH);
+"TYPE"          return lexer.unit_word(Kind::TYPE, MATCH);
+"END_TYPE"      return lexer.unit_word(Kind::END_TYPE, MATCH);
+"CONFIGURATION" return lexer.unit_word(Kind::CONFIGURATION, MATCH);
+"END_CONFIGURATION"   return lexer.unit_word(Kind::END_CONFIGURATION, MATCH);
 "INITIAL_STEP"  return lexer.unit_word(Kind::INITIAL_STEP, MATCH);
 "STEP"          return lexer.unit_word(Kind::STEP, MATCH);
 "END_STEP"      return lexer.unit_word(Kind::END_STEP, MATCH);

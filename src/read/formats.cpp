@@ -9,6 +9,9 @@
 #include "grafverif/syntax/parse.hpp"
 #include "grafverif/syntax/st_tree.hpp"
 #include "read/agrafe.hpp"
+#include "read/plcopen.hpp"
+#include "read/sfc.hpp"
+#include "read/sfc_text.hpp"
 #include "read/xml.hpp"
 
 namespace grafverif {
@@ -52,6 +55,12 @@ tree::File read_xml(Id<Source> source, Sources& sources, const ReadOptions& opti
     if (!xml) return broken(source);
     const std::string name = stem_of(sources[source].name);
     if (is(xml->root(), "Grafcet")) return read_agrafe(*xml, name, options.lossy, diagnostics);
+    if (is(xml->root(), "project")) {
+        Draft draft(source, options.lossy, diagnostics);
+        const st::File file = read_plcopen(*xml, sources, draft);
+        convert_charts(file, draft);
+        return draft.take();
+    }
     diagnostics.add(messages::unknown_format(xml->where(xml->root()), xml->root().name()));
     return broken(source);
 }
@@ -74,7 +83,7 @@ tree::File read_any(Id<Source> source, Sources& sources, const ReadOptions& opti
     switch (format_of(sources[source].text)) {
     case FileFormat::Grafcet:        return parse_file(source, sources, diagnostics);
     case FileFormat::Xml:            return read_xml(source, sources, options, diagnostics);
-    case FileFormat::StructuredText: return parse_file(source, sources, diagnostics);
+    case FileFormat::StructuredText: return read_sfc_text(source, sources, options.lossy, diagnostics);
     }
     return broken(source);
 }

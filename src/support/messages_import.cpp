@@ -83,6 +83,17 @@ Diagnostic mixed_actions(Span where, std::string_view output, std::string_view s
                                clipped(output), clipped(stored)));
 }
 
+Diagnostic explicit_priority(Span where, std::string_view step, std::size_t branches) {
+    return warning("explicit-priority", where,
+                   fmt::format("a Sequential Function Chart takes one of the {} branches behind `{}`; their conditions "
+                               "now exclude each other by priority",
+                               branches, clipped(step)));
+}
+
+Diagnostic differs_from_sfc(Span where, std::string_view what) {
+    return warning("differs-from-sfc", where, std::string(what));
+}
+
 Diagnostic nothing_to_import(Span where, std::string_view what) {
     return error("nothing-to-import", where, fmt::format("the file has no {}; nothing can be taken over", what));
 }

@@ -64,7 +64,7 @@ void Builder::transition(Unit& unit, Transition transition) const {
 
 void Builder::action(Unit& unit, Name name, Block body, Span where) const {
     where.end = name.where.end;
-    unit.actions.push_back({name, std::move(body), where});
+    unit.actions.push_back({name, std::move(body), false, where});
 }
 
 /// `NAME (QUALIFIER, TIME, INDICATORS)`: the qualifier is a name to the grammar; none written is N.

@@ -65,9 +65,15 @@ Token Lexer::next() {
         return {goal_, here_};
     }
     if (too_deep_ || ended_ || !scanner_) return {Parser::token::END, Span{here_.source, here_.end, here_.end}};
+    auto passing = Symbols::S_YYEMPTY;   // until this word: what charts do not need
     for (;;) {
         Token token = scanner_->next(*this);
-        if (token.kind() != Symbols::S_YYEOF || ended_) return token;
+        const auto kind = token.kind();
+        if (kind == Symbols::S_YYEOF && !ended_) continue;
+        if (kind == Symbols::S_TYPE) passing = Symbols::S_END_TYPE;
+        else if (kind == Symbols::S_CONFIGURATION) passing = Symbols::S_END_CONFIGURATION;
+        else if (passing == Symbols::S_YYEMPTY || kind == Symbols::S_YYEOF) return token;
+        else if (kind == passing) passing = Symbols::S_YYEMPTY;
     }
 }
 

@@ -147,6 +147,8 @@ Diagnostic chosen_range(Span where, std::string_view variable, std::int64_t low,
 Diagnostic without_effect(Span where, std::string_view what, std::string_view hint);
 Diagnostic chosen_kind(Span where, std::string_view variable, std::string_view kind, std::string_view why);
 Diagnostic mixed_actions(Span where, std::string_view output, std::string_view stored);
+Diagnostic explicit_priority(Span where, std::string_view step, std::size_t branches);
+Diagnostic differs_from_sfc(Span where, std::string_view what);
 Diagnostic nothing_to_import(Span where, std::string_view what);
 
 // -- derive ----------------------------------------------------------------------------------------------------------

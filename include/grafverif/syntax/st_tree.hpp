@@ -124,6 +124,7 @@ struct Transition {
 struct Action {
     Name name = {};
     Block body = {};
+    bool opaque = false;                        ///< its body is in another language
     Span where = {};
 };
 
