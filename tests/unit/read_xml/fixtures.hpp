@@ -67,10 +67,7 @@ inline const std::string agrafe_text = R"(grafcet all {
 
     partial G1 {
         initial step 1 { force G4 := {41}; }
-        step 2 {
-            M after 3s;
-            n := 7 on event rise(a);
-        }
+        step 2 { M after 3s; n := 7 on event rise(a); }
         enclosing step 4 encloses G2;
         macro step M3 expands E;
 
@@ -113,10 +110,10 @@ inline const std::string plcopen = R"(<?xml version="1.0" encoding="utf-8"?>
       <transition localId="3"><connectionPointIn><connection refLocalId="1"/></connectionPointIn><condition><connectionPointIn><connection refLocalId="2"/></connectionPointIn></condition></transition>
       <inVariable localId="4"><connectionPointOut/><expression>stop</expression></inVariable>
       <transition localId="5"><connectionPointIn><connection refLocalId="1"/></connectionPointIn><condition><connectionPointIn><connection refLocalId="4"/></connectionPointIn></condition></transition>
-      <step localId="6" name="Down"><connectionPointIn><connection refLocalId="3"/></connectionPointIn>
+      <step localId="6" name="Lower"><connectionPointIn><connection refLocalId="3"/></connectionPointIn>
         <addData><data name="http://www.3s-software.com/plcopenxml/sfc/element"><attributes xmlns=""><attribute guid="a6b08bd8-b696-47e3-9cbf-7408b61c9ff8">count</attribute><attribute guid="a2621e18-7de3-4ea6-ae6d-89e9e0b7befd">set</attribute></attributes></data></addData></step>
       <actionBlock localId="7"><connectionPointIn><connection refLocalId="6"/></connectionPointIn><action qualifier="D" duration="T#2s"><reference name="down"/></action></actionBlock>
-      <transition localId="8"><connectionPointIn><connection refLocalId="6"/></connectionPointIn><condition><inline name=""><ST><p>Down.T &gt;= T#5s OR stop</p></ST></inline></condition></transition>
+      <transition localId="8"><connectionPointIn><connection refLocalId="6"/></connectionPointIn><condition><inline name=""><ST><p>Lower.T &gt;= T#5s OR stop</p></ST></inline></condition></transition>
       <jumpStep localId="9" targetName="Init"><connectionPointIn><connection refLocalId="8"/></connectionPointIn></jumpStep>
       <jumpStep localId="10" targetName="Init"><connectionPointIn><connection refLocalId="5"/></connectionPointIn></jumpStep>
     </SFC></body>
@@ -131,15 +128,15 @@ grafcet press {
     internal n: int 0..5 = 0;
 
     initial step Init;
-    step Down {
+    step Lower {
         down after 2s;
         lamp := start && n < 5 || !(start && n < 5) && lamp on activation;
         n := 3 on deactivation;
     }
 
-    transition Init -> Down when start;
+    transition Init -> Lower when start;
     transition Init -> Init when stop && !start;
-    transition Down -> Init when 5s/XDown || stop;
+    transition Lower -> Init when 5s/XLower || stop;
 }
 )";
 
