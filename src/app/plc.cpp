@@ -46,6 +46,8 @@ std::string problem_in(const Chart& chart, const Cycle& cycle) {
     if (cycle.fault && cycle.fault->kind == RunFault::Kind::OutOfRange)
         return fmt::format("the value {} for `{}` is outside its range [out-of-range]", cycle.fault->value,
                            chart.variables[cycle.fault->variable].name);
+    if (cycle.fault && cycle.fault->kind == RunFault::Kind::ForcedApart)
+        return "two forcing orders that cannot be obeyed together are active [action-race]";
     if (cycle.fault) return "a condition or a stored value cannot be computed [no-value]";
     if (cycle.gave_up) return fmt::format("no stable situation within {} evolutions [total-instability]", evolution_limit);
     if (!cycle.endless.empty()) return instability_text(chart, cycle.endless) + " [total-instability]";

@@ -44,7 +44,7 @@ void check_writers(const Composition& composition, const ClosedLoop& loop, Diagn
 }
 
 bool can_race(const Equations& equations) {
-    return std::ranges::any_of(equations.stored, [&](const Equations::Stored& stored) {
+    return !equations.conflicts.empty() || std::ranges::any_of(equations.stored, [&](const Equations::Stored& stored) {
         return !is_false(equations.exprs, stored.race) || !is_false(equations.exprs, stored.first_race);
     });
 }

@@ -37,7 +37,8 @@ struct Composition {
     std::vector<std::vector<std::uint32_t>> readers =
         {};                            ///< per variable of the plant: the controllers whose input it is
     Id<Network::Variable> race = {};   ///< only where two stored actions can race
-    Id<Network::Template> timer = {};  ///< added with the first timer
+    /// Templates of timers, each added with the first one of its kind: t1/v, v/t2, t1/v/t2.
+    Id<Network::Template> on_delay = {}, off_delay = {}, both_delays = {};
 };
 
 /// Adds the variables of a controller: steps, internals, firing conditions, images, samples, timers, flags.

@@ -42,6 +42,8 @@ std::optional<Network::Role> symbol_role(Equations::Role role) {
         case Equations::Role::Internal: return Network::Role::Internal;
         case Equations::Role::Step:
         case Equations::Role::FiringCondition:
+        case Equations::Role::Previous:
+        case Equations::Role::Watched:
         case Equations::Role::TimerEnd: return {};
     }
     unreachable();
@@ -88,6 +90,8 @@ public:
             words.steps.push_back({step.step, parts_.variable[step.variable.index]});
         for (const Equations::Firing& firing : equations.firings)
             words.transitions.push_back({firing.transition, parts_.variable[firing.variable.index]});
+        for (const Id<Equations::Timer> timer : equations.conditions)
+            words.conditions.push_back(timer.valid() ? std::optional<std::size_t>(timer.index) : std::nullopt);
         return words;
     }
 

@@ -30,6 +30,9 @@ std::vector<Id<Equations::Variable>> late_inputs(const Equations& equations, std
     };
     evolve(equations.stable);
     for (const Equations::StepActivity& step : equations.steps) evolve(step.next);
+    for (const Equations::Conflict& conflict : equations.conflicts) evolve(conflict.condition);
+    for (const Equations::Previous& previous : equations.previous) evolve(previous.value);
+    for (const Equations::Watch& watch : equations.watches) evolve(watch.value);
     for (const Equations::Stored& stored : equations.stored) {
         evolve(stored.race);
         for (const Equations::Write& write : stored.writes) {
@@ -111,7 +114,7 @@ public:
 
     void pending() {
         for (const Equations::Timer& timer : parts_.equations->timers) {
-            const bool active = parts_.equations->variables[timer.step].initial != 0;
+            const bool active = parts_.equations->variables[timer.watched].initial != 0;
             parts_.pending.push_back(fresh({.name = timer.name + "_P",
                                             .role = Network::Role::TimerPending,
                                             .initial = active,
@@ -139,6 +142,8 @@ void declare(Composition& composition, const ClosedLoop& loop, ControllerParts& 
     add.all_of(Equations::Role::Step, Network::Role::Step, false);
     add.all_of(Equations::Role::Internal, Network::Role::Internal, false);
     add.all_of(Equations::Role::FiringCondition, Network::Role::FiringCondition, !phased);
+    add.all_of(Equations::Role::Previous, Network::Role::Previous, false);
+    add.all_of(Equations::Role::Watched, Network::Role::Watched, false);
     add.all_of(Equations::Role::TimerEnd, Network::Role::TimerEnd, false);
     if (!composition.ablations.timers_as_published) add.pending();
     add.images();

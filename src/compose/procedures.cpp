@@ -41,7 +41,7 @@ public:
         const bool acts = std::ranges::any_of(equations_.stored, [&](const Equations::Stored& stored) {
             return !is_itself(stored.first, stored.variable) || !is_false(equations_.exprs, stored.first_race);
         });
-        result.starts = acts || every_cycle_;
+        result.starts = acts || every_cycle_ || !equations_.previous.empty() || !equations_.watches.empty();
         if (result.starts) result.start = start();
         return result;
     }
@@ -70,17 +70,6 @@ private:
         return leaves;
     }
 
-    /// The meaning for outputs. A step that this cycle has left runs its timer no longer (IEC 60848, 4.4), though the
-    /// timer itself learns so after the cycle; in a stable cycle no step is left.
-    std::vector<Id<Expr>> after_cycle() {
-        std::vector<Id<Expr>> leaves = meaning(true);
-        if (!every_cycle_) return leaves;
-        for (const Equations::Timer& timer : equations_.timers)
-            leaves[timer.end.index] =
-                exprs().conjunction(leaves[timer.end.index], leaf_of(parts_.variable[timer.step.index]));
-        return leaves;
-    }
-
     Network::Assignment forgotten(Variable input) {
         const Network::Variable sample = network_.variables[parts_.sample[input.index]];
         const Id<Expr> initial =
@@ -106,22 +95,26 @@ private:
         list.push_back({leaf_of(parts_.stable), before(equations_.stable)});
         std::vector<Id<Expr>> races;
         for (const Equations::Stored& stored : equations_.stored) races.push_back(before(stored.race));
+        for (const Equations::Conflict& conflict : equations_.conflicts) races.push_back(before(conflict.condition));
         note_race(races, list);
 
         std::vector<Update> updates;
         for (const Equations::Stored& stored : equations_.stored)
             for (const Equations::Write& write : stored.writes)
                 updates.push_back({stored.variable, {write.trigger, write.value}});
+        for (const Equations::Previous& previous : equations_.previous)
+            updates.push_back({previous.variable, {previous.value}});
         for (const Equations::StepActivity& step : equations_.steps) updates.push_back({step.variable, {step.next}});
         const std::vector<Variable> olds = keep_old(updates, list);
         Translation kept(equations_.exprs, exprs(), meaning(true, olds));
         Translation& old = olds.empty() ? before : kept;
         for (const Update& update : updates) {
             const Id<Expr> target = stored_[update.target.index];
-            const bool is_step = update.terms.size() == 1;
+            const bool is_write = update.terms.size() == 2;
             list.push_back(
-                {target, is_step ? old(update.terms[0]) : stored(target, old(update.terms[0]), old(update.terms[1]))});
+                {target, is_write ? stored(target, old(update.terms[0]), old(update.terms[1])) : old(update.terms[0])});
         }
+        watch(true, list);
         if (!phased_) return list;
         for (const Equations::Firing& firing : equations_.firings)
             list.push_back({stored_[firing.variable.index], exprs().constant(false)});
@@ -137,14 +130,30 @@ private:
         return exprs().conditional(trigger, value, target);
     }
 
+    /// The levels after the procedure at hand, and requests to the timers of those that changed.
+    void watch(bool sampled, Assignments& list) {
+        if (equations_.watches.empty()) return;
+        Translation after(equations_.exprs, exprs(), meaning(sampled));
+        for (const Equations::Watch& watch : equations_.watches) {
+            const Id<Expr> level = stored_[watch.variable.index];
+            const Id<Expr> now = after(watch.value);
+            for (std::size_t i = 0; i < parts_.pending.size(); ++i)
+                if (equations_.timers[i].watched == watch.variable)
+                    list.push_back({leaf_of(parts_.pending[i]), exprs().apply(Op::NotEqual, now, level)});
+            list.push_back({level, now});
+        }
+    }
+
+    /// Requests to the timers of the steps that change.
     Assignments pending(Translation& before) {
         Assignments list;
         if (parts_.pending.empty()) return list;
         std::vector<const Equations::StepActivity*> activity(equations_.variables.size(), nullptr);
         for (const Equations::StepActivity& step : equations_.steps) activity[step.variable.index] = &step;
         for (std::size_t i = 0; i < equations_.timers.size(); ++i) {
-            const Equations::StepActivity& step = *activity[equations_.timers[i].step.index];
-            const Id<Expr> changed = exprs().disjunction(before(step.activated), before(step.deactivated));
+            const Equations::StepActivity* const step = activity[equations_.timers[i].watched.index];
+            if (step == nullptr) continue;
+            const Id<Expr> changed = exprs().disjunction(before(step->activated), before(step->deactivated));
             list.push_back({leaf_of(parts_.pending[i]), changed});
         }
         return list;
@@ -190,7 +199,7 @@ private:
 
     Assignments write() {
         Assignments list;
-        Translation after(equations_.exprs, exprs(), after_cycle());
+        Translation after(equations_.exprs, exprs(), meaning(true));
         for (const Equations::Output& output : equations_.outputs)
             put(parts_.variable[output.variable.index], after(output.value), list);
         for (const Equations::Stored& stored : equations_.stored)
@@ -212,7 +221,7 @@ private:
         list.push_back({target, value});
     }
 
-    /// The first evolution: the actions on activation of the initial steps (Stored::first).
+    /// The first evolution: the actions on activation of the initial steps (Stored::first), previous values, levels.
     Assignments start() {
         Assignments list;
         Translation now(equations_.exprs, exprs(), meaning(false));
@@ -220,11 +229,14 @@ private:
         for (const Equations::Stored& stored : equations_.stored) races.push_back(now(stored.first_race));
         note_race(races, list);
         std::vector<Update> updates;
+        for (const Equations::Previous& previous : equations_.previous)
+            updates.push_back({previous.variable, {previous.value}});
         for (const Equations::Stored& stored : equations_.stored)
             if (!is_itself(stored.first, stored.variable)) updates.push_back({stored.variable, {stored.first}});
         const std::vector<Variable> olds = keep_old(updates, list);
         Translation old(equations_.exprs, exprs(), meaning(false, olds));
         for (const Update& update : updates) list.push_back({stored_[update.target.index], old(update.terms[0])});
+        watch(false, list);
         if (!every_cycle_) return list;
         for (const Variable input : parts_.sampled)  // write() follows
             if (parts_.sample_written[input.index])

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Timers: one process per time condition, all of one template (CEP13 Fig. 33b), with two repairs. As published, a timer
-// follows its step by level and sets EVOL_TI only at its end; a step that is left and activated anew within one instant
-// is not seen, and the pulse chart `1 -> 2 when 5s/X1; 2 -> 1 when true` fires for ever after the first 5 s. Here the
-// step update leaves a request (P) whenever it activates or deactivates the step, the timer takes it at once and
-// restarts, no cycle starts before it is taken, and EVOL_TI is set on every change of Q. A run that ends leaves a
-// request to stop alone.
+// Timers: one process per distinct time condition t1/v/t2. Those of t1/v share the template of CEP13 Fig. 33b, with two
+// repairs. As published, a timer follows its step by level and sets EVOL_TI only at its end; a step that is left and
+// activated anew within one instant is not seen, and the pulse chart `1 -> 2 when 5s/X1; 2 -> 1 when true` fires for ever
+// after the first 5 s. Here the step update leaves a request (P) whenever it changes the level, the timer takes it at
+// once and restarts, no cycle starts before it is taken, and EVOL_TI is set on every change of Q. A run that ends leaves
+// a request to stop alone.
+//
+// With t2 a level that falls leaves Q true for t2 more. The two delays run one after the other: a level that rises again
+// meanwhile counts its t1 (rise, clock t) while the fall before it still counts its t2 (clock u).
+//
+//   t1/v            v/t2                  t1/v/t2
+//   idle -> run     off -> on             idle -> run -> done -> fall -> idle
+//   run -> done     on -> fall            fall -> both (the level is up again), both -> done, both -> run, both -> fall
+//   done -> idle    fall -> on, off
 #include <algorithm>
 #include <utility>
 
@@ -14,77 +22,165 @@ namespace grafverif {
 
 namespace {
 
+enum class Delays { Rise, Fall, Both };
+
+Delays delays(const Equations::Timer& timer) {
+    if (timer.fall_ms == 0) return Delays::Rise;
+    return timer.rise_ms == 0 ? Delays::Fall : Delays::Both;
+}
+
+const char* template_name(Delays delays) {
+    switch (delays) {
+    case Delays::Rise: return "timer";
+    case Delays::Fall: return "timer_off";
+    case Delays::Both: return "timer_on_off";
+    }
+    return "";
+}
+
 class TimerBuilder {
 public:
-    TimerBuilder(Exprs& exprs, bool as_published) : exprs_(exprs), as_published_(as_published) {}
+    TimerBuilder(Exprs& exprs, Delays delays, bool as_published)
+        : exprs_(exprs), delays_(delays), as_published_(as_published) {}
 
     Network::Template build(std::string name) {
         automaton_.name = std::move(name);
-        duration_ = parameter("D", Network::ParameterKind::Constant, integer_type(least_integer, greatest_integer));
-        step_ = parameter("X", Network::ParameterKind::Read, {});
+        const Type durations = integer_type(least_integer, greatest_integer);
+        if (delays_ != Delays::Fall) rise_ = {parameter("D", Network::ParameterKind::Constant, durations)};
+        if (delays_ != Delays::Rise) fall_ = {parameter("F", Network::ParameterKind::Constant, durations)};
+        level_ = parameter("X", Network::ParameterKind::Read, {});
         if (!as_published_) pending_ = parameter("P", Network::ParameterKind::Written, {});
         end_ = parameter("Q", Network::ParameterKind::Written, {});
         flag_ = parameter("EVOL_TI", Network::ParameterKind::Written, {});
-        clock_ = automaton_.clocks.add({"t"});
-        idle_ = automaton_.locations.add({"idle", {}, {}});
-        running_ = automaton_.locations.add({"run", {{clock_, Op::LessEqual, duration_}}, {}});
-        done_ = automaton_.locations.add({"done", {}, {}});
-        automaton_.initial = idle_;
-        if (as_published_) add_published();
-        else add_repaired();
+        if (delays_ != Delays::Fall) rise_.clock = automaton_.clocks.add({"t"});
+        if (delays_ != Delays::Rise) fall_.clock = automaton_.clocks.add({"u"});
+        up_ = exprs_.conjunction(as_published_ ? exprs_.constant(true) : pending_, level_);
+        down_ = exprs_.conjunction(as_published_ ? exprs_.constant(true) : pending_, exprs_.negation(level_));
+        switch (delays_) {
+        case Delays::Rise: as_published_ ? add_published() : add_rise(); break;
+        case Delays::Fall: add_fall(); break;
+        case Delays::Both: add_both(); break;
+        }
+        automaton_.initial = {0};
         return std::move(automaton_);
     }
 
 private:
+    using Location = Id<Network::Location>;
+
+    struct Delay {
+        Id<Expr> duration = {};
+        Id<Network::Clock> clock = {};
+    };
+
     Id<Expr> parameter(const char* name, Network::ParameterKind kind, Type type) {
         return exprs_.leaf(Op::Parameter, automaton_.parameters.add({name, kind, type}).index);
     }
 
-    Network::Assignment set(Id<Expr> target, bool value) { return {target, exprs_.constant(value)}; }
+    Location location(const char* name, std::vector<Delay> running = {}) {
+        Network::Location location{name, {}, {}};
+        for (const Delay& delay : running) location.invariant.push_back({delay.clock, Op::LessEqual, delay.duration});
+        return automaton_.locations.add(std::move(location));
+    }
 
-    void urgent(Id<Network::Location> from, Id<Network::Location> to, Id<Expr> guard,
-                std::vector<Network::Assignment> assignments) {
+    /// Q becomes `value`, which starts a cycle.
+    std::vector<Network::Assignment> change(bool value) {
+        return {{end_, exprs_.constant(value)}, {flag_, exprs_.constant(true)}};
+    }
+
+    /// Takes a request; `starts`: the clock that starts anew.
+    void take(Location from, Location to, Id<Expr> request, std::vector<Network::Assignment> assignments,
+              Id<Network::Clock> starts = {}) {
+        if (!as_published_) assignments.push_back({pending_, exprs_.constant(false)});
         Network::Edge edge{
-            .from = from, .to = to, .urgent = true, .guard = guard, .assignments = std::move(assignments)};
-        if (to == running_) edge.resets.push_back(clock_);
+            .from = from, .to = to, .urgent = true, .guard = request, .assignments = std::move(assignments)};
+        if (starts.valid()) edge.resets.push_back(starts);
         automaton_.edges.add(std::move(edge));
     }
 
-    void elapse(Id<Expr> guard) {
-        automaton_.edges.add({.from = running_,
-                              .to = done_,
-                              .guard = guard,
-                              .constraint = {{clock_, Op::Equal, duration_}},
-                              .assignments = {set(end_, true), set(flag_, true)}});
+    /// The end of a delay; a request comes before it.
+    void elapse(Location from, Location to, const Delay& delay, std::vector<Network::Assignment> assignments) {
+        automaton_.edges.add({.from = from,
+                              .to = to,
+                              .guard = as_published_ ? exprs_.constant(true) : exprs_.negation(pending_),
+                              .constraint = {{delay.clock, Op::Equal, delay.duration}},
+                              .assignments = std::move(assignments)});
     }
 
-    void add_repaired() {
-        const Id<Expr> started = exprs_.conjunction(pending_, step_);
-        const Id<Expr> stopped = exprs_.conjunction(pending_, exprs_.negation(step_));
-        const Network::Assignment taken = set(pending_, false);
-        urgent(idle_, running_, started, {taken});
-        urgent(idle_, idle_, stopped, {taken});
-        elapse(exprs_.negation(pending_));
-        urgent(running_, running_, started, {taken});
-        urgent(running_, idle_, stopped, {taken});
-        urgent(done_, running_, started, {set(end_, false), set(flag_, true), taken});
-        urgent(done_, idle_, stopped, {set(end_, false), set(flag_, true), taken});
+    void add_rise() {
+        const Location idle = location("idle"), run = location("run", {rise_}), done = location("done");
+        take(idle, run, up_, {}, rise_.clock);
+        take(idle, idle, down_, {});
+        elapse(run, done, rise_, change(true));
+        take(run, run, up_, {}, rise_.clock);
+        take(run, idle, down_, {});
+        take(done, run, up_, change(false), rise_.clock);
+        take(done, idle, down_, change(false));
     }
 
     void add_published() {
-        urgent(idle_, running_, step_, {});
-        elapse(exprs_.constant(true));
-        urgent(running_, idle_, exprs_.negation(step_), {});
-        urgent(done_, idle_, exprs_.negation(step_), {set(end_, false)});
+        const Location idle = location("idle"), run = location("run", {rise_}), done = location("done");
+        take(idle, run, up_, {}, rise_.clock);
+        elapse(run, done, rise_, change(true));
+        take(run, idle, down_, {});
+        take(done, idle, down_, {{end_, exprs_.constant(false)}});
+    }
+
+    void add_fall() {
+        const Location off = location("off"), on = location("on"), fall = location("fall", {fall_});
+        take(off, on, up_, change(true));
+        take(on, fall, down_, {}, fall_.clock);
+        take(fall, on, up_, {});
+        elapse(fall, off, fall_, change(false));
+    }
+
+    void add_both() {
+        const Location idle = location("idle"), run = location("run", {rise_}), done = location("done"),
+                       fall = location("fall", {fall_}), both = location("both", {rise_, fall_});
+        take(idle, run, up_, {}, rise_.clock);
+        elapse(run, done, rise_, change(true));
+        take(run, idle, down_, {});
+        take(done, fall, down_, {}, fall_.clock);
+        elapse(fall, idle, fall_, change(false));
+        take(fall, both, up_, {}, rise_.clock);
+        elapse(both, done, rise_, {});
+        elapse(both, run, fall_, change(false));
+        take(both, fall, down_, {});
     }
 
     Exprs& exprs_;
+    Delays delays_;
     bool as_published_;
     Network::Template automaton_ = {};
-    Id<Expr> duration_ = {}, step_ = {}, pending_ = {}, end_ = {}, flag_ = {};
-    Id<Network::Clock> clock_ = {};
-    Id<Network::Location> idle_ = {}, running_ = {}, done_ = {};
+    Id<Expr> level_ = {}, pending_ = {}, end_ = {}, flag_ = {};
+    Delay rise_ = {}, fall_ = {};
+    Id<Expr> up_ = {}, down_ = {};   ///< requests
 };
+
+Id<Network::Template>& template_of(Composition& composition, Delays delays) {
+    switch (delays) {
+    case Delays::Rise: break;
+    case Delays::Fall: return composition.off_delay;
+    case Delays::Both: return composition.both_delays;
+    }
+    return composition.on_delay;
+}
+
+/// The template for `timer`, added if it is the first of its kind; its parameters hold the durations.
+Id<Network::Template> template_for(Composition& composition, const Equations::Timer& timer,
+                                   const std::vector<std::int64_t>& durations) {
+    Network& network = composition.network;
+    Id<Network::Template>& automaton = template_of(composition, delays(timer));
+    if (!automaton.valid()) {
+        TimerBuilder builder(network.exprs, delays(timer), composition.ablations.timers_as_published);
+        automaton = network.templates.add(builder.build(composition.names.fresh(template_name(delays(timer)))));
+    }
+    for (std::uint32_t k = 0; k < durations.size(); ++k) {
+        Type& bound = network.templates[automaton].parameters[{k}].type;
+        bound.high = std::max(bound.high, durations[k]);
+    }
+    return automaton;
+}
 
 }  // namespace
 
@@ -92,27 +188,28 @@ void add_timers(Composition& composition, const ControllerParts& parts) {
     Network& network = composition.network;
     const std::vector<Equations::Timer>& timers = parts.equations->timers;
     if (timers.empty()) return;
-    if (!composition.timer.valid()) {
-        TimerBuilder builder(network.exprs, composition.ablations.timers_as_published);
-        composition.timer = network.templates.add(builder.build(composition.names.fresh("timer")));
-    }
     const Id<Network::Controller> controller{static_cast<std::uint32_t>(network.controllers.size() - 1)};
     for (std::size_t i = 0; i < timers.size(); ++i) {
-        const std::int64_t duration = timers[i].duration_ms / network.time_unit_ms;
-        Type& bound = network.templates[composition.timer].parameters[{0}].type;
-        bound.high = std::max(bound.high, duration);
+        Network::TimerVariables timing{.watched = parts.variable[timers[i].watched.index],
+                                       .pending = parts.pending.empty() ? Id<Network::Variable>{} : parts.pending[i],
+                                       .end = parts.variable[timers[i].end.index],
+                                       .rise = timers[i].rise_ms / network.time_unit_ms,
+                                       .fall = timers[i].fall_ms / network.time_unit_ms};
+        std::vector<std::int64_t> durations;
+        if (timing.rise > 0) durations.push_back(timing.rise);
+        if (timing.fall > 0) durations.push_back(timing.fall);
+        const Id<Network::Template> automaton = template_for(composition, timers[i], durations);
         Network::Process process{.name = composition.names.fresh(parts.prefix + timers[i].name),
-                                 .automaton = composition.timer,
+                                 .automaton = automaton,
                                  .kind = Network::ProcessKind::Timer,
                                  .origin = timers[i].origin};
-        process.arguments = {duration, parts.variable[timers[i].step.index]};
-        if (!parts.pending.empty()) process.arguments.push_back(parts.pending[i]);
-        process.arguments.push_back(parts.variable[timers[i].end.index]);
+        process.arguments.assign(durations.begin(), durations.end());
+        process.arguments.push_back(timing.watched);
+        if (timing.pending.valid()) process.arguments.push_back(timing.pending);
+        process.arguments.push_back(timing.end);
         process.arguments.push_back(parts.evol_ti);
-        process.initial = network.templates[composition.timer].initial;
-        const auto [step, end] = std::pair(parts.variable[timers[i].step.index], parts.variable[timers[i].end.index]);
-        const Id<Network::Variable> pending = parts.pending.empty() ? Id<Network::Variable>{} : parts.pending[i];
-        network.controllers[controller].timing.push_back({step, pending, end, duration});
+        process.initial = network.templates[process.automaton].initial;
+        network.controllers[controller].timing.push_back(timing);
         network.controllers[controller].timers.push_back(network.processes.add(std::move(process)));
     }
 }

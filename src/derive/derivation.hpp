@@ -4,14 +4,18 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
+#include "derive/hierarchy.hpp"
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/equations.hpp"
 #include "grafverif/support/diagnostic.hpp"
+#include "support/unique_names.hpp"
 
 namespace grafverif {
 
@@ -33,19 +37,31 @@ private:
     std::vector<std::uint32_t> depths_ = {};
 };
 
+/// Where a term is read, which decides what a leaf of the chart stands for.
+enum class Reading {
+    Before,   ///< in a cycle, over the values before it: conditions, events, values to store
+    After,    ///< at its end, over the values after it: outputs, what timers watch
+    First,    ///< in the first evolution, where there are no edges: values to store
+};
+
 struct Derivation {
     const Chart& chart;
     Diagnostics& diagnostics;
     Equations equations = {};
+    Hierarchy hierarchy = {};
+    UniqueNames names = {};                              ///< of the variables of the equations, and of timers
     std::vector<Id<Equations::Variable>> steps = {};     ///< X_s, per step
     std::vector<Id<Equations::Variable>> firings = {};   ///< CF_t, per transition
-    std::vector<Id<Equations::Variable>> ends = {};      ///< T_Q, per time condition; not valid: nobody waits for it
     std::vector<Id<Expr>> step_leaves = {};              ///< X_s as a term: looking leaves up anew is what costs most
     std::vector<Id<Expr>> firing_leaves = {};            ///< CF_t as a term
     std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};   ///< per variable
     std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};           ///< per variable
     std::vector<bool> reads_output = {};                 ///< per term of the chart: a continuous output occurs in it
     std::vector<Id<Expr>> values = {};                   ///< per variable: equation (13) of a continuous output
+    std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};   ///< P_e, per term e of the equations
+    std::unordered_map<std::uint32_t, Id<Equations::Variable>> watched = {};    ///< V_e, likewise
+    /// Timers by watched variable, t1 and t2.
+    std::map<std::tuple<Id<Equations::Variable>, std::int64_t, std::int64_t>, Id<Equations::Timer>> timers = {};
     Measures measures = {};
     std::uint64_t added = 0;                             ///< towards total_size_limit
     bool exhausted = false;                              ///< the total was exceeded, and said so
@@ -60,6 +76,11 @@ inline bool failed(const Derivation& derivation) {
 /// Whether `variable` is an output without stored actions, which has an equation (13).
 bool is_continuous(const Derivation& derivation, Id<Chart::Variable> variable);
 
+/// Whether `step` is active at power-on.
+inline bool is_initial(const Derivation& derivation, Id<Chart::Step> step) {
+    return derivation.equations.variables[derivation.steps[step.index]].initial != 0;
+}
+
 /// A Variable leaf of the equations.
 Id<Expr> variable_leaf(Derivation& derivation, Id<Equations::Variable> variable);
 
@@ -68,10 +89,30 @@ Id<Expr> consistent(Exprs& exprs, Id<Expr> term);
 
 /// The term `root` of the chart over the variables of the equations, outputs replaced by their equations. Not valid
 /// after an error was added: the term, named `what`, would be too large.
-Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, Span where, const std::string& what);
+Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, Reading reading, Span where, const std::string& what);
+
+/// P_e as a term: the value of `term`, over the equations, in the last cycle.
+Id<Expr> previous_value(Derivation& derivation, Id<Expr> term, Span where);
+
+/// V_e: the level of `term`, over the equations, after the last cycle; of a step its activity.
+Id<Equations::Variable> level(Derivation& derivation, Id<Expr> term, Span where);
+
+/// The timer t1/v/t2 over the variable `watched`.
+Id<Equations::Timer> timer(Derivation& derivation, Id<Equations::Variable> watched, std::int64_t rise_ms,
+                           std::int64_t fall_ms, Span where);
+
+/// The end of `timer` as a term.
+Id<Expr> end_leaf(Derivation& derivation, Id<Equations::Timer> timer);
+
+/// `G2` + `separator` for a step of the named partial chart G2, else nothing.
+std::string qualifier(const Chart& chart, Id<Chart::Step> step, char separator);
 
 /// Counts `size` nodes towards the total; false once it is exceeded (an error is added the first time).
 bool afford(Derivation& derivation, std::uint64_t size);
+
+/// The equations (11) and (12), and the conflicts between forcing orders.
+void derive_firings(Derivation& derivation);
+void derive_steps(Derivation& derivation);
 
 /// The equations (13), each output after those it reads.
 void derive_outputs(Derivation& derivation);

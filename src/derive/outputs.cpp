@@ -2,6 +2,7 @@
 // Equation (13) of CEP13 for every output without stored actions: the or, over its continuous actions, of the step
 // activity and the assignation condition. Outputs read in conditions are derived first; a cycle among them is refused.
 #include <algorithm>
+#include <array>
 
 #include "derivation.hpp"
 #include "grafverif/support/messages.hpp"
@@ -21,19 +22,37 @@ struct Visit {
     std::size_t next = 0;
 };
 
+/// The continuous outputs that `term` reads, also through what a time condition watches.
+void collect_reads(const Derivation& derivation, Id<Expr> term, Span where, Visit& visit) {
+    const Chart& chart = derivation.chart;
+    if (!derivation.reads_output[term.index]) return;
+    for (const Id<Expr> leaf : leaves(chart.exprs, term)) {
+        const Expr& node = chart.exprs[leaf];
+        const auto index = static_cast<std::uint32_t>(node.value);
+        if (node.op == Op::Timed) collect_reads(derivation, chart.time_conditions[{index}].watched, where, visit);
+        if (node.op == Op::Variable && is_continuous(derivation, {index})) visit.reads.push_back({{index}, where});
+    }
+}
+
 Visit visit(const Derivation& derivation, Id<Chart::Variable> output) {
     Visit result{output, {}, 0};
     for (const Id<Chart::ContinuousAction> id : derivation.continuous[output.index]) {
         const Chart::ContinuousAction& action = derivation.chart.continuous[id];
-        if (!derivation.reads_output[action.condition.index]) continue;
-        for (const Id<Expr> leaf : leaves(derivation.chart.exprs, action.condition)) {
-            const Expr& node = derivation.chart.exprs[leaf];
-            if (node.op != Op::Variable) continue;
-            const Id<Chart::Variable> read{static_cast<std::uint32_t>(node.value)};
-            if (is_continuous(derivation, read)) result.reads.push_back({read, action.origin});
-        }
+        collect_reads(derivation, action.condition, action.origin, result);
     }
     return result;
+}
+
+/// `3s/X` of a delayed action, `not 3s/X` of a time-limited one; a limit counts from the end of the delay.
+Id<Expr> time_of(Derivation& derivation, const Chart::ContinuousAction& action) {
+    Exprs& exprs = derivation.equations.exprs;
+    const auto active_for = [&](std::int64_t duration) {
+        return end_leaf(derivation, timer(derivation, derivation.steps[action.step.index], duration, 0, action.origin));
+    };
+    std::vector<Id<Expr>> terms;
+    if (action.delay_ms > 0) terms.push_back(active_for(action.delay_ms));
+    if (action.limit_ms > 0) terms.push_back(exprs.negation(active_for(action.delay_ms + action.limit_ms)));
+    return exprs.conjunction(terms);
 }
 
 /// Equation (13); not valid where a condition is too large.
@@ -45,9 +64,10 @@ Id<Expr> output_value(Derivation& derivation, Id<Chart::Variable> output) {
     for (const Id<Chart::ContinuousAction> id : derivation.continuous[output.index]) {
         const Chart::ContinuousAction& action = derivation.chart.continuous[id];
         const Id<Expr> condition =
-            over_equations(derivation, action.condition, action.origin, "output `" + variable.name + "`");
+            over_equations(derivation, action.condition, Reading::After, action.origin, "output `" + variable.name + "`");
         if (!condition.valid()) return {};
-        terms.push_back(exprs.conjunction(derivation.step_leaves[action.step.index], condition));
+        const Id<Expr> time = time_of(derivation, action);
+        terms.push_back(exprs.conjunction(std::array{derivation.step_leaves[action.step.index], condition, time}));
     }
     return exprs.disjunction(terms);
 }

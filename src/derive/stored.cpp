@@ -18,20 +18,44 @@ struct Group {
     std::vector<Id<Expr>> triggers = {};
 };
 
-/// The writes of `variable`, in the order of its actions; fewer after an error.
-std::vector<Equations::Write> writes(Derivation& derivation, Id<Chart::Variable> variable) {
-    std::vector<Equations::Write> result;
+/// When `action` is run: on clearing its transition, on a change of its step, on an event while its step is active.
+/// Not valid after an error.
+Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
+    const std::string& target = derivation.chart.variables[action.target].name;
+    switch (action.on) {
+    case Chart::StoredOn::Clearing:     return derivation.firing_leaves[action.transition.index];
+    case Chart::StoredOn::Activation:   return derivation.equations.steps[action.step.index].activated;
+    case Chart::StoredOn::Deactivation: return derivation.equations.steps[action.step.index].deactivated;
+    case Chart::StoredOn::Event:        break;
+    }
+    const Id<Expr> event = over_equations(derivation, action.event, Reading::Before, action.origin,
+                                          "the event of an action on `" + target + "`");
+    if (!event.valid()) return {};
+    return derivation.equations.exprs.conjunction(derivation.step_leaves[action.step.index], event);
+}
+
+/// The actions on `variable`, as its writes, in order; fewer after an error.
+struct Writes {
+    std::vector<Equations::Write> list = {};
+    std::vector<Id<Expr>> first = {};   ///< of those that are initial: the value in the first evolution
+};
+
+Writes writes(Derivation& derivation, Id<Chart::Variable> variable) {
+    Writes result;
+    const std::string what = "the value stored in `" + derivation.chart.variables[variable].name + "`";
     for (const Id<Chart::StoredAction> id : derivation.stored[variable.index]) {
         const Chart::StoredAction& action = derivation.chart.stored[id];
-        const bool activation = action.on == Chart::StoredOn::Activation;
-        const Equations::StepActivity& step = derivation.equations.steps[action.step.index];
-        const Id<Expr> value =
-            over_equations(derivation, action.value, action.origin,
-                           "the value stored in `" + derivation.chart.variables[variable].name + "`");
-        const Id<Expr> trigger = activation ? step.activated : step.deactivated;
-        if (!value.valid() || !afford(derivation, derivation.measures.size(derivation.equations.exprs, trigger))) break;
-        const bool initial = activation && derivation.chart.steps[action.step].initial;
-        result.push_back({trigger, value, initial, action.origin});
+        const Id<Expr> value = over_equations(derivation, action.value, Reading::Before, action.origin, what);
+        const Id<Expr> trigger = trigger_of(derivation, action);
+        if (!value.valid() || !trigger.valid()) break;
+        if (!afford(derivation, derivation.measures.size(derivation.equations.exprs, trigger))) break;
+        const bool initial = action.on == Chart::StoredOn::Activation && is_initial(derivation, action.step);
+        if (initial) {
+            const Id<Expr> first = over_equations(derivation, action.value, Reading::First, action.origin, what);
+            if (!first.valid()) break;
+            result.first.push_back(first);
+        }
+        result.list.push_back({trigger, value, initial, action.origin});
     }
     return result;
 }
@@ -109,7 +133,8 @@ Equations::Stored stored_equation(Derivation& derivation, Id<Chart::Variable> va
     Exprs& exprs = derivation.equations.exprs;
     Equations::Stored result;
     result.variable = Id<Equations::Variable>{variable.index};
-    result.writes = writes(derivation, variable);
+    const Writes written = writes(derivation, variable);
+    result.writes = written.list;
     const Id<Expr> before = variable_leaf(derivation, result.variable);
     const std::vector<Group> grouped = groups(exprs, result.writes);
     if (grouped.size() > stored_value_limit) {
@@ -121,14 +146,9 @@ Equations::Stored stored_equation(Derivation& derivation, Id<Chart::Variable> va
     result.race = race(derivation, grouped);
     result.first = before;
     std::vector<Id<Expr>> differing;   // from the first of the initial writes
-    bool any = false;
-    for (const Equations::Write& write : result.writes) {
-        if (!write.initial) continue;
-        if (!any) result.first = write.value;
-        else if (write.value != result.first)
-            differing.push_back(exprs.apply(Op::NotEqual, result.first, write.value));
-        any = true;
-    }
+    if (!written.first.empty()) result.first = written.first.front();
+    for (const Id<Expr> value : written.first)
+        if (value != result.first) differing.push_back(exprs.apply(Op::NotEqual, result.first, value));
     result.first_race = exprs.disjunction(differing);
     return result;
 }

@@ -16,13 +16,15 @@ std::uint64_t sum(std::uint64_t left, std::uint64_t right) { return std::min(sat
 /// The size of the term `root` of the chart once its outputs are replaced by their equations.
 std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
                             std::unordered_map<std::uint32_t, std::uint64_t>& known) {
-    const Expr& node = derivation.chart.exprs[root];
-    if (!derivation.reads_output[root.index] || node.op == Op::Variable) {
-        const bool replaced = derivation.reads_output[root.index];
-        return replaced ? derivation.measures.size(derivation.equations.exprs,
-                                                   derivation.values[static_cast<std::size_t>(node.value)])
-                        : 1;
-    }
+    const Chart& chart = derivation.chart;
+    const Expr& node = chart.exprs[root];
+    if (!derivation.reads_output[root.index]) return 1;
+    if (node.op == Op::Variable)
+        return derivation.measures.size(derivation.equations.exprs,
+                                        derivation.values[static_cast<std::size_t>(node.value)]);
+    if (node.op == Op::Timed)
+        return sum(1, replaced_size(derivation, chart.time_conditions[{static_cast<std::uint32_t>(node.value)}].watched,
+                                    known));
     if (const auto found = known.find(root.index); found != known.end()) return found->second;
     std::uint64_t size = 1;
     for (const Id<Expr> operand : derivation.chart.exprs.operands(root))
@@ -30,6 +32,70 @@ std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
     known.emplace(root.index, size);
     return size;
 }
+
+/// Copies terms of the chart into the equations, under one reading.
+class Copier {
+public:
+    Copier(Derivation& derivation, Reading reading, Span where)
+        : derivation_(derivation), exprs_(derivation.equations.exprs), reading_(reading), where_(where) {}
+
+    Id<Expr> operator()(Id<Expr> root) {
+        const Expr node = derivation_.chart.exprs[root];
+        if (is_constant(node.op) || is_leaf(node.op)) return leaf(node);
+        if (const auto known = copies_.find(root.index); known != copies_.end()) return known->second;
+        std::vector<Id<Expr>> operands;
+        for (const Id<Expr> operand : derivation_.chart.exprs.operands(root)) operands.push_back((*this)(operand));
+        const bool is_edge = node.op == Op::Rise || node.op == Op::Fall;
+        const Id<Expr> result =
+            is_edge ? edge(operands[0], node.op == Op::Rise) : exprs_.apply(node.op, operands);
+        copies_.emplace(root.index, result);
+        return result;
+    }
+
+private:
+    Id<Expr> leaf(const Expr& node) {
+        const auto index = static_cast<std::uint32_t>(node.value);
+        if (node.op == Op::Step) return derivation_.step_leaves[index];
+        if (node.op == Op::Timed) return timed({index});
+        if (node.op == Op::Integer) return exprs_.integer(node.value);
+        if (is_constant(node.op)) return exprs_.constant(node.op == Op::True);
+        const Id<Expr> value = derivation_.values[index];
+        return value.valid() ? value : exprs_.leaf(Op::Variable, index);
+    }
+
+    /// `e and not P_e`, `P_e and not e`; the edge of a complement is the other edge.
+    Id<Expr> edge(Id<Expr> now, bool rises) {
+        if (exprs_[now].op == Op::Not) {
+            now = exprs_.operands(now)[0];
+            rises = !rises;
+        }
+        if (reading_ == Reading::First || is_constant(exprs_[now].op)) return exprs_.constant(false);
+        const Id<Expr> before = previous_value(derivation_, now, where_);
+        return rises ? exprs_.conjunction(now, exprs_.negation(before))
+                     : exprs_.conjunction(before, exprs_.negation(now));
+    }
+
+    /// `t1/v/t2`. The end of a timer is that of the level after the last cycle. Where v is a step, that is its level
+    /// before this cycle; elsewhere an input may have changed it since.
+    Id<Expr> timed(Id<Chart::TimeCondition> id) {
+        const Chart::TimeCondition& written = derivation_.chart.time_conditions[id];
+        const Id<Expr> watched = Copier(derivation_, Reading::After, written.origin)(written.watched);
+        const Id<Equations::Variable> variable = level(derivation_, watched, written.origin);
+        const Id<Equations::Timer> running =
+            timer(derivation_, variable, written.rise_ms, written.fall_ms, written.origin);
+        derivation_.equations.conditions[id.index] = running;
+        const Id<Expr> end = end_leaf(derivation_, running);
+        const bool is_step = derivation_.equations.variables[variable].role == Equations::Role::Step;
+        if (written.fall_ms > 0) return written.rise_ms > 0 ? end : exprs_.disjunction(watched, end);
+        return is_step && reading_ != Reading::After ? end : exprs_.conjunction(watched, end);
+    }
+
+    Derivation& derivation_;
+    Exprs& exprs_;
+    Reading reading_;
+    Span where_;
+    std::unordered_map<std::uint32_t, Id<Expr>> copies_ = {};
+};
 
 }  // namespace
 
@@ -85,7 +151,7 @@ bool afford(Derivation& derivation, std::uint64_t size) {
     return false;
 }
 
-Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, Span where, const std::string& what) {
+Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, Reading reading, Span where, const std::string& what) {
     if (derivation.reads_output[root.index]) {
         std::unordered_map<std::uint32_t, std::uint64_t> known;
         const std::uint64_t size = replaced_size(derivation, root, known);
@@ -95,15 +161,8 @@ Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, Span where, const
         }
         if (!afford(derivation, size)) return {};
     }
-    Exprs& exprs = derivation.equations.exprs;
-    const Id<Expr> term = translate(derivation.chart.exprs, root, exprs, [&](const Expr& leaf) {
-        const auto index = static_cast<std::uint32_t>(leaf.value);
-        if (leaf.op == Op::Step) return derivation.step_leaves[index];
-        if (leaf.op == Op::Timed) return variable_leaf(derivation, derivation.ends[index]);
-        const Id<Expr> value = derivation.values[index];
-        return value.valid() ? value : exprs.leaf(Op::Variable, index);
-    });
-    if (derivation.measures.depth(exprs, term) <= term_depth_limit) return term;
+    const Id<Expr> term = Copier(derivation, reading, where)(root);
+    if (derivation.measures.depth(derivation.equations.exprs, term) <= term_depth_limit) return term;
     derivation.diagnostics.add(messages::term_too_deep(where, what, term_depth_limit));
     return {};
 }

@@ -137,8 +137,21 @@ private:
             refuse(stored.first_race, 2);
             updates.push_back({stored.variable, stored.first});
         }
+        remember(updates);
         assign_at_once(updates);
         keep_ranges();
+        watch();
+    }
+
+    void remember(std::vector<Assignment>& updates) const {
+        for (const Equations::Previous& previous : equations_.previous)
+            updates.push_back({previous.variable, previous.value});
+    }
+
+    /// What timers watch, as the evolution leaves it.
+    void watch() {
+        for (const Equations::Watch& watched : equations_.watches)
+            line("{} := {};", stored_in(watched.variable), text(watched.value));
     }
 
     void evolution() {
@@ -151,10 +164,13 @@ private:
             refuse(stored.race, 2);
             updates.push_back({stored.variable, stored.next});
         }
+        for (const Equations::Conflict& conflict : equations_.conflicts) refuse(conflict.condition, 2);
+        remember(updates);
         for (const Equations::StepActivity& step : equations_.steps) updates.push_back({step.variable, step.next});
         if (!updates.empty()) heading("steps and stored values");
         assign_at_once(updates);
         keep_ranges();
+        watch();
     }
 
     /// Sets the fault where `condition` holds.

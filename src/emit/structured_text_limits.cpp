@@ -63,6 +63,8 @@ bool expressible(const Equations& equations, Diagnostics& diagnostics) {
             check(write.trigger, write.origin);
             check(write.value, write.origin);
         }
+    for (const Equations::Previous& previous : equations.previous) check(previous.value, previous.origin);
+    for (const Equations::Watch& watch : equations.watches) check(watch.value, watch.origin);
     for (const Equations::Timer& timer : equations.timers) {
         const TimerTimes times = times_of(timer);
         if (times.rise_ms > greatest || times.fall_ms > greatest)

@@ -55,7 +55,7 @@ InterfaceNames interface_names(const std::string& chart, std::span<const std::st
     return names;
 }
 
-TimerTimes times_of(const Equations::Timer& timer) { return {timer.step, timer.duration_ms, 0}; }
+TimerTimes times_of(const Equations::Timer& timer) { return {timer.watched, timer.rise_ms, timer.fall_ms}; }
 
 Names names_of(const Equations& equations) {
     std::vector<std::string> inputs, outputs, all;

@@ -17,7 +17,7 @@ using Role = Network::Role;
 
 constexpr std::array roles = {Role::Input, Role::Output, Role::Internal, Role::Step,
                               Role::FiringCondition, Role::Sample, Role::Image, Role::TimerEnd,
-                              Role::TimerPending, Role::Flag, Role::Plant};
+                              Role::TimerPending, Role::Previous, Role::Watched, Role::Flag, Role::Plant};
 
 std::string_view title(Role role) {
     switch (role) {
@@ -30,6 +30,8 @@ std::string_view title(Role role) {
     case Role::Image:           return "outputs not yet written";
     case Role::TimerEnd:        return "ends of timers";
     case Role::TimerPending:    return "timers to start or stop";
+    case Role::Previous:        return "previous values, for edges";
+    case Role::Watched:         return "levels that timers watch";
     case Role::Flag:            return "flags between controller, timers and plant";
     case Role::Plant:           return "variables of the plant";
     }

@@ -83,16 +83,26 @@ void check_partial_charts(const Chart& chart, Faults& faults) {
         entries[step.chart.index] += step.entry ? 1 : 0;
         exits[step.chart.index] += step.exit ? 1 : 0;
     }
+    std::vector<int> expansions(chart.steps.size());
     for (const auto id : chart.partial_charts.ids()) {
         const auto& partial = chart.partial_charts[id];
         const bool owned = partial.owner.valid();
         faults.check(!owned || chart.steps.contains(partial.owner), "the owner of " + partial.name + " is no step");
+        const bool is_expansion = partial.kind == Chart::PartialKind::Expansion;
         faults.check(owned == (partial.kind != Chart::PartialKind::Plain),
                      "the owner of " + partial.name + " does not fit its kind");
-        if (partial.kind != Chart::PartialKind::Expansion) continue;
+        if (chart.steps.contains(partial.owner)) {
+            const Chart::StepKind wanted = is_expansion ? Chart::StepKind::Macro : Chart::StepKind::Enclosing;
+            faults.check(chart.steps[partial.owner].kind == wanted, "the owner of " + partial.name + " is another step");
+            if (is_expansion) ++expansions[partial.owner.index];
+        }
+        if (!is_expansion) continue;
         faults.check(entries[id.index] == 1 && exits[id.index] == 1,
                      "expansion " + partial.name + " lacks one entry and one exit step");
     }
+    for (const auto id : chart.steps.ids())
+        faults.check((chart.steps[id].kind == Chart::StepKind::Macro) == (expansions[id.index] == 1),
+                     "step " + chart.steps[id].name + " has another number of expansions than its kind");
 }
 
 bool is_input(const Chart& chart, const Expr& leaf) {

@@ -95,17 +95,24 @@ struct Check {
             condition(step.activated, true, "the activation of `" + step.step + "`");
             condition(step.deactivated, true, "the deactivation of `" + step.step + "`");
         }
+        for (const Equations::Conflict& of : equations.conflicts)
+            condition(of.condition, true, "the condition of a conflict");
         for (const Equations::Stored& stored : equations.stored) store(stored);
-        for (const Equations::Timer& timer : equations.timers) {
-            if (!known(timer.step) || !known(timer.end)) {
-                fault("the timer `" + timer.name + "` has a variable that does not exist");
-                continue;
-            }
-            role(timer.step, Role::Step);
-            role(timer.end, Role::TimerEnd);
-            ++defined[timer.end.index];
-            if (timer.duration_ms <= 0) fault("the timer `" + timer.name + "` has no duration");
+        for (const Equations::Previous& previous : equations.previous) {
+            define(previous.variable, previous.value, "the present value");
+            role(previous.variable, Role::Previous);
+            if (known(previous.variable))
+                without_firings(previous.value, "the present value of " + name(previous.variable));
         }
+        for (const Equations::Watch& watch : equations.watches) {
+            define(watch.variable, watch.value, "the level");
+            role(watch.variable, Role::Watched);
+            if (known(watch.variable)) without_firings(watch.value, "the level of " + name(watch.variable));
+        }
+        for (const Equations::Timer& timer : equations.timers) time(timer);
+        for (const Id<Equations::Timer> timer : equations.conditions)
+            if (timer.valid() && timer.index >= equations.timers.size())
+                fault("a time condition has a timer that does not exist");
         for (const Equations::Output& output : equations.outputs) {
             define(output.variable, output.value, "the value");
             role(output.variable, Role::Output);
@@ -119,6 +126,18 @@ struct Check {
                 if (equations.variables[{static_cast<std::uint32_t>(equations.exprs[leaf].value)}].role != Role::Input)
                     fault("an assumption reads something that is no input");
         }
+    }
+
+    void time(const Equations::Timer& timer) {
+        if (!known(timer.watched) || !known(timer.end))
+            return fault("the timer `" + timer.name + "` has a variable that does not exist");
+        const Role kind = equations.variables[timer.watched].role;
+        if (kind != Role::Step && kind != Role::Watched)
+            fault("the timer `" + timer.name + "` watches " + name(timer.watched) + ", no step and no watched term");
+        role(timer.end, Role::TimerEnd);
+        ++defined[timer.end.index];
+        if (timer.rise_ms < 0 || timer.fall_ms < 0 || timer.rise_ms + timer.fall_ms == 0)
+            fault("the timer `" + timer.name + "` has no duration");
     }
 
     void store(const Equations::Stored& stored) {

@@ -185,7 +185,7 @@ private:
     void check_words(const Network::Controller& controller, const std::string& where) {
         const auto known = [&](Id<Network::Variable> variable) { return network_.variables.contains(variable); };
         for (const auto& timing : controller.timing)
-            if (!known(timing.step) || !known(timing.end)) fault(where + ": a timer of an unknown step or end");
+            if (!known(timing.watched) || !known(timing.end)) fault(where + ": a timer of an unknown level or end");
         for (const auto& symbol : controller.symbols)
             if (!known(symbol.variable)) fault(where + ": a variable of the chart without one here");
         for (const auto* list : {&controller.steps, &controller.transitions})

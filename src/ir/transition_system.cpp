@@ -301,7 +301,7 @@ void check_names(const System& system, Sorts& sorts, Faults& faults) {
         }
         for (const System::TimerEnd& timer : controller.timers) {
             known(timer.symbol, where + ": a timer end");
-            if (timer.step >= controller.steps.size()) faults.push_back(where + ": a timer has no step");
+            if (timer.step && *timer.step >= controller.steps.size()) faults.push_back(where + ": a timer has no step");
         }
         for (const Id<Expr> term : {controller.starts, controller.samples, controller.evolves, controller.writes})
             condition(term, where);

@@ -53,10 +53,18 @@ std::vector<Duration> durations(const Model& model, const ClosedLoop& loop) {
         seen[instance.component.index] = true;
         collect(component, instance, found);
     }
+    const auto take = [&](std::int64_t milliseconds, Span where) {
+        if (milliseconds != 0) found.push_back({milliseconds, where});
+    };
     for (const ClosedLoop::Controller& controller : loop.controllers) {
-        for (const Chart::TimeCondition& condition : model.charts[controller.chart].time_conditions) {
-            found.push_back({condition.rise_ms, condition.origin});
-            if (condition.fall_ms != 0) found.push_back({condition.fall_ms, condition.origin});
+        const Chart& chart = model.charts[controller.chart];
+        for (const Chart::TimeCondition& condition : chart.time_conditions) {
+            take(condition.rise_ms, condition.origin);
+            take(condition.fall_ms, condition.origin);
+        }
+        for (const Chart::ContinuousAction& action : chart.continuous) {
+            take(action.delay_ms, action.origin);
+            if (action.limit_ms != 0) take(action.delay_ms + action.limit_ms, action.origin);
         }
     }
     return found;

@@ -141,20 +141,27 @@ private:
         add(std::move(step));
     }
 
-    /// A timer matters while its step is active.
+    /// A timer t1/X matters while its step is active.
     void tell_timers(const System::Controller& controller, const Values& before, const Values& next) {
         for (const System::TimerEnd& timer : controller.timers) {
-            const System::Named& step = controller.steps[timer.step];
             const auto over = [&](const Values& values) {
-                return values[timer.symbol.index] != 0 && values[step.symbol.index] != 0;
+                const bool lapses = timer.step && timer.fall_ms == 0;
+                return values[timer.symbol.index] != 0 &&
+                       (!lapses || values[controller.steps[*timer.step].symbol.index] != 0);
             };
             take(timer.symbol, next);
             if (over(before) || !over(next)) continue;
-            const std::string of = step.name.find('.') == std::string::npos ? "X" + step.name : step.name;
-            add({.kind = Trace::Kind::Timer,
-                 .component = controller.name,
-                 .what = duration_text(timer.duration_ms) + "/" + of + " is true"});
+            add({.kind = Trace::Kind::Timer, .component = controller.name, .what = timer_words(controller, timer)});
         }
+    }
+
+    static std::string timer_words(const System::Controller& controller, const System::TimerEnd& timer) {
+        const std::string rise = timer.rise_ms > 0 ? duration_text(timer.rise_ms) : "";
+        if (!timer.step) return (rise.empty() ? duration_text(timer.fall_ms) : rise) + " are over";
+        const std::string& step = controller.steps[*timer.step].name;
+        const std::string of = step.find('.') == std::string::npos ? "X" + step : step;
+        const std::string fall = timer.fall_ms > 0 ? "/" + duration_text(timer.fall_ms) : "";
+        return (rise.empty() ? "" : rise + "/") + of + fall + " is true";
     }
 
     void tell_component(const System::Component& component, const Values& next) {

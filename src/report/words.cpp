@@ -54,18 +54,38 @@ std::string choice_words(const Network& network, const NetworkState& state, cons
     return words.empty() ? process.name : process.name + ": " + words;
 }
 
+namespace {
+
+std::string duration_words(const Network& network, std::int64_t units) {
+    const std::int64_t ms = units * network.time_unit_ms;
+    return ms % 1000 == 0 ? std::to_string(ms / 1000) + "s" : std::to_string(ms) + "ms";
+}
+
+/// What a timer watches as conditions write it; of a longer term nothing.
+std::string watched_words(const Network& network, const Network::Controller& controller, Id<Network::Variable> watched) {
+    for (const Network::Named& step : controller.steps) {
+        if (step.variable != watched) continue;
+        const std::size_t dot = step.name.rfind('.');
+        if (dot == std::string::npos) return "X" + step.name;
+        return step.name.substr(0, dot + 1) + "X" + step.name.substr(dot + 1);
+    }
+    const std::string& level = network.variables[watched].name;
+    for (const Network::Symbol& symbol : controller.symbols)
+        if (level.ends_with("V_" + network.variables[symbol.variable].name))
+            return network.variables[symbol.variable].name;
+    return {};
+}
+
+}  // namespace
+
 std::string timer_words(const Network& network, const Network::Controller& controller,
                         const Network::TimerVariables& timing) {
-    const std::int64_t ms = timing.duration * network.time_unit_ms;
-    const std::string duration = ms % 1000 == 0 ? std::to_string(ms / 1000) + "s" : std::to_string(ms) + "ms";
-    for (const Network::Named& step : controller.steps) {
-        if (step.variable != timing.step) continue;
-        const std::size_t dot = step.name.rfind('.');
-        const std::string variable =
-            dot == std::string::npos ? "X" + step.name : step.name.substr(0, dot + 1) + "X" + step.name.substr(dot + 1);
-        return duration + "/" + variable + " is true";
-    }
-    return duration + " are over";
+    const std::string watched = watched_words(network, controller, timing.watched);
+    const std::string rise = duration_words(network, timing.rise);
+    if (watched.empty()) return rise + " are over";
+    std::string words = (timing.rise > 0 ? rise + "/" : "") + watched;
+    if (timing.fall > 0) words += "/" + duration_words(network, timing.fall);
+    return words + " is true";
 }
 
 const std::string& location_word(const Network& network, const Fire& fire) {

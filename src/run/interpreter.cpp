@@ -4,95 +4,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "run/hierarchy.hpp"
+#include "run/reader.hpp"
+
 namespace grafverif {
 
 namespace {
 
-/// Takes the value of terms of the chart over one situation and one set of values. Continuous outputs that conditions
-/// read are looked up once each.
-class Reader {
-public:
-    Reader(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>* timed)
-        : chart_(chart), state_(state), inputs_(inputs), timed_(timed) {}
-
-    /// Empty where the term has no value.
-    std::optional<std::int64_t> value(Id<Expr> term) {
-        const bool outer = std::exchange(lost_, false);  // of the term that asks for an output, whose condition this is
-        const auto result = evaluate(chart_.exprs, term, [this](const Expr& leaf) { return leaf_value(leaf); });
-        const bool lost = std::exchange(lost_, outer);
-        return lost ? std::nullopt : result;
-    }
-
-    /// Whether some action sets `output` now.
-    std::optional<std::int64_t> output(Id<Chart::Variable> output) {
-        if (known_.empty()) index_actions();
-        Known& known = known_[output.index];
-        if (known != Known::No)
-            return known == Known::Lost ? std::nullopt : std::optional(std::int64_t{known == Known::True});
-        const std::optional<std::int64_t> result = look_up(output);
-        known = !result ? Known::Lost : *result != 0 ? Known::True : Known::False;
-        return result;
-    }
-
-    /// Whether an action stores values in `variable`.
-    bool is_stored(Id<Chart::Variable> variable) {
-        if (known_.empty()) index_actions();
-        return stored_[variable.index];
-    }
-
-private:
-    enum class Known : std::uint8_t { No, False, True, Lost };
-
-    std::int64_t leaf_value(const Expr& leaf) {
-        const auto index = static_cast<std::size_t>(leaf.value);
-        if (leaf.op == Op::Step) return state_.situation[index];
-        if (leaf.op == Op::Timed) return (*timed_)[index];
-        const Id<Chart::Variable> variable{static_cast<std::uint32_t>(index)};
-        const Chart::VariableKind kind = chart_.variables[variable].kind;
-        if (kind == Chart::VariableKind::Input) return inputs_[index];
-        if (kind == Chart::VariableKind::Internal || is_stored(variable)) return state_.values[index];
-        const std::optional<std::int64_t> set = output(variable);
-        lost_ = lost_ || !set;
-        return set.value_or(0);
-    }
-
-    std::optional<std::int64_t> look_up(Id<Chart::Variable> output) {
-        if (!chart_.variables[output].type.boolean) return state_.values[output.index];
-        for (const Id<Chart::ContinuousAction> id : actions_[output.index]) {
-            const Chart::ContinuousAction& action = chart_.continuous[id];
-            if (!state_.situation[action.step.index]) continue;
-            const std::optional<std::int64_t> condition = value(action.condition);
-            if (!condition || *condition != 0) return condition;
-        }
-        return 0;
-    }
-
-    void index_actions() {
-        known_.assign(chart_.variables.size(), Known::No);
-        stored_.assign(chart_.variables.size(), false);
-        actions_.resize(chart_.variables.size());
-        for (const Chart::StoredAction& action : chart_.stored) stored_[action.target.index] = true;
-        for (const Id<Chart::ContinuousAction> id : chart_.continuous.ids())
-            actions_[chart_.continuous[id].output.index].push_back(id);
-    }
-
-    const Chart& chart_;
-    const State& state_;
-    InputValues inputs_;
-    const std::vector<bool>* timed_;   ///< null where no time condition can be read: in assignation conditions
-    std::vector<Known> known_ = {};
-    std::vector<bool> stored_ = {};
-    std::vector<std::vector<Id<Chart::ContinuousAction>>> actions_ = {};
-    bool lost_ = false;                ///< an output read by the term at hand has no value
-};
-
 /// Rules 2 and 4: the transitions to clear, all from the old situation.
-void clear_transitions(const Chart& chart, const State& old, Reader& reader, Evolution& evolution) {
+void clear_transitions(const Chart& chart, const Levels& levels, const State& old, Reader& reader,
+                       Evolution& evolution) {
     for (const Id<Chart::Transition> id : chart.transitions.ids()) {
         const Chart::Transition& transition = chart.transitions[id];
         const bool enabled = std::ranges::all_of(
-            transition.from, [&](Id<Chart::Step> step) -> bool { return old.situation[step.index]; });
-        if (!enabled) continue;
+            transition.from, [&](Id<Chart::Step> step) -> bool { return old.situation[levels.exit(step).index]; });
+        if (!enabled || !levels.is_free(transition, old.situation)) continue;
         const std::optional<std::int64_t> condition = reader.value(transition.condition);
         if (!condition) {
             evolution.fault = RunFault{RunFault::Kind::NoValue, {}, 0, transition.origin};
@@ -103,12 +29,14 @@ void clear_transitions(const Chart& chart, const State& old, Reader& reader, Evo
 }
 
 /// Rules 3 and 5: deactivate, then activate, so that activation wins; a step that was active keeps its age then.
-void change_situation(const Chart& chart, const State& old, Evolution& evolution) {
+/// Hierarchy has the last word.
+void change_situation(const Chart& chart, const Levels& levels, const State& old, Evolution& evolution) {
     State& state = evolution.state;
     for (const Id<Chart::Transition> id : evolution.fired)
-        for (const Id<Chart::Step> step : chart.transitions[id].from) state.situation[step.index] = false;
+        for (const Id<Chart::Step> step : chart.transitions[id].from) state.situation[levels.exit(step).index] = false;
     for (const Id<Chart::Transition> id : evolution.fired)
-        for (const Id<Chart::Step> step : chart.transitions[id].to) state.situation[step.index] = true;
+        for (const Id<Chart::Step> step : chart.transitions[id].to) state.situation[levels.entry(step).index] = true;
+    state.situation = levels.after(old.situation, state.situation);
     for (const Id<Chart::Step> step : chart.steps.ids()) {
         const bool before = old.situation[step.index];
         if (before && !state.situation[step.index]) state.ages[step.index] = -1;
@@ -116,14 +44,29 @@ void change_situation(const Chart& chart, const State& old, Evolution& evolution
     }
 }
 
-/// Runs the stored actions that `triggered` picks. All values are taken before any is stored.
-template <class Triggered>
-void store(const Chart& chart, Reader& reader, Evolution& evolution, Triggered triggered) {
+/// Whether `action` is run in an evolution; empty where its event has no value.
+std::optional<bool> is_triggered(const Chart::StoredAction& action, const State& old, Reader& reader,
+                                 const Evolution& evolution) {
+    if (action.on == Chart::StoredOn::Clearing)
+        return std::ranges::find(evolution.fired, action.transition) != evolution.fired.end();
+    const bool before = old.situation[action.step.index];
+    const bool after = evolution.state.situation[action.step.index];
+    if (!old.started) return action.on == Chart::StoredOn::Activation && before;
+    if (action.on == Chart::StoredOn::Activation) return !before && after;
+    if (action.on == Chart::StoredOn::Deactivation) return before && !after;
+    if (!before) return false;
+    const std::optional<std::int64_t> event = reader.value(action.event);
+    return event ? std::optional(*event != 0) : std::nullopt;
+}
+
+/// Runs the stored actions that are triggered. All values are taken before any is stored.
+void store(const Chart& chart, const State& old, Reader& reader, Evolution& evolution) {
     std::vector<std::pair<Id<Chart::StoredAction>, std::int64_t>> writes;
     for (const Id<Chart::StoredAction> id : chart.stored.ids()) {
         const Chart::StoredAction& action = chart.stored[id];
-        if (!triggered(action)) continue;
-        const std::optional<std::int64_t> value = reader.value(action.value);
+        const std::optional<bool> triggered = is_triggered(action, old, reader, evolution);
+        if (triggered == false) continue;
+        const std::optional<std::int64_t> value = triggered ? reader.value(action.value) : std::nullopt;
         if (!value) {
             evolution.fault = RunFault{RunFault::Kind::NoValue, action.target, 0, action.origin};
             return;
@@ -146,26 +89,74 @@ void store(const Chart& chart, Reader& reader, Evolution& evolution, Triggered t
     }
 }
 
+/// What edges will compare the next evolution with: values before this one.
+void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolution& evolution) {
+    evolution.state.previous.resize(memory.edges.size());
+    for (std::size_t place = 0; place < memory.edges.size(); ++place) {
+        const std::optional<std::int64_t> now = reader.value(memory.edges[place]);
+        if (!now) evolution.fault = RunFault{RunFault::Kind::NoValue, {}, 0, chart.origin};
+        evolution.state.previous[place] = now.value_or(0) != 0;
+    }
+}
+
+/// Starts and stops the times of what changed: terms are watched as the evolution leaves them.
+/// Where a term changes in the very moment its t1 is over, `timed` says which of both came first.
+void watch(const Chart& chart, const Memory& memory, const std::vector<bool>& timed, Reader& reader,
+           Evolution& evolution) {
+    const std::vector<TimedElement> elements = timed_elements(chart);
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const TimedElement& element = elements[k];
+        if (k < memory.time_conditions.size() && !memory.time_conditions[k]) continue;
+        std::optional<std::int64_t> level;
+        if (element.watched.valid()) level = reader.value(element.watched);
+        else level = evolution.state.situation[element.step.index];
+        if (!level) {
+            evolution.fault = RunFault{RunFault::Kind::NoValue, {}, 0, element.origin};
+            return;
+        }
+        Timing& timing = evolution.state.timing[k];
+        if ((*level != 0) == (timing.risen >= 0)) continue;
+        const bool lasted = timing.risen == element.rise_ms ? element.rise_ms == 0 || timed[k]
+                                                            : timing.risen > element.rise_ms;
+        if (*level == 0 && lasted) timing.fallen = 0;
+        timing.risen = *level != 0 ? 0 : -1;
+    }
+}
+
+bool holds(const TimedElement& element, const Timing& timing) {
+    if (timing.risen >= 0 && timing.risen >= element.rise_ms) return true;
+    return timing.fallen >= 0 && timing.fallen < element.fall_ms;
+}
+
 }  // namespace
 
 State power_on(const Chart& chart) {
     State state;
-    for (const Chart::Step& step : chart.steps) {
-        state.situation.push_back(step.initial);
-        state.ages.push_back(step.initial ? 0 : -1);
-    }
+    state.situation = Levels(chart).initial();
+    for (const bool active : state.situation) state.ages.push_back(active ? 0 : -1);
     for (const Chart::Variable& variable : chart.variables) state.values.push_back(variable.initial);
     state.outputs = state.values;
+    state.timing.resize(timed_elements(chart).size());
     return state;
 }
 
-std::vector<bool> time_conditions(const Chart& chart, const State& state) {
-    std::vector<bool> values;
-    values.reserve(chart.time_conditions.size());
-    for (const Chart::TimeCondition& timed : chart.time_conditions) {
-        const auto step = static_cast<std::size_t>(chart.exprs[timed.watched].value);
-        values.push_back(state.situation[step] && state.ages[step] >= timed.rise_ms);
+std::vector<TimedElement> timed_elements(const Chart& chart) {
+    std::vector<TimedElement> elements;
+    for (const Chart::TimeCondition& timed : chart.time_conditions)
+        elements.push_back({timed.watched, {}, timed.rise_ms, timed.fall_ms, timed.origin});
+    for (const Chart::ContinuousAction& action : chart.continuous) {
+        if (action.delay_ms > 0) elements.push_back({{}, action.step, action.delay_ms, 0, action.origin});
+        if (action.limit_ms > 0)
+            elements.push_back({{}, action.step, action.delay_ms + action.limit_ms, 0, action.origin});
     }
+    return elements;
+}
+
+std::vector<bool> time_conditions(const Chart& chart, const State& state) {
+    const std::vector<TimedElement> elements = timed_elements(chart);
+    std::vector<bool> values;
+    values.reserve(elements.size());
+    for (std::size_t k = 0; k < elements.size(); ++k) values.push_back(holds(elements[k], state.timing[k]));
     return values;
 }
 
@@ -173,28 +164,28 @@ Evolution evolve(const Chart& chart, const State& state, InputValues inputs, con
     Evolution evolution;
     evolution.state = state;
     evolution.state.started = true;
-    Reader reader(chart, state, inputs, &timed);
-    if (!state.started) {
-        store(chart, reader, evolution, [&](const Chart::StoredAction& action) {
-            return action.on == Chart::StoredOn::Activation && state.situation[action.step.index];
-        });
-        return evolution;
-    }
-    clear_transitions(chart, state, reader, evolution);
+    const Memory remembered = memory(chart);
+    Reader before(chart, state, inputs, timed, state.started ? &remembered : nullptr);
+    const Levels levels(chart);
+    if (state.started) clear_transitions(chart, levels, state, before, evolution);
     if (evolution.fault) return evolution;
-    evolution.stable = evolution.fired.empty();
-    if (evolution.stable) return evolution;
-    change_situation(chart, state, evolution);
-    store(chart, reader, evolution, [&](const Chart::StoredAction& action) {
-        const bool before = state.situation[action.step.index];
-        const bool after = evolution.state.situation[action.step.index];
-        return action.on == Chart::StoredOn::Activation ? !before && after : before && !after;
-    });
+    remember(chart, remembered, before, evolution);
+    evolution.stable = state.started && evolution.fired.empty() && evolution.state.previous == state.previous;
+    if (!evolution.fired.empty()) change_situation(chart, levels, state, evolution);
+    const Id<Chart::ForcingOrder> conflict = levels.conflict(evolution.state.situation);
+    if (conflict.valid())
+        evolution.fault = RunFault{RunFault::Kind::ForcedApart, {}, 0, chart.forcing[conflict].origin};
+    if (evolution.fault) return evolution;
+    store(chart, state, before, evolution);
+    if (evolution.fault || evolution.race) return evolution;
+    Reader after(chart, evolution.state, inputs, timed, &remembered);
+    watch(chart, remembered, timed, after, evolution);
     return evolution;
 }
 
-std::optional<std::vector<std::int64_t>> output_values(const Chart& chart, const State& state, InputValues inputs) {
-    Reader reader(chart, state, inputs, nullptr);
+std::optional<std::vector<std::int64_t>> output_values(const Chart& chart, const State& state, InputValues inputs,
+                                                       const std::vector<bool>& timed) {
+    Reader reader(chart, state, inputs, timed, nullptr);
     std::vector<std::int64_t> values(chart.variables.size());
     for (const Id<Chart::Variable> id : chart.variables.ids()) {
         if (chart.variables[id].kind != Chart::VariableKind::Output) continue;
@@ -218,7 +209,7 @@ std::vector<std::vector<bool>> loop(const Chart& chart, State state, InputValues
 }
 
 void write_outputs(const Chart& chart, InputValues inputs, Cycle& result) {
-    const auto values = output_values(chart, result.state, inputs);
+    const auto values = output_values(chart, result.state, inputs, time_conditions(chart, result.state));
     if (!values) {
         result.fault = RunFault{RunFault::Kind::NoValue, {}, 0, chart.origin};
         return;
@@ -265,6 +256,10 @@ Cycle cycle(const Chart& chart, const State& state, InputValues inputs, Executio
 State pass_time(State state, std::int64_t milliseconds) {
     for (std::int64_t& age : state.ages)
         if (age >= 0) age += milliseconds;
+    for (Timing& timing : state.timing) {
+        if (timing.risen >= 0) timing.risen += milliseconds;
+        if (timing.fallen >= 0) timing.fallen += milliseconds;
+    }
     return state;
 }
 

@@ -24,7 +24,7 @@ std::string listed(const std::vector<std::string>& names) {
 class Twin {
 public:
     Twin(const Network& network, const Network::Controller& controller, const Chart& chart)
-        : network_(network), controller_(controller), chart_(chart), state_(power_on(chart)) {
+        : network_(network), controller_(controller), chart_(chart), elements_(timed_elements(chart)), state_(power_on(chart)) {
         inputs_.resize(chart.variables.size());
         index_time_conditions();
         // No location before W: the first evolution has nothing to do.
@@ -53,11 +53,15 @@ public:
 
 private:
     void index_time_conditions() {
-        for (const Chart::TimeCondition& timed : chart_.time_conditions) {
-            const auto step = static_cast<std::size_t>(chart_.exprs[timed.watched].value);
+        for (std::size_t k = 0; k < elements_.size(); ++k) {
+            if (elements_[k].watched.valid()) {
+                const std::optional<std::size_t> timer = controller_.conditions[k];
+                timers_.push_back(timer ? &controller_.timing[*timer] : nullptr);
+                continue;
+            }
             const auto found = std::ranges::find_if(controller_.timing, [&](const Network::TimerVariables& timing) {
-                return timing.step == controller_.steps[step].variable &&
-                       timing.duration * network_.time_unit_ms == timed.rise_ms;
+                return timing.watched == controller_.steps[elements_[k].step.index].variable && timing.fall == 0 &&
+                       timing.rise * network_.time_unit_ms == elements_[k].rise_ms;
             });
             timers_.push_back(found == controller_.timing.end() ? nullptr : &*found);
         }
@@ -78,23 +82,34 @@ private:
     std::string sample(const NetworkState& before) {
         read_inputs(before);
         for (std::size_t i = 0; i < timers_.size(); ++i) {
-            if (timers_[i] == nullptr) return "a time condition has no timer";
+            if (timers_[i] == nullptr) continue;   // nothing waits for it
             timed_[i] = before.variables[timers_[i]->end.index] != 0;
             if (std::string fault = timer_fault(i); !fault.empty()) return fault;
         }
         return {};
     }
 
-    /// A timer ends when its step has been active for its duration; at that very moment it may not have done so yet.
-    std::string timer_fault(std::size_t condition) const {
-        if (!timers_[condition]->pending.valid()) return {};  // timers as published are wrong, and are meant to be
-        const Chart::TimeCondition& timed = chart_.time_conditions[{static_cast<std::uint32_t>(condition)}];
-        const Id<Chart::Step> step{static_cast<std::uint32_t>(chart_.exprs[timed.watched].value)};
-        const std::int64_t age = state_.ages[step.index];
-        const bool fits = timed_[condition] ? age >= timed.rise_ms : age <= timed.rise_ms;
-        if (fits) return {};
-        return "the timer of " + number(timed.rise_ms) + " ms of " + step_variable(chart_, step) + " is " +
-               (timed_[condition] ? "over" : "not over") + ", but by the rules its age is " + number(age) + " ms";
+    /// A timer changes when its duration is over; at that very moment it may not have done so yet.
+    std::string timer_fault(std::size_t index) const {
+        if (!timers_[index]->pending.valid()) return {};  // timers as published are wrong, and are meant to be
+        const TimedElement& element = elements_[index];
+        const Timing& timing = state_.timing[index];
+        const bool lasts = timing.risen >= 0 && timing.risen >= element.rise_ms;
+        const bool remains = element.fall_ms > 0 && timing.fallen >= 0 && timing.fallen <= element.fall_ms;
+        const bool just_over = element.rise_ms > 0 && timing.risen == element.rise_ms;
+        const bool may = lasts || remains;
+        const bool must = (lasts && !just_over) || (remains && timing.fallen < element.fall_ms);
+        if (timed_[index] ? may : !must) return {};
+        return "the timer of " + number(element.rise_ms > 0 ? element.rise_ms : element.fall_ms) + " ms of " +
+               watched_name(element) + " is " + (timed_[index] ? "over" : "not over") + ", but by the rules its age is " +
+               number(timing.fallen < 0 ? timing.risen : timing.fallen) + " ms";
+    }
+
+    std::string watched_name(const TimedElement& element) const {
+        if (element.step.valid()) return step_variable(chart_, element.step);
+        const Expr& node = chart_.exprs[element.watched];
+        if (node.op != Op::Step) return "what it watches";
+        return step_variable(chart_, {static_cast<std::uint32_t>(node.value)});
     }
 
     std::string evolution(const NetworkState& fired_in, const NetworkState& after) {
@@ -153,7 +168,7 @@ private:
         const bool atomic_search =
             network_.grain == Grain::Atomic && controller_.mode == ExecutionMode::StabilitySearch;
         if (atomic_search && now.variables[controller_.stable.index] == 0) return {};  // nothing is written then
-        const auto outputs = output_values(chart_, state_, inputs_);
+        const auto outputs = output_values(chart_, state_, inputs_, timed_);
         if (!outputs) return "outputs are written that by the rules have no value";
         for (const Id<Chart::Variable> id : chart_.variables.ids()) {
             if (chart_.variables[id].kind != Chart::VariableKind::Output) continue;
@@ -170,10 +185,11 @@ private:
     const Network& network_;
     const Network::Controller& controller_;
     const Chart& chart_;
+    std::vector<TimedElement> elements_;
     State state_;
     std::vector<std::int64_t> inputs_ = {};                    ///< as sampled
     std::vector<bool> timed_ = {};                             ///< as sampled
-    std::vector<const Network::TimerVariables*> timers_ = {};  ///< per time condition
+    std::vector<const Network::TimerVariables*> timers_ = {};  ///< per element; null: nothing waits for it
     std::size_t evolutions_ = 0;
     bool raced_ = false;
 };

@@ -28,12 +28,8 @@ public:
         for (const System::Named& output : controller.outputs) outputs_.push_back(variable(output.name));
         for (const System::Named& internal : controller.internals) internals_.push_back(variable(internal.name));
         for (const System::Input& input : controller.inputs) input_variables_.push_back(variable(input.name));
-        for (const Chart::TimeCondition& timed : chart.time_conditions) {
-            const auto step = static_cast<std::size_t>(chart.exprs[timed.watched].value);
-            timers_.push_back(std::ranges::find_if(controller.timers, [&](const System::TimerEnd& timer) {
-                return timer.step == step && timer.duration_ms == timed.rise_ms;
-            }));
-        }
+        const std::vector<TimedElement> elements = timed_elements(chart);
+        for (std::size_t k = 0; k < elements.size(); ++k) timers_.push_back(timer_of(elements[k], k));
         timed_.resize(timers_.size());
     }
 
@@ -74,6 +70,16 @@ private:
         return {static_cast<std::uint32_t>(found - chart_.variables.begin())};
     }
 
+    /// The timer that tells whether `element` is over, if anything waits for it.
+    std::optional<std::size_t> timer_of(const TimedElement& element, std::size_t index) const {
+        if (element.watched.valid()) return controller_.conditions[index];
+        const auto found = std::ranges::find_if(controller_.timers, [&](const System::TimerEnd& timer) {
+            return timer.step == element.step.index && timer.rise_ms == element.rise_ms && timer.fall_ms == 0;
+        });
+        if (found == controller_.timers.end()) return {};
+        return static_cast<std::size_t>(found - controller_.timers.begin());
+    }
+
     bool holds(Id<Expr> condition, const SymbolValues& values, bool otherwise) const {
         return condition.valid() ? value_in(system_, values, condition) != 0 : otherwise;
     }
@@ -82,7 +88,7 @@ private:
         for (std::size_t i = 0; i < input_variables_.size(); ++i)
             inputs_[input_variables_[i].index] = now[controller_.inputs[i].symbol.index];
         for (std::size_t i = 0; i < timers_.size(); ++i)
-            timed_[i] = timers_[i] != controller_.timers.end() && now[timers_[i]->symbol.index] != 0;
+            timed_[i] = timers_[i] && now[controller_.timers[*timers_[i]].symbol.index] != 0;
     }
 
     std::string evolved(Evolution result, const SymbolValues& before, const SymbolValues& after, bool in_cycle) {
@@ -104,7 +110,7 @@ private:
     }
 
     std::string written(const SymbolValues& after) const {
-        const auto outputs = output_values(chart_, state_, inputs_);
+        const auto outputs = output_values(chart_, state_, inputs_, timed_);
         if (!outputs) return {};   // a division by zero: the flag of the system says so
         for (std::size_t i = 0; i < outputs_.size(); ++i)
             if (after[controller_.outputs[i].symbol.index] != (*outputs)[outputs_[i].index])
@@ -129,9 +135,9 @@ private:
     const Chart& chart_;
     State state_;
     std::vector<std::int64_t> inputs_ = {};   ///< as sampled, per variable of the chart
-    std::vector<bool> timed_ = {};            ///< as sampled, per time condition
+    std::vector<bool> timed_ = {};            ///< as sampled, per timed element
     std::vector<Id<Chart::Variable>> input_variables_ = {}, outputs_ = {}, internals_ = {};
-    std::vector<std::vector<System::TimerEnd>::const_iterator> timers_ = {};   ///< per time condition
+    std::vector<std::optional<std::size_t>> timers_ = {};   ///< per timed element
     bool over_ = false;
 };
 

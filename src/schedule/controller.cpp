@@ -182,10 +182,13 @@ TransitionSystem::Controller named_controller(Members& members, std::size_t inde
         if (variable.role == Role::Internal) named.internals.push_back({variable.name, in_main(id)});
     }
     for (const Equations::Timer& timer : equations.timers) {
-        const auto step = std::ranges::find(equations.steps, timer.step, &Equations::StepActivity::variable);
-        named.timers.push_back({argument_of[timer.end.index],
-                                static_cast<std::size_t>(step - equations.steps.begin()), timer.duration_ms});
+        const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
+        std::optional<std::size_t> watched;
+        if (step != equations.steps.end()) watched = static_cast<std::size_t>(step - equations.steps.begin());
+        named.timers.push_back({argument_of[timer.end.index], watched, timer.rise_ms, timer.fall_ms});
     }
+    for (const Id<Equations::Timer> timer : equations.conditions)
+        named.conditions.push_back(timer.valid() ? std::optional<std::size_t>(timer.index) : std::nullopt);
     if (members.controllers.size() > 1)
         named.evolves = members.system.exprs.leaf(Op::Variable, arguments.back().index);
     return named;

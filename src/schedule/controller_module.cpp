@@ -168,6 +168,7 @@ void add_states(Builder& builder) {
     add_role(Role::Step, "steps");
     add_role(Role::Internal, "internals");
     add_role(Role::Output, "outputs");
+    add_role(Role::Previous, "previous values, for edges");
     add_role(Role::FiringCondition, "firing conditions");
 }
 
@@ -233,6 +234,17 @@ void set_stored(Builder& builder) {
         builder.initially[index] = guarded(builder, index, builder.before_first(stored.first), initial, true);
         builder.next[index] = guarded(builder, index, builder.in_cycle(stored.next), builder.leaf(symbol), false);
         builder.state(symbol, builder.initially[index], builder.next[index]);
+    }
+}
+
+/// What edges compare with. A term that divides by zero is a fault.
+void set_previous(Builder& builder) {
+    for (const Equations::Previous& previous : builder.equations.previous) {
+        const std::uint32_t index = previous.variable.index;
+        const Id<Expr> off = builder.exprs.constant(false);
+        const Id<Expr> first = total(builder, builder.before_first(previous.value), off, builder.first_faults);
+        const Id<Expr> next = total(builder, builder.in_cycle(previous.value), off, builder.faults);
+        builder.state(builder.read[index], first, next);
     }
 }
 
@@ -336,6 +348,8 @@ void set_flags(Builder& builder) {
         first_races.push_back(total(builder, builder.before_first(stored.first_race), off, builder.first_faults));
         races.push_back(total(builder, builder.in_cycle(stored.race), off, builder.faults));
     }
+    for (const Equations::Conflict& conflict : builder.equations.conflicts)
+        races.push_back(builder.in_cycle(conflict.condition));
     Exprs& exprs = builder.exprs;
     builder.result.race = sticky(builder, "race", exprs.disjunction(first_races), exprs.disjunction(races));
     builder.result.out_of_range = sticky(builder, "out_of_range", exprs.disjunction(builder.first_faults),
@@ -381,6 +395,7 @@ ControllerModule controller_module(const Equations& equations, ExecutionMode mod
     add_states(builder);
     set_steps(builder);
     set_stored(builder);
+    set_previous(builder);
     set_constants(builder);
     set_stable(builder);
     set_outputs(builder);

@@ -24,6 +24,7 @@ std::vector<bool> read_at_first(const Equations& equations, ExecutionMode mode) 
         first.push_back(inserted(stored.first));
         terms.push_back(inserted(stored.first_race));
     }
+    for (const Equations::Previous& previous : equations.previous) terms.push_back(inserted(previous.value));
     terms.insert(terms.end(), first.begin(), first.end());
     for (std::size_t k = 0; k < first.size(); ++k) values[equations.stored[k].variable.index] = first[k];
     if (mode == ExecutionMode::EveryCycle)

@@ -62,10 +62,6 @@ Diagnostic not_expressible(Span property, std::string_view name, std::string_vie
 
 // -- derive ----------------------------------------------------------------------------------------------------------
 
-Diagnostic unsupported_in_chart(Span where, std::string_view what) {
-    return error("unsupported", where, fmt::format("{} is not supported yet; the chart cannot be translated", what));
-}
-
 Diagnostic output_cycle(Span where, std::span<const std::string> outputs) {
     constexpr std::size_t shown = 6;
     std::string path;

@@ -75,6 +75,49 @@ Diagnostic missing_event(Span where) {
                  "the assignment does not say when; write `on activation`, `on deactivation` or `on event ...`");
 }
 
+Diagnostic enclosing_cycle(Span where, std::string_view chart) {
+    return error("enclosing-cycle", where,
+                 fmt::format("`{}` contains the step that it belongs to; no chart is inside itself", clipped(chart)));
+}
+
+Diagnostic forcing_cycle(Span where, std::string_view chart) {
+    return error("forcing-cycle", where,
+                 fmt::format("this order closes a cycle: `{}` forces or encloses the chart of the order in turn; "
+                             "orders go down a hierarchy",
+                             clipped(chart)));
+}
+
+Diagnostic forced_twice(Span where, std::string_view chart, Span first) {
+    Diagnostic diagnostic = error(
+        "forced-twice", where, fmt::format("`{}` is forced to two situations at once; keep one order", clipped(chart)));
+    diagnostic.notes.push_back(note(first, "the other order is here"));
+    return diagnostic;
+}
+
+Diagnostic edge_under_time(Span where) {
+    return error("edge-under-time", where,
+                 "an edge lasts for one evolution and has no duration; write the variable itself under the time");
+}
+
+Diagnostic edge_of_edge(Span where) {
+    return error("edge-of-edge", where,
+                 "an edge lasts for one evolution and has no edges of its own; write the variable itself");
+}
+
+Diagnostic edge_in_assignation(Span where, std::string_view output) {
+    return error("edge-in-assignation", where,
+                 fmt::format("the condition of `{}` has an edge, which is no state that lasts; store the output "
+                             "`on event`, or write the variable without its edge",
+                             clipped(output)));
+}
+
+Diagnostic event_without_edge(Span where, std::string_view target) {
+    return error("event-without-edge", where,
+                 fmt::format("`{}` is assigned on an event that can hold without an edge; write `rise(...)` or "
+                             "`fall(...)` in it",
+                             clipped(target)));
+}
+
 Diagnostic not_an_expansion(Span where, std::string_view chart) {
     return error("not-an-expansion", where,
                  fmt::format("`{0}` is a partial chart, not an expansion; write `expansion {0}`", clipped(chart)));

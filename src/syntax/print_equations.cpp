@@ -62,8 +62,19 @@ void write_sections(const Equations& equations, Writer& writer) {
     section("(s) Stored actions, races: two actions would store different values",
             [&](const Equations::Stored& stored) { return !is_false(equations.exprs, stored.race); },
             [](const Equations::Stored& stored) { return stored.race; });
+    if (!equations.conflicts.empty()) {
+        writer.title("(f) Conflicts of forcing orders");
+        for (const Equations::Conflict& conflict : equations.conflicts) writer.condition(conflict.condition);
+        writer.close();
+    }
+    if (!equations.previous.empty()) {
+        writer.title("(e) Previous values");
+        for (const Equations::Previous& previous : equations.previous) writer.line(previous.variable, previous.value);
+        writer.close();
+    }
     if (equations.timers.empty() && equations.outputs.empty()) return;
     writer.title("(c) Outputs values");
+    for (const Equations::Watch& watch : equations.watches) writer.line(watch.variable, watch.value);
     for (const Equations::Timer& timer : equations.timers) writer.timer(timer);
     for (const Equations::Output& output : equations.outputs) writer.line(output.variable, output.value);
     writer.close();
@@ -77,7 +88,8 @@ struct PlainWriter {
     void line(Id<Equations::Variable> variable, Id<Expr> term) {
         out << name(equations, variable) << " = " << plain(equations, term) << '\n';
     }
-    void timer(const Equations::Timer& timer) { out << timer.name << " = " << name(equations, timer.step) << '\n'; }
+    void condition(Id<Expr> term) { out << plain(equations, term) << '\n'; }
+    void timer(const Equations::Timer& timer) { out << timer.name << " = " << name(equations, timer.watched) << '\n'; }
     void close() {}
 };
 
@@ -98,6 +110,8 @@ std::string latex_name(const Equations::Variable& variable) {
     using Role = Equations::Role;
     const std::string_view text = variable.name;
     if (variable.role == Role::FiringCondition) return "\\mathit{CF}_{" + italic(text.substr(3)) + "}";
+    if (variable.role == Role::Previous || variable.role == Role::Watched)
+        return std::string(text.substr(0, 1)) + "_{" + italic(text.substr(2)) + "}";
     if (variable.role != Role::Step) return italic(text);
     const std::string_view step = text.substr(2);
     const bool number = step.find_first_not_of("0123456789") == std::string_view::npos;
@@ -120,13 +134,20 @@ struct LatexWriter {
     }
     void line(Id<Equations::Variable> variable, Id<Expr> term) {
         left(latex_name(equations.variables[variable]));
+        print(term);
+    }
+    void condition(Id<Expr> term) {
+        left("");
+        print(term);
+    }
+    void print(Id<Expr> term) {
         print_expr(out, equations.exprs, term, latex_spelling, [&](std::ostream& stream, const Expr& leaf) {
             stream << latex_name(equations.variables[Id<Equations::Variable>{static_cast<std::uint32_t>(leaf.value)}]);
         });
     }
     void timer(const Equations::Timer& timer) {
         left(italic(timer.name));
-        out << latex_name(equations.variables[timer.step]);
+        out << latex_name(equations.variables[timer.watched]);
     }
     void close() { out << "\n\\end{align*}\n"; }
 };
@@ -165,19 +186,29 @@ void print_equations_json(std::ostream& out, const Equations& equations) {
                           {"first", plain(equations, one.first)},
                           {"race", plain(equations, one.race)},
                           {"first_race", plain(equations, one.first_race)}});
+    Json conflicts = Json::array();
+    for (const Equations::Conflict& one : equations.conflicts) conflicts.push_back(plain(equations, one.condition));
+    Json previous = Json::array(), watches = Json::array();
+    for (const Equations::Previous& one : equations.previous)
+        previous.push_back({{"variable", name(equations, one.variable)}, {"equation", plain(equations, one.value)}});
+    for (const Equations::Watch& one : equations.watches)
+        watches.push_back({{"variable", name(equations, one.variable)}, {"equation", plain(equations, one.value)}});
     Json timers = Json::array();
     for (const Equations::Timer& timer : equations.timers)
         timers.push_back({{"name", timer.name},
-                          {"step", name(equations, timer.step)},
-                          {"duration_ms", timer.duration_ms},
+                          {"watched", name(equations, timer.watched)},
+                          {"rise_ms", timer.rise_ms},
+                          {"fall_ms", timer.fall_ms},
                           {"end", name(equations, timer.end)},
-                          {"equation", name(equations, timer.step)}});
+                          {"equation", name(equations, timer.watched)}});
     Json outputs = Json::array();
     for (const Equations::Output& output : equations.outputs)
         outputs.push_back(
             {{"variable", name(equations, output.variable)}, {"equation", plain(equations, output.value)}});
     const Json object = {{"name", equations.name}, {"firing_conditions", firings}, {"steps", steps},
-                         {"stored", stored},       {"timers", timers},             {"outputs", outputs},
+                         {"stored", stored},       {"conflicts", conflicts},       {"previous", previous},
+                         {"watches", watches},
+                         {"timers", timers},       {"outputs", outputs},
                          {"stable", plain(equations, equations.stable)}};
     out << object.dump(2) << '\n';
 }

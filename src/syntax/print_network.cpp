@@ -23,6 +23,8 @@ std::string_view word(Network::Role role) {
         case Network::Role::Image: return "image";
         case Network::Role::TimerEnd: return "timer end";
         case Network::Role::TimerPending: return "timer pending";
+        case Network::Role::Previous: return "previous value";
+        case Network::Role::Watched: return "watched level";
         case Network::Role::Flag: return "flag";
         case Network::Role::Plant: return "plant";
     }

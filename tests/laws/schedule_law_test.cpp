@@ -30,7 +30,7 @@ struct Twin {
     const Equations& equations;
     TransitionSystem system = {};
     SystemState state = {};
-    std::vector<std::int64_t> ages = {};
+    std::vector<EquationsTiming> timing = {};
     bool ends_moved = false;   ///< some timer's end changed in the last step
 
     std::string path(Id<Equations::Variable> variable) const {
@@ -38,13 +38,13 @@ struct Twin {
     }
     std::int64_t value(Id<Equations::Variable> variable) const { return value_of(system, state, path(variable)); }
 
-    bool end(std::size_t timer) const { return ages[timer] >= equations.timers[timer].duration_ms; }
+    bool end(std::size_t timer) const { return is_over(equations.timers[timer], timing[timer]); }
 
     void set_inputs(std::span<const std::int64_t> inputs) {
         for (const Id<Equations::Variable> id : equations.variables.ids())
             if (equations.variables[id].role == Role::Input)
                 set_value(system, state, equations.variables[id].name, inputs[id.index]);
-        for (std::size_t k = 0; k < ages.size(); ++k)
+        for (std::size_t k = 0; k < timing.size(); ++k)
             set_value(system, state, equations.variables[equations.timers[k].end].name, end(k));
     }
 
@@ -54,23 +54,44 @@ struct Twin {
                 if (path.ends_with("." + equations.variables[id].name + "_first")) return inputs[id.index];
             return type.low;
         });
-        for (const Equations::Timer& timer : equations.timers)
-            ages.push_back(equations.variables[timer.step].initial != 0 ? 0 : -1);
+        timing.resize(equations.timers.size());
+        watch(inputs);
+    }
+
+    /// The level of each timer after a cycle with `inputs`, its ends as the cycle sampled them.
+    void watch(std::span<const std::int64_t> inputs) {
+        const std::vector<EquationsTiming> sampled = timing;
+        for (std::size_t k = 0; k < timing.size(); ++k) {
+            const Equations::Timer& timer = equations.timers[k];
+            note_level(timer, timing[k].risen >= 0, level(timer, inputs, sampled), timing[k]);
+        }
+    }
+
+    bool level(const Equations::Timer& timer, std::span<const std::int64_t> inputs,
+               const std::vector<EquationsTiming>& sampled) const {
+        const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
+        if (watch == equations.watches.end()) return value(timer.watched) != 0;
+        const auto found = evaluate(equations.exprs, watch->value, [&](const Expr& leaf) {
+            const Id<Equations::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
+            const Role role = equations.variables[variable].role;
+            if (role == Role::Input) return inputs[variable.index];
+            if (role != Role::TimerEnd) return value(variable);
+            const auto of = std::ranges::find(equations.timers, variable, &Equations::Timer::end);
+            const auto index = static_cast<std::size_t>(of - equations.timers.begin());
+            return std::int64_t{is_over(*of, sampled[index])};
+        });
+        return found.value_or(0) != 0;
     }
 
     void step(std::span<const std::int64_t> inputs) {
         set_inputs(inputs);
         const SystemState before = state;
         std::vector<bool> old;
-        for (std::size_t k = 0; k < ages.size(); ++k) old.push_back(end(k));
+        for (std::size_t k = 0; k < timing.size(); ++k) old.push_back(end(k));
         state = next_state(system, before, [](std::string_view, Type type) { return type.low; });
-        for (std::size_t k = 0; k < ages.size(); ++k) {
-            const bool was = value_of(system, before, path(equations.timers[k].step)) != 0;
-            const bool is = value(equations.timers[k].step) != 0;
-            if (was != is) ages[k] = is ? 0 : -1;
-        }
+        watch(inputs);
         ends_moved = false;
-        for (std::size_t k = 0; k < ages.size(); ++k) ends_moved = ends_moved || old[k] != end(k);
+        for (std::size_t k = 0; k < timing.size(); ++k) ends_moved = ends_moved || old[k] != end(k);
         set_inputs(inputs);
     }
 
@@ -86,8 +107,8 @@ std::string disagreement(const Twin& twin, const EquationsCycle& cycle, Executio
     // A race that is certain may hide that another of its values does not exist.
     const bool faulty = twin.flag("out_of_range") || (cycle.no_value && twin.flag("race"));
     if ((cycle.no_value || cycle.out_of_range) && !faulty) return "out_of_range is not set";
-    if (cycle.race && !twin.flag("race")) return "race is not set";
-    if (cycle.no_value || cycle.out_of_range || cycle.race || cycle.endless) return {};
+    if ((cycle.race || cycle.conflict) && !twin.flag("race")) return "race is not set";
+    if (cycle.no_value || cycle.out_of_range || cycle.race || cycle.conflict || cycle.endless) return {};
     if (twin.flag("out_of_range")) return "out_of_range is set";
     if (twin.flag("race")) return "race is set";
     for (const Id<Equations::Variable> id : equations.variables.ids()) {
@@ -115,7 +136,7 @@ std::string settled_disagreement(const Twin& twin, std::span<const std::int64_t>
     after.step(inputs);
     for (const Id<Equations::Variable> id : twin.equations.variables.ids()) {
         const Role role = twin.equations.variables[id].role;
-        if (role == Role::FiringCondition) continue;
+        if (role == Role::FiringCondition || role == Role::Watched) continue;   // the system has no timers
         if (twin.value(id) != after.value(id)) return "settled, but " + twin.equations.variables[id].name + " changes";
     }
     return {};
@@ -144,13 +165,12 @@ std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode
         for (std::size_t k = 0; k < steps; ++k) twin.step(inputs);
         const std::string found = disagreement(twin, done, mode);
         if (!found.empty()) return "cycle " + std::to_string(macro) + ": " + found;
-        if (done.no_value || done.race || done.out_of_range || done.endless) break;
+        if (done.no_value || done.race || done.conflict || done.out_of_range || done.endless) break;
         const std::string unsettled = settled_disagreement(twin, inputs, mode == ExecutionMode::StabilitySearch);
         if (!unsettled.empty()) return "cycle " + std::to_string(macro) + ": " + unsettled;
         const std::int64_t passed = random_number(random, 0, 3) * 1000;
         state = pass_time(done.state, passed);
-        for (std::int64_t& age : twin.ages)
-            if (age >= 0) age += passed;
+        for (EquationsTiming& timing : twin.timing) pass_time(timing, passed);
     }
     return {};
 }

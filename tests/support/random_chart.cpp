@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace grafverif {
 
@@ -19,6 +20,7 @@ using VariableKind = Chart::VariableKind;
 struct Generator {
     Random& random;
     Chart chart = {};
+    std::vector<std::int64_t> outer = {};   ///< per partial chart: the one with the step that owns it; -1: none
     std::vector<Id<Chart::Variable>> inputs = {}, continuous = {}, stored_bools = {}, stored_ints = {}, numbers = {};
 
     std::int64_t number(std::int64_t low, std::int64_t high) { return random_number(random, low, high); }
@@ -48,23 +50,74 @@ struct Generator {
         numbers.insert(numbers.end(), stored_ints.begin(), stored_ints.end());
     }
 
+    /// Each chart belongs to a step of an earlier one, or to none.
     void steps() {
-        const std::int64_t partials = often(60) ? 1 : number(2, 3);
+        const std::int64_t partials = often(50) ? 1 : number(2, 4);
         for (std::int64_t p = 0; p < partials; ++p) {
-            const std::string name = p == 0 ? "" : "G" + std::to_string(p);
-            const auto partial = chart.partial_charts.add({name, Chart::PartialKind::Plain, {}, {}});
-            const std::int64_t count = number(1, 5);
-            const std::int64_t initial = often(90) ? number(0, count - 1) : -1;
-            for (std::int64_t s = 0; s < count; ++s) {
-                Chart::Step step;
-                // A step of the unnamed chart cannot be named where another one hides it.
-                step.name = std::to_string(p == 0 || often(80) ? 10 * p + s : 100 + s);
-                step.initial = s == initial || often(10);
-                step.chart = partial;
-                chart.steps.add(step);
-            }
+            const std::int64_t kind = p == 0 ? 0 : number(0, 99);
+            const auto as = kind < 40   ? Chart::PartialKind::Plain
+                            : kind < 65 ? Chart::PartialKind::Expansion
+                                        : Chart::PartialKind::Enclosed;
+            chart.partial_charts.add({p == 0 ? "" : "G" + std::to_string(p), as, {}, {}});
+            outer.push_back(as == Chart::PartialKind::Plain ? -1 : number(0, p - 1));
         }
+        for (std::int64_t p = 0; p < partials; ++p) add_steps(p);
         make_names_unique();
+    }
+
+    void add_steps(std::int64_t p) {
+        const Id<Chart::PartialChart> partial{static_cast<std::uint32_t>(p)};
+        const std::int64_t count = number(1, 5);
+        const std::int64_t initial = often(90) ? number(0, count - 1) : -1;
+        const auto kind = chart.partial_charts[partial].kind;
+        const bool owned = kind != Chart::PartialKind::Plain;
+        const std::int64_t entry = number(0, count - 1), exit = number(0, count - 1);
+        for (std::int64_t s = 0; s < count; ++s) {
+            Chart::Step step;
+            // A step of the unnamed chart cannot be named where another one hides it.
+            step.name = std::to_string(p == 0 || often(80) ? 10 * p + s : 100 + s);
+            step.initial = owned ? often(15) : s == initial || often(10);
+            step.entry = kind == Chart::PartialKind::Expansion && s == entry;
+            step.exit = kind == Chart::PartialKind::Expansion && s == exit;
+            step.activation_link = kind == Chart::PartialKind::Enclosed && (s == entry || often(20));
+            step.chart = partial;
+            chart.steps.add(step);
+        }
+        for (std::size_t inner = 0; inner < outer.size(); ++inner) {
+            if (outer[inner] != p) continue;
+            Chart::PartialChart& owned_chart = chart.partial_charts[{static_cast<std::uint32_t>(inner)}];
+            Chart::Step step;
+            const bool is_macro = owned_chart.kind == Chart::PartialKind::Expansion;
+            step.name = (is_macro ? "M" : "N") + std::to_string(inner);
+            step.kind = is_macro ? Chart::StepKind::Macro : Chart::StepKind::Enclosing;
+            step.initial = often(30);
+            step.chart = partial;
+            owned_chart.owner = chart.steps.add(step);
+        }
+    }
+
+    /// The chart that `partial` is part of.
+    std::int64_t home(std::int64_t partial) const {
+        while (chart.partial_charts[{static_cast<std::uint32_t>(partial)}].kind == Chart::PartialKind::Expansion)
+            partial = outer[static_cast<std::size_t>(partial)];
+        return partial;
+    }
+
+    /// Orders go from earlier to later charts.
+    void forcing() {
+        for (std::int64_t count = often(50) ? number(1, 3) : 0; count > 0; --count) {
+            const Id<Chart::Step> step = pick_step();
+            const std::int64_t forced = number(0, static_cast<std::int64_t>(chart.partial_charts.size()) - 1);
+            if (home(chart.steps[step].chart.index) >= home(forced)) continue;
+            Chart::ForcingOrder order{step, {static_cast<std::uint32_t>(forced)}, Chart::ForcedTo::Empty, {}, {}};
+            order.to = static_cast<Chart::ForcedTo>(number(0, 3));
+            const std::vector<Id<Chart::Step>> all = steps_of(order.forced);
+            if (order.to == Chart::ForcedTo::Steps) order.situation.push_back(pick(all));
+            if (order.to == Chart::ForcedTo::Steps && often(30) && order.situation[0] != all.back())
+                order.situation.push_back(all.back());
+            chart.forcing.add(order);
+        }
+        std::ranges::stable_sort(chart.forcing, {}, &Chart::ForcingOrder::step);
     }
 
     /// Within a partial chart; different partial charts may share names.
@@ -83,37 +136,61 @@ struct Generator {
         return result;
     }
 
-    Id<Expr> comparison(std::size_t outputs) {
+    /// What a term may read besides inputs, steps and stored variables.
+    struct Allowed {
+        std::size_t outputs = 0;   ///< the first ones of the continuous outputs
+        bool edges = false;
+        bool times = true;
+    };
+
+    Allowed everything() const { return {continuous.size(), true, true}; }
+
+    Id<Expr> comparison(Allowed allowed) {
         static constexpr std::array relations{Op::Equal,     Op::NotEqual, Op::Less,
                                               Op::LessEqual, Op::Greater,  Op::GreaterEqual};
         if (numbers.empty() || often(15))
-            return chart.exprs.apply(often(50) ? Op::Equal : Op::NotEqual, condition(1, outputs, false),
-                                     condition(1, outputs, false));
+            return chart.exprs.apply(often(50) ? Op::Equal : Op::NotEqual, condition(1, allowed), condition(1, allowed));
         return chart.exprs.apply(relations[static_cast<std::size_t>(number(0, 5))], value(1), value(0));
     }
 
-    /// A Boolean term that reads the first `outputs` continuous outputs at most, and time only where `timed`.
-    Id<Expr> condition(int depth, std::size_t outputs, bool timed) {
+    /// A Boolean term.
+    Id<Expr> condition(int depth, Allowed allowed) {
         Exprs& exprs = chart.exprs;
         if (depth > 0 && often(60)) {
             const std::int64_t kind = number(0, 9);
-            if (kind == 0) return comparison(outputs);
-            const Id<Expr> left = condition(depth - 1, outputs, timed);
+            if (kind == 0) return comparison(allowed);
+            const Id<Expr> left = condition(depth - 1, allowed);
             if (kind <= 3) return exprs.negation(left);
-            const Id<Expr> right = condition(depth - 1, outputs, timed);
+            const Id<Expr> right = condition(depth - 1, allowed);
             return kind <= 6 ? exprs.conjunction(left, right) : exprs.disjunction(left, right);
         }
         const std::int64_t kind = number(0, 99);
         if (kind < 15) return exprs.leaf(Op::Step, pick_step().index);
-        if (kind < 25 && outputs > 0)
+        if (kind < 25 && allowed.outputs > 0)
             return exprs.leaf(
                 Op::Variable,
-                continuous[static_cast<std::size_t>(number(0, static_cast<std::int64_t>(outputs) - 1))].index);
+                continuous[static_cast<std::size_t>(number(0, static_cast<std::int64_t>(allowed.outputs) - 1))].index);
         if (kind < 35 && !stored_bools.empty()) return exprs.leaf(Op::Variable, pick(stored_bools).index);
-        if (kind < 45 && !numbers.empty()) return comparison(outputs);
-        if (kind < 60 && timed) return time_condition();
-        if (kind < 65) return exprs.constant(true);
+        if (kind < 45 && !numbers.empty()) return comparison(allowed);
+        if (kind < 57 && allowed.times) return time_condition(allowed);
+        if (kind < 70 && allowed.edges) return edge(allowed);
+        if (kind < 73) return exprs.constant(true);
         return exprs.leaf(Op::Variable, pick(inputs).index);
+    }
+
+    Id<Expr> edge(Allowed allowed) {
+        allowed.edges = false;
+        const Id<Expr> operand =
+            often(60) ? chart.exprs.leaf(Op::Variable, pick(inputs).index) : condition(1, allowed);
+        return chart.exprs.apply(often(60) ? Op::Rise : Op::Fall, std::array{operand});
+    }
+
+    /// A condition that is false where there is no edge.
+    Id<Expr> event() {
+        const Id<Expr> first = edge(everything());
+        if (often(50)) return first;
+        return often(70) ? chart.exprs.conjunction(first, condition(1, everything()))
+                         : chart.exprs.disjunction(first, edge(everything()));
     }
 
     Id<Chart::Step> pick_step() {
@@ -121,13 +198,18 @@ struct Generator {
             static_cast<std::uint32_t>(number(0, static_cast<std::int64_t>(chart.steps.size()) - 1))};
     }
 
-    Id<Expr> time_condition() {
-        const std::int64_t duration = pick(std::vector<std::int64_t>{500, 1000, 3000});
-        const Id<Expr> watched = chart.exprs.leaf(Op::Step, pick_step().index);
+    std::int64_t duration() { return pick(std::vector<std::int64_t>{500, 1000, 3000}); }
+
+    Id<Expr> time_condition(Allowed allowed) {
+        allowed.edges = false;
+        allowed.times = often(20);
+        const Id<Expr> watched =
+            often(60) ? chart.exprs.leaf(Op::Step, pick_step().index) : condition(1, allowed);
+        const std::int64_t kind = number(0, 9);
+        const Chart::TimeCondition time{kind < 8 ? duration() : 0, watched, kind < 5 ? 0 : duration(), {}};
         for (const auto id : chart.time_conditions.ids())
-            if (chart.time_conditions[id].watched == watched && chart.time_conditions[id].rise_ms == duration)
-                return chart.exprs.leaf(Op::Timed, id.index);
-        return chart.exprs.leaf(Op::Timed, chart.time_conditions.add({duration, watched, 0, {}}).index);
+            if (chart.time_conditions[id] == time) return chart.exprs.leaf(Op::Timed, id.index);
+        return chart.exprs.leaf(Op::Timed, chart.time_conditions.add(time).index);
     }
 
     /// An integer term.
@@ -158,7 +240,7 @@ struct Generator {
     void transition(Id<Chart::PartialChart> partial, std::vector<Id<Chart::Step>> from,
                     std::vector<Id<Chart::Step>> to) {
         if (from.empty() && to.empty()) return;
-        const Id<Expr> when = condition(2, continuous.size(), true);
+        const Id<Expr> when = condition(2, everything());
         const std::string name = "t" + std::to_string(chart.transitions.size());
         chart.transitions.add({name, std::move(from), std::move(to), when, partial, {}});
     }
@@ -176,18 +258,21 @@ struct Generator {
         for (std::size_t k = 0; k < continuous.size(); ++k)
             for (std::int64_t count = number(0, 3); count > 0; --count)
                 chart.continuous.add({pick_step(), continuous[k],
-                                      often(50) ? chart.exprs.constant(true) : condition(2, k, false), 0, 0, {}});
+                                      often(50) ? chart.exprs.constant(true) : condition(2, Allowed{k}),
+                                      often(20) ? duration() : 0, often(20) ? duration() : 0, {}});
         for (const Id<Chart::Variable> target : stored_bools)
             for (std::int64_t count = number(0, 3); count > 0; --count)
-                store(target, often(60) ? chart.exprs.constant(often(50)) : condition(2, continuous.size(), false));
+                store(target, often(60) ? chart.exprs.constant(often(50)) : condition(2, everything()));
         for (const Id<Chart::Variable> target : stored_ints)
             for (std::int64_t count = number(0, 3); count > 0; --count) store(target, stored_number(target));
     }
 
-    /// As a reader finds them: by step.
+    /// As a reader finds them: by step, then by transition.
     void sort_actions() {
         std::ranges::stable_sort(chart.continuous, {}, &Chart::ContinuousAction::step);
-        std::ranges::stable_sort(chart.stored, {}, &Chart::StoredAction::step);
+        std::ranges::stable_sort(chart.stored, {}, [](const Chart::StoredAction& action) {
+            return std::pair(action.step, action.transition);
+        });
     }
 
     Id<Expr> stored_number(Id<Chart::Variable> target) {
@@ -203,8 +288,18 @@ struct Generator {
         const Type type = chart.variables[target].type;
         if (chart.exprs[stored].op == Op::Integer)
             stored = chart.exprs.integer(std::clamp(chart.exprs[stored].value, type.low, type.high));
-        const auto on = often(60) ? Chart::StoredOn::Activation : Chart::StoredOn::Deactivation;
-        chart.stored.add({on, pick_step(), {}, target, stored, {}, {}});
+        const std::int64_t kind = number(0, 99);
+        const auto on = kind < 45   ? Chart::StoredOn::Activation
+                        : kind < 65 ? Chart::StoredOn::Deactivation
+                                    : Chart::StoredOn::Event;
+        if (kind >= 85 && !chart.transitions.empty()) {
+            const Id<Chart::Transition> cleared{static_cast<std::uint32_t>(
+                number(0, static_cast<std::int64_t>(chart.transitions.size()) - 1))};
+            chart.stored.add({Chart::StoredOn::Clearing, {}, cleared, target, stored, {}, {}});
+            return;
+        }
+        const Id<Expr> when = on == Chart::StoredOn::Event ? event() : Id<Expr>{};
+        chart.stored.add({on, pick_step(), {}, target, stored, when, {}});
     }
 };
 
@@ -217,6 +312,7 @@ Chart random_chart(Random& random) {
     generator.steps();
     generator.transitions();
     generator.actions();
+    generator.forcing();
     generator.sort_actions();
     return tidied(generator.chart);
 }

@@ -2,9 +2,10 @@
 // Random well-formed charts of all that derive takes, for the laws, and the way back from a chart that breaks a law to
 // a small one that breaks it too.
 //
-// A chart has one to three partial charts of a few steps, rings with alternatives, parallel branches, sources and
-// sinks; bool and small int variables; continuous actions, conditional ones among them; stored actions on both events,
-// whose arithmetic sometimes leaves the range; conditions over inputs, steps, internals, outputs and time.
+// A chart has one to four partial charts of a few steps, plain ones, expansions and enclosed ones, rings with
+// alternatives, parallel branches, sources and sinks, some under forcing orders; bool and small int variables; continuous actions, conditional, delayed and limited ones among them; stored
+// actions of all four kinds, whose arithmetic sometimes leaves the range; conditions over inputs, steps, internals,
+// outputs, edges and time.
 #pragma once
 
 #include <cstdint>

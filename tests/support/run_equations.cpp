@@ -28,7 +28,7 @@ struct Runner {
         for (const Id<Variable> id : equations.variables.ids())
             if (equations.variables[id].role == Equations::Role::Input) values[id.index] = inputs[id.index];
         for (std::size_t k = 0; k < equations.timers.size(); ++k)
-            values[equations.timers[k].end.index] = result.state.ages[k] >= equations.timers[k].duration_ms;
+            values[equations.timers[k].end.index] = is_over(equations.timers[k], result.state.timing[k]);
         return values;
     }
 
@@ -45,6 +45,8 @@ struct Runner {
             if (value(stored.first_race, old) != 0) result.race = true;
             store(stored, value(stored.first, old));
         }
+        remember(old);
+        watch(old);
         result.state.started = true;
         result.stable = false;
     }
@@ -60,19 +62,40 @@ struct Runner {
         if (result.no_value) return;
         for (const Equations::StepActivity& step : equations.steps) {
             result.state.values[step.variable.index] = value(step.next, old);
-            const bool activated = value(step.activated, old) != 0;
-            const bool deactivated = value(step.deactivated, old) != 0;
-            for (std::size_t k = 0; k < equations.timers.size(); ++k) {
-                if (equations.timers[k].step != step.variable) continue;
-                if (activated) result.state.ages[k] = 0;
-                if (deactivated) result.state.ages[k] = -1;
-            }
+            const bool was = old[step.variable.index] != 0, is = result.state.values[step.variable.index] != 0;
+            result.torn = result.torn || (value(step.activated, old) != 0) != (!was && is) ||
+                          (value(step.deactivated, old) != 0) != (was && !is);
         }
         for (const Equations::Stored& stored : equations.stored) {
             if (value(stored.race, old) != 0) result.race = true;
             store(stored, value(stored.next, old));
         }
+        for (const Equations::Conflict& conflict : equations.conflicts)
+            if (value(conflict.condition, old) != 0) result.conflict = true;
         result.stable = value(equations.stable, old) != 0;
+        remember(old);
+        watch(old);
+    }
+
+    void remember(const std::vector<std::int64_t>& old) {
+        for (const Equations::Previous& previous : equations.previous)
+            result.state.values[previous.variable.index] = value(previous.value, old);
+    }
+
+    /// The levels after the cycle, with the inputs and ends that it sampled.
+    void watch(const std::vector<std::int64_t>& old) {
+        std::vector<std::int64_t> after = result.state.values;
+        for (const Id<Variable> id : equations.variables.ids())
+            if (equations.variables[id].role == Equations::Role::Input ||
+                equations.variables[id].role == Equations::Role::TimerEnd)
+                after[id.index] = old[id.index];
+        for (const Equations::Watch& watched : equations.watches)
+            result.state.values[watched.variable.index] = value(watched.value, after);
+        for (std::size_t k = 0; k < equations.timers.size(); ++k) {
+            const std::uint32_t watched = equations.timers[k].watched.index;
+            note_level(equations.timers[k], result.state.timing[k].risen >= 0, result.state.values[watched] != 0,
+                       result.state.timing[k]);
+        }
     }
 
     void write() {
@@ -88,11 +111,25 @@ struct Runner {
 
 }  // namespace
 
+bool is_over(const Equations::Timer& timer, const EquationsTiming& timing) {
+    const bool lasts = timing.risen >= 0 && timing.risen >= timer.rise_ms;
+    return lasts || (timing.fallen >= 0 && timing.fallen < timer.fall_ms);
+}
+
+void note_level(const Equations::Timer& timer, bool before, bool after, EquationsTiming& timing) {
+    if (before && !after && timing.risen >= timer.rise_ms) timing.fallen = 0;
+    if (before != after) timing.risen = after ? 0 : -1;
+}
+
+void pass_time(EquationsTiming& timing, std::int64_t milliseconds) {
+    for (std::int64_t* age : {&timing.risen, &timing.fallen})
+        if (*age >= 0) *age += milliseconds;
+}
+
 EquationsState power_on(const Equations& equations) {
     EquationsState state;
     for (const Variable& variable : equations.variables) state.values.push_back(variable.initial);
-    for (const Equations::Timer& timer : equations.timers)
-        state.ages.push_back(equations.variables[timer.step].initial != 0 ? 0 : -1);
+    state.timing.resize(equations.timers.size());
     state.outputs = state.values;
     return state;
 }
@@ -106,7 +143,7 @@ EquationsCycle cycle(const Equations& equations, const EquationsState& state, st
     while (true) {
         if (result.state.started) runner.evolve();
         else runner.start();
-        if (result.no_value || result.race || result.out_of_range) return result;
+        if (result.no_value || result.race || result.out_of_range || result.conflict) return result;
         if (mode == ExecutionMode::EveryCycle || result.stable) break;
         result.endless = !seen.insert(result.state).second;
         if (result.endless) return result;
@@ -116,8 +153,7 @@ EquationsCycle cycle(const Equations& equations, const EquationsState& state, st
 }
 
 EquationsState pass_time(EquationsState state, std::int64_t milliseconds) {
-    for (std::int64_t& age : state.ages)
-        if (age >= 0) age += milliseconds;
+    for (EquationsTiming& timing : state.timing) pass_time(timing, milliseconds);
     return state;
 }
 

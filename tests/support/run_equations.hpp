@@ -13,11 +13,19 @@
 
 namespace grafverif {
 
+/// How long the level that a timer watches lasts; -1: it does not.
+struct EquationsTiming {
+    std::int64_t risen = -1;    ///< since it became true
+    std::int64_t fallen = -1;   ///< since it became false after it had lasted for t1
+
+    auto operator<=>(const EquationsTiming&) const = default;
+};
+
 struct EquationsState {
     std::vector<std::int64_t> values =
         {};  ///< per variable, at the end of the cycle; firing conditions 0, inputs initial
     std::vector<std::int64_t> outputs = {};   ///< per variable: outputs as written
-    std::vector<std::int64_t> ages = {};      ///< per timer: since its step was activated; inactive: -1
+    std::vector<EquationsTiming> timing = {}; ///< per timer
     bool started = false;
 
     auto operator<=>(const EquationsState&) const = default;
@@ -28,10 +36,18 @@ struct EquationsCycle {
     std::vector<std::vector<std::size_t>> fired = {};   ///< per evolution: indices into Equations::firings
     bool stable = false;
     bool race = false;
+    bool conflict = false;   ///< of forcing orders
     bool no_value = false;
     bool out_of_range = false;
     bool endless = false;
+    bool torn = false;   ///< a step's `activated` or `deactivated` does not fit its activity before and after
 };
+
+/// Whether `timer` is over.
+bool is_over(const Equations::Timer& timer, const EquationsTiming& timing);
+
+/// Takes note of the level before and after a cycle.
+void note_level(const Equations::Timer& timer, bool before, bool after, EquationsTiming& timing);
 
 EquationsState power_on(const Equations& equations);
 
@@ -39,6 +55,7 @@ EquationsState power_on(const Equations& equations);
 EquationsCycle cycle(const Equations& equations, const EquationsState& state, std::span<const std::int64_t> inputs,
                      ExecutionMode mode);
 
+void pass_time(EquationsTiming& timing, std::int64_t milliseconds);
 EquationsState pass_time(EquationsState state, std::int64_t milliseconds);
 
 }  // namespace grafverif

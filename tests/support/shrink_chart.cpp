@@ -4,6 +4,7 @@
 #include <array>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 #include "grafverif/syntax/dialect.hpp"
 #include "support/random_chart.hpp"
@@ -14,16 +15,18 @@ namespace {
 
 /// What the copy leaves out, and the conditions that it replaces (terms of the original).
 struct Cut {
-    std::vector<bool> steps = {}, transitions = {}, continuous = {}, stored = {};
-    std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {};
+    std::vector<bool> steps = {}, transitions = {}, continuous = {}, stored = {}, forcing = {};
+    std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {}, events = {};   ///< events: where there is one
 };
 
 Cut no_cut(const Chart& chart) {
     Cut cut{std::vector<bool>(chart.steps.size()), std::vector<bool>(chart.transitions.size()),
-            std::vector<bool>(chart.continuous.size()), std::vector<bool>(chart.stored.size()), {}, {}, {}};
+            std::vector<bool>(chart.continuous.size()), std::vector<bool>(chart.stored.size()),
+            std::vector<bool>(chart.forcing.size()), {}, {}, {}, {}};
     for (const Chart::Transition& transition : chart.transitions) cut.conditions.push_back(transition.condition);
     for (const Chart::ContinuousAction& action : chart.continuous) cut.assignations.push_back(action.condition);
     for (const Chart::StoredAction& action : chart.stored) cut.values.push_back(action.value);
+    for (const Chart::StoredAction& action : chart.stored) cut.events.push_back(action.event);
     return cut;
 }
 
@@ -32,6 +35,7 @@ struct Copy {
     const Cut& cut;
     Chart to = {};
     std::vector<Id<Chart::Step>> steps = {};
+    std::vector<Id<Chart::Transition>> transitions = {};
 
     Id<Expr> term(Id<Expr> root) {
         return translate(from.exprs, root, to.exprs, [&](const Expr& leaf) {
@@ -39,7 +43,7 @@ struct Copy {
             if (leaf.op == Op::Variable) return to.exprs.leaf(Op::Variable, index);
             if (leaf.op == Op::Step) return step_leaf(index);
             Chart::TimeCondition timed = from.time_conditions[Id<Chart::TimeCondition>{index}];
-            timed.watched = step_leaf(static_cast<std::uint32_t>(from.exprs[timed.watched].value));
+            timed.watched = term(timed.watched);
             if (is_false(to.exprs, timed.watched)) return timed.watched;
             for (const auto id : to.time_conditions.ids())
                 if (to.time_conditions[id] == timed) return to.exprs.leaf(Op::Timed, id.index);
@@ -58,19 +62,42 @@ struct Copy {
         return result;
     }
 
+    /// A chart whose owner is gone is a plain one. A macro-step goes before the entry and exit of its expansion.
+    void hierarchy() {
+        for (Chart::PartialChart& partial : to.partial_charts) {
+            if (!partial.owner.valid()) continue;
+            partial.owner = steps[partial.owner.index];
+            if (!partial.owner.valid()) partial.kind = Chart::PartialKind::Plain;
+        }
+        for (Chart::Step& step : to.steps) {
+            const Chart::PartialKind kind = to.partial_charts[step.chart].kind;
+            step.entry = step.entry && kind == Chart::PartialKind::Expansion;
+            step.exit = step.exit && kind == Chart::PartialKind::Expansion;
+            step.activation_link = step.activation_link && kind == Chart::PartialKind::Enclosed;
+        }
+        for (const Id<Chart::ForcingOrder> id : from.forcing.ids()) {
+            Chart::ForcingOrder order = from.forcing[id];
+            order.step = steps[order.step.index];
+            order.situation = kept(order.situation);
+            if (!cut.forcing[id.index] && order.step.valid()) to.forcing.add(order);
+        }
+    }
+
     void run() {
         to.name = from.name;
         to.variables = from.variables;
         to.partial_charts = from.partial_charts;
         for (const Id<Chart::Step> id : from.steps.ids())
             steps.push_back(cut.steps[id.index] ? Id<Chart::Step>{} : to.steps.add(from.steps[id]));
+        hierarchy();
         for (const Id<Chart::Transition> id : from.transitions.ids()) {
             Chart::Transition transition = from.transitions[id];
             transition.from = kept(transition.from);
             transition.to = kept(transition.to);
+            transitions.emplace_back();
             if (cut.transitions[id.index] || (transition.from.empty() && transition.to.empty())) continue;
             transition.condition = term(cut.conditions[id.index]);
-            to.transitions.add(transition);
+            transitions.back() = to.transitions.add(transition);
         }
         for (const auto id : from.continuous.ids()) {
             Chart::ContinuousAction action = from.continuous[id];
@@ -81,9 +108,12 @@ struct Copy {
         }
         for (const auto id : from.stored.ids()) {
             Chart::StoredAction action = from.stored[id];
-            if (cut.stored[id.index] || !steps[action.step.index].valid()) continue;
-            action.step = steps[action.step.index];
+            if (cut.stored[id.index]) continue;
+            if (action.on == Chart::StoredOn::Clearing) action.transition = transitions[action.transition.index];
+            else action.step = steps[action.step.index];
+            if (!action.step.valid() && !action.transition.valid()) continue;
             action.value = term(cut.values[id.index]);
+            if (action.event.valid()) action.event = term(cut.events[id.index]);
             to.stored.add(action);
         }
     }
@@ -106,9 +136,15 @@ std::vector<Cut> element_cuts(const Chart& chart) {
         }
     };
     drop(&Cut::steps);
+    std::erase_if(cuts, [&](const Cut& cut) {
+        for (const Id<Chart::Step> step : chart.steps.ids())
+            if (cut.steps[step.index] && (chart.steps[step].entry || chart.steps[step].exit)) return true;
+        return false;
+    });
     drop(&Cut::transitions);
     drop(&Cut::continuous);
     drop(&Cut::stored);
+    drop(&Cut::forcing);
     return cuts;
 }
 
@@ -118,8 +154,9 @@ std::vector<Cut> term_cuts(const Chart& chart) {
     const Cut none = no_cut(chart);
     const auto replace = [&](auto member) {
         for (std::size_t k = 0; k < (none.*member).size(); ++k) {
+            if (!(none.*member)[k].valid()) continue;
             const Op op = chart.exprs[(none.*member)[k]].op;
-            if (op != Op::Not && op != Op::And && op != Op::Or && !is_arithmetic(op)) continue;
+            if (op != Op::Rise && op != Op::Fall && op != Op::Not && op != Op::And && op != Op::Or && !is_arithmetic(op)) continue;
             for (const Id<Expr> operand : chart.exprs.operands((none.*member)[k])) {
                 cuts.push_back(none);
                 (cuts.back().*member)[k] = operand;
@@ -174,7 +211,10 @@ struct Text {
                 return;
             }
             const Chart::TimeCondition& timed = chart.time_conditions[Id<Chart::TimeCondition>{index}];
-            stream << duration_text(timed.rise_ms) << '/' << term(timed.watched);
+            const bool bare = chart.exprs[timed.watched].op == Op::Step;
+            if (timed.rise_ms > 0) stream << duration_text(timed.rise_ms) << '/';
+            stream << (bare ? "" : "(") << term(timed.watched) << (bare ? "" : ")");
+            if (timed.fall_ms > 0) stream << '/' << duration_text(timed.fall_ms);
         });
     }
 
@@ -196,33 +236,71 @@ struct Text {
         }
     }
 
+    std::string assignment(const Chart::StoredAction& action) const {
+        return chart.variables[action.target].name + " := " + term(action.value);
+    }
+
+    void clearing(Id<Chart::Transition> id) const {
+        const char* before = " do ";
+        for (const Chart::StoredAction& action : chart.stored)
+            if (action.on == Chart::StoredOn::Clearing && action.transition == id)
+                out << std::exchange(before, ", ") << assignment(action);
+    }
+
     void step(Id<Chart::Step> id) const {
-        out << "    " << (chart.steps[id].initial ? "initial " : "") << "step " << chart.steps[id].name << " {";
+        const Chart::Step& step = chart.steps[id];
+        out << "    " << (step.initial ? "initial " : "") << (step.activation_link ? "linked " : "")
+            << (step.entry ? "entry " : "") << (step.exit ? "exit " : "");
+        if (step.kind == Chart::StepKind::Macro) out << "macro ";
+        if (step.kind == Chart::StepKind::Enclosing) out << "enclosing ";
+        out << "step " << step.name;
+        for (const Chart::PartialChart& partial : chart.partial_charts)
+            if (partial.owner == id)
+                out << (step.kind == Chart::StepKind::Macro ? " expands " : " encloses ") << partial.name;
+        out << " {";
         for (const Chart::ContinuousAction& action : chart.continuous)
             if (action.step == id) {
                 out << ' ' << chart.variables[action.output].name;
                 if (!is_true(chart.exprs, action.condition)) out << " if " << term(action.condition);
+                if (action.delay_ms > 0) out << " after " << duration_text(action.delay_ms);
+                if (action.limit_ms > 0) out << " for " << duration_text(action.limit_ms);
                 out << ';';
             }
-        for (const Chart::StoredAction& action : chart.stored)
-            if (action.step == id)
-                out << ' ' << chart.variables[action.target].name << " := " << term(action.value) << " on "
-                    << (action.on == Chart::StoredOn::Activation ? "activation;" : "deactivation;");
+        for (const Chart::StoredAction& action : chart.stored) {
+            if (action.step != id) continue;
+            out << ' ' << assignment(action) << " on ";
+            if (action.on == Chart::StoredOn::Event) out << "event " << term(action.event) << ';';
+            else out << (action.on == Chart::StoredOn::Activation ? "activation;" : "deactivation;");
+        }
+        for (const Chart::ForcingOrder& order : chart.forcing)
+            if (order.step == id) force(order);
         out << " }\n";
+    }
+
+    void force(const Chart::ForcingOrder& order) const {
+        out << " force " << chart.partial_charts[order.forced].name << " := {";
+        if (order.to == Chart::ForcedTo::Current) out << '*';
+        if (order.to == Chart::ForcedTo::Initial) out << "INIT";
+        names(order.situation);
+        out << "};";
     }
 
     void partial(Id<Chart::PartialChart> partial) const {
         const std::string& name = chart.partial_charts[partial].name;
-        if (!name.empty()) out << "    partial " << name << " {\n";
+        const bool expansion = chart.partial_charts[partial].kind == Chart::PartialKind::Expansion;
+        if (!name.empty()) out << (expansion ? "    expansion " : "    partial ") << name << " {\n";
         for (const Id<Chart::Step> id : chart.steps.ids())
             if (chart.steps[id].chart == partial) step(id);
-        for (const Chart::Transition& transition : chart.transitions) {
+        for (const Id<Chart::Transition> id : chart.transitions.ids()) {
+            const Chart::Transition& transition = chart.transitions[id];
             if (transition.chart != partial) continue;
             out << "    transition " << transition.name << ": ";
             names(transition.from);
             out << " -> ";
             names(transition.to);
-            out << " when " << term(transition.condition) << ";\n";
+            out << " when " << term(transition.condition);
+            clearing(id);
+            out << ";\n";
         }
         if (!name.empty()) out << "    }\n";
     }

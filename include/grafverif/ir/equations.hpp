@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Equations: the meaning of one chart, as CEP13 equations (11) to (13) extended by stored actions and timers.
+// Equations: the meaning of one chart, as CEP13 equations (11) to (13) extended by stored actions, edges and timers.
 //
 // One cycle, all right-hand sides reading the values before the cycle unless said otherwise:
 //   (a) firing conditions   CF_t = (and of X_s, s upstream of t) and its condition                     CEP13 (11)
 //   (b) step activities     X_s' = (or of CF_t, t upstream of s) or (X_s and not (or of CF_u, u downstream)) CEP13 (12)
 //   (s) stored actions      v' = the value of the action that is triggered, else v
+//   (e) previous values     P_e' = e, so that rise(e) is `e and not P_e` and fall(e) `P_e and not e`    IEC 60848, 4.5
 //   (c) outputs             o  = or over the actions of X_s' and the assignation condition              CEP13 (13)
-//                           timers: T = X_s'
+//                           watched terms: V_e' = e; timers: T = X_s' or V_e'
 // Leaves of `exprs` are Variable only. The terms of (b) and (s) read firing conditions (of this cycle), step activities,
-// internals and inputs before the cycle. The terms of (c) read step activities and internals after the cycle, and the
-// inputs sampled at its start.
+// internals, previous values and inputs before the cycle; those of (a) and (e) all of these but firing conditions. The
+// terms of (c) read step activities and internals after the cycle, and the inputs and timer ends sampled at its start.
+// An edge is thus true in the first cycle after the change only.
+//
+// Time: a timer knows the level of its watched variable as the last cycle left it. Where an input may have changed since,
+// a term says so itself: `3s/a` is `a and T_a_3s_Q`, `a/2s` is `a or T_a_2s_Q`. A delayed action is one on the condition
+// 3s/X_s, a time-limited one on its negation (IEC 60848, 4.8.2).
 //
 // The first evolution activates the initial steps: no transition is cleared in it, the actions on activation of the
-// initial steps run (Stored::first), nothing else changes (JESA13: the evolution that leaves INIT).
+// initial steps run (Stored::first), there is no edge, previous values and watched terms take their values; nothing else
+// changes (JESA13: the evolution that leaves INIT).
 //
 // Invariants (see verify): ids in their tables; each step, output, stored variable has one equation; conditions are
 // Boolean; firing conditions read no firing condition.
@@ -30,9 +37,9 @@
 namespace grafverif {
 
 struct Equations {
-    enum class Role { Input, Output, Internal, Step, FiringCondition, TimerEnd };
+    enum class Role { Input, Output, Internal, Step, FiringCondition, TimerEnd, Previous, Watched };
     struct Variable {
-        std::string name = {};         ///< `START`, `X_2`, `CF_T0`, `T_X2_3s_Q`
+        std::string name = {};         ///< `START`, `X_2`, `CF_T0`, `T_X2_3s_Q`, `P_START`, `V_START`
         Role role = Role::Input;
         Type type = {};
         std::int64_t initial = 0;
@@ -84,13 +91,37 @@ struct Equations {
         bool operator==(const Stored&) const = default;
     };
 
-    /// One per distinct time condition (CEP13 Fig. 33b): `end` is true from `duration_ms` after the activation of
-    /// the step until its deactivation.
+    /// Two forcing orders that cannot be obeyed together are active after the cycle: a fault like a race.
+    struct Conflict {
+        Id<Expr> condition = {};       ///< over firing conditions and values before the cycle
+        Span origin = {};              ///< one of the orders
+        bool operator==(const Conflict&) const = default;
+    };
+
+    /// The value of a term whose edges are read, as it was in the last cycle.
+    struct Previous {
+        Id<Variable> variable = {};    ///< P_e
+        Id<Expr> value = {};           ///< e, over values before the cycle; in the first evolution over initial values
+        Span origin = {};
+        bool operator==(const Previous&) const = default;
+    };
+
+    /// The level of a term that a timer watches.
+    struct Watch {
+        Id<Variable> variable = {};    ///< V_e
+        Id<Expr> value = {};           ///< e, over values after the cycle
+        Span origin = {};
+        bool operator==(const Watch&) const = default;
+    };
+
+    /// One per distinct time condition `t1/v/t2` (IEC 60848, 4.4; CEP13 Fig. 33b). A time for which v is true, from r to
+    /// f, makes `end` true from r + rise_ms on if v lasts that long, until f + fall_ms.
     struct Timer {
         std::string name = {};         ///< `T_X2_3s`
-        Id<Variable> step = {};        ///< X_2
+        Id<Variable> watched = {};     ///< X_2, or the V_e of a watch: the level of v after the last cycle
         Id<Variable> end = {};         ///< T_X2_3s_Q
-        std::int64_t duration_ms = 0;
+        std::int64_t rise_ms = 0;      ///< t1; 0: none
+        std::int64_t fall_ms = 0;      ///< t2; 0: none
         Span origin = {};
         bool operator==(const Timer&) const = default;
     };
@@ -108,11 +139,15 @@ struct Equations {
     std::vector<Firing> firings = {};
     std::vector<StepActivity> steps = {};
     std::vector<Stored> stored = {};
+    std::vector<Conflict> conflicts = {};
+    std::vector<Previous> previous = {};
+    std::vector<Watch> watches = {};
     std::vector<Timer> timers = {};
+    std::vector<Id<Timer>> conditions = {};   ///< per time condition of the chart: its timer; not valid: none waits for it
     std::vector<Output> outputs = {};
     std::vector<Assumption> assumptions = {};
-    /// One more cycle with the same inputs would change nothing: no firing condition holds, no stored variable changed.
-    /// Over firing conditions and, where needed, values before the cycle.
+    /// One more cycle with the same inputs would change nothing: no firing condition holds, no stored variable changed,
+    /// no previous value differs from the present one. Over firing conditions and, where needed, values before the cycle.
     Id<Expr> stable = {};
     Span origin = {};
 

@@ -65,10 +65,8 @@ public:
     Id<Expr> apply(Op op, Id<Expr> left, Id<Expr> right);
 
     const Expr& operator[](Id<Expr> id) const { return nodes_[id.index]; }
-    std::span<const Id<Expr>> operands(Id<Expr> id) const {
-        const Expr& node = nodes_[id.index];
-        return {operands_.data() + node.first, node.count};
-    }
+    std::span<const Id<Expr>> operands(Id<Expr> id) const { return operands(nodes_[id.index]); }
+    std::span<const Id<Expr>> operands(const Expr& node) const { return {operands_.data() + node.first, node.count}; }
     std::size_t size() const { return nodes_.size(); }
     bool contains(Id<Expr> id) const { return id.index < nodes_.size(); }
 
@@ -95,7 +93,7 @@ bool is_false(const Exprs& exprs, Id<Expr> id);
 std::uint32_t at_process(const Expr& node);
 std::uint32_t at_location(const Expr& node);
 
-/// The value of `root`, Booleans as 0 and 1; `leaf` gives the value of each leaf met. Empty when an operation has no
+/// The value of `root`, Booleans as 0 and 1; `leaf` gives the value of each leaf met, and of each edge. Empty when an operation has no
 /// value: division by zero, or a result outside 64 bits.
 /// Walks the term, not the table; depth is bounded by the reader (see read/text: `too-deep`).
 std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,

@@ -16,7 +16,9 @@
 // and type; initial values in range; scratch variables written before read.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,6 +37,7 @@ struct Network {
         Input, Output, Internal, Step,       ///< of a controller
         FiringCondition, Sample, Image,      ///< within its cycle: stored firing conditions, sampled inputs, outputs not yet written
         TimerEnd, TimerPending,              ///< of its timers
+        Previous, Watched,                   ///< values that edges compare with, levels that timers watch
         Flag,                                ///< EVOL_PL, EVOL_TI, stable, race
         Plant,                               ///< shared by instances only
     };
@@ -136,10 +139,10 @@ struct Network {
         bool operator==(const Symbol&) const = default;
     };
     struct TimerVariables {
-        Id<Variable> step = {};
+        Id<Variable> watched = {};           ///< a step, or the level of a watched term
         Id<Variable> pending = {};           ///< not valid: the timer follows its step by level
         Id<Variable> end = {};
-        std::int64_t duration = 0;           ///< in time units
+        std::int64_t rise = 0, fall = 0;     ///< t1 and t2, in time units
         bool operator==(const TimerVariables&) const = default;
     };
 
@@ -153,6 +156,7 @@ struct Network {
         Id<Variable> stable = {};
         std::vector<Id<Process>> timers = {};
         std::vector<TimerVariables> timing = {};   ///< per timer
+        std::vector<std::optional<std::size_t>> conditions = {};   ///< per time condition: its timer; empty: none waits for it
         std::vector<Symbol> symbols = {};          ///< per variable
         std::vector<Named> steps = {};             ///< per step: `2`, `G2.2`
         std::vector<Named> transitions = {};       ///< per transition: its firing condition

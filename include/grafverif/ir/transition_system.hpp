@@ -100,8 +100,8 @@ struct TransitionSystem {
     };
     struct TimerEnd {
         Id<Symbol> symbol = {};
-        std::size_t step = 0;              ///< whose time it is, index in Controller::steps
-        std::int64_t duration_ms = 0;
+        std::optional<std::size_t> step = {};   ///< whose time it is, index in Controller::steps; empty: of another term
+        std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
         bool operator==(const TimerEnd&) const = default;
     };
     /// Of each condition below: it holds in a state and the choices with which a step leaves it. Not valid: as said.
@@ -114,6 +114,7 @@ struct TransitionSystem {
         std::vector<Named> outputs = {};       ///< as written to the plant
         std::vector<Named> internals = {};
         std::vector<TimerEnd> timers = {};
+        std::vector<std::optional<std::size_t>> conditions = {};   ///< per time condition of the chart: its timer, if any
         Id<Expr> starts = {};                  ///< the first evolution; none: it lies before the first state
         Id<Expr> samples = {};                 ///< inputs and timer ends are read; none: where it evolves
         Id<Expr> evolves = {};                 ///< one evolution; none: in every step

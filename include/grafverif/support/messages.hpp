@@ -152,7 +152,13 @@ Diagnostic differs_from_sfc(Span where, std::string_view what);
 Diagnostic nothing_to_import(Span where, std::string_view what);
 
 // -- derive ----------------------------------------------------------------------------------------------------------
-Diagnostic unsupported_in_chart(Span where, std::string_view what);
+Diagnostic enclosing_cycle(Span where, std::string_view chart);
+Diagnostic forcing_cycle(Span where, std::string_view chart);
+Diagnostic forced_twice(Span where, std::string_view chart, Span first);
+Diagnostic edge_under_time(Span where);
+Diagnostic edge_of_edge(Span where);
+Diagnostic edge_in_assignation(Span where, std::string_view output);
+Diagnostic event_without_edge(Span where, std::string_view target);
 /// `outputs`: each reads the next, the last the first.
 Diagnostic output_cycle(Span where, std::span<const std::string> outputs);
 Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit);

@@ -17,7 +17,8 @@ void print_equations_latex(std::ostream& out, const Equations& equations);
 /// `{"name", "firing_conditions": [{"variable", "transition", "equation"}],
 ///   "steps": [{"variable", "step", "initial", "equation"}],
 ///   "stored": [{"variable", "equation", "first", "race", "first_race"}],
-///   "timers": [{"name", "step", "duration_ms", "end", "equation"}],
+///   "conflicts": [equation], "previous": [{"variable", "equation"}], "watches": [{"variable", "equation"}],
+///   "timers": [{"name", "watched", "rise_ms", "fall_ms", "end", "equation"}],
 ///   "outputs": [{"variable", "equation"}], "stable"}`, equations as plain text.
 void print_equations_json(std::ostream& out, const Equations& equations);
 

@@ -71,7 +71,7 @@ struct Pair {
     bool run_cycles() {
         for (int count = 0; count < many_edges; ++count) {
             const EquationsCycle done = cycle(equations, expected, inputs, mode);
-            if (done.no_value || done.race || done.out_of_range || done.endless) return false;
+            if (done.no_value || done.race || done.conflict || done.out_of_range || done.endless) return false;
             expected = done.state;
             if (done.stable) return true;
         }
@@ -91,9 +91,11 @@ struct Pair {
     /// One unit of time; true where a timer ends.
     bool pass_unit() {
         state = std::move(tadd.successors(state).back().next);
+        const EquationsState before = expected;
         expected = pass_time(std::move(expected), network.time_unit_ms);
         for (std::size_t k = 0; k < equations.timers.size(); ++k)
-            if (expected.ages[k] == equations.timers[k].duration_ms) return true;
+            if (is_over(equations.timers[k], before.timing[k]) != is_over(equations.timers[k], expected.timing[k]))
+                return true;
         return false;
     }
 

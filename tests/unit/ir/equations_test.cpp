@@ -26,7 +26,7 @@ struct Small {
         equations.firings.push_back({fires, leaf(start), "t0", {}});
         equations.steps.push_back({active, exprs.disjunction(leaf(fires), leaf(active)), leaf(fires), no, "1", {}});
         equations.stored.push_back({count, leaf(count), no, leaf(count), no, {}});
-        equations.timers.push_back({"T_X1_1s", active, end, 1000, {}});
+        equations.timers.push_back({"T_X1_1s", active, end, 1000, 0, {}});
         equations.outputs.push_back({lamp, leaf(active), {}});
         equations.stable = exprs.negation(leaf(fires));
     }
@@ -59,7 +59,7 @@ TEST(VerifyEquations, NamesEachBrokenInvariant) {
              {"the stored value of `COUNT` has the wrong type",
               [](Small& s) { s.equations.stored[0].next = s.leaf(s.start); }},
              {"the race condition of `COUNT` is missing", [](Small& s) { s.equations.stored[0].race = {}; }},
-             {"the timer `T_X1_1s` has no duration", [](Small& s) { s.equations.timers[0].duration_ms = 0; }},
+             {"the timer `T_X1_1s` has no duration", [](Small& s) { s.equations.timers[0].rise_ms = 0; }},
              {"the condition `stable` is missing", [](Small& s) { s.equations.stable = {}; }},
              {"`LAMP` has no equation", [](Small& s) { s.equations.outputs.clear(); }},
              {"`X_1` has more than one equation", [](Small& s) { s.equations.steps.push_back(s.equations.steps[0]); }},

@@ -156,7 +156,7 @@ TEST(PrintEquations, InJsonHaveOneMemberPerSection) {
     EXPECT_EQ(json["steps"][0]["step"], "1");
     EXPECT_EQ(json["steps"][0]["initial"], true);
     EXPECT_EQ(json["stored"][1]["first"], "1");
-    EXPECT_EQ(json["timers"][0]["duration_ms"], 500);
+    EXPECT_EQ(json["timers"][0]["rise_ms"], 500);
     EXPECT_EQ(json["timers"][0]["equation"], "X_2");
     EXPECT_EQ(json["outputs"][0]["equation"], "X_1 and N > 0");
 }

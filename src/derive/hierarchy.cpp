@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "derive/hierarchy.hpp"
+
+#include <algorithm>
+
+#include "grafverif/support/messages.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Partial = Chart::PartialChart;
+
+class HierarchyBuilder {
+public:
+    HierarchyBuilder(const Chart& chart, Diagnostics& diagnostics) : chart_(chart), diagnostics_(diagnostics) {}
+
+    std::optional<Hierarchy> build() {
+        const std::size_t errors = diagnostics_.errors();
+        check_ownership();
+        if (diagnostics_.errors() != errors) return {};
+        find_homes();
+        find_stand_ins();
+        find_orders();
+        sort_homes();
+        if (diagnostics_.errors() != errors) return {};
+        find_initial();
+        check_orders();
+        if (diagnostics_.errors() != errors) return {};
+        return std::move(result_);
+    }
+
+private:
+    const Partial& partial(Id<Partial> id) const { return chart_.partial_charts[id]; }
+
+    /// The chart that holds the macro-step or enclosing step of `inner`; not valid: nobody owns it.
+    Id<Partial> outer(Id<Partial> inner) const {
+        const Id<Chart::Step> owner = partial(inner).owner;
+        return owner.valid() ? chart_.steps[owner].chart : Id<Partial>{};
+    }
+
+    /// Each chart has one owner, so a walk outwards that meets its own trail has found a cycle.
+    void check_ownership() {
+        std::vector<std::uint32_t> trail(chart_.partial_charts.size(), Id<Partial>::none);
+        for (const Id<Partial> start : chart_.partial_charts.ids())
+            for (Id<Partial> at = start; at.valid(); at = outer(at)) {
+                if (trail[at.index] == start.index) {
+                    diagnostics_.add(messages::enclosing_cycle(partial(at).origin, partial(at).name));
+                    return;
+                }
+                if (trail[at.index] != Id<Partial>::none) break;
+                trail[at.index] = start.index;
+            }
+    }
+
+    void find_homes() {
+        result_.home.resize(chart_.partial_charts.size());
+        for (const Id<Partial> start : chart_.partial_charts.ids()) {
+            Id<Partial> home = start;
+            while (!result_.home[home.index].valid() && partial(home).kind == Chart::PartialKind::Expansion)
+                home = outer(home);
+            if (result_.home[home.index].valid()) home = result_.home[home.index];
+            for (Id<Partial> at = start; at != home && !result_.home[at.index].valid(); at = outer(at))
+                result_.home[at.index] = home;
+            result_.home[home.index] = home;
+        }
+        result_.region.resize(chart_.partial_charts.size());
+        for (const Id<Chart::Step> step : chart_.steps.ids())
+            for (Id<Partial> at = chart_.steps[step].chart; at.valid(); at = outer(at)) {
+                result_.region[at.index].push_back(step);
+                if (partial(at).kind != Chart::PartialKind::Expansion) break;
+            }
+    }
+
+    void find_stand_ins() {
+        std::vector<Id<Chart::Step>> entry(chart_.steps.size()), exit(chart_.steps.size());   // of the expansion
+        for (const Id<Chart::Step> id : chart_.steps.ids()) {
+            const Chart::Step& step = chart_.steps[id];
+            if (partial(step.chart).kind != Chart::PartialKind::Expansion) continue;
+            if (step.entry) entry[partial(step.chart).owner.index] = id;
+            if (step.exit) exit[partial(step.chart).owner.index] = id;
+        }
+        for (const Id<Chart::Step> id : chart_.steps.ids()) {
+            Id<Chart::Step> entered = id, left = id;
+            while (entry[entered.index].valid()) entered = entry[entered.index];
+            while (exit[left.index].valid()) left = exit[left.index];
+            result_.entered.push_back(entered);
+            result_.left.push_back(left);
+        }
+    }
+
+    void find_orders() {
+        result_.orders.resize(chart_.partial_charts.size());
+        for (const Id<Chart::ForcingOrder> id : chart_.forcing.ids()) {
+            const Chart::ForcingOrder& order = chart_.forcing[id];
+            std::vector<Id<Chart::Step>> named = order.situation;
+            if (order.to == Chart::ForcedTo::Initial)
+                for (const Id<Chart::Step> step : result_.region[order.forced.index])
+                    if (chart_.steps[step].initial) named.push_back(step);
+            std::vector<Id<Chart::Step>> active;
+            for (const Id<Chart::Step> step : named) active.push_back(result_.entered[step.index]);
+            std::ranges::sort(active);
+            const auto repeated = std::ranges::unique(active);
+            active.erase(repeated.begin(), repeated.end());
+            result_.forced.push_back(std::move(active));
+            for (const Id<Partial> inner : chart_.partial_charts.ids())
+                if (is_within(inner, order.forced)) result_.orders[inner.index].push_back(id);
+        }
+    }
+
+    bool is_within(Id<Partial> inner, Id<Partial> region) const {
+        while (inner != region && partial(inner).kind == Chart::PartialKind::Expansion) inner = outer(inner);
+        return inner == region;
+    }
+
+    /// Kahn's algorithm; what is left over depends on itself.
+    void sort_homes() {
+        std::vector<std::vector<Id<Partial>>> below(chart_.partial_charts.size());
+        std::vector<std::size_t> waits(chart_.partial_charts.size());
+        const auto depend = [&](Id<Partial> lower, Id<Chart::Step> step) {
+            const Id<Partial> upper = result_.home[chart_.steps[step].chart.index];
+            below[upper.index].push_back(result_.home[lower.index]);
+            ++waits[result_.home[lower.index].index];
+        };
+        for (const Id<Partial> id : chart_.partial_charts.ids())
+            if (partial(id).kind == Chart::PartialKind::Enclosed) depend(id, partial(id).owner);
+        for (const Chart::ForcingOrder& order : chart_.forcing) depend(order.forced, order.step);
+        for (const Id<Partial> id : chart_.partial_charts.ids())
+            if (result_.home[id.index] == id && waits[id.index] == 0) result_.order.push_back(id);
+        for (std::size_t k = 0; k < result_.order.size(); ++k)
+            for (const Id<Partial> lower : below[result_.order[k].index])
+                if (--waits[lower.index] == 0) result_.order.push_back(lower);
+        for (const Chart::ForcingOrder& order : chart_.forcing) {
+            const bool blocked = waits[result_.home[order.forced.index].index] > 0 &&
+                                 waits[result_.home[chart_.steps[order.step].chart.index].index] > 0;
+            if (!blocked) continue;
+            diagnostics_.add(messages::forcing_cycle(order.origin, partial(order.forced).name));
+            return;
+        }
+    }
+
+    /// Rule 1: the steps marked so, but none in a chart whose enclosing step is inactive; then the orders of those.
+    void find_initial() {
+        std::vector<bool>& initial = result_.initial;
+        initial.resize(chart_.steps.size());
+        for (const Id<Chart::Step> step : chart_.steps.ids())
+            if (chart_.steps[step].initial) initial[result_.entered[step.index].index] = true;
+        std::vector<std::vector<Id<Chart::ForcingOrder>>> orders(chart_.partial_charts.size());   // per home
+        for (const Id<Chart::ForcingOrder> id : chart_.forcing.ids())
+            orders[result_.home[chart_.forcing[id].forced.index].index].push_back(id);
+        for (const Id<Partial> home : result_.order) {
+            for (const Id<Chart::ForcingOrder> order : orders[home.index]) force_initial(order);
+            const bool enclosed = partial(home).kind == Chart::PartialKind::Enclosed;
+            if (enclosed && !initial[partial(home).owner.index])
+                for (const Id<Chart::Step> step : result_.region[home.index]) initial[step.index] = false;
+            find_initial_macros(home);
+        }
+    }
+
+    void force_initial(Id<Chart::ForcingOrder> id) {
+        const Chart::ForcingOrder& order = chart_.forcing[id];
+        if (order.to == Chart::ForcedTo::Current || !result_.initial[order.step.index]) return;
+        for (const Id<Chart::Step> step : result_.region[order.forced.index]) result_.initial[step.index] = false;
+        for (const Id<Chart::Step> step : result_.forced[id.index]) result_.initial[step.index] = true;
+    }
+
+    void find_initial_macros(Id<Partial> home) {
+        for (const Id<Chart::Step> step : result_.region[home.index])
+            if (chart_.steps[step].kind == Chart::StepKind::Macro) result_.initial[step.index] = false;
+        for (const Id<Chart::Step> step : result_.region[home.index]) {
+            if (!result_.initial[step.index] || chart_.steps[step].kind == Chart::StepKind::Macro) continue;
+            for (Id<Partial> at = chart_.steps[step].chart; at != home; at = outer(at))
+                result_.initial[partial(at).owner.index] = true;
+        }
+    }
+
+    /// Orders that one step gives, and those of steps that are active together at power-on.
+    void check_orders() {
+        for (const Id<Partial> id : chart_.partial_charts.ids()) {
+            const std::vector<Id<Chart::ForcingOrder>>& orders = result_.orders[id.index];
+            for (std::size_t k = 0; k < orders.size(); ++k)
+                for (std::size_t i = 0; i < k; ++i) check_pair(orders[i], orders[k]);
+        }
+    }
+
+    void check_pair(Id<Chart::ForcingOrder> one, Id<Chart::ForcingOrder> other) {
+        const Chart::ForcingOrder& first = chart_.forcing[one];
+        const Chart::ForcingOrder& second = chart_.forcing[other];
+        const bool together = first.step == second.step ||
+                              (result_.initial[first.step.index] && result_.initial[second.step.index]);
+        if (together && conflict(chart_, result_, one, other))
+            diagnostics_.add(messages::forced_twice(second.origin, partial(second.forced).name, first.origin));
+    }
+
+    const Chart& chart_;
+    Diagnostics& diagnostics_;
+    Hierarchy result_ = {};
+};
+
+}  // namespace
+
+std::optional<Hierarchy> hierarchy(const Chart& chart, Diagnostics& diagnostics) {
+    return HierarchyBuilder(chart, diagnostics).build();
+}
+
+bool conflict(const Chart& chart, const Hierarchy& hierarchy, Id<Chart::ForcingOrder> one,
+              Id<Chart::ForcingOrder> other) {
+    const Chart::ForcingOrder& first = chart.forcing[one];
+    const Chart::ForcingOrder& second = chart.forcing[other];
+    if (first.forced != second.forced) return true;
+    const bool held = first.to == Chart::ForcedTo::Current;
+    if (held || second.to == Chart::ForcedTo::Current) return first.to != second.to;
+    return hierarchy.forced[one.index] != hierarchy.forced[other.index];
+}
+
+}  // namespace grafverif

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What equations remember of terms: previous values for edges, levels that timers watch, and the timers themselves
+// (IEC 60848, 4.4 and 4.5; CEP13 Fig. 33b). Each is made where a term first asks for it, so nothing is remembered that
+// nobody reads.
+#include "derivation.hpp"
+#include "grafverif/syntax/dialect.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// `wish` and the name of the variable that `term` is, else a number: `P_START`, `P_1`.
+std::string name_for(Derivation& derivation, const std::string& wish, Id<Expr> term, std::size_t number) {
+    const Expr& node = derivation.equations.exprs[term];
+    if (node.op != Op::Variable) return derivation.names.fresh(wish + std::to_string(number));
+    const Id<Equations::Variable> variable{static_cast<std::uint32_t>(node.value)};
+    return derivation.names.fresh(wish + derivation.equations.variables[variable].name);
+}
+
+/// `X2`, `G_X2`; of another term what its level is called.
+std::string watched_name(const Derivation& derivation, Id<Equations::Variable> watched) {
+    const Equations::Variable& variable = derivation.equations.variables[watched];
+    if (variable.role != Equations::Role::Step) return variable.name.substr(2);
+    const Id<Chart::Step> step{watched.index - derivation.steps.front().index};
+    return qualifier(derivation.chart, step, '_') + "X" + derivation.chart.steps[step].name;
+}
+
+}  // namespace
+
+Id<Expr> previous_value(Derivation& derivation, Id<Expr> term, Span where) {
+    Equations& equations = derivation.equations;
+    const auto [known, fresh] = derivation.previous.try_emplace(term.index);
+    if (fresh) {
+        const std::string name = name_for(derivation, "P_", term, equations.previous.size() + 1);
+        known->second = equations.variables.add({name, Equations::Role::Previous, {}, 0, where});
+        equations.previous.push_back({known->second, term, where});
+    }
+    return variable_leaf(derivation, known->second);
+}
+
+Id<Equations::Variable> level(Derivation& derivation, Id<Expr> term, Span where) {
+    Equations& equations = derivation.equations;
+    const Expr& node = equations.exprs[term];
+    const Id<Equations::Variable> itself{static_cast<std::uint32_t>(node.value)};
+    if (node.op == Op::Variable && equations.variables[itself].role == Equations::Role::Step) return itself;
+    const auto [known, fresh] = derivation.watched.try_emplace(term.index);
+    if (fresh) {
+        const std::string name = name_for(derivation, "V_", term, equations.watches.size() + 1);
+        known->second = equations.variables.add({name, Equations::Role::Watched, {}, 0, where});
+        equations.watches.push_back({known->second, term, where});
+    }
+    return known->second;
+}
+
+Id<Equations::Timer> timer(Derivation& derivation, Id<Equations::Variable> watched, std::int64_t rise_ms,
+                           std::int64_t fall_ms, Span where) {
+    Equations& equations = derivation.equations;
+    const auto [known, fresh] = derivation.timers.try_emplace({watched, rise_ms, fall_ms});
+    if (!fresh) return known->second;
+    std::string name = "T_" + watched_name(derivation, watched) + "_" + duration_text(rise_ms);
+    if (fall_ms > 0) name += "_" + duration_text(fall_ms);
+    name = derivation.names.fresh(name);
+    const Id<Equations::Variable> end =
+        equations.variables.add({derivation.names.fresh(name + "_Q"), Equations::Role::TimerEnd, {}, 0, where});
+    known->second = Id<Equations::Timer>{static_cast<std::uint32_t>(equations.timers.size())};
+    equations.timers.push_back({name, watched, end, rise_ms, fall_ms, where});
+    return known->second;
+}
+
+Id<Expr> end_leaf(Derivation& derivation, Id<Equations::Timer> timer) {
+    return variable_leaf(derivation, derivation.equations.timers[timer.index].end);
+}
+
+}  // namespace grafverif

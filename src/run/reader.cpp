@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "run/reader.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace grafverif {
+
+namespace {
+
+bool is_edge(Op op) { return op == Op::Rise || op == Op::Fall; }
+
+/// Marks the terms that something of the chart reads. Operands precede the terms they stand in, and what a time
+/// condition watches precedes the time condition: one pass from the back suffices.
+std::vector<bool> read_terms(const Chart& chart, std::vector<bool>& time_conditions) {
+    std::vector<bool> read(chart.exprs.size());
+    for (const Chart::Transition& transition : chart.transitions) read[transition.condition.index] = true;
+    for (const Chart::ContinuousAction& action : chart.continuous) read[action.condition.index] = true;
+    for (const Chart::StoredAction& action : chart.stored) {
+        read[action.value.index] = true;
+        if (action.event.valid()) read[action.event.index] = true;
+    }
+    for (auto index = static_cast<std::uint32_t>(chart.exprs.size()); index-- > 0;) {
+        if (!read[index]) continue;
+        const Expr& node = chart.exprs[Id<Expr>{index}];
+        for (const Id<Expr> operand : chart.exprs.operands(node)) read[operand.index] = true;
+        if (node.op != Op::Timed) continue;
+        time_conditions[static_cast<std::size_t>(node.value)] = true;
+        read[chart.time_conditions[{static_cast<std::uint32_t>(node.value)}].watched.index] = true;
+    }
+    return read;
+}
+
+}  // namespace
+
+Memory memory(const Chart& chart) {
+    Memory result;
+    result.time_conditions.resize(chart.time_conditions.size());
+    bool edges = false;
+    for (std::uint32_t index = 0; index < chart.exprs.size() && !edges; ++index)
+        edges = is_edge(chart.exprs[Id<Expr>{index}].op);
+    if (!edges && chart.time_conditions.empty()) return result;
+    const std::vector<bool> read = read_terms(chart, result.time_conditions);
+    if (!edges) return result;
+    result.places.resize(chart.exprs.size());
+    for (std::uint32_t index = 0; index < chart.exprs.size(); ++index) {
+        const Expr& node = chart.exprs[Id<Expr>{index}];
+        if (read[index] && is_edge(node.op)) result.edges.push_back(chart.exprs.operands(node)[0]);
+    }
+    std::ranges::sort(result.edges);
+    const auto repeated = std::ranges::unique(result.edges);
+    result.edges.erase(repeated.begin(), repeated.end());
+    for (std::uint32_t place = 0; place < result.edges.size(); ++place)
+        result.places[result.edges[place].index] = place;
+    return result;
+}
+
+std::optional<std::int64_t> Reader::value(Id<Expr> term) {
+    const bool outer = std::exchange(lost_, false);  // of the term that asks for an output, whose condition this is
+    const auto result = evaluate(chart_.exprs, term, [this](const Expr& leaf) { return leaf_value(leaf); });
+    const bool lost = std::exchange(lost_, outer);
+    return lost ? std::nullopt : result;
+}
+
+std::optional<std::int64_t> Reader::output(Id<Chart::Variable> output) {
+    if (known_.empty()) index_actions();
+    Known& known = known_[output.index];
+    if (known != Known::No)
+        return known == Known::Lost ? std::nullopt : std::optional(std::int64_t{known == Known::True});
+    const std::optional<std::int64_t> result = look_up(output);
+    known = !result ? Known::Lost : *result != 0 ? Known::True : Known::False;
+    return result;
+}
+
+bool Reader::is_stored(Id<Chart::Variable> variable) {
+    if (known_.empty()) index_actions();
+    return stored_[variable.index];
+}
+
+std::int64_t Reader::leaf_value(const Expr& leaf) {
+    const auto index = static_cast<std::size_t>(leaf.value);
+    if (is_edge(leaf.op)) return edge_value(leaf);
+    if (leaf.op == Op::Step) return state_.situation[index];
+    if (leaf.op == Op::Timed) return time_value(index);
+    return variable_value({static_cast<std::uint32_t>(index)});
+}
+
+std::int64_t Reader::variable_value(Id<Chart::Variable> variable) {
+    const Chart::VariableKind kind = chart_.variables[variable].kind;
+    if (kind == Chart::VariableKind::Input) return inputs_[variable.index];
+    if (kind == Chart::VariableKind::Internal || is_stored(variable)) return state_.values[variable.index];
+    const std::optional<std::int64_t> set = output(variable);
+    lost_ = lost_ || !set;
+    return set.value_or(0);
+}
+
+/// True in the first evolution after the change.
+std::int64_t Reader::edge_value(const Expr& edge) {
+    if (memory_ == nullptr) return 0;
+    const Id<Expr> operand = chart_.exprs.operands(edge)[0];
+    const std::optional<std::int64_t> now = value(operand);
+    lost_ = lost_ || !now;
+    const bool before = state_.previous[memory_->places[operand.index]];
+    return edge.op == Op::Rise ? !before && now.value_or(0) != 0 : before && now.value_or(1) == 0;
+}
+
+/// `t1/v/t2`: the clock knows v as the last evolution left it, and v may have changed since. Without t2 a v that is
+/// false now ends the condition at once, without t1 one that is true starts it.
+std::int64_t Reader::time_value(std::size_t index) {
+    const Chart::TimeCondition& timed = chart_.time_conditions[{static_cast<std::uint32_t>(index)}];
+    const bool over = timed_[index];
+    if (timed.rise_ms > 0 && timed.fall_ms > 0) return over;
+    if (over == (timed.fall_ms > 0)) return over;
+    const std::optional<std::int64_t> now = value(timed.watched);
+    lost_ = lost_ || !now;
+    return now.value_or(0);
+}
+
+std::optional<std::int64_t> Reader::look_up(Id<Chart::Variable> output) {
+    if (!chart_.variables[output].type.boolean) return state_.values[output.index];
+    for (const Id<Chart::ContinuousAction> id : actions_[output.index]) {
+        const Chart::ContinuousAction& action = chart_.continuous[id];
+        if (!state_.situation[action.step.index]) continue;
+        const std::optional<std::int64_t> condition = value(action.condition);
+        if (!condition) return condition;
+        if (*condition != 0 && in_time(id)) return 1;
+    }
+    return 0;
+}
+
+/// Of an action whose step is active: whether its delay is over, and its limit is not.
+bool Reader::in_time(Id<Chart::ContinuousAction> id) const {
+    const Chart::ContinuousAction& action = chart_.continuous[id];
+    std::size_t place = first_time_[id.index];
+    if (action.delay_ms > 0 && !timed_[place++]) return false;
+    return action.limit_ms == 0 || !timed_[place];
+}
+
+void Reader::index_actions() {
+    known_.assign(chart_.variables.size(), Known::No);
+    stored_.assign(chart_.variables.size(), false);
+    actions_.resize(chart_.variables.size());
+    for (const Chart::StoredAction& action : chart_.stored) stored_[action.target.index] = true;
+    std::size_t place = chart_.time_conditions.size();
+    for (const Id<Chart::ContinuousAction> id : chart_.continuous.ids()) {
+        const Chart::ContinuousAction& action = chart_.continuous[id];
+        actions_[action.output.index].push_back(id);
+        first_time_.push_back(place);
+        place += (action.delay_ms > 0 ? 1U : 0U) + (action.limit_ms > 0 ? 1U : 0U);
+    }
+}
+
+}  // namespace grafverif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// What equations remember: previous values, levels, timers.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "grafverif/syntax/print_equations.hpp"
+#include "support/play.hpp"
+
+namespace grafverif {
+namespace {
+
+std::string notation(std::string_view text) {
+    std::ostringstream out;
+    print_equations(out, equations(text));
+    return std::move(out).str();
+}
+
+TEST(Memory, AnEdgeComparesWithThePreviousValue) {
+    EXPECT_EQ(notation("input a; initial step 1; step 2;"
+                       "transition t0: 1 -> 2 when rise(a); transition t1: 2 -> 1 when fall(a) || rise(!a) || rise(X2);"),
+              R"(Equations of chart
+
+(a) Firing conditions
+CF_t0 = X_1 and a and not P_a
+CF_t1 = X_2 and ((P_a and not a) or (X_2 and not P_X_2))
+
+(b) Steps activities
+X_1 = CF_t1 or (X_1 and not CF_t0)
+X_2 = CF_t0 or (X_2 and not CF_t1)
+
+(e) Previous values
+P_a = a
+P_X_2 = X_2
+)");
+}
+
+TEST(Memory, StableAsksThatNoPreviousValueDiffers) {
+    const Equations e = equations("input a, b; initial step 1; transition t0: 1 -> 1 when rise(a && b);");
+    ASSERT_EQ(e.previous.size(), 1U);
+    EXPECT_EQ(e.variables[e.previous[0].variable].name, "P_1");
+    std::ostringstream out;
+    print_equations_json(out, e);
+    EXPECT_NE(out.str().find("not (CF_t0 or (a and b) != P_1)"), std::string::npos) << out.str();
+}
+
+TEST(Memory, ATimeOverAnythingButAStepWatchesItsLevel) {
+    EXPECT_EQ(notation("input a, b; output O, R; initial step 1 { O if 2s/X1/4s; R after 3s for 5s; }"
+                       "transition t0: 1 -> when 3s/a && a/2s && 1s/(a && b)/2s;"),
+              R"(Equations of chart
+
+(a) Firing conditions
+CF_t0 = X_1 and a and T_a_3s_Q and (a or T_a_0s_2s_Q) and T_2_1s_2s_Q
+
+(b) Steps activities
+X_1 = X_1 and not CF_t0
+
+(c) Outputs values
+V_a = a
+V_2 = a and b
+T_X1_2s_4s = X_1
+T_X1_3s = X_1
+T_X1_8s = X_1
+T_a_3s = V_a
+T_a_0s_2s = V_a
+T_2_1s_2s = V_2
+O = X_1 and T_X1_2s_4s_Q
+R = X_1 and T_X1_3s_Q and not T_X1_8s_Q
+)");
+}
+
+TEST(Memory, EventsAndClearingTriggerStoredActions) {
+    EXPECT_EQ(notation("input a; internal N: int 0..9 = 0; initial step 1 { N := N + 1 on event rise(a); }"
+                       "transition t0: 1 -> 1 when N == 3 do N := 0;"),
+              R"(Equations of chart
+
+(a) Firing conditions
+CF_t0 = X_1 and N == 3
+
+(b) Steps activities
+X_1 = CF_t0 or (X_1 and not CF_t0)
+
+(s) Stored actions
+N = X_1 and a and not P_a ? N + 1 : CF_t0 ? 0 : N
+
+(s) Stored actions, races: two actions would store different values
+N = X_1 and a and not P_a and CF_t0 and N + 1 != 0
+
+(e) Previous values
+P_a = a
+)");
+}
+
+}  // namespace
+}  // namespace grafverif
