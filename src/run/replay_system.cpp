@@ -104,8 +104,9 @@ private:
         for (std::size_t i = 0; i < internals_.size(); ++i)
             if (after[controller_.internals[i].symbol.index] != state_.values[internals_[i].index])
                 return differs(controller_.internals[i], after, state_.values[internals_[i].index]);
-        const bool writes = controller_.mode == ExecutionMode::EveryCycle || (in_cycle && result.stable);
-        if (holds(controller_.writes, before, writes)) return written(after);
+        // A step that evolves and writes at once writes nothing as long as the search for stability goes on.
+        const bool due = controller_.mode == ExecutionMode::EveryCycle || (in_cycle && result.stable);
+        if (due && holds(controller_.writes, before, true)) return written(after);
         return in_cycle ? kept_outputs(before, after) : std::string();
     }
 
