@@ -104,6 +104,7 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 "ctl"           return lexer.word(Kind::CTL);
 "ltl"           return lexer.word(Kind::LTL);
 "observer"      return lexer.word(Kind::OBSERVER);
+"schedule"      return lexer.word(Kind::SCHEDULE);
 "accept"        return lexer.word(Kind::ACCEPT);
 "rise"          return lexer.word(Kind::RISE);
 "fall"          return lexer.word(Kind::FALL);

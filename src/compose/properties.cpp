@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The properties of a loop in terms of its network, and what `settled` means there.
+#include <algorithm>
 #include <string_view>
 #include <unordered_map>
 
@@ -52,8 +53,21 @@ Id<Expr> formula_of(const ClosedLoop::Symbol& symbol, Network& network, const Mo
             [&](const ClosedLoop::LocationSymbol& of) {
                 return network.exprs.at(of.instance.index, of.location.index);
             },
+            [&](const ClosedLoop::ObserverSymbol& of) {
+                const auto behind = static_cast<std::uint32_t>(network.processes.size());
+                return network.exprs.at(behind + of.observer.index, of.location.index);
+            },
         },
         symbol);
+}
+
+bool reads_observer(const ClosedLoop& loop, const Property& property) {
+    return std::ranges::any_of(property.operands, [&](Id<Expr> operand) {
+        return std::ranges::any_of(leaves(loop.exprs, operand), [&](Id<Expr> leaf) {
+            const Id<ClosedLoop::Symbol> symbol{static_cast<std::uint32_t>(loop.exprs[leaf].value)};
+            return std::holds_alternative<ClosedLoop::ObserverSymbol>(loop.symbols[symbol]);
+        });
+    });
 }
 
 /// One formula per urgent edge of the plant: the process is where the edge starts, and its guard holds.
@@ -106,20 +120,35 @@ void add_properties(Composition& composition, const Model& model, const ClosedLo
     std::vector<Names> names;
     for (const ControllerParts& parts : composition.controllers)
         names.push_back(loop.symbols.empty() ? Names{} : names_of(parts));
+    const auto translated = [&](Id<Expr> operand) {
+        return translate(loop.exprs, operand, network.exprs, [&](const Expr& node) {
+            return formula_of(loop.symbols[{static_cast<std::uint32_t>(node.value)}], network, model, loop, names);
+        });
+    };
     UniqueNames taken;
     for (const Property& from : loop.properties) {
         Property property = from;
-        for (Id<Expr>& operand : property.operands) {
-            operand = translate(loop.exprs, operand, network.exprs, [&](const Expr& node) {
-                return formula_of(loop.symbols[{static_cast<std::uint32_t>(node.value)}], network, model, loop, names);
-            });
-        }
+        for (Id<Expr>& operand : property.operands) operand = translated(operand);
         if (property.pattern == Pattern::ReachableAllSteps)
             for (const ControllerParts& parts : composition.controllers)
                 for (const Equations::StepActivity& step : parts.equations->steps)
                     property.operands.push_back(leaf(network, parts.variable[step.variable.index]));
         taken.fresh(property.name);
-        network.properties.add(std::move(property));
+        (reads_observer(loop, from) ? network.observed : network.properties).add(std::move(property));
+    }
+    for (const ClosedLoop::Constraint& constraint : loop.constraints)
+        network.properties.add({.name = taken.fresh(constraint.name),
+                                .text = "the constraint holds of this plant",
+                                .pattern = Pattern::Always,
+                                .operands = {translated(constraint.condition)},
+                                .origin = constraint.origin});
+    for (const ClosedLoop::Observer& observer : loop.observers) {
+        Network::Observer made{.name = observer.name, .initial = observer.initial.index, .origin = observer.origin};
+        for (const ClosedLoop::ObserverLocation& location : observer.locations)
+            made.locations.push_back(location.name);
+        for (const ClosedLoop::ObserverEdge& edge : observer.edges)
+            made.edges.push_back({edge.from.index, edge.to.index, translated(edge.guard)});
+        network.observers.add(std::move(made));
     }
     if (!composition.race.valid()) return;
     network.properties.add({.name = taken.fresh("no_race"),

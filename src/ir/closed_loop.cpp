@@ -105,6 +105,10 @@ bool is_known(const Checker& checker, const ClosedLoop::Symbol& symbol) {
                 return loop.instances.contains(of.instance) &&
                        checker.model.components[loop.instances[of.instance].component].locations.contains(of.location);
             },
+            [&](const ClosedLoop::ObserverSymbol& of) {
+                return loop.observers.contains(of.observer) &&
+                       loop.observers[of.observer].locations.contains(of.location);
+            },
         },
         symbol);
 }
@@ -126,6 +130,19 @@ void check_properties(Checker& checker) {
     }
 }
 
+void check_observers(Checker& checker) {
+    const ClosedLoop& loop = checker.loop;
+    for (const ClosedLoop::Observer& observer : loop.observers) {
+        checker.check(observer.locations.contains(observer.initial), observer.name + " has no initial location");
+        for (const ClosedLoop::ObserverEdge& edge : observer.edges)
+            checker.check(observer.locations.contains(edge.from) && observer.locations.contains(edge.to) &&
+                              loop.exprs.contains(edge.guard),
+                          "an edge of " + observer.name + " is not whole");
+    }
+    for (const ClosedLoop::Constraint& constraint : loop.constraints)
+        checker.check(loop.exprs.contains(constraint.condition), constraint.name + " is in no table");
+}
+
 }  // namespace
 
 std::vector<std::string> verify(const ClosedLoop& loop, const Model& model) {
@@ -135,6 +152,7 @@ std::vector<std::string> verify(const ClosedLoop& loop, const Model& model) {
     check_shared(checker);
     check_instances(checker);
     if (checker.faults.empty()) check_properties(checker);
+    check_observers(checker);
     return checker.faults;
 }
 

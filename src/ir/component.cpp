@@ -141,6 +141,11 @@ std::vector<std::string> verify(const Component& component) {
     for (const auto& variable : component.variables) check_declared(checker, variable, true);
     check_locations(checker);
     check_edges(checker);
+    for (const Component::Constraint& constraint : component.constraints) {
+        const bool known = checker.is_known(constraint.condition);
+        checker.check(known && checker.kind(constraint.condition) == Component::ValueKind::Boolean,
+                      "a constraint is not Boolean");
+    }
     return checker.faults;
 }
 

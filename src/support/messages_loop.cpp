@@ -67,4 +67,42 @@ Diagnostic declared_twice(Span where, std::string_view what) {
     return error("declared-twice", where, fmt::format("the loop says its {} twice; keep one", what));
 }
 
+Diagnostic constraint_reads(Span where, std::string_view name, std::string_view what) {
+    return error("constraint-not-input", where,
+                 fmt::format("`{}` is no {}, and a constraint is assumed of free inputs; state a property instead",
+                             clipped(name), what));
+}
+
+Diagnostic observer_blocks(Span where, std::string_view observer) {
+    return error("observer-blocks", where,
+                 fmt::format("an invariant of `{}` would block the system that it watches; take it out",
+                             clipped(observer)));
+}
+
+Diagnostic observer_acts(Span where, std::string_view observer) {
+    return error("observer-acts", where,
+                 fmt::format("an assignment of `{}` would change the system that it watches; take it out, and let "
+                             "properties read its locations",
+                             clipped(observer)));
+}
+
+Diagnostic observer_without_start(Span where, std::string_view observer) {
+    return error("no-initial-location", where,
+                 fmt::format("the observer `{}` starts nowhere; write `initial location NAME;`", clipped(observer)));
+}
+
+Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided) {
+    return error("constraints-contradict", where,
+                 fmt::format("{} of the inputs that satisfy `{}` together with the constraints before it, so the model would "
+                             "have no state; correct one of them",
+                             decided ? "there are no values" : "no values were found", clipped(constraint)));
+}
+
+Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most) {
+    return error("too-wide", where,
+                 fmt::format("`{}` has {} values, and a symbolic model takes {} at most; give it a narrower range or a "
+                             "coarser unit",
+                             clipped(variable), values, most));
+}
+
 }  // namespace grafverif::messages

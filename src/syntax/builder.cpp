@@ -47,12 +47,6 @@ ClosedLoop Builder::loop(Name name, std::vector<LoopItem> items, Span where) {
     return {name, std::move(items), where, take_broken()};
 }
 
-Observer Builder::observer(Name name, Component body, Span where) const {
-    body.name = name;
-    body.where = where;
-    return {std::move(body), where};
-}
-
 Variables Builder::variables(VariableKind kind, Variables variables, Span where) const {
     variables.kind = kind;
     variables.where = where;

@@ -44,7 +44,6 @@ public:
     tree::Component component_body(std::vector<tree::Variables> parameters,
                                    std::vector<tree::ComponentItem> items) const;
     tree::ClosedLoop loop(tree::Name name, std::vector<tree::LoopItem> items, Span where);
-    tree::Observer observer(tree::Name name, tree::Component body, Span where) const;
 
     tree::Variables variables(tree::VariableKind kind, tree::Variables variables, Span where) const;
     tree::Step step(tree::Step marks, tree::Name name, std::vector<tree::Action> actions, Span where) const;

@@ -95,7 +95,7 @@ private:
     }
 
     void item(const tree::Observer& observer) {
-        block("observer " + component_head(file_, observer.body).substr(10), observer.body.items, observer.where);
+        block("observer " + text(observer.name), observer.items, observer.where);
     }
 
     void item(const tree::Step& step) {

@@ -242,6 +242,15 @@ Lines item_lines(const tree::File& file, const tree::Grain& written, std::size_t
     return {"grain " + text(file, written.name) + ';'};
 }
 
+Lines item_lines(const tree::File& file, const tree::Schedule& written, std::size_t) {
+    return {"schedule " + text(file, written.name) + ';'};
+}
+
+Lines item_lines(const tree::File& file, const tree::ObserverEdge& written, std::size_t column) {
+    const std::string head = text(file, written.from) + " -> " + text(file, written.to);
+    return guarded(file, head, written.condition, written.assignments, column);
+}
+
 Lines item_lines(const tree::File& file, const tree::TimeUnit& written, std::size_t) {
     return {"time unit " + formatted(file, written.duration) + ';'};
 }

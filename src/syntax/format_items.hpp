@@ -24,6 +24,8 @@ Lines item_lines(const tree::File& file, const tree::Location& written, std::siz
 Lines item_lines(const tree::File& file, const tree::Edge& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::Controller& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::Grain& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Schedule& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::ObserverEdge& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::TimeUnit& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::Instance& written, std::size_t column);
 Lines item_lines(const tree::File& file, const tree::Property& written, std::size_t column);

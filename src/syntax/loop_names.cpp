@@ -27,6 +27,9 @@ Term symbol_term(LoopScope& scope, const ClosedLoop::Symbol& symbol, bool boolea
                        [](const ClosedLoop::LocationSymbol& of) {
                            return "l" + std::to_string(of.instance.index) + '.' + std::to_string(of.location.index);
                        },
+                       [](const ClosedLoop::ObserverSymbol& of) {
+                           return "o" + std::to_string(of.observer.index) + '.' + std::to_string(of.location.index);
+                       },
                    },
                    symbol);
     const auto [known, fresh] = scope.symbols.try_emplace(key);
@@ -124,6 +127,18 @@ Term location_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::strin
     return {};
 }
 
+Term observed(LoopScope& scope, Id<ClosedLoop::Observer> observer, std::string_view name, Span where) {
+    Nearest nearest(name);
+    const Table<ClosedLoop::ObserverLocation>& locations = scope.loop.observers[observer].locations;
+    for (const Id<ClosedLoop::ObserverLocation> location : locations.ids()) {
+        if (locations[location].name == name)
+            return symbol_term(scope, ClosedLoop::ObserverSymbol{observer, location});
+        nearest.offer(locations[location].name);
+    }
+    scope.diagnostics.add(messages::unknown(where, "location", name, nearest.best()));
+    return {};
+}
+
 Term inside_or_unknown(LoopScope& scope, Id<Controller> controller, std::string_view name,
                        std::optional<Id<Chart::PartialChart>> partial, Span where) {
     if (const auto term = inside(scope, controller, name, partial, where)) return *term;
@@ -146,6 +161,7 @@ Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_vie
     if (found) return inside_or_unknown(scope, *found, name, scope.inside[found->index].partials.at(partial), where);
     Nearest nearest(partial);
     for (const auto& instance : scope.loop.instances) nearest.offer(instance.name);
+    for (const auto& observer : scope.loop.observers) nearest.offer(observer.name);
     for (const auto& controller : scope.loop.controllers) nearest.offer(controller.name);
     scope.diagnostics.add(messages::unknown(owner.where, "instance", partial, nearest.best()));
     return {};
@@ -157,6 +173,8 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
     if (owner.op == tree::Op::Name) {
         const auto instance = scope.instances.find(scope.file.text(owner.word));
         if (instance != scope.instances.end()) return location_of(scope, instance->second, name, node.where);
+        const auto observer = scope.observers.find(scope.file.text(owner.word));
+        if (observer != scope.observers.end()) return observed(scope, observer->second, name, node.where);
         const auto controller = scope.controllers.find(scope.file.text(owner.word));
         if (controller != scope.controllers.end()) {
             // Where names repeat, `chart.X2` is the step written directly in the grafcet.
@@ -202,5 +220,7 @@ Terms property_terms(LoopScope& scope) {
     };
     return terms;
 }
+
+Id<Expr> symbol_leaf(LoopScope& scope, const ClosedLoop::Symbol& symbol) { return symbol_term(scope, symbol).expr; }
 
 }  // namespace grafverif

@@ -29,6 +29,7 @@ struct LoopScope {
     std::unordered_map<std::string_view, Id<ClosedLoop::Controller>> controllers = {};
     std::unordered_map<std::string, Id<ClosedLoop::Shared>> shared = {};
     std::unordered_map<std::string_view, Id<ClosedLoop::Instance>> instances = {};
+    std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
     std::vector<std::string> instance_writers = {};     ///< by shared variable: the instance that writes it, or empty
     std::unordered_set<std::string_view> excused = {};  ///< names bound in instances with errors: perhaps driven there
     bool incomplete = false;                               ///< something the loop names is in error itself
@@ -50,8 +51,15 @@ struct LoopScope {
 
 // -- resolve_instances.cpp
 void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written);
+// -- resolve_observers.cpp
+/// Their names and locations, which properties read; then their edges and all constraints.
+void declare_observers(LoopScope& scope, const tree::ClosedLoop& written);
+void resolve_observers(LoopScope& scope, const tree::ClosedLoop& written);
+void resolve_constraints(LoopScope& scope, const tree::ClosedLoop& written);
 // -- loop_names.cpp: what names mean in properties and constraints
 Terms property_terms(LoopScope& scope);
+/// The leaf of an expression of the loop that stands for `symbol`.
+Id<Expr> symbol_leaf(LoopScope& scope, const ClosedLoop::Symbol& symbol);
 // -- resolve_loop.cpp
 /// The shared variable of that name, declared where there is none yet.
 Id<ClosedLoop::Shared> shared_named(LoopScope& scope, std::string_view name, const Type& type, Span where);

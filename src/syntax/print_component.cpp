@@ -117,9 +117,9 @@ private:
             for (const Component::Clock& clock : component_.clocks) clocks.names.push_back(trees_.name(clock.name));
             items.emplace_back(std::move(clocks));
         }
-        for (const Id<Expr> condition : component_.constraints) {
+        for (const Component::Constraint& constraint : component_.constraints) {
             const Span where = trees_.next();
-            items.emplace_back(tree::Constraint{expression(condition), where});
+            items.emplace_back(tree::Constraint{expression(constraint.condition), where});
         }
         for (const Id<Component::Location> id : component_.locations.ids()) {
             const Component::Location& location = component_.locations[id];

@@ -35,6 +35,8 @@ public:
                 trees_.name(controller.name), {trees_.name(search ? "stability_search" : "every_cycle")}, where});
         }
         if (loop_.grain == Grain::Atomic) printed.items.emplace_back(tree::Grain{trees_.name("atomic"), trees_.next()});
+        if (loop_.schedule)
+            printed.items.emplace_back(tree::Schedule{trees_.name(word(*loop_.schedule)), trees_.next()});
         if (loop_.time_unit_ms) {
             const Span where = trees_.next();
             printed.items.emplace_back(tree::TimeUnit{trees_.duration(*loop_.time_unit_ms), where});
@@ -43,10 +45,14 @@ public:
         for (const ClosedLoop::Instance& one : loop_.instances)
             printed.items.emplace_back(instance(one, std::exchange(first, false)));
         first = true;
-        for (const Id<Expr> condition : loop_.constraints) {
+        for (const ClosedLoop::Constraint& constraint : loop_.constraints) {
+            if (constraint.controller.valid() || constraint.instance.valid()) continue;
             const Span where = trees_.next(std::exchange(first, false));
-            printed.items.emplace_back(tree::Constraint{expression(condition), where});
+            printed.items.emplace_back(tree::Constraint{expression(constraint.condition), where});
         }
+        first = true;
+        for (const ClosedLoop::Observer& one : loop_.observers)
+            printed.items.emplace_back(observer(one, std::exchange(first, false)));
         first = true;
         for (const Property& one : loop_.properties)
             printed.items.emplace_back(property(one, std::exchange(first, false)));
@@ -55,6 +61,34 @@ public:
     }
 
 private:
+    static std::string_view word(Schedule schedule) {
+        switch (schedule) {
+        case Schedule::Interleaved: return "interleaved";
+        case Schedule::Synchronous: return "synchronous";
+        case Schedule::Sequenced:   return "sequenced";
+        }
+        unreachable();
+    }
+
+    tree::Observer observer(const ClosedLoop::Observer& declared, bool first) {
+        tree::Observer written;
+        written.where = trees_.next(first);
+        written.name = trees_.name(declared.name);
+        for (const Id<ClosedLoop::ObserverLocation> id : declared.locations.ids())
+            written.items.emplace_back(tree::Location{
+                id == declared.initial, trees_.name(declared.locations[id].name), {}, {}, trees_.next()});
+        for (const ClosedLoop::ObserverEdge& edge : declared.edges) {
+            const Span where = trees_.next();
+            written.items.emplace_back(tree::ObserverEdge{trees_.name(declared.locations[edge.from].name),
+                                                          trees_.name(declared.locations[edge.to].name),
+                                                          expression(edge.guard),
+                                                          {},
+                                                          where});
+        }
+        trees_.end(written.where);
+        return written;
+    }
+
     Id<tree::Expr> constant(Component::ValueKind kind, std::int64_t value) {
         switch (kind) {
         case Component::ValueKind::Boolean:  return trees_.node(value != 0 ? tree::Op::True : tree::Op::False, {});
@@ -111,6 +145,10 @@ private:
                 [&](const ClosedLoop::LocationSymbol& of) {
                     const ClosedLoop::Instance& owner = loop_.instances[of.instance];
                     return owner.name + '.' + model_.components[owner.component].locations[of.location].name;
+                },
+                [&](const ClosedLoop::ObserverSymbol& of) {
+                    const ClosedLoop::Observer& owner = loop_.observers[of.observer];
+                    return owner.name + '.' + owner.locations[of.location].name;
                 },
             },
             symbol);

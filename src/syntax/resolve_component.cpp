@@ -43,6 +43,22 @@ std::string summary(const tree::File& file, const tree::Component& written) {
     return first == after ? std::string() : first_line(first->text);
 }
 
+/// What a component promises of its outputs; it reads nothing else, so that it can be assumed where they are free.
+void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) {
+    const Id<Expr> condition = all_terms(scope).resolve(written.condition, Kind::Boolean, "a constraint");
+    if (!condition.valid()) return;
+    const Component& component = scope.component;
+    for (const Id<Expr> leaf : leaves(component.exprs, condition)) {
+        const Expr& node = component.exprs[leaf];
+        const auto index = static_cast<std::uint32_t>(node.value);
+        const std::string& name =
+            node.op == Op::Variable ? component.variables[{index}].name : component.parameters[{index}].name;
+        if (node.op == Op::Variable || component.parameters[{index}].kind == Component::ParameterKind::Input)
+            scope.diagnostics.add(messages::constraint_reads(written.where, name, "output of the component"));
+    }
+    scope.component.constraints.push_back({condition, written.where});
+}
+
 }  // namespace
 
 std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
@@ -65,11 +81,7 @@ std::optional<Component> resolve_component(const tree::File& file, const tree::C
     for (const tree::ComponentItem& item : written.items) {
         if (const auto* location = std::get_if<tree::Location>(&item)) resolve_location(scope, *location);
         if (const auto* edge = std::get_if<tree::Edge>(&item)) resolve_edge(scope, *edge);
-        if (const auto* constraint = std::get_if<tree::Constraint>(&item)) {
-            const Id<Expr> condition = all_terms(scope).resolve(constraint->condition, Kind::Boolean, "a constraint");
-            if (condition.valid()) scope.component.constraints.push_back(condition);
-            diagnostics.add(messages::not_yet(constraint->where, "a `constraint` of a component"));
-        }
+        if (const auto* constraint = std::get_if<tree::Constraint>(&item)) resolve_constraint(scope, *constraint);
     }
     if (diagnostics.errors() != errors) return {};
     return std::move(scope.component);

@@ -155,6 +155,14 @@ void resolve_grain(LoopScope& scope, const tree::Grain& written, bool& seen) {
     if (grain) scope.loop.grain = *grain;
 }
 
+void resolve_schedule(LoopScope& scope, const tree::Schedule& written) {
+    if (scope.loop.schedule) scope.diagnostics.add(messages::declared_twice(written.where, "schedule"));
+    scope.loop.schedule = choice<Schedule>(scope, written.name, "schedule",
+                                           {{"interleaved", Schedule::Interleaved},
+                                            {"synchronous", Schedule::Synchronous},
+                                            {"sequenced", Schedule::Sequenced}});
+}
+
 void resolve_property(LoopScope& scope, const tree::Property& written,
                       std::unordered_map<std::string_view, Span>& names) {
     const auto [known, fresh] = names.try_emplace(scope.text(written.name), written.name.where);
@@ -180,6 +188,7 @@ void resolve_property(LoopScope& scope, const tree::Property& written,
 void resolve_questions(LoopScope& scope, const tree::ClosedLoop& written) {
     std::unordered_map<std::string_view, Span> names;
     bool grain = false;
+    if (!scope.incomplete) declare_observers(scope, written);
     for (const tree::LoopItem& item : written.items) {
         std::visit(overloaded{
             [](const tree::Controller&) {},
@@ -187,19 +196,15 @@ void resolve_questions(LoopScope& scope, const tree::ClosedLoop& written) {
             [&](const tree::Grain& chosen) { resolve_grain(scope, chosen, grain); },
             [&](const tree::TimeUnit& unit) { resolve_time_unit(scope, unit); },
             [&](const tree::Property& property) { if (!scope.incomplete) resolve_property(scope, property, names); },
-            [&](const tree::Constraint& constraint) {
-                if (scope.incomplete) return;
-                const Id<Expr> condition =
-                    property_terms(scope).resolve(constraint.condition, Kind::Boolean, "a constraint");
-                if (condition.valid()) scope.loop.constraints.push_back(condition);
-                scope.diagnostics.add(messages::not_yet(constraint.where, "a `constraint` of a closed loop"));
-            },
-            [&](const tree::Observer& observer) {
-                scope.diagnostics.add(messages::not_yet(observer.body.name.where, "an `observer`"));
-            },
+            [](const tree::Constraint&) {},
+            [](const tree::Observer&) {},
+            [&](const tree::Schedule& chosen) { resolve_schedule(scope, chosen); },
             [&](const tree::Accept& accept) { scope.diagnostics.add(messages::not_yet(accept.where, "`accept`")); },
         }, item);
     }
+    if (scope.incomplete) return;
+    resolve_observers(scope, written);
+    resolve_constraints(scope, written);
 }
 
 /// Every input of a controller is driven: by another controller, or by an instance.

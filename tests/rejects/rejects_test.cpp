@@ -16,6 +16,8 @@
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/plant/plant.hpp"
 #include "grafverif/read/text.hpp"
+#include "grafverif/schedule/controller.hpp"
+#include "grafverif/schedule/network.hpp"
 #include "grafverif/syntax/format.hpp"
 #include "grafverif/syntax/parse.hpp"
 
@@ -60,7 +62,8 @@ std::vector<fs::path> rejects() {
     return found;
 }
 
-/// As far as `build` goes: every chart to equations, every loop to a network.
+/// As far as `build` goes: every chart to equations, every loop to a network, and that to a transition system; with the
+/// constraints of the loop.
 void build(const Model& model, Diagnostics& diagnostics) {
     std::vector<std::optional<Equations>> equations;
     for (const Chart& chart : model.charts) equations.push_back(derive(chart, diagnostics));
@@ -69,8 +72,10 @@ void build(const Model& model, Diagnostics& diagnostics) {
         std::vector<Equations> controllers;
         for (const auto& controller : loop.controllers)
             if (equations[controller.chart.index]) controllers.push_back(*equations[controller.chart.index]);
-        if (network && controllers.size() == loop.controllers.size())
-            compose(*network, model, loop, controllers, {}, diagnostics);
+        if (!network || controllers.size() != loop.controllers.size()) continue;
+        const auto composed = compose(*network, model, loop, controllers, {}, diagnostics);
+        constraints_agree(loop, diagnostics);
+        if (composed && !diagnostics.has_errors()) schedule_network(*composed, {}, diagnostics);
     }
 }
 

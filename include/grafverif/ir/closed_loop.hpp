@@ -21,6 +21,9 @@ namespace grafverif {
 
 /// Whether the plant may move between the phases of one PLC cycle, or a cycle is one edge.
 enum class Grain { Phased, Atomic };
+/// In an untimed model with plant automata: any enabled automaton moves next; controller and automata step together
+/// (DESDES06); plant and controller take turns, and the plant settles in between (WODES06).
+enum class Schedule { Interleaved, Synchronous, Sequenced };
 
 struct ClosedLoop {
     struct Controller {
@@ -55,12 +58,48 @@ struct ClosedLoop {
         bool operator==(const Instance&) const = default;
     };
 
+    /// An automaton that watches (DESDES06 section 4, Fig. 6): in each step of an untimed model it takes the first of
+    /// its edges whose guard holds, or stays. Guards are expressions of the loop, like the operands of properties.
+    struct ObserverLocation {
+        std::string name = {};
+        Span origin = {};
+        bool operator==(const ObserverLocation&) const = default;
+    };
+    struct ObserverEdge {
+        Id<ObserverLocation> from = {}, to = {};
+        Id<Expr> guard = {};
+        Span origin = {};
+        bool operator==(const ObserverEdge&) const = default;
+    };
+    struct Observer {
+        std::string name = {};
+        Table<ObserverLocation> locations = {};
+        Id<ObserverLocation> initial = {};
+        std::vector<ObserverEdge> edges = {};
+        Span origin = {};
+        bool operator==(const Observer&) const = default;
+    };
+
+    /// Something that is said to hold always of the inputs of the controllers: assumed where they are free, a property
+    /// to prove beside plant automata. Written in the loop, in the chart of a controller, or in a component whose outputs
+    /// are meant.
+    struct Constraint {
+        std::string name = {};                 ///< `constraint_1`, `H_Cyl_constraint_1`
+        Id<Expr> condition = {};
+        Id<Controller> controller = {};        ///< whose chart says so; else not valid
+        Id<Instance> instance = {};            ///< whose component says so; else not valid
+        Span origin = {};
+        bool operator==(const Constraint&) const = default;
+    };
+
     /// What a name in a property stands for.
     struct SharedSymbol { Id<Shared> shared = {}; bool operator==(const SharedSymbol&) const = default; };
     struct InternalSymbol { Id<Controller> controller = {}; Id<Chart::Variable> variable = {}; bool operator==(const InternalSymbol&) const = default; };
     struct StepSymbol { Id<Controller> controller = {}; Id<Chart::Step> step = {}; bool operator==(const StepSymbol&) const = default; };
     struct LocationSymbol { Id<Instance> instance = {}; Id<Component::Location> location = {}; bool operator==(const LocationSymbol&) const = default; };
-    using Symbol = std::variant<SharedSymbol, InternalSymbol, StepSymbol, LocationSymbol>;
+    /// An observer is at a location.
+    struct ObserverSymbol { Id<Observer> observer = {}; Id<ObserverLocation> location = {}; bool operator==(const ObserverSymbol&) const = default; };
+    using Symbol = std::variant<SharedSymbol, InternalSymbol, StepSymbol, LocationSymbol, ObserverSymbol>;
 
     std::string name = {};
     Grain grain = Grain::Phased;
@@ -68,10 +107,12 @@ struct ClosedLoop {
     Table<Controller> controllers = {};
     Table<Shared> shared = {};
     Table<Instance> instances = {};
-    Exprs exprs = {};                                ///< of the properties; Variable leaves -> symbols
+    Exprs exprs = {};                                ///< of properties, constraints, observers; Variable leaves -> symbols
     Table<Symbol> symbols = {};
     Table<Property> properties = {};
-    std::vector<Id<Expr>> constraints = {};
+    Table<Constraint> constraints = {};
+    Table<Observer> observers = {};
+    std::optional<Schedule> schedule = {};           ///< as written; else interleaved
     Span time_unit_origin = {};
     Span origin = {};
 

@@ -88,6 +88,13 @@ struct Component {
         bool operator==(const Edge&) const = default;
     };
 
+    /// Always true of the outputs, whatever the inputs do.
+    struct Constraint {
+        Id<Expr> condition = {};
+        Span origin = {};
+        bool operator==(const Constraint&) const = default;
+    };
+
     std::string name = {};
     std::string summary = {};        ///< the first line of the comment above the component
     Exprs exprs = {};
@@ -97,7 +104,7 @@ struct Component {
     Table<Location> locations = {};
     Table<Edge> edges = {};
     Id<Location> initial = {};       ///< not valid: every instance must say `initially`
-    std::vector<Id<Expr>> constraints = {};
+    std::vector<Constraint> constraints = {};
     Span origin = {};
 
     bool operator==(const Component&) const = default;

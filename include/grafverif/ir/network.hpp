@@ -165,6 +165,21 @@ struct Network {
         bool operator==(const Controller&) const = default;
     };
 
+    /// An automaton that watches (ClosedLoop::Observer). Untimed models have it; the engines of the Network do not.
+    struct ObserverEdge {
+        std::uint32_t from = 0, to = 0;      ///< places in `locations`
+        Id<Expr> guard = {};
+        bool operator==(const ObserverEdge&) const = default;
+    };
+    struct Observer {
+        std::string name = {};
+        std::vector<std::string> locations = {};
+        std::uint32_t initial = 0;
+        std::vector<ObserverEdge> edges = {};   ///< in order of precedence
+        Span origin = {};
+        bool operator==(const Observer&) const = default;
+    };
+
     std::string name = {};
     Grain grain = Grain::Phased;
     std::int64_t time_unit_ms = 1000;
@@ -174,6 +189,10 @@ struct Network {
     Table<Process> processes = {};
     Table<Controller> controllers = {};
     Table<Property> properties = {};
+    /// Observers, and the properties that read them: there, and in the guards of observers, At takes an observer for a
+    /// process, counted on behind those of `processes`.
+    Table<Observer> observers = {};
+    Table<Property> observed = {};
     /// Settled: every controller in W and stable, no flag set, no urgent edge enabled. Over variables and At.
     Id<Expr> settled = {};
     /// The flag that two stored actions have raced; not valid where none can.
@@ -193,7 +212,7 @@ std::int64_t bound_value(const Network& network, const Network::Process& process
 bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge);
 
 /// The same network with one template per process and no parameters; process and location indices are unchanged, and
-/// properties keep their meaning.
+/// properties keep their meaning. Without observers and the properties that read them.
 Network expand(const Network& network);
 
 }  // namespace grafverif

@@ -126,6 +126,11 @@ Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, s
 Diagnostic no_controller(Span where, std::string_view loop);
 Diagnostic clock_in_property(Span where, std::string_view clock);
 Diagnostic declared_twice(Span where, std::string_view what);
+/// `what` it should be: `input of a controller`.
+Diagnostic constraint_reads(Span where, std::string_view name, std::string_view what);
+Diagnostic observer_blocks(Span where, std::string_view observer);
+Diagnostic observer_acts(Span where, std::string_view observer);
+Diagnostic observer_without_start(Span where, std::string_view observer);
 
 // -- import (src/support/messages_import.cpp) --------------------------------------------------------------------------
 Diagnostic broken_xml(Span where, std::string_view why);
@@ -180,5 +185,8 @@ Diagnostic range_skipped(Span where, std::string_view variable, std::string_view
                          std::string_view detector, std::int64_t low, std::int64_t high);
 
 // -- schedule and emit -------------------------------------------------------------------------------------------------
+/// (src/support/messages_loop.cpp) `decided`: else no inputs were found in the time there is.
+Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided);
+Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most);
 
 }  // namespace grafverif::messages

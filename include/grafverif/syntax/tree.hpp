@@ -221,8 +221,20 @@ struct Property {
     bool at_stable = false;
     Span where = {};
 };
+struct Schedule {
+    Name name = {};
+    Span where = {};
+};
+struct ObserverEdge {
+    Name from = {}, to = {};
+    Id<Expr> condition = {};
+    std::vector<Assignment> assignments = {};   ///< refused by the reader
+    Span where = {};
+};
+using ObserverItem = std::variant<Location, ObserverEdge>;
 struct Observer {
-    Component body = {};
+    Name name = {};
+    std::vector<ObserverItem> items = {};
     Span where = {};
 };
 /// `accept CODE "reason";`
@@ -232,7 +244,8 @@ struct Accept {
     Span where = {};
 };
 
-using LoopItem = std::variant<Controller, Grain, TimeUnit, Instance, Property, Constraint, Observer, Accept>;
+using LoopItem =
+    std::variant<Controller, Grain, TimeUnit, Schedule, Instance, Property, Constraint, Observer, Accept>;
 
 struct ClosedLoop {
     Name name = {};

@@ -84,7 +84,8 @@ TEST(Format, LaysDeclarationsOut) {
                        "closed_loop cell{controller press with every_cycle;grain atomic;time unit 1000ms;\n"
                        "plant Arm=arm(A=START,X=POS)initially in;environment E=free(OUT=a);\n"
                        "property P\"says\"expected violated:a leads to b at stable;property Q:exactly one of{X1,X2};\n"
-                       "property R:ctl\"AG x\";accept range-skipped\"so\";observer O(input A){location l;}}"),
+                       "property R:ctl\"AG x\";accept range-skipped\"so\";schedule sequenced;constraint !a;\n"
+                       "observer O{location l;initial location 2;l->2 when a&&X1;2->l;}}"),
         "include \"a.grafcet\";\n"
         "include \"b.grafcet\";\n"
         "\n"
@@ -131,8 +132,13 @@ TEST(Format, LaysDeclarationsOut) {
         "    property Q: exactly one of {X1, X2};\n"
         "    property R: ctl \"AG x\";\n"
         "    accept range-skipped \"so\";\n"
-        "    observer O(input A) {\n"
+        "    schedule sequenced;\n"
+        "    constraint !a;\n"
+        "    observer O {\n"
         "        location l;\n"
+        "        initial location 2;\n"
+        "        l -> 2 when a && X1;\n"
+        "        2 -> l;\n"
         "    }\n"
         "}\n");
 }
