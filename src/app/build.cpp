@@ -30,9 +30,11 @@ std::vector<Product> products(const Model& model, Id<ClosedLoop> loop, Job& job)
         }
     }
     if (job.options.target != Target::Uppaal) {
-        if (const auto system = controllers_of(model, loop, job))
+        if (const auto system = transition_system_of(model, loop, job))
             made.push_back({{folder / (name + ".smv"), nusmv_model(*system, job)},
-                            "NuSMV model of the controller, inputs and timer ends free: run `NuSMV` on it"});
+                            job.options.untimed.plant == PlantApproach::Automata
+                                ? "NuSMV model of the closed loop with its plant automata: run `NuSMV` on it"
+                                : "NuSMV model of the controller, inputs and timer ends free: run `NuSMV` on it"});
     }
     return made;
 }
@@ -71,11 +73,12 @@ Verb build_usage() {
             "Reads FILE (.grafcet) and writes, for its closed loop NAME,\n"
             "  NAME.xml  the UPPAAL project of the timed closed loop, with its queries\n"
             "  NAME.q    the same queries alone\n"
-            "  NAME.smv  the NuSMV model of the controller, inputs and timer ends free\n"
+            "  NAME.smv  the NuSMV model of the controller, inputs and timer ends free, or with --plant automata of the loop\n"
             "All are written, or none: what cannot be translated exactly is refused with its line.",
             {"grafverif build samples/testing_station/testing_station.grafcet",
              "grafverif build station.grafcet -o models --grain atomic --target uppaal"},
-            {Accepts::OutputDirectory, Accepts::Target, Accepts::Loop, Accepts::Mode, Accepts::Grain, Accepts::Format}};
+            {Accepts::OutputDirectory, Accepts::Target, Accepts::Loop, Accepts::Mode, Accepts::Grain, Accepts::Untimed,
+             Accepts::Format}};
 }
 
 }  // namespace grafverif::app

@@ -22,7 +22,7 @@ ExitCode nusmv(Job& job, const Streams& streams) {
     if (of_a_chart) {
         if (const auto chart = chosen_chart(*model, job)) system = controller_of(*model, *chart, job);
     } else if (const auto loop = chosen_loop(*model, job)) {
-        system = controllers_of(*model, *loop, job);
+        system = transition_system_of(*model, *loop, job);
     }
     if (!system) return ExitCode::Input;
     const std::string text = nusmv_model(*system, job);
@@ -40,12 +40,15 @@ Verb uppaal_usage() {
 }
 
 Verb nusmv_usage() {
-    return {"nusmv", "FILE", 1, 1, "write the NuSMV model of a controller",
+    return {"nusmv", "FILE", 1, 1, "write the NuSMV model of a controller, alone or with its plant",
             "Writes the NuSMV model of the controller of FILE's closed loop, or of a chart alone: one step of the model is one\n"
-            "PLC cycle; inputs and timer ends are free. What a verdict says of the real plant stands in the model's header.",
+            "PLC cycle; inputs and timer ends are free. With --plant automata, the model of the closed loop without time,\n"
+            "or with clocks that count (--time discrete). What a verdict says of the real plant stands in the model's\n"
+            "header.",
             {"grafverif nusmv samples/tanks/tanks.grafcet -o tanks.smv",
+             "grafverif nusmv samples/oven_door/oven_door.grafcet --plant automata --grain atomic",
              "grafverif nusmv station.grafcet --chart testing_station --mode every-cycle"},
-            {Accepts::Output, Accepts::Loop, Accepts::Chart, Accepts::Mode}};
+            {Accepts::Output, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed}};
 }
 
 }  // namespace grafverif::app

@@ -66,6 +66,16 @@ po::options_description visible_options(const Verb& verb) {
         add("mode", text("stability-search|every-cycle"), "when outputs are written; wins over what the file says");
     if (accepts(verb, Accepts::Grain))
         add("grain", text("phased|atomic"), "whether the plant may move within a PLC cycle; wins over the file");
+    if (accepts(verb, Accepts::Untimed)) {
+        add("plant", text("none|constraints|automata"),
+            "what the untimed model knows of the plant: nothing, the constraints on its inputs, or its automata "
+            "(default: none, or automata where an option below is given)");
+        add("schedule", text("interleaved|synchronous|sequenced"),
+            "who moves in a step of a model with plant automata; wins over the file (default: interleaved)");
+        add("time", text("abstract|discrete"),
+            "whether timed edges may be taken at any moment, or clocks count (default: abstract)");
+        add("fairness", po::bool_switch(), "every movement of the plant comes to its end");
+    }
     if (accepts(verb, Accepts::Format)) add("format", text("text|json"), "form of the output (default: text)");
     if (accepts(verb, Accepts::FormatLatex)) add("format", text("text|latex|json"), "form of the output (default: text)");
     if (accepts(verb, Accepts::Clock))
@@ -134,6 +144,32 @@ std::string choose_all(const Verb& verb, const po::variables_map& values, Option
     keep(choose<ColourChoice>(values, "color", {{"auto", ColourChoice::Auto}, {"always", ColourChoice::Always},
                                                 {"never", ColourChoice::Never}}, options.colour));
     return complaint;
+}
+
+/// The options of untimed models; those that only plant automata have ask for them.
+std::string choose_untimed(const po::variables_map& values, Options& options) {
+    ScheduleOptions& untimed = options.untimed;
+    untimed.fairness = values.count("fairness") != 0 && values["fairness"].as<bool>();
+    std::optional<PlantApproach> plant;
+    for (const std::string& complaint :
+         {choose<PlantApproach>(values, "plant", {{"none", PlantApproach::None},
+                                                  {"constraints", PlantApproach::Constraints},
+                                                  {"automata", PlantApproach::Automata}}, plant),
+          choose<Schedule>(values, "schedule", {{"interleaved", Schedule::Interleaved},
+                                                {"synchronous", Schedule::Synchronous},
+                                                {"sequenced", Schedule::Sequenced}}, untimed.schedule),
+          choose<TimeModel>(values, "time", {{"abstract", TimeModel::Abstract}, {"discrete", TimeModel::Discrete}},
+                            untimed.time)})
+        if (!complaint.empty()) return complaint;
+    const bool discrete = untimed.time == TimeModel::Discrete;
+    const char* asked = untimed.schedule ? "schedule" : discrete ? "time discrete" : untimed.fairness ? "fairness" : nullptr;
+    untimed.plant = plant.value_or(asked != nullptr ? PlantApproach::Automata : PlantApproach::None);
+    if (asked != nullptr && untimed.plant != PlantApproach::Automata)
+        return fmt::format("`--{}` needs `--plant automata`", asked);
+    if (discrete && untimed.schedule.value_or(Schedule::Interleaved) != Schedule::Interleaved)
+        return "`--time discrete` needs `--schedule interleaved`";
+    if (discrete) untimed.schedule = Schedule::Interleaved;
+    return {};
 }
 
 /// A whole number, times the factor of its suffix; `suffixes`: the first is that of a number without one.
@@ -252,6 +288,7 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (std::string complaint = choose_all(verb, values, options); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = leave_out_cures(values, options); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = choose_engine(values, options); !complaint.empty()) return {{}, complaint};
+    if (std::string complaint = choose_untimed(values, options); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = read_numbers(values, options); !complaint.empty()) return {{}, complaint};
     if (options.help) return {options, {}};
     if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};

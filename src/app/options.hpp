@@ -11,6 +11,7 @@
 
 #include "grafverif/compose/compose.hpp"
 #include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/schedule/options.hpp"
 
 namespace grafverif::app {
 
@@ -29,6 +30,7 @@ struct Options {
     std::optional<std::string> chart = {};
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
+    ScheduleOptions untimed = {};                    ///< of untimed models; its mode is the one above
     Target target = Target::Both;
     Clock clock = Clock::Simulated;
     Format format = Format::Text;
@@ -61,7 +63,7 @@ struct Options {
 };
 
 /// The options a verb may take besides --help, --quiet, --color and --diagnostics, which all take.
-enum class Accepts { Output, OutputDirectory, Loop, Chart, Mode, Grain, Target, Format, FormatLatex, InPlace,
+enum class Accepts { Output, OutputDirectory, Loop, Chart, Mode, Grain, Untimed, Target, Format, FormatLatex, InPlace,
                      Search, Traces, Walk, Verbose, Ablations, Clock, Bench, Sequence, FormatXml, MaxEvolutions };
 
 struct Verb {

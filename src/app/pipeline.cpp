@@ -17,6 +17,8 @@
 #include "grafverif/read/test_csv.hpp"
 #include "grafverif/read/text.hpp"
 #include "grafverif/schedule/controller.hpp"
+#include "grafverif/schedule/network.hpp"
+#include "grafverif/schedule/together.hpp"
 #include "grafverif/support/messages.hpp"
 
 namespace grafverif::app {
@@ -129,14 +131,33 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, Job& jo
     if (!equations || !plant_network) return {};
     for (const std::string& cure : job.options.cures_left_out) job.diagnostics.add(messages::cure_left_out(cure));
     const ComposeOptions options{job.options.grain, job.options.mode, job.options.without};
-    return compose(*plant_network, model, loop, *equations, options, job.diagnostics);
+    auto network = compose(*plant_network, model, loop, *equations, options, job.diagnostics);
+    if (network)
+        for (const Property& property : network->observed)
+            job.diagnostics.add(messages::not_expressible(property.origin, property.name, "timed",
+                                                          "it reads an observer, and observers watch untimed models"));
+    return network;
 }
 
-std::optional<TransitionSystem> controllers_of(const Model& model, Id<ClosedLoop> id, Job& job) {
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> id, Job& job) {
     const ClosedLoop& loop = model.loops[id];
+    ScheduleOptions options = job.options.untimed;
+    options.mode = job.options.mode;
     const auto equations = equations_of_controllers(model, loop, job);
     if (!equations) return {};
-    return schedule_controllers(model, loop, *equations, {job.options.mode});
+    if (options.plant != PlantApproach::Automata) {
+        if (options.plant == PlantApproach::Constraints && !constraints_agree(loop, job.diagnostics)) return {};
+        return schedule_controllers(model, loop, *equations, options);
+    }
+    const auto plant_network = plant(model, loop, job.diagnostics);
+    if (!plant_network) return {};
+    const Schedule schedule = options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved));
+    if (schedule != Schedule::Interleaved)
+        return schedule_together(model, loop, *equations, *plant_network, options, job.diagnostics);
+    const ComposeOptions composing{job.options.grain, job.options.mode, {}};
+    const auto network = compose(*plant_network, model, loop, *equations, composing, job.diagnostics);
+    if (!network) return {};
+    return schedule_network(*network, options, job.diagnostics);
 }
 
 std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> chart, Job& job) {

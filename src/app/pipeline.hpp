@@ -47,8 +47,10 @@ std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, J
 /// ClosedLoop -> plant -> Network
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Job& job);
 
-/// Equations -> TransitionSystem of the controllers alone: of the loop, or of a lone chart.
-std::optional<TransitionSystem> controllers_of(const Model& model, Id<ClosedLoop> loop, Job& job);
+/// ClosedLoop -> TransitionSystem, by the options of untimed models: of the controllers alone, or with plant automata.
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, Job& job);
+
+/// Equations -> TransitionSystem of a lone chart.
 std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> chart, Job& job);
 
 /// Equations, TestSequence -> Structured Text in the form of `--format`. Empty after an error.

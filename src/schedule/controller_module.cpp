@@ -20,11 +20,12 @@ using Variable = Equations::Variable;
 
 struct Builder {
     const Equations& equations;
-    const ExecutionMode mode;
+    const ControllerStyle style;
     Exprs& exprs;
+    const ExecutionMode mode = style.mode;
     ControllerModule result = {};
     UniqueNames names = {};
-    Id<Symbol> turn = {};
+    Id<Symbol> turn = {}, elapse = {};
     /// Per variable: the symbol that the cycle reads (of an output with stored actions, its image), the one that holds
     /// the input of the first evolution, and the stored equation.
     std::vector<Id<Symbol>> read = {}, first = {};
@@ -129,16 +130,50 @@ bool reads_inputs(const Equations& equations, Id<Expr> term) {
 
 // -- symbols, in the order in which they are declared -----------------------------------------------------------------
 
-void add_parameters(Builder& builder, bool turns) {
-    for (const Role role : {Role::Input, Role::TimerEnd})
+void add_parameters(Builder& builder) {
+    const auto add = [&builder](Role role, std::string_view section, bool parameter) {
         for (const Id<Variable> id : builder.equations.variables.ids()) {
             const Variable& variable = builder.equations.variables[id];
             if (variable.role != role) continue;
-            builder.read[id.index] = builder.result.module.symbols.add(
-                {variable.name, variable.type, TransitionSystem::ParameterSymbol{}, "", variable.origin});
-            builder.result.parameters.push_back(id);
+            builder.read[id.index] = builder.result.module.symbols.add({variable.name, variable.type,
+                                                                        TransitionSystem::ParameterSymbol{},
+                                                                        std::string(section), variable.origin});
+            if (parameter) builder.result.parameters.push_back(id);
+            else builder.result.symbols[id.index] = builder.read[id.index];
         }
-    if (turns) builder.turn = builder.add("turn", {}, "");
+    };
+    add(Role::Input, "", true);
+    if (!builder.style.with_plant) add(Role::TimerEnd, "", true);
+    if (builder.style.turns) builder.turn = builder.add("turn", {}, "");
+    if (!builder.style.with_plant || builder.equations.timers.empty()) return;
+    builder.elapse = builder.add("elapse", {}, "");
+    add(Role::TimerEnd, "ends of timers", false);
+}
+
+/// The end of a timer over a step comes at any moment that `elapse` allows while the step is active, and goes when the
+/// step is left or activated anew. Other timers (with a second duration, over another term) are left free.
+void set_timers(Builder& builder) {
+    if (!builder.style.with_plant) return;
+    Exprs& exprs = builder.exprs;
+    for (const Equations::Timer& timer : builder.equations.timers) {
+        const Id<Symbol> end = builder.read[timer.end.index];
+        const auto step =
+            std::ranges::find(builder.equations.steps, timer.watched, &Equations::StepActivity::variable);
+        const Id<Symbol> now = builder.add(timer.name + "_elapses", {}, "timers that end in a step");
+        builder.result.module.symbols[now].kind = TransitionSystem::ChoiceSymbol{};
+        const Id<Expr> ended = exprs.disjunction(
+            builder.leaf(end), exprs.conjunction(builder.leaf(builder.elapse), builder.leaf(now)));
+        Id<Expr> next = builder.leaf(now);
+        if (step != builder.equations.steps.end() && timer.fall_ms == 0) {
+            const Id<Expr> runs = exprs.conjunction(builder.next[timer.watched.index],
+                                                    exprs.negation(builder.in_cycle(step->activated)));
+            next = exprs.conjunction(runs, ended);
+            if (builder.turn.valid())
+                next = exprs.conditional(builder.leaf(builder.turn), next,
+                                         exprs.conjunction(builder.leaf(builder.read[timer.watched.index]), ended));
+        }
+        builder.result.module.symbols[end].kind = TransitionSystem::StateSymbol{exprs.constant(false), next};
+    }
 }
 
 /// A variable for each input that the first evolution reads.
@@ -359,21 +394,24 @@ void set_flags(Builder& builder) {
     builder.result.bounded.erase(repeated.begin(), repeated.end());
 }
 
-/// The input of the first evolution is forgotten after it, so that it adds no states.
+/// The input of the first evolution is forgotten after it, so that it adds no states. A plant does not move between it
+/// and the first state.
 void set_first_inputs(Builder& builder) {
     for (const Id<Variable> id : builder.equations.variables.ids()) {
         const Variable& variable = builder.equations.variables[id];
         if (!builder.first[id.index].valid()) continue;
+        std::optional<Id<Expr>> read;
+        if (builder.style.with_plant) read = builder.leaf(builder.read[id.index]);
         builder.result.module.symbols[builder.first[id.index]].kind =
-            TransitionSystem::StateSymbol{{}, builder.constant(variable.type, variable.type.low)};
+            TransitionSystem::StateSymbol{read, builder.constant(variable.type, variable.type.low)};
     }
 }
 
 }  // namespace
 
-ControllerModule controller_module(const Equations& equations, ExecutionMode mode, bool turns, Exprs& exprs) {
+ControllerModule controller_module(const Equations& equations, const ControllerStyle& style, Exprs& exprs) {
     const std::size_t size = equations.variables.size();
-    Builder builder{equations, mode, exprs};
+    Builder builder{equations, style, exprs};
     for (const Variable& variable : equations.variables) builder.names.fresh(variable.name);
     for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {
         const Op op = equations.exprs[Id<Expr>{term}].op;
@@ -390,7 +428,7 @@ ControllerModule controller_module(const Equations& equations, ExecutionMode mod
     builder.result.module.name = "controller_" + equations.name;
     for (const Equations::Stored& stored : equations.stored) builder.stored[stored.variable.index] = &stored;
 
-    add_parameters(builder, turns);
+    add_parameters(builder);
     add_first_inputs(builder);
     add_states(builder);
     set_steps(builder);
@@ -399,6 +437,7 @@ ControllerModule controller_module(const Equations& equations, ExecutionMode mod
     set_constants(builder);
     set_stable(builder);
     set_outputs(builder);
+    set_timers(builder);
     set_flags(builder);
     set_first_inputs(builder);
     builder.result.first = builder.first;

@@ -15,7 +15,7 @@ using Symbol = TransitionSystem::Symbol;
 
 struct ControllerModule {
     TransitionSystem::Module module = {};
-    /// The inputs and timer ends that are the parameters, in order; a `turn` comes last, where there is one.
+    /// The inputs and timer ends that are the parameters, in order; then `turn` and `elapse`, where there are any.
     std::vector<Id<Equations::Variable>> parameters = {};
     /// Each variable of the equations as properties read it: outputs as written to the plant.
     std::vector<Id<Symbol>> symbols = {};
@@ -27,7 +27,14 @@ struct ControllerModule {
     std::vector<Id<Equations::Variable>> bounded = {};   ///< the variables whose assignments may leave their range
 };
 
-/// `turns`: the module has a parameter `turn`; where it is false, nothing happens.
-ControllerModule controller_module(const Equations& equations, ExecutionMode mode, bool turns, Exprs& exprs);
+struct ControllerStyle {
+    ExecutionMode mode = ExecutionMode::StabilitySearch;
+    bool turns = false;         ///< a parameter `turn`: where it is false, nothing happens
+    /// Inputs come from a plant: the first evolution reads those of state 0, and timer ends are variables of the module:
+    /// false from the activation of their step on; they may become true in a step with the parameter `elapse`, which
+    /// only a module with timers has. Else timer ends are parameters.
+    bool with_plant = false;
+};
+ControllerModule controller_module(const Equations& equations, const ControllerStyle& style, Exprs& exprs);
 
 }  // namespace grafverif::schedule

@@ -1,94 +1,28 @@
 // SPDX-License-Identifier: MIT
-// A property that reads only inputs, outputs, internals and steps is asked of the controllers alone; every other one is
-// left out, with the reason that the model prints in its place.
 #include "schedule/properties.hpp"
 
-#include <optional>
+#include <algorithm>
 
 #include "grafverif/support/overloaded.hpp"
+#include "support/unique_names.hpp"
 
 namespace grafverif::schedule {
 
-Members members(TransitionSystem& system, std::span<const ControllerModule> controllers) {
-    Members result{system, controllers};
-    for (const TransitionSystem::Instance& instance : system.instances)
-        result.known.emplace_back(system.modules[instance.module].symbols.size());
-    return result;
+Id<Symbol> member(Members& members, Id<TransitionSystem::Instance> instance, Id<Symbol> symbol) {
+    const auto [known, fresh] = members.known.try_emplace({instance, symbol});
+    if (!fresh) return known->second;
+    TransitionSystem& system = members.system;
+    const Symbol inner = system.modules[system.instances[instance].module].symbols[symbol];
+    return known->second = system.modules[system.main].symbols.add(
+               {system.instances[instance].name + "." + inner.name, inner.type,
+                TransitionSystem::MemberSymbol{instance, symbol}, "", inner.origin, inner.values});
 }
 
 Id<Symbol> member(Members& members, std::size_t controller, Id<Symbol> symbol) {
-    Id<Symbol>& known = members.known[controller][symbol.index];
-    if (known.valid()) return known;
-    TransitionSystem& system = members.system;
-    const Id<TransitionSystem::Instance> id{static_cast<std::uint32_t>(controller)};
-    const TransitionSystem::Instance& instance = system.instances[id];
-    const Symbol& inner = system.modules[instance.module].symbols[symbol];
-    known = system.modules[system.main].symbols.add({instance.name + "." + inner.name, inner.type,
-                                                     TransitionSystem::MemberSymbol{id, symbol}, "", inner.origin});
-    return known;
+    return member(members, Id<TransitionSystem::Instance>{static_cast<std::uint32_t>(controller)}, symbol);
 }
 
-namespace {
-
-struct Translation {
-    Members& members;
-    const Model& model;
-    const ClosedLoop& loop;
-    std::span<const Equations> equations;
-    std::span<const Id<Symbol>> shared;
-};
-
-/// The symbol of main that a name in a property stands for, or why there is none.
-struct Meaning {
-    Id<Symbol> symbol = {};
-    std::string reason = {};
-};
-
-Meaning meaning(Translation& translation, const ClosedLoop::Symbol& symbol) {
-    Members& members = translation.members;
-    const ClosedLoop& loop = translation.loop;
-    return std::visit(overloaded{
-        [&](const ClosedLoop::SharedSymbol& of) -> Meaning {
-            const Id<Symbol> known = translation.shared[of.shared.index];
-            if (known.valid()) return {known, {}};
-            return {{}, "`" + loop.shared[of.shared].name + "` is a variable of the plant"};
-        },
-        [&](const ClosedLoop::InternalSymbol& of) -> Meaning {
-            const std::size_t controller = of.controller.index;
-            const Id<Symbol> inner = members.controllers[controller].symbols[of.variable.index];
-            return {member(members, controller, inner), {}};
-        },
-        [&](const ClosedLoop::StepSymbol& of) -> Meaning {
-            const std::size_t controller = of.controller.index;
-            const Id<Equations::Variable> activity = translation.equations[controller].steps[of.step.index].variable;
-            return {member(members, controller, members.controllers[controller].symbols[activity.index]), {}};
-        },
-        [&](const ClosedLoop::LocationSymbol& of) -> Meaning {
-            const ClosedLoop::Instance& instance = loop.instances[of.instance];
-            const Component& component = translation.model.components[instance.component];
-            return {{},
-                    "`" + instance.name + "." + component.locations[of.location].name + "` is a location of the plant"};
-        },
-    }, symbol);
-}
-
-/// `operand` over the symbols of main; or nothing, and `reason` says why.
-std::optional<Id<Expr>> operand_of(Translation& translation, Id<Expr> operand, std::string& reason) {
-    const auto symbol_of = [&](const Expr& leaf) -> const ClosedLoop::Symbol& {
-        return translation.loop.symbols[{static_cast<std::uint32_t>(leaf.value)}];
-    };
-    for (const Id<Expr> leaf : leaves(translation.loop.exprs, operand)) {
-        reason = meaning(translation, symbol_of(translation.loop.exprs[leaf])).reason;
-        if (!reason.empty()) return {};
-    }
-    Exprs& exprs = translation.members.system.exprs;
-    return translate(translation.loop.exprs, operand, exprs, [&](const Expr& leaf) {
-        return exprs.leaf(Op::Variable, meaning(translation, symbol_of(leaf)).symbol.index);
-    });
-}
-
-/// Why the pattern as such is no question to an untimed model of the controllers alone; empty: it is one.
-std::string refusal(Pattern pattern) {
+std::string untimed_refusal(Pattern pattern) {
     switch (pattern) {
     case Pattern::NoDeadlock: return "this model is total, and cannot say whether the closed loop is";
     case Pattern::NoTimelock: return "there is no time in this model";
@@ -101,60 +35,126 @@ std::string refusal(Pattern pattern) {
     unreachable();
 }
 
+LoopMeaning meaning_of_controllers(Members& members, const Model& model, const ClosedLoop& loop,
+                                   std::span<const Equations> equations, const std::vector<Id<Symbol>>& shared) {
+    const auto leaf = [&members](Id<Symbol> symbol) { return members.system.exprs.leaf(Op::Variable, symbol.index); };
+    const auto of_controller = [&members, leaf](std::size_t controller, std::size_t variable) {
+        return leaf(member(members, controller, members.controllers[controller].symbols[variable]));
+    };
+    LoopMeaning meaning;
+    meaning.refusal = untimed_refusal;
+    meaning.term = [&loop, &model, equations, shared, leaf, of_controller](const ClosedLoop::Symbol& symbol,
+                                                                          std::string& reason) {
+        return std::visit(overloaded{
+            [&](const ClosedLoop::SharedSymbol& of) -> Id<Expr> {
+                const Id<Symbol> known = shared[of.shared.index];
+                if (known.valid()) return leaf(known);
+                reason = "`" + loop.shared[of.shared].name + "` is a variable of the plant";
+                return {};
+            },
+            [&](const ClosedLoop::InternalSymbol& of) -> Id<Expr> {
+                return of_controller(of.controller.index, of.variable.index);
+            },
+            [&](const ClosedLoop::StepSymbol& of) -> Id<Expr> {
+                const Equations& chart = equations[of.controller.index];
+                return of_controller(of.controller.index, chart.steps[of.step.index].variable.index);
+            },
+            [&](const ClosedLoop::LocationSymbol& of) -> Id<Expr> {
+                const ClosedLoop::Instance& instance = loop.instances[of.instance];
+                const Component& component = model.components[instance.component];
+                reason = "`" + instance.name + "." + component.locations[of.location].name +
+                         "` is a location of the plant";
+                return {};
+            },
+            [&](const ClosedLoop::ObserverSymbol& of) -> Id<Expr> {
+                reason = "`" + loop.observers[of.observer].name + "` is an observer";
+                return {};
+            },
+        }, symbol);
+    };
+    for (std::size_t controller = 0; controller < equations.size(); ++controller) {
+        const std::string chart = equations.size() > 1 ? equations[controller].name + "." : "";
+        for (const Equations::StepActivity& step : equations[controller].steps)
+            meaning.steps.push_back({chart + step.step, of_controller(controller, step.variable.index)});
+    }
+    return meaning;
+}
+
+Id<Expr> term_of(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning, Id<Expr> expr,
+                 std::string& reason) {
+    const auto symbol_of = [&](const Expr& leaf) -> const ClosedLoop::Symbol& {
+        return loop.symbols[{static_cast<std::uint32_t>(leaf.value)}];
+    };
+    for (const Id<Expr> leaf : leaves(loop.exprs, expr))
+        if (!meaning.term(symbol_of(loop.exprs[leaf]), reason).valid()) return {};
+    return translate(loop.exprs, expr, system.exprs, [&](const Expr& leaf) {
+        std::string none;
+        return meaning.term(symbol_of(leaf), none);
+    });
+}
+
+namespace {
+
 /// One `reachable` per step, named `PROP.X7`; with several controllers `PROP.chart.X7`.
-void add_all_steps(Translation& translation, const Property& property) {
-    Members& members = translation.members;
-    for (std::size_t controller = 0; controller < translation.equations.size(); ++controller) {
-        const std::string& chart = translation.equations[controller].name;
-        const std::string prefix = property.name + (translation.equations.size() > 1 ? "." + chart : "") + ".";
-        for (const Equations::StepActivity& step : translation.equations[controller].steps) {
-            const Id<Symbol> activity = members.controllers[controller].symbols[step.variable.index];
-            const Id<Symbol> symbol = member(members, controller, activity);
-            Property one = property;
-            const std::size_t dot = step.step.rfind('.');
-            const std::size_t own = dot == std::string::npos ? 0 : dot + 1;
-            one.name = prefix + step.step.substr(0, own) + "X" + step.step.substr(own);
-            one.pattern = Pattern::Reachable;
-            one.operands = {members.system.exprs.leaf(Op::Variable, symbol.index)};
-            members.system.properties.add(std::move(one));
-        }
+void add_all_steps(TransitionSystem& system, const Property& property, const LoopMeaning& meaning) {
+    for (const StepTerm& step : meaning.steps) {
+        Property one = property;
+        const std::size_t dot = step.label.rfind('.');
+        const std::size_t own = dot == std::string::npos ? 0 : dot + 1;
+        one.name = property.name + "." + step.label.substr(0, own) + "X" + step.label.substr(own);
+        one.pattern = Pattern::Reachable;
+        one.operands = {step.active};
+        system.properties.add(std::move(one));
     }
 }
 
-void add_property(Translation& translation, const Property& property) {
-    TransitionSystem& system = translation.members.system;
-    std::string reason = refusal(property.pattern);
+void add_property(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning,
+                  const Property& property) {
+    std::string reason = meaning.refusal(property.pattern);
     Property translated = property;
     translated.operands.clear();
     for (std::size_t k = 0; reason.empty() && k < property.operands.size(); ++k)
-        if (const auto operand = operand_of(translation, property.operands[k], reason))
-            translated.operands.push_back(*operand);
+        translated.operands.push_back(term_of(system, loop, meaning, property.operands[k], reason));
     if (!reason.empty()) {
         translated.operands.clear();
         system.omitted.push_back({std::move(translated), std::move(reason), system.properties.size()});
         return;
     }
-    if (property.pattern == Pattern::ReachableAllSteps) add_all_steps(translation, property);
+    if (meaning.judged_when_settled) translated.at_stable = true;
+    if (property.pattern == Pattern::ReachableAllSteps) add_all_steps(system, translated, meaning);
     else system.properties.add(std::move(translated));
 }
 
-/// `name`: never one of `flags`.
-void add_never(Members& members, std::string name, std::string text, const std::vector<Id<Expr>>& flags) {
+}  // namespace
+
+void add_properties(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning) {
+    for (const Property& property : loop.properties) add_property(system, loop, meaning, property);
+}
+
+void add_constraint_properties(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning) {
+    UniqueNames names;
+    for (const Property& property : system.properties) names.fresh(property.name);
+    for (const ClosedLoop::Constraint& constraint : loop.constraints) {
+        std::string reason;
+        const Id<Expr> term = term_of(system, loop, meaning, constraint.condition, reason);
+        if (!term.valid()) continue;
+        system.properties.add({.name = names.fresh(constraint.name),
+                               .text = "the constraint holds of this plant",
+                               .pattern = Pattern::Always,
+                               .operands = {term},
+                               .at_stable = meaning.judged_when_settled,
+                               .origin = constraint.origin});
+    }
+}
+
+void add_never(TransitionSystem& system, std::string name, std::string text, const std::vector<Id<Expr>>& flags) {
     if (flags.empty()) return;
     Property property;
     property.name = std::move(name);
     property.text = std::move(text);
     property.pattern = Pattern::Never;
-    property.operands = {members.system.exprs.disjunction(flags)};
-    members.system.properties.add(std::move(property));
-}
-
-}  // namespace
-
-void add_properties(Members& members, const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
-                    std::span<const Id<Symbol>> shared) {
-    Translation translation{members, model, loop, equations, shared};
-    for (const Property& property : loop.properties) add_property(translation, property);
+    property.operands = {system.exprs.disjunction(flags)};
+    system.properties.add(std::move(property));
 }
 
 void add_fault_properties(Members& members, std::span<const Equations> equations) {
@@ -170,10 +170,11 @@ void add_fault_properties(Members& members, std::span<const Equations> equations
         for (const Id<Equations::Variable> id : module.bounded)
             bounded += (bounded.empty() ? "" : ", ") + equations[controller].variables[id].name;
     }
-    add_never(members, "no_race", "no two stored actions write different values to one variable in one cycle", races);
+    add_never(members.system, "no_race", "no two stored actions write different values to one variable in one cycle",
+              races);
     const std::string text = bounded.empty() ? "nothing is divided by zero"
                                              : "no assignment leaves the range of its variable: " + bounded;
-    add_never(members, "no_out_of_range", text, ranges);
+    add_never(members.system, "no_out_of_range", text, ranges);
 }
 
 }  // namespace grafverif::schedule

@@ -56,7 +56,7 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
     EXPECT_TRUE(verify(*model).empty());
     const auto equations = equations_of(*model, *chart, job);
     const auto network = network_of(*model, *loop, job);
-    const auto system = controllers_of(*model, *loop, job);
+    const auto system = transition_system_of(*model, *loop, job);
     ASSERT_TRUE(equations && network && system);
     EXPECT_TRUE(verify(*equations).empty());
     EXPECT_TRUE(verify(*network).empty());
@@ -69,12 +69,20 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
     expect_golden(folder / "4-uppaal.xml", project.project);
     expect_golden(folder / "4-uppaal.q", project.queries);
     expect_golden(folder / "5-model.smv", nusmv_model(*system, job));
+    if (model->loops[*loop].schedule) {
+        job.options.untimed.plant = PlantApproach::Automata;
+        const auto with_plant = transition_system_of(*model, *loop, job);
+        ASSERT_TRUE(with_plant);
+        EXPECT_TRUE(verify(*with_plant).empty());
+        expect_golden(folder / "5-model-with-plant.smv", nusmv_model(*with_plant, job));
+    }
     EXPECT_FALSE(job.diagnostics.has_errors());
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, Golden,
                          testing::Values("testing_station/testing_station", "testing_station/faulty",
-                                         "oven_door/oven_door", "tanks/tanks", "blinker/blinker"),
+                                         "oven_door/oven_door", "tanks/tanks", "blinker/blinker",
+                                         "assembly_station/assembly_station", "pick_and_place/pick_and_place"),
                          [](const auto& sample) { return fs::path(sample.param).filename().string(); });
 
 }  // namespace

@@ -15,7 +15,11 @@
 
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/emit/nusmv.hpp"
+#include "grafverif/compose/compose.hpp"
+#include "grafverif/plant/plant.hpp"
 #include "grafverif/schedule/controller.hpp"
+#include "grafverif/schedule/network.hpp"
+#include "grafverif/schedule/together.hpp"
 #include "grafverif/syntax/legal_names.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
@@ -54,46 +58,26 @@ struct Graph {
     std::size_t initial = 0;   ///< the first so many states
 };
 
-/// Each combination of values of the variables that `visit` asks for, by counting.
-template <class Visit>
-void each_choice(const Visit& visit) {
-    std::vector<std::int64_t> picks, sizes;
-    while (true) {
-        std::size_t at = 0;
-        visit([&](std::string_view, Type type) {
-            if (at == picks.size()) {
-                picks.push_back(0);
-                sizes.push_back(type.high - type.low + 1);
-            }
-            return type.low + picks[at++];
-        });
-        std::size_t digit = 0;
-        while (digit < picks.size() && ++picks[digit] == sizes[digit]) picks[digit++] = 0;
-        if (digit == picks.size()) return;
-    }
-}
-
-/// Empty: more states than `limit`, or more ways than 64 to choose the free variables.
+/// Empty: more states than `limit`, or too many ways to go on from one.
 std::optional<Graph> explore(const System& system, std::size_t limit) {
-    std::int64_t ways = 1;
-    for (const System::Symbol& symbol : system.modules[system.main].symbols)
-        if (std::holds_alternative<System::StateSymbol>(symbol.kind)) ways *= symbol.type.high - symbol.type.low + 1;
-    if (ways > 64) return {};
     Graph graph;
     std::map<SystemState, std::size_t> known;
-    const auto number = [&](SystemState state) {
-        const auto [at, added] = known.emplace(std::move(state), graph.states.size());
-        if (added) graph.states.push_back(at->first);
+    const auto number = [&](const SystemState& state) {
+        const auto [at, added] = known.emplace(state, graph.states.size());
+        if (added) graph.states.push_back(state);
         return at->second;
     };
-    each_choice([&](const Choose& choose) { number(first_state(system, choose)); });
+    const auto first = first_states(system, 64);
+    if (!first) return {};
+    for (const SystemState& state : *first) number(state);
     graph.initial = graph.states.size();
     for (std::size_t at = 0; at < graph.states.size(); ++at) {
         if (graph.states.size() > limit) return {};
-        const SystemState from = graph.states[at];
-        std::set<std::size_t> next;
-        each_choice([&](const Choose& choose) { next.insert(number(next_state(system, from, choose))); });
-        graph.successors.emplace_back(next.begin(), next.end());
+        const auto next = successors(system, SystemState(graph.states[at]), 256);
+        if (!next) return {};
+        std::vector<std::size_t> numbers;
+        for (const SystemState& state : *next) numbers.push_back(number(state));
+        graph.successors.push_back(std::move(numbers));
     }
     return graph;
 }
@@ -199,11 +183,21 @@ std::string emitted(const System& system) {
     return out.str();
 }
 
+/// A Boolean variable of main or of an instance: something to ask about that reads no choice.
+bool holds_in_states(const System& system, Id<System::Symbol> id) {
+    const System::Symbol& symbol = system.modules[system.main].symbols[id];
+    if (!symbol.type.boolean) return false;
+    const System::Symbol* of = &symbol;
+    if (const auto* member = std::get_if<System::MemberSymbol>(&symbol.kind))
+        of = &system.modules[system.instances[member->instance].module].symbols[member->symbol];
+    return std::holds_alternative<System::StateSymbol>(of->kind);
+}
+
 /// A property per pattern over steps and outputs, beside those the loop has.
 void ask_more(System& system, Random& random) {
     std::vector<Id<Expr>> leaves;
     for (const Id<System::Symbol> id : system.modules[system.main].symbols.ids())
-        if (system.modules[system.main].symbols[id].type.boolean)
+        if (holds_in_states(system, id))
             leaves.push_back(system.exprs.leaf(Op::Variable, id.index));
     const auto any = [&] {
         return leaves[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(leaves.size()) - 1))];
@@ -271,6 +265,49 @@ TEST(NusmvOracle, AgreesWithAnExplicitSearchOnRandomLoops) {
         System system = schedule_controllers(model, loop, equations);
         ask_more(system, random);
         ASSERT_NO_FATAL_FAILURE(compare(system, states, verdicts));
+    }
+    std::cout << "seeds 1 to " << cases << ": " << states << " states counted, " << verdicts << " verdicts compared\n";
+}
+
+/// A loop under every schedule, with clocks that count and without.
+std::vector<System> with_automata(const Model& model, const ClosedLoop& loop, const std::vector<Equations>& equations) {
+    Diagnostics diagnostics;
+    std::vector<System> made;
+    const auto plant_network = plant(model, loop, diagnostics);
+    if (!plant_network) return made;
+    for (const Schedule schedule : {Schedule::Synchronous, Schedule::Sequenced})
+        if (auto system = schedule_together(model, loop, equations, *plant_network, {.schedule = schedule}, diagnostics))
+            made.push_back(std::move(*system));
+    for (const Grain grain : {Grain::Atomic, Grain::Phased}) {
+        const auto network = compose(*plant_network, model, loop, equations, {grain, {}, {}}, diagnostics);
+        if (!network) continue;
+        for (const TimeModel time : {TimeModel::Abstract, TimeModel::Discrete})
+            if (auto system = schedule_network(*network, {.time = time}, diagnostics)) made.push_back(std::move(*system));
+    }
+    return made;
+}
+
+TEST(NusmvOracle, AgreesWithAnExplicitSearchOnRandomLoopsWithPlantAutomata) {
+    if (!nusmv_is_installed()) GTEST_SKIP() << "NuSMV is not on the PATH";
+    const int cases = law_size(12);
+    std::size_t states = 0, verdicts = 0;
+    for (int seed = 1; seed <= cases; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Model model = random_loop(random);
+        const ClosedLoop& loop = model.loops[{0}];
+        Diagnostics diagnostics;
+        std::vector<Equations> equations;
+        for (const ClosedLoop::Controller& controller : loop.controllers)
+            if (auto derived = derive(model.charts[controller.chart], diagnostics))
+                equations.push_back(std::move(*derived));
+        if (equations.size() != loop.controllers.size()) continue;
+        for (System& system : with_automata(model, loop, equations)) {
+            SCOPED_TRACE(system.scope);
+            ASSERT_EQ(verify(system), std::vector<std::string>{});
+            ask_more(system, random);
+            ASSERT_NO_FATAL_FAILURE(compare(system, states, verdicts));
+        }
     }
     std::cout << "seeds 1 to " << cases << ": " << states << " states counted, " << verdicts << " verdicts compared\n";
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 
@@ -168,6 +169,124 @@ std::optional<SystemState> taken_step(const System& system, const SystemState& s
         expect_in_range(symbol, slot(next, place));
     });
     return next;
+}
+
+namespace {
+
+/// All ways to give values to some symbols, one after the other.
+struct Ways {
+    std::vector<Site> sites = {};
+    std::vector<Type> types = {};
+
+    std::size_t count() const {
+        std::size_t ways = 1;
+        for (const Type& type : types) ways *= static_cast<std::size_t>(type.high - type.low + 1);
+        return ways;
+    }
+    void put(std::size_t way, SystemState& state) const {
+        for (std::size_t k = 0; k < sites.size(); ++k) {
+            const auto width = static_cast<std::size_t>(types[k].high - types[k].low + 1);
+            slot(state, sites[k]) = types[k].low + static_cast<std::int64_t>(way % width);
+            way /= width;
+        }
+    }
+};
+
+Ways choices_of(const System& system, std::optional<std::size_t> instance) {
+    Ways ways;
+    const System::Module& module = module_at(system, instance);
+    for (const Id<System::Symbol> id : module.symbols.ids())
+        if (std::holds_alternative<System::ChoiceSymbol>(module.symbols[id].kind)) {
+            ways.sites.push_back({instance, id});
+            ways.types.push_back(module.symbols[id].type);
+        }
+    return ways;
+}
+
+Ways free_variables(const System& system, bool at_first) {
+    Ways ways;
+    each_state_symbol(system, [&](Site place, const System::Symbol& symbol, const System::StateSymbol& kind) {
+        if (at_first ? kind.initial.has_value() : kind.next.has_value()) return;
+        ways.sites.push_back(place);
+        ways.types.push_back(symbol.type);
+    });
+    return ways;
+}
+
+bool offers(const System& system, const SystemState& state, std::optional<std::size_t> instance) {
+    const Evaluator evaluator = in_state(system, state);
+    for (const Id<Expr> term : module_at(system, instance).transitions)
+        if (evaluator.term(term, instance) == 0) return false;
+    return true;
+}
+
+/// Every combination of choices that is on offer, main's first, as states that hold them.
+std::vector<SystemState> offered_choices(const System& system, const SystemState& state) {
+    std::vector<SystemState> found;
+    const Ways main = choices_of(system, {});
+    for (std::size_t way = 0; way < main.count(); ++way) {
+        std::vector<SystemState> open{state};
+        main.put(way, open.front());
+        for (std::size_t instance = 0; instance < system.instances.size(); ++instance) {
+            const Ways own = choices_of(system, instance);
+            std::vector<SystemState> further;
+            for (const SystemState& so_far : open)
+                for (std::size_t one = 0; one < own.count(); ++one) {
+                    SystemState next = so_far;
+                    own.put(one, next);
+                    if (offers(system, next, instance)) further.push_back(std::move(next));
+                }
+            open = std::move(further);
+        }
+        for (SystemState& whole : open)
+            if (offers(system, whole, {})) found.push_back(std::move(whole));
+    }
+    return found;
+}
+
+void make_unique(std::vector<SystemState>& states) {
+    std::ranges::sort(states);
+    states.erase(std::ranges::unique(states).begin(), states.end());
+}
+
+}  // namespace
+
+std::optional<std::vector<SystemState>> successors(const System& system, const SystemState& state, std::size_t limit) {
+    const Ways free = free_variables(system, false);
+    const std::vector<SystemState> choices = offered_choices(system, state);
+    if (free.count() * choices.size() > limit) return {};
+    std::vector<SystemState> found;
+    for (const SystemState& chosen : choices) {
+        SystemState next = blank(system);
+        const Evaluator evaluator = in_state(system, chosen);
+        each_state_symbol(system, [&](Site place, const System::Symbol& symbol, const System::StateSymbol& kind) {
+            if (!kind.next) return;
+            slot(next, place) = evaluator.term(*kind.next, place.instance);
+            expect_in_range(symbol, slot(next, place));
+        });
+        for (std::size_t way = 0; way < free.count(); ++way) {
+            free.put(way, next);
+            if (is_allowed(system, next)) found.push_back(next);
+        }
+    }
+    make_unique(found);
+    return found;
+}
+
+std::optional<std::vector<SystemState>> first_states(const System& system, std::size_t limit) {
+    const Ways free = free_variables(system, true);
+    if (free.count() > limit) return {};
+    std::vector<SystemState> found;
+    for (std::size_t way = 0; way < free.count(); ++way) {
+        SystemState chosen = blank(system);
+        free.put(way, chosen);
+        const SystemState state = first_state(system, [&](std::string_view path, Type) {
+            return slot(chosen, *site_of(system, path));
+        });
+        if (is_allowed(system, state)) found.push_back(state);
+    }
+    make_unique(found);
+    return found;
 }
 
 bool is_allowed(const System& system, const SystemState& state) {

@@ -26,6 +26,13 @@ SystemState first_state(const TransitionSystem& system, const Choose& choose);
 /// The state after a step with the choices that `choose` makes, or nothing: they are not on offer, or an invariant
 /// forbids the state. Every choice and every free variable is asked for, in a fixed order.
 std::optional<SystemState> taken_step(const TransitionSystem& system, const SystemState& state, const Choose& choose);
+/// Every state that some step leads to, each once. Choices of an instance are made within what its own module offers, so
+/// that automata that stay cost nothing; nothing where free variables and choices have more than `limit` ways.
+std::optional<std::vector<SystemState>> successors(const TransitionSystem& system, const SystemState& state,
+                                                   std::size_t limit = 100'000);
+/// Every state that the system can begin in; likewise.
+std::optional<std::vector<SystemState>> first_states(const TransitionSystem& system, std::size_t limit = 100'000);
+
 /// Whether every invariant holds.
 bool is_allowed(const TransitionSystem& system, const SystemState& state);
 

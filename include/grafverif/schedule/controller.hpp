@@ -19,9 +19,11 @@
 //   race             `race`, set for ever when two stored actions write different values together
 //   range            `out_of_range`, set for ever when an assignment would leave the range of its variable, which then
 //                    keeps its value, or when a divisor is zero
+//   constraint       with the approach `constraints`, an invariant of main over the inputs (DESDES06 5.1)
+//   observer         a module that follows every step
 //   several controllers   a free `turn_NAME` each, true infinitely often: any of them may be ahead of the others
 //
-// The system is total: every next value exists in every state.
+// The system is total: every next value exists in every state, and constraints that exclude each other are refused.
 #pragma once
 
 #include <optional>
@@ -30,15 +32,18 @@
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/transition_system.hpp"
+#include "grafverif/schedule/options.hpp"
+#include "grafverif/support/diagnostic.hpp"
 
 namespace grafverif {
 
-struct ScheduleOptions {
-    std::optional<ExecutionMode> mode = {};   ///< wins over the controllers'
-};
+/// Whether there are inputs of which all constraints of `loop` hold; else an error that names the first one that the
+/// constraints before it exclude.
+bool constraints_agree(const ClosedLoop& loop, Diagnostics& diagnostics);
 
 /// The controllers of `loop`, with its properties; those that the controllers alone cannot answer are in `omitted`.
-/// `equations` are those of the controllers' charts, in order. Requires verify to be empty for each argument.
+/// `equations` are those of the controllers' charts, in order. Requires verify to be empty for each argument,
+/// and with the approach `constraints` that constraints_agree.
 TransitionSystem schedule_controllers(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
                                       const ScheduleOptions& options = {});
 

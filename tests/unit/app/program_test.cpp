@@ -28,6 +28,9 @@ TEST(Program, RefusesWrongUsageWithExitCodeTwo) {
              {{"build", station, "second"}, "one argument too many: `second`"},
              {{"build", station, "--grain", "coarse"}, "`--grain` takes one of `phased`, `atomic`; not `coarse`"},
              {{"equations", station, "--format", "pdf"}, "not `pdf`"},
+             {{"nusmv", station, "--plant", "none", "--fairness"}, "`--fairness` needs `--plant automata`"},
+             {{"nusmv", station, "--time", "discrete", "--schedule", "sequenced"},
+              "`--time discrete` needs `--schedule interleaved`"},
              {{"build", station, "--frob"}, "unrecognised option '--frob'"},
              {{"uppaal", station, "-o"}, "the required argument for option '--output' is missing"},
          }) {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/ir/network_clocks.hpp"
+
+#include <algorithm>
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+std::int64_t constant(const Network& network, Id<Expr> bound) {
+    const auto value = evaluate(network.exprs, bound, [](const Expr&) -> std::int64_t { return 0; });
+    return std::clamp(value.value_or(0), -ClockInterval::unbounded, ClockInterval::unbounded);
+}
+
+/// See the essay: the least value from which on a comparison agrees for ever.
+std::int64_t cap_of(const ClockInterval& interval) {
+    if (interval.high >= ClockInterval::unbounded) return std::max<std::int64_t>(interval.low, 0);
+    return std::max<std::int64_t>(interval.high + 1, 0);
+}
+
+/// Raises the caps of `location` to what `constraints` compare with.
+void compare(const Network& network, const std::vector<Network::ClockConstraint>& constraints, std::vector<std::int64_t>& cap) {
+    for (const Network::ClockConstraint& constraint : constraints) {
+        std::int64_t& known = cap[constraint.clock.index];
+        known = std::max(known, cap_of(admitted(network, constraint)));
+    }
+}
+
+/// Carries what holds at an edge's target back to its source, for the clocks it does not reset, until nothing changes.
+ProcessClocks analyse(const Network& network, const Network::Template& automaton) {
+    const std::size_t clocks = automaton.clocks.size();
+    ProcessClocks result;
+    result.cap.assign(automaton.locations.size(), std::vector<std::int64_t>(clocks, ProcessClocks::dead));
+    result.bounded.assign(automaton.locations.size(), std::vector<bool>(clocks, false));
+    result.greatest.assign(clocks, 0);
+    if (clocks == 0) return result;
+    std::vector<std::vector<std::uint32_t>> entering(automaton.locations.size());
+    for (const Id<Network::Edge> edge : automaton.edges.ids()) entering[automaton.edges[edge].to.index].push_back(edge.index);
+
+    std::vector<std::uint32_t> changed;
+    for (const Id<Network::Location> location : automaton.locations.ids()) {
+        compare(network, automaton.locations[location].invariant, result.cap[location.index]);
+        for (const Network::ClockConstraint& bound : automaton.locations[location].invariant)
+            result.bounded[location.index][bound.clock.index] = true;
+        changed.push_back(location.index);
+    }
+    for (const Network::Edge& edge : automaton.edges) compare(network, edge.constraint, result.cap[edge.from.index]);
+    while (!changed.empty()) {
+        const std::uint32_t target = changed.back();
+        changed.pop_back();
+        for (const std::uint32_t index : entering[target]) {
+            const Network::Edge& edge = automaton.edges[{index}];
+            bool grew = false;
+            for (std::uint32_t clock = 0; clock < clocks; ++clock) {
+                if (std::ranges::find(edge.resets, Id<Network::Clock>{clock}) != edge.resets.end()) continue;
+                std::int64_t& cap = result.cap[edge.from.index][clock];
+                grew = grew || cap < result.cap[target][clock] || (result.bounded[target][clock] && !result.bounded[edge.from.index][clock]);
+                cap = std::max(cap, result.cap[target][clock]);
+                if (result.bounded[target][clock]) result.bounded[edge.from.index][clock] = true;
+            }
+            if (grew) changed.push_back(edge.from.index);
+        }
+    }
+    for (const std::vector<std::int64_t>& caps : result.cap)
+        for (std::size_t clock = 0; clock < clocks; ++clock) result.greatest[clock] = std::max(result.greatest[clock], caps[clock]);
+    return result;
+}
+
+}  // namespace
+
+ClockInterval admitted(const Network& network, const Network::ClockConstraint& constraint) {
+    const std::int64_t bound = constant(network, constraint.bound);
+    switch (constraint.relation) {
+    case Op::Less:         return {0, bound - 1};
+    case Op::LessEqual:    return {0, bound};
+    case Op::Equal:        return {bound, bound};
+    case Op::GreaterEqual: return {bound, ClockInterval::unbounded};
+    case Op::Greater:      return {bound + 1, ClockInterval::unbounded};
+    default:               unreachable();
+    }
+}
+
+std::vector<ClockInterval> admitted(const Network& network, const std::vector<Network::ClockConstraint>& constraints, std::size_t clocks) {
+    std::vector<ClockInterval> result(clocks);
+    for (const Network::ClockConstraint& constraint : constraints) {
+        const ClockInterval one = admitted(network, constraint);
+        ClockInterval& all = result[constraint.clock.index];
+        all = {std::max(all.low, one.low), std::min(all.high, one.high)};
+    }
+    return result;
+}
+
+std::vector<ProcessClocks> analyse_clocks(const Network& network) {
+    std::vector<ProcessClocks> result;
+    for (const Network::Process& process : network.processes)
+        result.push_back(analyse(network, network.templates[process.automaton]));
+    return result;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "schedule/automaton_edges.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "schedule/ranges.hpp"
+
+namespace grafverif::schedule {
+
+namespace {
+
+using Place = Id<Network::Variable>;
+
+class Walk {
+public:
+    Walk(const Slots& slots, const std::vector<Id<TransitionSystem::Symbol>>& symbols,
+         const Table<TransitionSystem::Symbol>& module, Exprs& exprs)
+        : slots_(slots), symbols_(symbols), module_(module), exprs_(exprs) {}
+
+    EdgeTerms run(const Network::Edge& edge, const std::function<Id<Expr>(const EdgeValue&)>& name) {
+        EdgeTerms result;
+        result.fault = exprs_.constant(false);
+        const Id<Expr> written = term(edge.guard);
+        const Id<Expr> undefined = divides_by_zero(exprs_, written, types());
+        result.guard_fault = with_safe_divisors(exprs_, undefined, types());
+        result.guard = exprs_.conjunction(exprs_.negation(result.guard_fault), with_safe_divisors(exprs_, written, types()));
+        const std::vector<Network::Assignment> all = slots_.assignments(edge);
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            const Place target = slots_.variable(slots_.network.exprs[all[k].target]);
+            const Id<Expr> before = value_of(target);
+            Id<Expr> value = guarded(result, target, term(all[k].value), before);
+            const Network::Variable& of = slots_.network.variables[target];
+            const bool cleared = of.scratch && of.role == Network::Role::FiringCondition;
+            if (cleared || (is_large(value) && read_later(all, k, target))) value = name({target, value});
+            now_[target.index] = value;
+            if (std::ranges::find(order_, target) == order_.end()) order_.push_back(target);
+        }
+        for (const Place variable : order_)
+            if (!slots_.network.variables[variable].scratch)
+                result.values.push_back({variable, now_[variable.index]});
+        return result;
+    }
+
+private:
+    TypeOf types() const {
+        return [this](const Expr& leaf) { return module_[{static_cast<std::uint32_t>(leaf.value)}].type; };
+    }
+
+    /// Not valid: a scratch variable that holds nothing yet, or one of main that the automaton only writes.
+    Id<Expr> value_of(Place variable) {
+        const auto found = now_.find(variable.index);
+        if (found != now_.end()) return found->second;
+        const Id<TransitionSystem::Symbol> symbol = symbols_[variable.index];
+        return symbol.valid() ? exprs_.leaf(Op::Variable, symbol.index) : Id<Expr>{};
+    }
+
+    Id<Expr> term(Id<Expr> root) {
+        return translate(slots_.network.exprs, root, exprs_, [&](const Expr& leaf) {
+            if (leaf.op == Op::Integer) return exprs_.integer(leaf.value);
+            const Place variable = slots_.variable(leaf);
+            if (variable.valid()) return value_of(variable);
+            const std::int64_t value = slots_.constant(leaf);
+            return slots_.is_boolean_constant(leaf) ? exprs_.constant(value != 0) : exprs_.integer(value);
+        });
+    }
+
+    bool is_large(Id<Expr> value) const {
+        const Op op = exprs_[value].op;
+        return !is_leaf(op) && !is_constant(op);
+    }
+
+    bool read_later(const std::vector<Network::Assignment>& all, std::size_t from, Place variable) const {
+        const Exprs& exprs = slots_.network.exprs;
+        return std::any_of(all.begin() + static_cast<std::ptrdiff_t>(from) + 1, all.end(), [&](const auto& later) {
+            return std::ranges::any_of(leaves(exprs, later.value),
+                                       [&](Id<Expr> leaf) { return slots_.variable(exprs[leaf]) == variable; });
+        });
+    }
+
+    /// Whether the guard of the edge keeps `value`, which it compares with numbers, in the range.
+    bool kept_by_guard(Id<Expr> guard, Id<Expr> value, Type range) const {
+        Interval bounds = interval(exprs_, value, types());
+        std::vector<Id<Expr>> conjuncts{guard};
+        if (exprs_[guard].op == Op::And)
+            conjuncts.assign(exprs_.operands(guard).begin(), exprs_.operands(guard).end());
+        for (const Id<Expr> conjunct : conjuncts) {
+            const Op op = exprs_[conjunct].op;
+            if (op < Op::Equal || op > Op::GreaterEqual) continue;
+            const auto sides = exprs_.operands(conjunct);
+            if (sides[0] != value || exprs_[sides[1]].op != Op::Integer) continue;
+            const std::int64_t bound = exprs_[sides[1]].value;
+            if (op == Op::Less) bounds.high = std::min(bounds.high, bound - 1);
+            if (op == Op::LessEqual || op == Op::Equal) bounds.high = std::min(bounds.high, bound);
+            if (op == Op::Greater) bounds.low = std::max(bounds.low, bound + 1);
+            if (op == Op::GreaterEqual || op == Op::Equal) bounds.low = std::max(bounds.low, bound);
+        }
+        return range.low <= bounds.low && bounds.high <= range.high;
+    }
+
+    /// `value`, or `kept` where it does not exist or leaves the range; the fault is noted.
+    Id<Expr> guarded(EdgeTerms& edge, Place target, Id<Expr> value, Id<Expr> kept) {
+        const Type type = slots_.network.variables[target].type;
+        const Id<Expr> undefined = divides_by_zero(exprs_, value, types());
+        const Id<Expr> safe = with_safe_divisors(exprs_, value, types());
+        const bool inside = type.boolean || kept_by_guard(edge.guard, safe, type);
+        const Id<Expr> outside =
+            inside ? exprs_.constant(false) : leaves_range(exprs_, safe, type, types());
+        const Id<Expr> fault = exprs_.disjunction(with_safe_divisors(exprs_, undefined, types()), outside);
+        if (is_false(exprs_, fault)) return safe;
+        edge.fault = exprs_.disjunction(edge.fault, fault);
+        if (!kept.valid()) kept = type.boolean ? exprs_.constant(false) : exprs_.integer(type.low);
+        return exprs_.conditional(fault, kept, safe);
+    }
+
+    const Slots& slots_;
+    const std::vector<Id<TransitionSystem::Symbol>>& symbols_;
+    const Table<TransitionSystem::Symbol>& module_;
+    Exprs& exprs_;
+    std::unordered_map<std::uint32_t, Id<Expr>> now_ = {};
+    std::vector<Place> order_ = {};
+};
+
+}  // namespace
+
+EdgeTerms edge_terms(const Slots& slots, const Network::Edge& edge,
+                     const std::vector<Id<TransitionSystem::Symbol>>& symbols,
+                     const Table<TransitionSystem::Symbol>& module, Exprs& exprs,
+                     const std::function<Id<Expr>(const EdgeValue&)>& name) {
+    return Walk(slots, symbols, module, exprs).run(edge, name);
+}
+
+}  // namespace grafverif::schedule

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// One edge of an automaton as terms over the values before the step: its assignments, which are sequential, inserted
+// into each other.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "grafverif/ir/transition_system.hpp"
+#include "schedule/slots.hpp"
+
+namespace grafverif::schedule {
+
+struct EdgeValue {
+    Id<Network::Variable> variable = {};
+    Id<Expr> term = {};
+};
+
+struct EdgeTerms {
+    Id<Expr> guard = {};                    ///< without the location
+    std::vector<EdgeValue> values = {};     ///< of each variable written, scratch variables apart
+    Id<Expr> guard_fault = {};              ///< the guard divides by zero
+    Id<Expr> fault = {};                    ///< some assignment would leave its range, or divide by zero
+};
+
+/// `symbols`: per variable the symbol of the module that holds it before the step. `name`: a definition for a value that
+/// a later assignment reads, as a term.
+EdgeTerms edge_terms(const Slots& slots, const Network::Edge& edge,
+                     const std::vector<Id<TransitionSystem::Symbol>>& symbols,
+                     const Table<TransitionSystem::Symbol>& module, Exprs& exprs,
+                     const std::function<Id<Expr>(const EdgeValue&)>& name);
+
+}  // namespace grafverif::schedule

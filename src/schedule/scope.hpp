@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What the verdicts of an untimed model say of the timed closed loop: one paragraph for the header of the model and for
+// whoever reports a verdict. It depends on approach, schedule and kind of property.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "grafverif/schedule/options.hpp"
+#include "schedule/controller_instances.hpp"
+#include "grafverif/ir/network.hpp"
+
+namespace grafverif::schedule {
+
+/// The controllers alone; `constrained`: with constraints on their inputs.
+std::string controllers_scope(std::span<const ControllerPart> controllers, bool constrained);
+/// Controllers and plant automata, synchronous or sequenced.
+std::string together_scope(Schedule schedule, std::span<const ControllerPart> controllers, bool fairness);
+/// The network, one process at a time.
+std::string network_scope(const Network& network, const ScheduleOptions& options);
+
+}  // namespace grafverif::schedule

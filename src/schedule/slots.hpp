@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Slots: what a template of a Network reads and writes, as one process has it. A slot is a parameter bound to a variable
+// or a variable named outright; a parameter bound to a constant is that constant.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+
+namespace grafverif::schedule {
+
+struct Slots {
+    const Network& network;
+    const Network::Process& process;
+    const Network::Template& automaton;
+
+    Slots(const Network& of, Id<Network::Process> id)
+        : network(of), process(of.processes[id]), automaton(of.templates[process.automaton]) {}
+
+    /// The variable behind a Parameter or Variable leaf; not valid: a constant.
+    Id<Network::Variable> variable(const Expr& leaf) const {
+        const auto index = static_cast<std::uint32_t>(leaf.value);
+        if (leaf.op == Op::Variable) return {index};
+        const auto* bound = std::get_if<Id<Network::Variable>>(&process.arguments[index]);
+        return bound ? *bound : Id<Network::Variable>{};
+    }
+    std::int64_t constant(const Expr& leaf) const {
+        return std::get<std::int64_t>(process.arguments[static_cast<std::size_t>(leaf.value)]);
+    }
+    bool is_boolean_constant(const Expr& leaf) const {
+        return automaton.parameters[{static_cast<std::uint32_t>(leaf.value)}].type.boolean;
+    }
+
+    /// Every assignment of an edge in the order in which they run.
+    std::vector<Network::Assignment> assignments(const Network::Edge& edge) const {
+        std::vector<Network::Assignment> all = edge.assignments;
+        for (const Id<Network::Procedure> call : edge.calls) {
+            const std::vector<Network::Assignment>& body = automaton.procedures[call].assignments;
+            all.insert(all.end(), body.begin(), body.end());
+        }
+        return all;
+    }
+
+    /// The variables that the process reads in guards and values, those that it writes, and both; in order of first
+    /// occurrence.
+    std::vector<Id<Network::Variable>> read() const { return collect(true, false); }
+    std::vector<Id<Network::Variable>> written() const { return collect(false, true); }
+    std::vector<Id<Network::Variable>> used() const { return collect(true, true); }
+
+    /// As the template calls it: its parameter, or the variable where that is named outright.
+    std::string name(Id<Network::Variable> variable) const {
+        for (const Id<Network::Parameter> parameter : automaton.parameters.ids())
+            if (const auto* bound = std::get_if<Id<Network::Variable>>(&process.arguments[parameter.index]))
+                if (*bound == variable) return automaton.parameters[parameter].name;
+        return network.variables[variable].name;
+    }
+
+private:
+    std::vector<Id<Network::Variable>> collect(bool reads, bool writes) const {
+        std::vector<Id<Network::Variable>> found;
+        std::vector<bool> seen(network.variables.size());
+        const auto take = [&](Id<Expr> term) {
+            for (const Id<Expr> leaf : leaves(network.exprs, term)) {
+                const Id<Network::Variable> id = variable(network.exprs[leaf]);
+                if (!id.valid() || seen[id.index]) continue;
+                seen[id.index] = true;
+                found.push_back(id);
+            }
+        };
+        for (const Network::Edge& edge : automaton.edges) {
+            if (reads) take(edge.guard);
+            for (const Network::Assignment& assignment : assignments(edge)) {
+                if (writes) take(assignment.target);
+                if (reads) take(assignment.value);
+            }
+        }
+        return found;
+    }
+};
+
+}  // namespace grafverif::schedule

@@ -1,0 +1,199 @@
+/*
+PROP_R_1.X1: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_1
+
+/*
+PROP_R_1.X2: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_2
+
+/*
+PROP_R_1.X3: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_3
+
+/*
+PROP_R_1.X4: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_4
+
+/*
+PROP_R_1.X5: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_5
+
+/*
+PROP_R_1.X6: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_6
+
+/*
+PROP_R_1.X7: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_7
+
+/*
+PROP_R_1.X8: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_8
+
+/*
+PROP_R_1.X9: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_9
+
+/*
+PROP_R_1.X10: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_10
+
+/*
+PROP_R_1.X11: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_11
+
+/*
+PROP_R_1.X12: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_12
+
+/*
+PROP_R_1.X13: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_13
+
+/*
+PROP_R_1.X14: each step can be reached
+every step; expected: satisfied
+*/
+E<> X_14
+
+/*
+PROP_R_2_X1: no step is active for ever: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X2: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X3: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X4: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X5: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X6: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X7: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X8: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X9: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X10: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X11: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X12: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X13: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_2_X14: left out; UPPAAL has no query for `always possible` (AG EF)
+*/
+
+/*
+PROP_R_3: the pallet is served in one place
+expected: satisfied
+*/
+A[] X_1 + X_3 + X_4 + X_5 + X_6 + X_7 + X_8 + X_9 + X_10 + X_11 + X_14 == 1
+
+/*
+PROP_R_4: the manipulator does one thing
+expected: satisfied
+*/
+A[] X_5 + X_6 + X_7 + X_8 + X_9 + X_10 + X_12 + X_13 == 1
+
+/*
+PROP_R_5: a pallet waits while the manipulator goes back
+expected: satisfied
+*/
+A[] !X_11 || X_2
+
+/*
+PROP_R_6: what waits is served
+expected: satisfied
+*/
+A[] !X_2 || X_3 || X_4 || X_5 || X_6 || X_7 || X_8 || X_9 || X_10 || X_11
+
+/*
+PROP1: the orders of the horizontal cylinder exclude each other
+expected: satisfied
+*/
+A[] not (L_H_C && R_H_C)
+
+/*
+PROP2: no way down while the arm moves sideways
+expected: satisfied
+*/
+A[] not (D_V_C && (L_H_C || R_H_C))
+
+/*
+PROP3: no way sideways while the arm is down
+expected: satisfied
+*/
+A[] not (v_c_d && (L_H_C || R_H_C))
+
+/*
+PROP4: down at the ends of the horizontal cylinder only
+expected: satisfied
+*/
+A[] !D_V_C || (h_c_l && !h_c_r && !R_H_C) || (!h_c_l && h_c_r && !L_H_C)
+
+/*
+H_Cyl_constraint_1: the constraint holds of this plant
+expected: satisfied
+*/
+A[] !(h_c_r && h_c_l)
+
+/*
+V_Cyl_constraint_1: the constraint holds of this plant
+expected: satisfied
+*/
+A[] !(v_c_u && v_c_d)

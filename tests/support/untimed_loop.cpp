@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "support/untimed_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <stdexcept>
+
+#include "grafverif/derive/derive.hpp"
+#include "grafverif/plant/plant.hpp"
+#include "grafverif/schedule/controller.hpp"
+#include "grafverif/schedule/network.hpp"
+#include "grafverif/schedule/together.hpp"
+#include "support/read_loop.hpp"
+
+namespace grafverif {
+
+namespace {
+
+[[noreturn]] void give_up(const Diagnostics& diagnostics) {
+    std::string said = "no model";
+    for (const Diagnostic& diagnostic : diagnostics.all()) said += "\n" + diagnostic.message;
+    throw std::invalid_argument(said);
+}
+
+std::optional<TransitionSystem> scheduled(const Model& model, const ScheduleOptions& options, Grain grain,
+                                          Diagnostics& diagnostics) {
+    const ClosedLoop& loop = model.loops[{0}];
+    std::vector<Equations> equations;
+    for (const ClosedLoop::Controller& controller : loop.controllers)
+        equations.push_back(derive(model.charts[controller.chart], diagnostics).value());
+    if (options.plant != PlantApproach::Automata) {
+        if (options.plant == PlantApproach::Constraints && !constraints_agree(loop, diagnostics)) return {};
+        return schedule_controllers(model, loop, equations, options);
+    }
+    const auto plant_network = plant(model, loop, diagnostics);
+    if (!plant_network) return {};
+    if (options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) != Schedule::Interleaved)
+        return schedule_together(model, loop, equations, *plant_network, options, diagnostics);
+    const auto network = compose(*plant_network, model, loop, equations, {grain, options.mode, {}}, diagnostics);
+    if (!network) return {};
+    return schedule_network(*network, options, diagnostics);
+}
+
+}  // namespace
+
+TransitionSystem untimed_loop(const Model& model, const ScheduleOptions& options, Grain grain) {
+    Diagnostics diagnostics;
+    auto system = scheduled(model, options, grain, diagnostics);
+    if (!system) give_up(diagnostics);
+    EXPECT_EQ(verify(*system), std::vector<std::string>{});
+    return std::move(*system);
+}
+
+TransitionSystem untimed_text(const std::string& text, const ScheduleOptions& options, Grain grain) {
+    return untimed_loop(read_loop(text).model, options, grain);
+}
+
+TransitionSystem untimed_sample(const std::string& path, const ScheduleOptions& options, Grain grain) {
+    return untimed_loop(read_sample(path).model, options, grain);
+}
+
+}  // namespace grafverif
