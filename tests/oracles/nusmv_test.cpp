@@ -289,7 +289,7 @@ std::vector<System> with_automata(const Model& model, const ClosedLoop& loop, co
 
 TEST(NusmvOracle, AgreesWithAnExplicitSearchOnRandomLoopsWithPlantAutomata) {
     if (!nusmv_is_installed()) GTEST_SKIP() << "NuSMV is not on the PATH";
-    const int cases = law_size(12);
+    const int cases = law_size(4);
     std::size_t states = 0, verdicts = 0;
     for (int seed = 1; seed <= cases; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
