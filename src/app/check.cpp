@@ -54,7 +54,7 @@ std::optional<Findings> untimed_findings(const Model& model, Job& job, const Str
     const auto loop = is_of_a_chart(model, job.options) ? std::nullopt : chosen_loop(model, job);
     const auto chart = is_of_a_chart(model, job.options) ? chosen_chart(model, job) : std::nullopt;
     std::optional<TransitionSystem> system;
-    if (loop) system = controllers_of(model, *loop, job);
+    if (loop) system = transition_system_of(model, *loop, job);
     if (chart) system = controller_of(model, *chart, job);
     if (!system) return {};
     if (chart) {
@@ -156,9 +156,10 @@ Verb check_usage() {
             {"grafverif check samples/testing_station/testing_station.grafcet",
              "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
              "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G",
-             "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV"},
-            {Accepts::Search, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Format, Accepts::Traces,
-             Accepts::Verbose, Accepts::Ablations}};
+             "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
+             "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata"},
+            {Accepts::Search, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed, Accepts::Format,
+             Accepts::Traces, Accepts::Verbose, Accepts::Ablations}};
 }
 
 }  // namespace grafverif::app

@@ -169,6 +169,7 @@ std::string choose_untimed(const po::variables_map& values, Options& options) {
     if (discrete && untimed.schedule.value_or(Schedule::Interleaved) != Schedule::Interleaved)
         return "`--time discrete` needs `--schedule interleaved`";
     if (discrete) untimed.schedule = Schedule::Interleaved;
+    options.check_untimed = options.check_untimed || plant.has_value() || asked != nullptr;
     return {};
 }
 

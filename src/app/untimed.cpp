@@ -41,8 +41,23 @@ std::string step_variable_name(const std::string& step) {
 
 }  // namespace
 
-Abstraction abstraction_of(const Options&, const ClosedLoop*) {
-    return {"no plant", {}, Abstraction::Carries::ToEveryPlant, false};
+Abstraction abstraction_of(const Options& options, const ClosedLoop* loop) {
+    using Carries = Abstraction::Carries;
+    const ScheduleOptions& untimed = options.untimed;
+    if (loop == nullptr || untimed.plant == PlantApproach::None) return {"no plant", {}, Carries::ToEveryPlant, false};
+    if (untimed.plant == PlantApproach::Constraints)
+        return {"no plant, constrained inputs", {}, Carries::ToEveryPlant, !loop->constraints.empty()};
+    const std::string fair = untimed.fairness ? ", under fairness" : "";
+    switch (untimed.schedule.value_or(loop->schedule.value_or(Schedule::Interleaved))) {
+    case Schedule::Synchronous: return {"plant automata, synchronous" + fair, {}, Carries::Nowhere, false};
+    case Schedule::Sequenced:   return {"plant automata, sequenced" + fair, {}, Carries::Nowhere, false};
+    case Schedule::Interleaved: break;
+    }
+    const std::string grain = options.grain.value_or(loop->grain) == Grain::Phased ? "phased" : "atomic";
+    if (untimed.time == TimeModel::Discrete)
+        return {"plant automata, integer time" + fair, grain, fair.empty() ? Carries::ExactInIntegerTime : Carries::Nowhere,
+                false};
+    return {"plant automata, interleaved" + fair, grain, fair.empty() ? Carries::ToTimedLoop : Carries::Nowhere, false};
 }
 
 bool is_of_a_chart(const Model& model, const Options& options) {
