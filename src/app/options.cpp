@@ -19,7 +19,7 @@ bool accepts(const Verb& verb, Accepts what) { return std::ranges::find(verb.acc
 
 po::typed_value<std::string>* text(const char* name) { return po::value<std::string>()->value_name(name); }
 
-/// Those of `check` and `simulate`.
+/// Those of `check`, `simulate` and `analyse`.
 void add_checking_options(const Verb& verb, po::options_description& options) {
     auto add = options.add_options();
     if (accepts(verb, Accepts::Search)) {
@@ -40,6 +40,12 @@ void add_checking_options(const Verb& verb, po::options_description& options) {
         add("go-on", po::bool_switch(), "run on after a failure, as far as the controller can");
         add("timeout", text("TIME"), "give an answer up after TIME, such as 500ms or 5s (default: 10s)");
         add("junit", text("FILE"), "write a JUnit report to FILE");
+    }
+    if (accepts(verb, Accepts::Analysis)) {
+        add("format", text("text|json|sarif"), "form of the output (default: text)");
+        add("exclusions", text("FILE"), "pairs of inputs that are never true together, in CSV");
+        add("max-memory", text("SIZE"), "give up above SIZE, such as 500M or 2G (default: 2G)");
+        add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
     }
     if (accepts(verb, Accepts::Traces)) {
         add("trace-vcd", text("FILE"), "write the first trace as a waveform for GTKWave to FILE");
@@ -137,7 +143,10 @@ std::string choose_all(const Verb& verb, const po::variables_map& values, Option
     else if (accepts(verb, Accepts::FormatXml)) {
         options.format = Format::Xml;
         keep(choose<Format>(values, "format", {{"xml", Format::Xml}, {"text", Format::Text}}, options.format));
-    } else
+    } else if (accepts(verb, Accepts::Analysis))
+        keep(choose<Format>(values, "format", {{"text", Format::Text}, {"json", Format::Json}, {"sarif", Format::Sarif}},
+                            options.format));
+    else
         keep(choose<Format>(values, "format", {{"text", Format::Text}, {"json", Format::Json}}, options.format));
     keep(choose<DiagnosticFormat>(values, "diagnostics",
                                   {{"text", DiagnosticFormat::Text}, {"json", DiagnosticFormat::Json}}, options.diagnostics));
@@ -281,6 +290,7 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     options.sequence = text("sequence");
     options.go_on = flag("go-on");
     options.script = text("script");
+    options.exclusions = text("exclusions");
     if (values.count("property") != 0) options.properties = values["property"].as<std::vector<std::string>>();
     options.verbose = flag("verbose");
     options.quiet = flag("quiet");

@@ -15,7 +15,7 @@
 
 namespace grafverif::app {
 
-enum class Format { Text, Json, Latex, Xml };
+enum class Format { Text, Json, Latex, Xml, Sarif };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
@@ -58,13 +58,15 @@ struct Options {
     bool go_on = false;
     std::uint32_t max_evolutions = 1000;             ///< of `st`
     std::optional<std::string> script = {};          ///< of `simulate`
+    std::optional<std::string> exclusions = {};      ///< of `analyse`
     std::optional<std::uint64_t> random_seed = {};
     std::uint64_t steps = 100;                       ///< of a random walk
 };
 
 /// The options a verb may take besides --help, --quiet, --color and --diagnostics, which all take.
 enum class Accepts { Output, OutputDirectory, Loop, Chart, Mode, Grain, Untimed, Target, Format, FormatLatex, InPlace,
-                     Search, Traces, Walk, Verbose, Ablations, Clock, Bench, Sequence, FormatXml, MaxEvolutions };
+                     Search, Traces, Walk, Verbose, Ablations, Clock, Bench, Sequence, FormatXml, MaxEvolutions,
+                     Analysis };
 
 struct Verb {
     std::string name = {};

@@ -31,6 +31,7 @@ constexpr std::array entries = {
     Entry{import_usage, import_chart},
     Entry{check_usage, check},
     Entry{simulate_usage, simulate},
+    Entry{analyse_usage, analyse},
     Entry{plc_usage, plc},
     Entry{test_usage, test},
     Entry{st_usage, st},

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "report/json_trace.hpp"
+
 namespace grafverif {
 
 namespace {
@@ -12,34 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-
-Json values(const std::vector<Trace::Signal>& signals, const std::vector<std::int64_t>& list) {
-    Json object = Json::object();
-    for (std::size_t i = 0; i < signals.size(); ++i)
-        object[signals[i].name] = signals[i].type.boolean ? Json(list[i] != 0) : Json(list[i]);
-    return object;
-}
-
-Json step(const Trace& trace, const Trace::Step& step) {
-    Json fired = Json::array();
-    for (const std::vector<std::string>& evolution : step.fired)
-        for (const std::string& transition : evolution) fired.push_back(transition);
-    Json situation = Json::array();
-    for (const std::uint32_t active : step.after.situation) situation.push_back(trace.steps_of_charts[active]);
-    return {{"time", trace.timed ? Json(step.after.time_ms) : Json(nullptr)},
-            {"kind", word(step.kind)},
-            {"component", text_or_null(step.component)},
-            {"inputs", values(trace.inputs, step.after.inputs)},
-            {"fired", std::move(fired)},
-            {"situation", std::move(situation)},
-            {"outputs", values(trace.outputs, step.after.outputs)}};
-}
-
-Json trace(const Trace& trace) {
-    Json steps = Json::array();
-    for (const Trace::Step& each : trace.steps) steps.push_back(step(trace, each));
-    return {{"loop_from", trace.loop_from ? Json(*trace.loop_from) : Json(nullptr)}, {"steps", std::move(steps)}};
-}
 
 /// A number where it fits 64 bits, else its digits: JSON has no bound, its readers do.
 Json number(const std::string& decimal) {
@@ -65,7 +39,7 @@ Json property(const Report& report, const Answer& answer) {
             {"reason", text_or_null(verdict.reason)},
             {"vacuous", verdict.vacuous},
             {"notes", verdict.notes},
-            {"trace", answer.trace ? trace(*answer.trace) : Json(nullptr)}};
+            {"trace", answer.trace ? trace_json(*answer.trace) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -78,7 +52,7 @@ void print_json(const Report& report, std::ostream& out) {
         Json errors = Json::array();
         for (const Breakdown& breakdown : report.breakdowns)
             errors.push_back(
-                {{"code", breakdown.code}, {"message", breakdown.message}, {"trace", trace(breakdown.trace)}});
+                {{"code", breakdown.code}, {"message", breakdown.message}, {"trace", trace_json(breakdown.trace)}});
         document["errors"] = std::move(errors);
     }
     out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';

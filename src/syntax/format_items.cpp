@@ -304,7 +304,8 @@ Lines item_lines(const tree::File& file, const tree::Property& written, std::siz
 }
 
 Lines item_lines(const tree::File&, const tree::Accept& written, std::size_t) {
-    return {"accept " + written.code + " \"" + written.reason + "\";"};
+    const std::string subject = written.subject.empty() ? "" : ' ' + written.subject;
+    return {"accept " + written.code + subject + " \"" + written.reason + "\";"};
 }
 
 }  // namespace grafverif

@@ -68,6 +68,8 @@ private:
             const Span where = trees_.next();
             items.emplace_back(tree::Constraint{expression(constraint.condition, {}), where});
         }
+        for (const Chart::Acceptance& accepted : chart_.accepted)
+            items.emplace_back(tree::Accept{accepted.code, accepted.subject, accepted.reason, trees_.next()});
     }
 
     // -- conditions ---------------------------------------------------------------------------------------------------

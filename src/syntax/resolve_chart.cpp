@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A chart: its variables first, then its steps, then what names both.
+#include <algorithm>
+
+#include "grafverif/ir/finding.hpp"
 #include "grafverif/support/messages.hpp"
 #include "grafverif/syntax/resolve.hpp"
 #include "syntax/chart_scope.hpp"
@@ -32,6 +35,12 @@ bool reads_inputs_only(ChartScope& scope, Id<Expr> condition, Span where) {
     return true;
 }
 
+void resolve_acceptance(ChartScope& scope, const tree::Accept& written) {
+    if (std::ranges::find(finding_kinds(), written.code, &FindingKind::code) == finding_kinds().end())
+        scope.diagnostics.add(messages::unknown_finding(written.where, written.code));
+    scope.chart.accepted.push_back({written.code, written.subject, written.reason, written.where});
+}
+
 }  // namespace
 
 std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics) {
@@ -54,6 +63,8 @@ std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& wr
         if (condition.valid() && reads_inputs_only(scope, condition, constraint->where))
             scope.chart.constraints.push_back({condition, constraint->where});
     }
+    for (const tree::ChartItem& item : written.items)
+        if (const auto* accept = std::get_if<tree::Accept>(&item)) resolve_acceptance(scope, *accept);
     if (diagnostics.errors() != errors) return {};
     check_reachability(scope.chart, diagnostics);
     if (diagnostics.errors() != errors) return {};

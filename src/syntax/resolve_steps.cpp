@@ -68,6 +68,7 @@ void declare_items(ChartScope& scope, const std::vector<tree::ChartItem>& items,
         std::visit(overloaded{
             [](const tree::Variables&) {},
             [](const tree::Constraint&) {},
+            [](const tree::Accept&) {},
             [&](const tree::Step& step) { declare_step(scope, step, partial, all); },
             [&](const tree::Transition& transition) { all.transitions.push_back({&transition, partial}); },
             [&](const tree::Partial& inner) { declare_partial(scope, inner, all); },

@@ -117,6 +117,15 @@ struct Chart {
         bool operator==(const Constraint&) const = default;
     };
 
+    /// `accept CODE SUBJECT "reason"`: a finding about the chart that its author knows of.
+    struct Acceptance {
+        std::string code = {};                  ///< see ir/finding.hpp
+        std::string subject = {};               ///< `X4`, `t3`, `LOCK`; empty: whatever it is about
+        std::string reason = {};
+        Span origin = {};
+        bool operator==(const Acceptance&) const = default;
+    };
+
     std::string name = {};
     Exprs exprs = {};
     Table<Variable> variables = {};
@@ -128,6 +137,7 @@ struct Chart {
     Table<StoredAction> stored = {};
     Table<ForcingOrder> forcing = {};
     std::vector<Constraint> constraints = {};
+    std::vector<Acceptance> accepted = {};
     Span origin = {};
 
     bool operator==(const Chart&) const = default;

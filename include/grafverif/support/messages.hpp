@@ -155,6 +155,12 @@ Diagnostic mixed_actions(Span where, std::string_view output, std::string_view s
 Diagnostic explicit_priority(Span where, std::string_view step, std::size_t branches);
 Diagnostic differs_from_sfc(Span where, std::string_view what);
 Diagnostic nothing_to_import(Span where, std::string_view what);
+// (src/support/messages_findings.cpp)
+Diagnostic bad_exclusion_header(Span where);
+Diagnostic bad_exclusion(Span where, std::size_t fields);
+Diagnostic not_a_boolean_input(Span where, std::string_view name, std::string_view chart);
+Diagnostic excludes_itself(Span where, std::string_view name);
+Diagnostic unknown_finding(Span where, std::string_view code);
 
 // -- derive ----------------------------------------------------------------------------------------------------------
 Diagnostic enclosing_cycle(Span where, std::string_view chart);

@@ -134,8 +134,16 @@ struct Transition {
     Span where = {};
 };
 
+/// `accept CODE SUBJECT "reason";`
+struct Accept {
+    std::string code = {};
+    std::string subject = {};   ///< empty: none is written
+    std::string reason = {};
+    Span where = {};
+};
+
 struct Partial;
-using ChartItem = std::variant<Variables, Constraint, Step, Transition, Partial>;
+using ChartItem = std::variant<Variables, Constraint, Accept, Step, Transition, Partial>;
 
 enum class PartialKind { Partial, Expansion };
 struct Partial {
@@ -235,12 +243,6 @@ using ObserverItem = std::variant<Location, ObserverEdge>;
 struct Observer {
     Name name = {};
     std::vector<ObserverItem> items = {};
-    Span where = {};
-};
-/// `accept CODE "reason";`
-struct Accept {
-    std::string code = {};
-    std::string reason = {};
     Span where = {};
 };
 

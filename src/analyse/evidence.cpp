@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "analyse/evidence.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "analyse/moments.hpp"
+#include "grafverif/run/interpreter.hpp"
+
+namespace grafverif::analysis {
+
+namespace {
+
+using Kind = Chart::VariableKind;
+
+/// Of a loop of more evolutions than this the first ones are told.
+constexpr std::size_t told_of_loop = 60;
+
+class Teller {
+public:
+    Teller(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode, const Way& way)
+        : chart_(chart), equations_(equations), machine_(machine), mode_(mode), way_(way), state_(power_on(chart)) {}
+
+    Evidence tell(const Demand& demand) {
+        const auto moments = analysis::moments(machine_, way_);
+        if (!moments) {
+            result_.timing = Finding::Timing::Unconfirmed;
+            return std::move(result_);
+        }
+        if (!machine_.clocks().empty()) result_.timing = Finding::Timing::Confirmed;
+        moments_ = *moments;
+        make_signals();
+        const std::size_t last = way_.instants.size() - 1;
+        begin(0);
+        result_.trace.steps.push_back(row("power-on", {}));
+        for (std::size_t instant = 0; instant < last && result_.failure.empty(); ++instant) whole_instant(instant);
+        if (result_.failure.empty()) last_instant(last, demand);
+        return std::move(result_);
+    }
+
+private:
+    void make_signals() {
+        std::map<std::string, int> uses;
+        for (const Chart::Step& step : chart_.steps) ++uses[step.name];
+        for (const Id<Chart::Step> id : chart_.steps.ids()) {
+            const std::string& qualified = equations_.steps[id.index].step;
+            result_.trace.steps_of_charts.push_back(qualified);
+            result_.trace.short_names.push_back(uses[chart_.steps[id].name] == 1 ? chart_.steps[id].name : qualified);
+        }
+        for (const Chart::Variable& variable : chart_.variables) signals(variable.kind).push_back({variable.name, variable.type});
+    }
+
+    std::vector<Trace::Signal>& signals(Kind kind) {
+        switch (kind) {
+        case Kind::Input:    return result_.trace.inputs;
+        case Kind::Output:   return result_.trace.outputs;
+        case Kind::Internal: return result_.trace.internals;
+        }
+        return result_.trace.internals;
+    }
+
+    /// Time passes, and the inputs of `instant` are there.
+    void begin(std::size_t instant) {
+        if (instant > 0) state_ = pass_time(std::move(state_), moments_[instant] - moments_[instant - 1]);
+        time_ = moments_[instant];
+        const Point& point = way_.instants[instant].front();
+        inputs_.assign(chart_.variables.size(), 0);
+        for (const Id<Chart::Variable> id : chart_.variables.ids())
+            if (chart_.variables[id].kind == Kind::Input) inputs_[id.index] = machine_.value(point, {id.index});
+    }
+
+    std::string problem(const Cycle& cycle) const {
+        if (cycle.race) return "two actions race";
+        if (cycle.fault) return "a value does not exist or does not fit";
+        return cycle.endless.empty() && !cycle.gave_up ? "" : "the instant does not end";
+    }
+
+    void whole_instant(std::size_t instant) {
+        begin(instant);
+        Cycle done = cycle(chart_, state_, inputs_, mode_);
+        if (const std::string found = problem(done); !found.empty()) return fail(instant, found);
+        state_ = std::move(done.state);
+        result_.trace.steps.push_back(row("", std::move(done.fired)));
+    }
+
+    void last_instant(std::size_t instant, const Demand& demand) {
+        begin(instant);
+        const State at_start = state_;
+        const std::vector<Point>& points = way_.instants[instant];
+        const std::size_t before = way_.at_first ? 0 : points.size() - 1 + (instant == 0 ? 1 : 0);
+        Fired fired;
+        for (std::size_t k = 0; k < before; ++k) {
+            Evolution made = evolve();
+            if (made.race || made.fault) return fail(instant, "an evolution breaks off before the end");
+            fired.push_back(std::move(made.fired));
+            state_ = std::move(made.state);
+        }
+        if (!way_.at_first && !is_at(points.back())) return fail(instant, "the situation is another one");
+        if (!demand.ends && !demand.endless) {
+            result_.trace.steps.push_back(row("in this instant", std::move(fired)));
+            return;
+        }
+        const Evolution shown = evolve();
+        if (!shows(shown, demand)) return fail(instant, "the last evolution does not show it");
+        if (demand.endless) return tell_loop(instant, std::move(fired));
+        if (shown.race) result_.racing = {shown.race->first, shown.race->second};
+        if (shown.fault) result_.fault = shown.fault->where;
+        if (shown.race || shown.fault) {
+            fired.push_back(shown.fired);
+            state_.situation = shown.state.situation;
+            result_.trace.steps.push_back(row(shown.race ? "race" : "no such value", std::move(fired)));
+            return;
+        }
+        Cycle done = cycle(chart_, at_start, inputs_, mode_);
+        state_ = std::move(done.state);
+        result_.trace.steps.push_back(row("", std::move(done.fired)));
+    }
+
+    /// The way ends on the loop.
+    void tell_loop(std::size_t instant, std::vector<std::vector<Id<Chart::Transition>>> fired) {
+        result_.endless = cycle(chart_, state_, inputs_, mode_).endless;
+        if (result_.endless.empty()) return fail(instant, "the instant ends");
+        result_.trace.steps.push_back(row("", std::move(fired)));
+        if (result_.endless.size() <= told_of_loop) result_.trace.loop_from = result_.trace.steps.size();
+        for (std::size_t k = 0; k < std::min(result_.endless.size(), told_of_loop); ++k) {
+            Evolution made = evolve();
+            state_ = std::move(made.state);
+            result_.trace.steps.push_back(row("at once", {std::move(made.fired)}));
+        }
+    }
+
+    Evolution evolve() const { return grafverif::evolve(chart_, state_, inputs_, time_conditions(chart_, state_)); }
+
+    bool is_at(const Point& point) const {
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (state_.situation[id.index] != (machine_.value(point, equations_.steps[id.index].variable) != 0)) return false;
+        return true;
+    }
+
+    static bool shows(const Evolution& made, const Demand& demand) {
+        const bool fired = std::ranges::all_of(demand.fired, [&](Id<Chart::Transition> wanted) {
+            return std::ranges::find(made.fired, wanted) != made.fired.end();
+        });
+        const bool race = !demand.race.valid() || made.race.has_value();
+        return fired && race && (!demand.fault || made.fault.has_value());
+    }
+
+    void fail(std::size_t instant, const std::string& what) {
+        result_.failure = "instant " + std::to_string(instant + 1) + ": by the rules " + what;
+    }
+
+    using Fired = std::vector<std::vector<Id<Chart::Transition>>>;
+
+    Trace::Step row(std::string what, Fired fired) const {
+        Trace::Step step{Trace::Kind::Controller, "", std::move(what), {}, false, {}};
+        for (const std::vector<Id<Chart::Transition>>& evolution : fired) {
+            if (evolution.empty()) continue;
+            step.fired.emplace_back();
+            for (const Id<Chart::Transition> id : evolution) step.fired.back().push_back(chart_.transitions[id].name);
+        }
+        step.after.time_ms = time_;
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (state_.situation[id.index]) step.after.situation.push_back(id.index);
+        for (const Id<Chart::Variable> id : chart_.variables.ids()) {
+            switch (chart_.variables[id].kind) {
+            case Kind::Input:    step.after.inputs.push_back(inputs_[id.index]); break;
+            case Kind::Output:   step.after.outputs.push_back(state_.outputs[id.index]); break;
+            case Kind::Internal: step.after.internals.push_back(state_.values[id.index]); break;
+            }
+        }
+        return step;
+    }
+
+    const Chart& chart_;
+    const Equations& equations_;
+    const Machine& machine_;
+    ExecutionMode mode_;
+    const Way& way_;
+    State state_;
+    std::vector<std::int64_t> moments_ = {};
+    std::int64_t time_ = 0;
+    std::vector<std::int64_t> inputs_ = {};
+    Evidence result_ = {};
+};
+
+}  // namespace
+
+Evidence evidence(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,
+                  const Way& way, const Demand& demand) {
+    return Teller(chart, equations, machine, mode, way).tell(demand);
+}
+
+}  // namespace grafverif::analysis

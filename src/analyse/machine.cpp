@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: MIT
+#include "analyse/machine.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "analyse/order.hpp"
+
+namespace grafverif::analysis {
+
+namespace {
+
+using Role = Equations::Role;
+using Variable = Equations::Variable;
+
+/// Parts of the evolution are joined up to this size: larger ones cost more to build than they save in use.
+constexpr std::size_t part_size = 600;
+
+Bdd falsehood() { return Bdd::constant(false); }
+
+/// Where `term` has no value that fits `type`; `undefined` where it has none at all.
+Bdd outside(const BddTerm& term, Type type) {
+    return type.boolean ? falsehood() : ~within(term, type.low, type.high) & ~term.undefined;
+}
+
+BddTerm constant_term(Type type, std::int64_t value) {
+    return type.boolean ? bdd_boolean(Bdd::constant(value != 0)) : bdd_integer(value);
+}
+
+/// Where `term` has another value than `value`.
+Bdd unequal(const BddTerm& term, std::int64_t value) {
+    return ~equal(term, term.boolean ? bdd_boolean(Bdd::constant(value != 0)) : bdd_integer(value)) & ~term.undefined;
+}
+
+}  // namespace
+
+Machine::Machine(const Equations& equations, const AnalyseOptions& options, BddSpace& space)
+    : equations_(equations), space_(space), clocks_(analysis::clocks(equations)) {
+    add_words(options);
+    terms_.emplace(equations.exprs, [this](const Expr& leaf) { return before(leaf); });
+    first_terms_.emplace(equations.exprs, [this](const Expr& leaf) { return initially(leaf); });
+    restrict_inputs(options);
+    add_firings();
+    add_steps();
+    add_stored();
+    add_remembered();
+    add_timers();
+    stable_ = holds(equations.stable);
+    add_parts();
+    start();
+}
+
+// -- variables ---------------------------------------------------------------------------------------------------------
+
+void Machine::add_words(const AnalyseOptions& options) {
+    matters_ = variables_that_matter(equations_);
+    for (const Exclusion& exclusion : options.exclusions)
+        for (const Id<Chart::Variable> input : {exclusion.first, exclusion.second}) matters_[input.index] = true;
+    for (const Equations::Assumption& assumption : equations_.assumptions)
+        for (const Id<Expr> leaf : leaves(equations_.exprs, assumption.condition))
+            matters_[static_cast<std::size_t>(equations_.exprs[leaf].value)] = true;
+    words_.resize(equations_.variables.size());
+    firing_of_.resize(equations_.variables.size());
+    std::vector<std::uint32_t> inputs, kept;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const Id<Variable> id : variable_order(equations_, matters_)) {
+        const Variable& variable = equations_.variables[id];
+        const bool input = variable.role == Role::Input;
+        const std::size_t bits = bit_count(variable.type);
+        const std::uint32_t first = space_.add_variables(input ? bits : 2 * bits);
+        words_[id.index].type = variable.type;
+        for (std::uint32_t bit = 0; bit < bits; ++bit) {
+            const std::uint32_t place = input ? first + bit : first + 2 * bit;
+            words_[id.index].bits.push_back(place);
+            (input ? inputs : kept).push_back(place);
+            if (!input) pairs.emplace_back(place + 1, place);
+        }
+    }
+    inputs_ = variable_set(inputs);
+    kept_set_ = variable_set(kept);
+    to_before_.emplace(pairs);
+}
+
+BddTerm Machine::word_term(Id<Variable> variable) const { return term_of(space_, words_[variable.index]); }
+
+BddTerm Machine::before(const Expr& leaf) const {
+    const Id<Variable> id{static_cast<std::uint32_t>(leaf.value)};
+    const Variable& variable = equations_.variables[id];
+    if (variable.role == Role::FiringCondition) return bdd_boolean(fires_[*firing_of_[id.index]]);
+    if (!matters_[id.index]) return constant_term(variable.type, variable.initial);
+    return word_term(id);
+}
+
+/// In the first evolution: no transition is cleared, no timer has ended.
+BddTerm Machine::initially(const Expr& leaf) const {
+    const Id<Variable> id{static_cast<std::uint32_t>(leaf.value)};
+    const Variable& variable = equations_.variables[id];
+    if (variable.role == Role::Input) return before(leaf);
+    return constant_term(variable.type, variable.role == Role::FiringCondition ? 0 : variable.initial);
+}
+
+void Machine::restrict_inputs(const AnalyseOptions& options) {
+    possible_ = Bdd::constant(true);
+    for (const Id<Variable> id : equations_.variables.ids())
+        if (matters_[id.index] && equations_.variables[id].role == Role::Input)
+            possible_ &= in_range(space_, words_[id.index]);
+    for (const Equations::Assumption& assumption : equations_.assumptions) possible_ &= holds(assumption.condition);
+    for (const Exclusion& exclusion : options.exclusions)
+        possible_ &= ~(word_term({exclusion.first.index}).bits[0] & word_term({exclusion.second.index}).bits[0]);
+}
+
+// -- one evolution -----------------------------------------------------------------------------------------------------
+
+void Machine::add_break(Break found) {
+    breaks_ |= found.race | found.out_of_range | found.no_value;
+    breaks_at_first_ |= found.first_race | found.first_out_of_range | found.first_no_value;
+    all_breaks_.push_back(std::move(found));
+}
+
+void Machine::keep(Next next) {
+    const BddWord& word = words_[next.variable.index];
+    const std::vector<Bdd> later = word_bits(next.value, word.type), first = word_bits(next.first, word.type);
+    for (std::size_t bit = 0; bit < word.bits.size(); ++bit)
+        kept_.push_back({word.bits[bit], later[bit], first[bit]});
+    nexts_.push_back(std::move(next));
+}
+
+void Machine::add_firings() {
+    Break found;
+    for (std::size_t k = 0; k < equations_.firings.size(); ++k) {
+        const Equations::Firing& firing = equations_.firings[k];
+        const BddTerm& term = (*terms_)(firing.condition);
+        found.no_value |= term.undefined;
+        fires_.push_back(term.bits.front() & ~term.undefined);
+        firing_of_[firing.variable.index] = k;
+    }
+    add_break(std::move(found));
+}
+
+void Machine::add_steps() {
+    for (const Equations::StepActivity& step : equations_.steps) {
+        value_of_step_.push_back(word_term(step.variable).bits.front());
+        const BddTerm initial = constant_term({}, equations_.variables[step.variable].initial);
+        keep({step.variable, (*terms_)(step.next), initial});
+    }
+}
+
+void Machine::add_stored() {
+    for (const Equations::Stored& stored : equations_.stored) {
+        const Type type = equations_.variables[stored.variable].type;
+        const BddTerm &next = (*terms_)(stored.next), &race = (*terms_)(stored.race);
+        const BddTerm &first = (*first_terms_)(stored.first), &first_race = (*first_terms_)(stored.first_race);
+        Break found{stored.variable};
+        found.race = race.bits.front() & ~race.undefined;
+        found.first_race = first_race.bits.front() & ~first_race.undefined;
+        found.no_value = race.undefined;
+        found.first_no_value = first.undefined | first_race.undefined;
+        found.first_out_of_range = outside(first, type);
+        for (const Equations::Write& write : stored.writes) {
+            if (is_constant(equations_.exprs[write.value].op) && type.boolean) continue;
+            const BddTerm& value = (*terms_)(write.value);
+            const Bdd trigger = holds(write.trigger);
+            found.no_value |= trigger & value.undefined;
+            found.out_of_range |= trigger & outside(value, type);
+        }
+        add_break(std::move(found));
+        if (!matters_[stored.variable.index]) continue;
+        keep({stored.variable, next, first});
+    }
+    for (const Id<Variable> id : equations_.variables.ids()) {
+        const Variable& variable = equations_.variables[id];
+        const bool unwritten =
+            matters_[id.index] && (variable.role == Role::Internal || variable.role == Role::Output) &&
+            std::ranges::find(equations_.stored, id, &Equations::Stored::variable) == equations_.stored.end();
+        if (unwritten)
+            keep({id, constant_term(variable.type, variable.initial), constant_term(variable.type, variable.initial)});
+    }
+}
+
+/// What is remembered of values after an evolution reads what steps and stored variables become in it.
+void Machine::add_remembered() {
+    std::vector<const Next*> next(equations_.variables.size());
+    const auto after = [&](bool first) {
+        return [this, &next, first](const Expr& leaf) {
+            const auto index = static_cast<std::size_t>(leaf.value);
+            if (next[index] == nullptr) return first ? initially(leaf) : before(leaf);
+            return first ? next[index]->first : next[index]->value;
+        };
+    };
+    for (const Next& each : nexts_) next[each.variable.index] = &each;
+    BddTerms later(equations_.exprs, after(false)), at_first(equations_.exprs, after(true));
+    std::vector<Next> found;
+    for (const Remembered& each : remembered(equations_)) {
+        if (!matters_[each.variable.index]) continue;
+        BddTerms& terms = each.after ? later : *terms_;
+        BddTerms& firsts = each.after ? at_first : *first_terms_;
+        const BddTerm &value = terms(each.value), &first = firsts(each.value);
+        Break undefined;
+        undefined.no_value = value.undefined;
+        undefined.first_no_value = first.undefined;
+        add_break(std::move(undefined));
+        found.push_back({each.variable, bdd_boolean(value.bits.front()), bdd_boolean(first.bits.front())});
+    }
+    for (Next& each : found) keep(std::move(each));
+}
+
+/// No time passes within an evolution: an end goes on while what it watches lasts, or, where there is a fall time, even
+/// after it; it begins at once where there is no rise time.
+void Machine::add_timers() {
+    for (const Clock& clock : clocks_) {
+        if (!matters_[clock.end.index]) continue;
+        const auto watched =
+            std::ranges::find(nexts_, clock.watched, [](const Next& next) { return next.variable; });
+        const Bdd end = word_term(clock.end).bits.front();
+        const Bdd level = watched->value.bits.front(), first = watched->first.bits.front();
+        Next next{clock.end, bdd_boolean(end), bdd_boolean(falsehood())};
+        if (clock.fall == 0) next.value = bdd_boolean(end & level);
+        if (clock.rise == 0) next = {clock.end, bdd_boolean(end | level), bdd_boolean(first)};
+        keep(std::move(next));
+    }
+}
+
+void Machine::add_parts() {
+    std::ranges::sort(kept_, {}, &KeptBit::before);
+    std::vector<Bdd> relations;
+    for (const KeptBit& bit : kept_) {
+        const Bdd one = iff(space_.variable(bit.before + 1), bit.next);
+        const Bdd joined = relations.empty() ? one : relations.back() & one;
+        if (relations.empty() || size(joined) > part_size) relations.push_back(one);
+        else relations.back() = joined;
+    }
+    std::map<std::uint32_t, std::size_t> last;   // per kept variable before: the last part that reads it
+    for (std::size_t part = 0; part < relations.size(); ++part)
+        for (const std::uint32_t variable : support(relations[part])) last[variable] = part;
+    std::vector<std::vector<std::uint32_t>> ended(relations.size());
+    std::vector<std::uint32_t> unread;
+    for (const KeptBit& bit : kept_) {
+        const auto found = last.find(bit.before);
+        if (found == last.end()) unread.push_back(bit.before);
+        else ended[found->second].push_back(bit.before);
+    }
+    for (std::size_t part = 0; part < relations.size(); ++part)
+        parts_.push_back({relations[part], variable_set(ended[part])});
+    unread_ = variable_set(unread);
+}
+
+void Machine::start() {
+    started_ = possible_ & ~breaks_at_first_;
+    breaks_at_first_ &= possible_;
+    for (const KeptBit& bit : kept_) started_ &= iff(space_.variable(bit.before), bit.first);
+}
+
+Bdd Machine::evolved(const Bdd& points) const {
+    Bdd result = exists(points, unread_);
+    for (const Part& part : parts_) result = and_exists(result, part.relation, part.ended);
+    return (*to_before_)(result);
+}
+
+Bdd Machine::origins(const Bdd& points, const Point& next) const {
+    Bdd result = points;
+    for (const KeptBit& bit : kept_) result &= next[bit.before] ? bit.next : ~bit.next;
+    return result;
+}
+
+Bdd Machine::with_inputs_of(const Bdd& points, const Point& other) const {
+    std::vector<BddLiteral> inputs;
+    for (const std::uint32_t bit : support(inputs_)) inputs.push_back({bit, other[bit]});
+    return points & cube(inputs);
+}
+
+// -- time --------------------------------------------------------------------------------------------------------------
+
+/// Of clocks without fall time on one watched variable, shorter ones end first.
+Bdd Machine::allowed_ends(const Bdd& points) const {
+    Bdd result = points;
+    for (const Clock& longer : clocks_)
+        for (const Clock& shorter : clocks_) {
+            const bool ordered = longer.watched == shorter.watched && longer.fall == 0 && shorter.fall == 0 &&
+                                 longer.rise > shorter.rise;
+            if (!ordered || !matters_[longer.end.index] || !matters_[shorter.end.index]) continue;
+            result &= implies(word_term(longer.end).bits.front(), word_term(shorter.end).bits.front());
+        }
+    return result;
+}
+
+/// While time passes what a clock watches does not change: its end begins where that is true, and ends where it is
+/// false. With both a rise and a fall time an old end may run out while a new one is not yet due.
+Bdd Machine::sampled(const Bdd& rest) const {
+    Bdd result = rest;
+    for (const Clock& clock : clocks_) {
+        if (!matters_[clock.end.index]) continue;
+        const std::uint32_t bit = words_[clock.end.index].bits.front();
+        const Bdd end = space_.variable(bit), level = word_term(clock.watched).bits.front();
+        const Bdd was_false = cofactor(result, ~end), was_true = cofactor(result, end);
+        const Bdd may_end = clock.fall == 0 ? falsehood() : clock.rise == 0 ? ~level : Bdd::constant(true);
+        result = ite(end, was_true | (was_false & level), was_false | (was_true & may_end));
+    }
+    return allowed_ends(result) & possible_;
+}
+
+Bdd Machine::origins_in_time(const Bdd& rest, const Point& next) const {
+    std::vector<BddLiteral> same;
+    for (const KeptBit& bit : kept_) same.push_back({bit.before, next[bit.before]});
+    Bdd result = rest;
+    for (const Clock& clock : clocks_) {
+        if (!matters_[clock.end.index]) continue;
+        const std::uint32_t bit = words_[clock.end.index].bits.front();
+        std::erase_if(same, [bit](const BddLiteral& literal) { return literal.variable == bit; });
+        const Bdd end = space_.variable(bit), level = word_term(clock.watched).bits.front();
+        const Bdd may_end = clock.fall == 0 ? falsehood() : clock.rise == 0 ? ~level : Bdd::constant(true);
+        result &= next[bit] ? end | level : ~end | may_end;
+    }
+    return result & cube(same);
+}
+
+// -- conditions --------------------------------------------------------------------------------------------------------
+
+Bdd Machine::holds(Id<Expr> term) {
+    const BddTerm& found = (*terms_)(term);
+    return found.bits.front() & ~found.undefined;
+}
+
+Bdd Machine::fires(Id<Variable> firing) const { return fires_[*firing_of_[firing.index]]; }
+
+Bdd Machine::differs(Id<Expr> term, std::int64_t value) { return unequal((*terms_)(term), value); }
+
+Bdd Machine::differs_at_first(Id<Expr> term, std::int64_t value) { return unequal((*first_terms_)(term), value); }
+
+// -- single points -----------------------------------------------------------------------------------------------------
+
+Point Machine::pick(const Bdd& points) const {
+    Point point(space_.variables());
+    for (const BddLiteral& literal : one_cube(points).value_or(std::vector<BddLiteral>{}))
+        point[literal.variable] = literal.value;
+    return point;
+}
+
+Bdd Machine::only(const Point& point) const {
+    std::vector<BddLiteral> literals;
+    for (const BddWord& word : words_)
+        for (const std::uint32_t bit : word.bits) literals.push_back({bit, point[bit]});
+    return cube(literals);
+}
+
+std::int64_t Machine::value(const Point& point, Id<Variable> variable) const {
+    if (!matters_[variable.index]) return equations_.variables[variable].type.boolean ? 0 : equations_.variables[variable].type.low;
+    return value_of(words_[variable.index], point);
+}
+
+}  // namespace grafverif::analysis

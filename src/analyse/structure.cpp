@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "analyse/structure.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "analyse/memory.hpp"
+
+namespace grafverif::analysis {
+
+namespace {
+
+using OrderId = Id<Chart::ForcingOrder>;
+
+void mark_leaves(const Exprs& exprs, Id<Expr> root, std::vector<bool>& seen, std::vector<bool>& marks) {
+    std::vector<Id<Expr>> open{root};
+    while (!open.empty()) {
+        const Id<Expr> term = open.back();
+        open.pop_back();
+        if (!term.valid() || seen[term.index]) continue;
+        seen[term.index] = true;
+        if (exprs[term].op == Op::Variable) marks[static_cast<std::size_t>(exprs[term].value)] = true;
+        const auto operands = exprs.operands(term);
+        open.insert(open.end(), operands.begin(), operands.end());
+    }
+}
+
+}  // namespace
+
+std::vector<bool> variables_read(const Equations& equations) {
+    std::vector<bool> seen(equations.exprs.size()), marks(equations.variables.size());
+    const auto mark = [&](Id<Expr> root) { mark_leaves(equations.exprs, root, seen, marks); };
+    for (const Equations::Firing& firing : equations.firings) mark(firing.condition);
+    for (const Equations::StepActivity& step : equations.steps) mark(step.next);
+    for (const Equations::Output& output : equations.outputs) mark(output.value);
+    for (const Remembered& each : remembered(equations)) mark(each.value);
+    for (const Equations::Stored& stored : equations.stored)
+        for (const Equations::Write& write : stored.writes) {
+            mark(write.trigger);
+            mark(write.value);
+        }
+    return marks;
+}
+
+std::vector<std::vector<OrderId>> forcing_cycles(const Chart& chart) {
+    // Depth first from each order along orders with greater ids only, so that each circle is found once, at its least.
+    std::vector<std::vector<OrderId>> found;
+    const auto next_of = [&](OrderId order) {
+        std::vector<OrderId> next;
+        for (const OrderId other : chart.forcing.ids())
+            if (chart.steps[chart.forcing[other].step].chart == chart.forcing[order].forced) next.push_back(other);
+        return next;
+    };
+    for (const OrderId start : chart.forcing.ids()) {
+        std::vector<bool> seen(chart.forcing.size());
+        std::vector<std::vector<OrderId>> open{{start}};
+        while (!open.empty()) {
+            const std::vector<OrderId> path = std::move(open.back());
+            open.pop_back();
+            const std::vector<OrderId> next = next_of(path.back());
+            if (std::ranges::find(next, start) != next.end()) {
+                found.push_back(path);
+                break;
+            }
+            for (const OrderId other : next) {
+                if (other.index < start.index || seen[other.index]) continue;
+                seen[other.index] = true;
+                open.push_back(path);
+                open.back().push_back(other);
+            }
+        }
+    }
+    return found;
+}
+
+std::vector<std::pair<OrderId, OrderId>> contrary_orders(const Chart& chart) {
+    std::vector<std::pair<OrderId, OrderId>> found;
+    for (const OrderId second : chart.forcing.ids())
+        for (const OrderId first : chart.forcing.ids()) {
+            const Chart::ForcingOrder &one = chart.forcing[first], &other = chart.forcing[second];
+            if (first.index >= second.index || one.forced != other.forced || one.step == other.step) continue;
+            if (one.to != other.to || one.situation != other.situation) found.emplace_back(first, second);
+        }
+    return found;
+}
+
+std::vector<std::pair<OrderId, Id<Chart::Step>>> orders_on_enclosed(const Chart& chart) {
+    std::vector<std::pair<OrderId, Id<Chart::Step>>> found;
+    for (const OrderId order : chart.forcing.ids()) {
+        Id<Chart::PartialChart> partial = chart.forcing[order].forced;
+        std::set<std::uint32_t> seen;   // a circle of enclosures ends
+        while (partial.valid() && seen.insert(partial.index).second) {
+            const Chart::PartialChart& here = chart.partial_charts[partial];
+            if (!here.owner.valid()) break;
+            if (here.kind == Chart::PartialKind::Enclosed) found.emplace_back(order, here.owner);
+            partial = chart.steps[here.owner].chart;
+        }
+    }
+    return found;
+}
+
+std::vector<std::pair<Id<Chart::Transition>, Id<Chart::Transition>>> branches(const Chart& chart) {
+    std::vector<std::vector<Id<Chart::Transition>>> leaving(chart.steps.size());
+    for (const Id<Chart::Transition> id : chart.transitions.ids())
+        for (const Id<Chart::Step> step : chart.transitions[id].from) leaving[step.index].push_back(id);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const std::vector<Id<Chart::Transition>>& out : leaving)
+        for (std::size_t k = 0; k < out.size(); ++k)
+            for (std::size_t i = 0; i < k; ++i) pairs.emplace(out[i].index, out[k].index);
+    std::vector<std::pair<Id<Chart::Transition>, Id<Chart::Transition>>> found;
+    for (const auto& [first, second] : pairs) found.push_back({{first}, {second}});
+    return found;
+}
+
+}  // namespace grafverif::analysis

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What the structure of a chart tells without a search.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "grafverif/ir/chart.hpp"
+#include "grafverif/ir/equations.hpp"
+
+namespace grafverif::analysis {
+
+/// Per variable of the chart: whether some equation reads it.
+std::vector<bool> variables_read(const Equations& equations);
+
+/// Circles of forcing orders: each forces the partial chart that the next one's step is in, the last the first's.
+std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_cycles(const Chart& chart);
+
+/// Orders on one partial chart, from steps that differ, that hold it in different situations.
+std::vector<std::pair<Id<Chart::ForcingOrder>, Id<Chart::ForcingOrder>>> contrary_orders(const Chart& chart);
+
+/// Orders on partial charts that an enclosing step governs too, with that step: of the partial chart itself or of one
+/// around it.
+std::vector<std::pair<Id<Chart::ForcingOrder>, Id<Chart::Step>>> orders_on_enclosed(const Chart& chart);
+
+/// Transitions that share a step upstream, the first before the second.
+std::vector<std::pair<Id<Chart::Transition>, Id<Chart::Transition>>> branches(const Chart& chart);
+
+}  // namespace grafverif::analysis

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/ir/finding.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Level = Finding::Level;
+
+constexpr std::array kinds = {
+    FindingKind{"total-instability", Level::Error,
+                "With some inputs that do not change the situation never becomes stable."},
+    FindingKind{"contradictory-constraints", Level::Error, "No combination of inputs meets all constraints."},
+    FindingKind{"action-race", Level::Error,
+                "Two stored actions write different values to one variable in one evolution."},
+    FindingKind{"out-of-range", Level::Error, "A stored action writes a value outside the range of its variable."},
+    FindingKind{"no-value", Level::Error, "A condition or a stored value divides by zero."},
+    FindingKind{"forcing-cycle", Level::Error, "Forcing orders force each other in a circle."},
+    FindingKind{"forced-twice", Level::Error, "Two forcing orders hold one partial chart in different situations at once."},
+    FindingKind{"forced-and-enclosed", Level::Error,
+                "A partial chart is forced while the step that encloses it is active, which governs it too."},
+    FindingKind{"action-conflict", Level::Warning,
+                "A value stored in an output is overwritten in the same instant, so that it never gets out."},
+    FindingKind{"branches-together", Level::Warning, "Two transitions of one divergence are cleared at once."},
+    FindingKind{"step-reactivated", Level::Warning, "A step is activated while it is active, and stays so."},
+    FindingKind{"step-never-active", Level::Warning, "A step is active in no situation that can be reached."},
+    FindingKind{"transition-never-fired", Level::Warning, "A transition is never cleared."},
+    FindingKind{"output-never-set", Level::Warning, "An output always has its initial value."},
+    FindingKind{"step-never-stable", Level::Note,
+                "A step is active in transient situations only, so that its continuous actions give no output."},
+    FindingKind{"transition-always-fired", Level::Note,
+                "A transition is cleared in the very evolution after it becomes enabled."},
+    FindingKind{"input-never-read", Level::Note, "Nothing in the chart depends on an input."},
+};
+
+}  // namespace
+
+std::span<const FindingKind> finding_kinds() { return kinds; }
+
+std::string_view word(Finding::Level level) {
+    switch (level) {
+    case Level::Error:   return "error";
+    case Level::Warning: return "warning";
+    case Level::Note:    return "note";
+    }
+    unreachable();
+}
+
+bool is_open(const Finding& finding) { return finding.level != Level::Note && !finding.accepted; }
+
+std::vector<std::string> verify(const Analysis& analysis) {
+    std::vector<std::string> faults;
+    for (const Finding& finding : analysis.findings) {
+        if (std::ranges::find(kinds, finding.code, &FindingKind::code) == kinds.end())
+            faults.push_back("there is no code `" + finding.code + "`");
+        if (finding.accepted && finding.accepted->empty())
+            faults.push_back("`" + finding.code + "` is accepted without a reason");
+        if (!finding.evidence) continue;
+        for (const std::string& fault : verify(*finding.evidence))
+            faults.push_back("evidence of `" + finding.code + "`: " + fault);
+    }
+    return faults;
+}
+
+}  // namespace grafverif

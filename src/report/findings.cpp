@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Findings for people.
+#include "grafverif/report/findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "grafverif/report/terminal.hpp"
+#include "report/table.hpp"
+
+namespace grafverif {
+
+namespace {
+
+Diagnostic diagnostic(const Finding& finding) {
+    Diagnostic made;
+    switch (finding.level) {
+    case Finding::Level::Error:   made.severity = Severity::Error; break;
+    case Finding::Level::Warning: made.severity = Severity::Warning; break;
+    case Finding::Level::Note:    made.severity = Severity::Note; break;
+    }
+    made.code = finding.code;
+    made.where = finding.origin;
+    made.message = finding.message;
+    for (const Finding::Related& related : finding.related)
+        made.notes.push_back({Severity::Note, "", related.where, related.message, {}});
+    return made;
+}
+
+void print_evidence(const Finding& finding, std::ostream& out) {
+    if (finding.timing == Finding::Timing::Unconfirmed)
+        out << "    it rests on the order in which timers end; no moments were found at which that happens\n";
+    if (!finding.evidence) return;
+    out << "    a shortest way: " << finding.evidence_shows << '\n';
+    print_trace(*finding.evidence, out);
+}
+
+void print_accepted(const Analysis& analysis, std::ostream& out) {
+    for (const Finding& finding : analysis.findings)
+        if (finding.accepted)
+            out << fmt::format("accepted: {} [{}]: {}\n", finding.message, finding.code, *finding.accepted);
+}
+
+void print_tally(const Analysis& analysis, std::ostream& out) {
+    std::string line;
+    const auto add = [&line](std::ptrdiff_t count, std::string_view one, std::string_view many) {
+        if (count != 0) line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count, count == 1 ? one : many);
+    };
+    const auto count = [&](Finding::Level level) {
+        return std::ranges::count_if(
+            analysis.findings, [level](const Finding& finding) { return finding.level == level && !finding.accepted; });
+    };
+    add(count(Finding::Level::Error), "error", "errors");
+    add(count(Finding::Level::Warning), "warning", "warnings");
+    add(count(Finding::Level::Note), "note", "notes");
+    add(std::ranges::count_if(analysis.findings, [](const Finding& finding) { return finding.accepted.has_value(); }),
+        "accepted", "accepted");
+    out << analysis.chart << ": " << (line.empty() ? "no findings" : line) << '\n';
+}
+
+}  // namespace
+
+void print_findings(const Analysis& analysis, const Sources& sources, Colour colour, std::ostream& out) {
+    for (const Finding& finding : analysis.findings) {
+        if (finding.accepted) continue;
+        render_text({diagnostic(finding)}, sources, colour, out);
+        print_evidence(finding, out);
+        out << '\n';
+    }
+    print_accepted(analysis, out);
+    if (!analysis.obstacle.empty())
+        out << "not everything was looked at: " << analysis.obstacle << "; what never happens is not known\n";
+    for (const std::string& note : analysis.notes) out << "note: " << note << '\n';
+    print_tally(analysis, out);
+}
+
+std::string inputs_text(const Trace& trace) {
+    std::string text;
+    for (std::size_t k = 0; k < trace.steps.size(); ++k) {
+        const std::string changed = cells(trace, k, false)[2];
+        if (changed.empty()) continue;
+        text += fmt::format("{}{} at {}", text.empty() ? "" : "; ", changed, seconds_text(trace.steps[k].after.time_ms));
+    }
+    return text;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The wording of what is said about tables of exclusions and accepted findings.
+#include <fmt/format.h>
+
+#include "grafverif/support/messages.hpp"
+#include "support/wording.hpp"
+
+namespace grafverif::messages {
+
+Diagnostic bad_exclusion_header(Span where) {
+    return error("bad-exclusion", where,
+                 "this is no table of exclusions; its first row is `variable1,variable2,reason`");
+}
+
+Diagnostic bad_exclusion(Span where, std::size_t fields) {
+    return error("bad-exclusion", where,
+                 fmt::format("this row has {} {}; write two inputs and a reason, in quotes where it holds a comma", fields,
+                             fields == 1 ? "field" : "fields"));
+}
+
+Diagnostic not_a_boolean_input(Span where, std::string_view name, std::string_view chart) {
+    return error("bad-exclusion", where,
+                 fmt::format("`{}` is no bool input of grafcet `{}`", clipped(name), clipped(chart)));
+}
+
+Diagnostic excludes_itself(Span where, std::string_view name) {
+    return error("bad-exclusion", where,
+                 fmt::format("`{0}` excludes itself; write `constraint !{0};` in the grafcet", clipped(name)));
+}
+
+Diagnostic unknown_finding(Span where, std::string_view code) {
+    return error("unknown-finding", where,
+                 fmt::format("there is no finding `{}`; `grafverif analyse` shows the code of each in brackets",
+                             clipped(code)));
+}
+
+}  // namespace grafverif::messages

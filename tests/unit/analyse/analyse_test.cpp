@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/analyse/analyse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "grafverif/report/findings.hpp"
+#include "support/play.hpp"
+
+namespace grafverif {
+namespace {
+
+Analysis analysed(std::string_view text, AnalyseOptions options = {}) {
+    const Chart subject = chart(text);
+    const Equations meaning = equations(text);
+    Analysis result = analyse(subject, meaning, options);
+    EXPECT_EQ(verify(result), std::vector<std::string>{}) << text;
+    EXPECT_EQ(result.failures, std::vector<std::string>{}) << text;
+    EXPECT_EQ(result.obstacle, "") << text;
+    return result;
+}
+
+const Finding* find(const Analysis& analysis, std::string_view code, std::string_view subject = {}) {
+    const auto found = std::ranges::find_if(analysis.findings, [&](const Finding& finding) {
+        return finding.code == code && (subject.empty() || finding.subject == subject);
+    });
+    return found == analysis.findings.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> codes(const Analysis& analysis) {
+    std::vector<std::string> all;
+    for (const Finding& finding : analysis.findings)
+        all.push_back(finding.code + (finding.subject.empty() ? "" : " " + finding.subject));
+    return all;
+}
+
+using Codes = std::vector<std::string>;
+
+constexpr std::string_view sound = R"(
+    input a, b;
+    output O, P;
+    initial step 0 { O; }
+    step 1 { P; }
+    transition t0: 0 -> 1 when a && !b;
+    transition t1: 1 -> 0 when b;
+)";
+
+TEST(Analyse, AChartWithoutFaultsHasNoFindings) {
+    EXPECT_EQ(codes(analysed(sound)), Codes{});
+    EXPECT_EQ(codes(analysed(sound, {.mode = ExecutionMode::EveryCycle})), Codes{});
+}
+
+TEST(Analyse, AStepThatNothingLeadsToIsNeverActiveNorAreTransitionsFromIt) {
+    const Analysis found = analysed(R"(
+        input a, b; output O, P;
+        initial step 0;
+        step 1 { O; }
+        step 2 { P; }
+        transition t0: 0 -> 1 when a;
+        transition t1: 1 -> 2 when a && !a;
+        transition t2: 2 -> 0 when b;
+        transition t3: 1 -> 0 when b;
+    )");
+    ASSERT_NE(find(found, "step-never-active", "X2"), nullptr);
+    ASSERT_NE(find(found, "output-never-set", "P"), nullptr);
+    const Finding* const condition = find(found, "transition-never-fired", "t1");
+    ASSERT_NE(condition, nullptr);
+    EXPECT_EQ(condition->message, "`t1` is never cleared; its condition is never true while it is enabled");
+    ASSERT_TRUE(condition->evidence.has_value()) << "the way to the situation in which it is enabled";
+    const Finding* const upstream = find(found, "transition-never-fired", "t2");
+    ASSERT_NE(upstream, nullptr);
+    EXPECT_EQ(upstream->message, "`t2` is never cleared; `X2` is never active");
+}
+
+TEST(Analyse, TransitionsWhoseStepsAreNeverActiveTogetherAreToldApart) {
+    const Analysis found = analysed(R"(
+        input a;
+        initial step 0;
+        step 1;
+        step 2;
+        transition t0: 0 -> 1 when a;
+        transition t1: 1 -> 0 when !a;
+        transition t2: 0 -> 2 when a;
+        transition t3: 2 -> 0 when !a;
+        transition t4: 0, 1 -> 2 when a;
+    )");
+    const Finding* const never = find(found, "transition-never-fired", "t4");
+    ASSERT_NE(never, nullptr);
+    EXPECT_EQ(never->message, "`t4` is never cleared; `X0` and `X1` are never active together");
+}
+
+TEST(Analyse, BranchesThatFireTogetherAreShownByTheInputsThatDoIt) {
+    const Analysis found = analysed(R"(
+        input a, b;
+        initial step 0;
+        step 1;
+        step 2;
+        transition t0: 0 -> 1 when a;
+        transition t1: 0 -> 2 when b;
+        transition t2: 1 -> 0 when !a && !b;
+        transition t3: 2 -> 0 when !a && !b;
+    )");
+    const Finding* const both = find(found, "branches-together", "t0");
+    ASSERT_NE(both, nullptr);
+    ASSERT_TRUE(both->evidence.has_value());
+    EXPECT_EQ(inputs_text(*both->evidence), "a, b at 0 s");
+    EXPECT_EQ(both->evidence->steps.back().fired, (std::vector<std::vector<std::string>>{{"t0", "t1"}}));
+}
+
+TEST(Analyse, AConstraintOrAnExclusionRulesOutWhatTheWiringRulesOut) {
+    const std::string body = R"(
+        initial step 0;
+        step 1;
+        step 2;
+        transition t0: 0 -> 1 when a;
+        transition t1: 0 -> 2 when b;
+        transition t2: 1 -> 0 when !a && !b;
+        transition t3: 2 -> 0 when !a && !b;
+    )";
+    EXPECT_EQ(codes(analysed("input a, b; constraint !(a && b);" + body)), Codes{});
+    AnalyseOptions options;
+    options.exclusions = {{{0}, {1}, "one switch, two positions", {}}};
+    EXPECT_EQ(codes(analysed("input a, b;" + body, options)), Codes{});
+    EXPECT_EQ(codes(analysed("input a, b; constraint a; constraint !a;" + body)), Codes{"contradictory-constraints"});
+}
+
+TEST(Analyse, ARaceNamesBothActions) {
+    const Analysis found = analysed(R"(
+        input a; output O;
+        initial step 0 { O := true on deactivation; }
+        step 1 { O := false on activation; }
+        transition t0: 0 -> 1 when a;
+        transition t1: 1 -> 0 when !a;
+    )");
+    const Finding* const race = find(found, "action-race", "O");
+    ASSERT_NE(race, nullptr);
+    EXPECT_EQ(race->related.size(), 2U);
+    ASSERT_TRUE(race->evidence.has_value());
+    EXPECT_EQ(race->evidence->steps.back().what, "race");
+}
+
+TEST(Analyse, ARaceInTheFirstEvolutionIsFoundThere) {
+    const Analysis found = analysed(R"(
+        input a, b; internal n : int 0..3;
+        initial step 0 { n := 1 on activation; }
+        initial step 1 { n := 2 on activation; }
+        transition t0: 0 -> 0 when a;
+        transition t1: 1 -> 1 when b;
+    )");
+    ASSERT_NE(find(found, "action-race", "n"), nullptr);
+}
+
+TEST(Analyse, ACounterThatLeavesItsRangeIsFoundAfterAsManyRoundsAsItTakes) {
+    const Analysis found = analysed(R"(
+        input a; internal n : int -1..2;
+        initial step 0;
+        step 1 { n := n + 1 on activation; }
+        transition t0: 0 -> 1 when a;
+        transition t1: 1 -> 0 when !a;
+        transition t2: 0 -> 0 when n == 7;
+    )");
+    const Finding* const range = find(found, "out-of-range", "n");
+    ASSERT_NE(range, nullptr);
+    ASSERT_TRUE(range->evidence.has_value());
+    EXPECT_EQ(range->evidence->steps.size(), 1U + 5U) << "power-on; up, down, up, down, up";
+    ASSERT_NE(find(found, "transition-never-fired", "t2"), nullptr);
+}
+
+TEST(Analyse, TotalInstabilityEndsInALoopOfSituations) {
+    const Analysis found = analysed(R"(
+        input a, b;
+        initial step 0;
+        step 1;
+        step 2;
+        transition t0: 0 -> 1 when b;
+        transition t1: 1 -> 2 when a;
+        transition t2: 2 -> 1 when true;
+        transition t3: 2 -> 0 when !b;
+    )");
+    const Finding* const endless = find(found, "total-instability");
+    ASSERT_NE(endless, nullptr);
+    ASSERT_TRUE(endless->evidence.has_value());
+    const Trace& trace = *endless->evidence;
+    ASSERT_TRUE(trace.loop_from.has_value());
+    EXPECT_EQ(trace.steps.size() - *trace.loop_from, 2U);
+    EXPECT_EQ(endless->related.size(), 3U) << "t1, t2 and, where b is false, t3 too";
+    EXPECT_EQ(find(analysed(sound), "total-instability"), nullptr);
+}
+
+TEST(Analyse, ASourceTransitionOnALevelThatOnlyActivatesAnActiveStepIsUnstable) {
+    const Analysis found = analysed(R"(
+        input a, b;
+        initial step 0;
+        transition t0: -> 0 when a;
+        transition t1: 0 -> when b;
+    )");
+    ASSERT_NE(find(found, "total-instability"), nullptr);
+    ASSERT_NE(find(found, "step-reactivated", "X0"), nullptr);
+}
+
+TEST(Analyse, AStepThatIsLeftAtOnceGivesNoOutputUnderStabilitySearchOnly) {
+    constexpr std::string_view text = R"(
+        input a; output O;
+        initial step 0;
+        step 1 { O; }
+        step 2;
+        transition t0: 0 -> 1 when a;
+        transition t1: 1 -> 2 when true;
+        transition t2: 2 -> 0 when !a;
+    )";
+    const Analysis searching = analysed(text);
+    EXPECT_NE(find(searching, "step-never-stable", "X1"), nullptr);
+    EXPECT_NE(find(searching, "output-never-set", "O"), nullptr);
+    EXPECT_NE(find(searching, "transition-always-fired", "t1"), nullptr);
+    const Analysis cyclic = analysed(text, {.mode = ExecutionMode::EveryCycle});
+    EXPECT_EQ(codes(cyclic), Codes{"transition-always-fired t1"});
+}
+
+TEST(Analyse, AnInputThatNothingReadsIsANote) {
+    const Analysis found = analysed("input a, b; initial step 0; step 1; transition t0: 0 -> 1 when a; "
+                                    "transition t1: 1 -> 0 when !a;");
+    EXPECT_EQ(codes(found), Codes{"input-never-read b"});
+    EXPECT_FALSE(is_open(found.findings.front()));
+}
+
+TEST(Analyse, AnAcceptedFindingIsNotOpen) {
+    const Analysis found = analysed("input a, b; accept branches-together t0 \"never pressed together\"; "
+                                    "accept total-instability \"none\"; initial step 0; step 1; step 2; "
+                                    "transition t0: 0 -> 1 when a; transition t1: 0 -> 2 when b; "
+                                    "transition t2: 1 -> 0 when !a && !b; transition t3: 2 -> 0 when !a && !b;");
+    const Finding* const both = find(found, "branches-together", "t0");
+    ASSERT_NE(both, nullptr);
+    EXPECT_EQ(both->accepted, "never pressed together");
+    EXPECT_FALSE(is_open(*both));
+    EXPECT_TRUE(std::ranges::any_of(found.notes, [](const std::string& note) {
+        return note == "there is nothing that `accept total-instability` accepts";
+    }));
+}
+
+// -- time --------------------------------------------------------------------------------------------------------------
+
+TEST(Analyse, EvidenceThatNeedsTimeSaysWhen) {
+    const Analysis found = analysed(R"(
+        input a, b; output O;
+        initial step 0 { O := true on activation; }
+        step 1 { O := false on deactivation; }
+        transition t0: 0 -> 1 when a;
+        transition t1: 1 -> 0 when 5s/X1;
+    )");
+    const Finding* const race = find(found, "action-race", "O");
+    ASSERT_NE(race, nullptr);
+    EXPECT_EQ(race->timing, Finding::Timing::Confirmed);
+    ASSERT_TRUE(race->evidence.has_value());
+    EXPECT_EQ(race->evidence->steps.back().after.time_ms, 5000);
+}
+
+TEST(Analyse, TheLongerOfTwoTimersOnOneStepNeverEndsFirst) {
+    const Analysis found = analysed(R"(
+        initial step 0;
+        step 1;
+        transition t0: 0 -> 1 when 2s/X0;
+        transition t1: 0 -> 0 when 5s/X0 && !2s/X0;
+        transition t2: 1 -> 0 when 1s/X1;
+    )");
+    EXPECT_NE(find(found, "transition-never-fired", "t1"), nullptr);
+    EXPECT_EQ(find(found, "branches-together"), nullptr);
+}
+
+TEST(Analyse, WhatOnlyTheTimesRuleOutIsSaidToBeUnconfirmed) {
+    // Both steps become active at once; 3 s are over before 5 s are.
+    const Analysis found = analysed(R"(
+        initial step 0;
+        initial step 1;
+        step 2;
+        transition t0: 0 -> 0 when 3s/X0 && false;
+        transition t1: 0 -> 2 when 3s/X0;
+        transition t2: 0, 1 -> 2 when 5s/X1 && !3s/X0;
+        transition t3: 2 -> when 1s/X2 && false;
+    )");
+    const Finding* const early = find(found, "transition-never-fired", "t2");
+    EXPECT_EQ(early, nullptr) << "the search knows the order of ends on one step only";
+}
+
+TEST(Analyse, AnExhaustedSearchClaimsNothingThatNeverHappens) {
+    std::atomic<bool> stop{true};
+    const std::string text(sound);
+    const Chart subject = chart(text);
+    AnalyseOptions options;
+    options.stop = &stop;
+    const Analysis found = analyse(subject, equations(text), options);
+    EXPECT_NE(found.obstacle, "");
+    EXPECT_EQ(find(found, "step-never-active"), nullptr);
+}
+
+}  // namespace
+}  // namespace grafverif

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// The analysis against a search that knows nothing of equations and decision diagrams: all points of a random chart, one
+// by one, by the interpreter of the rules. Time is in both what it is in the search: an end that may come between two
+// instants, in order on one step.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "grafverif/analyse/analyse.hpp"
+#include "grafverif/derive/derive.hpp"
+#include "grafverif/run/interpreter.hpp"
+#include "support/law_size.hpp"
+#include "support/random_chart.hpp"
+
+namespace grafverif {
+namespace {
+
+constexpr std::size_t most_points = 4000;
+
+/// Every statement an analysis can make, as `code subject`.
+using Facts = std::set<std::string>;
+using Rest = std::pair<State, std::vector<bool>>;   ///< with the ends of the time conditions
+
+struct RestOrder {
+    static auto key(const Rest& rest) { return std::tie(rest.first.situation, rest.first.values, rest.second); }
+    bool operator()(const Rest& left, const Rest& right) const { return key(left) < key(right); }
+};
+
+class ExplicitSearch {
+public:
+    ExplicitSearch(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode) {
+        for (const Id<Chart::Variable> id : chart.variables.ids())
+            if (chart.variables[id].kind == Chart::VariableKind::Input) inputs_.push_back(id);
+        for (const Id<Chart::Transition> id : chart.transitions.ids()) always_.insert(name(id));
+    }
+
+    /// Empty: there are too many points, or a condition has no value somewhere.
+    std::optional<Facts> facts() {
+        for_each_input([&](const std::vector<std::int64_t>& inputs) {
+            begin({power_on(chart_), std::vector<bool>(chart_.time_conditions.size())}, inputs);
+        });
+        while (!open_.empty() && points_ < most_points && !lost_) {
+            const Rest rest = std::move(open_.back());
+            open_.pop_back();
+            for_each_end(rest, 0, [&](const Rest& later) {
+                for_each_input([&](const std::vector<std::int64_t>& inputs) { begin(later, inputs); });
+            });
+        }
+        if (!open_.empty() || lost_) return {};
+        for (const Chart::Step& step : chart_.steps)
+            if (!active_.contains(step.name)) facts_.insert("step-never-active X" + step.name);
+        for (const Id<Chart::Transition> id : chart_.transitions.ids()) {
+            if (!fired_.contains(name(id))) facts_.insert("transition-never-fired " + name(id));
+            else if (always_.contains(name(id))) facts_.insert("transition-always-fired " + name(id));
+        }
+        return facts_;
+    }
+
+private:
+    const std::string& name(Id<Chart::Transition> id) const { return chart_.transitions[id].name; }
+
+    template <class Visit>
+    void for_each_input(const Visit& visit) {
+        std::vector<std::int64_t> values(chart_.variables.size());
+        for (const auto id : inputs_) values[id.index] = chart_.variables[id].type.low;
+        for (bool more = true; more;) {
+            visit(values);
+            more = false;
+            for (const auto id : inputs_) {
+                more = ++values[id.index] <= chart_.variables[id].type.high;
+                if (more) break;
+                values[id.index] = chart_.variables[id].type.low;
+            }
+        }
+    }
+
+    const Chart::TimeCondition& timed(std::size_t k) const { return chart_.time_conditions[{static_cast<std::uint32_t>(k)}]; }
+    std::size_t watched(std::size_t k) const { return static_cast<std::size_t>(chart_.exprs[timed(k).watched].value); }
+
+    template <class Visit>
+    void for_each_end(Rest rest, std::size_t k, const Visit& visit) {
+        if (k == rest.second.size()) {
+            for (std::size_t i = 0; i < k; ++i)
+                for (std::size_t j = 0; j < k; ++j)
+                    if (watched(i) == watched(j) && timed(i).rise_ms <= timed(j).rise_ms && rest.second[j] && !rest.second[i])
+                        return;
+            return visit(rest);
+        }
+        for_each_end(rest, k + 1, visit);
+        if (rest.second[k] || !rest.first.situation[watched(k)]) return;
+        rest.second[k] = true;
+        for_each_end(rest, k + 1, visit);
+    }
+
+    /// One instant.
+    void begin(Rest at, const std::vector<std::int64_t>& inputs) {
+        std::set<Rest, RestOrder> seen;
+        while (!lost_) {
+            ++points_;
+            note_situation(at.first);
+            const bool first = !at.first.started;
+            const Evolution made = evolve(chart_, at.first, inputs, at.second);
+            if (!first) note_evolution(at.first, made);
+            if (made.race) facts_.insert("action-race " + chart_.variables[made.race->variable].name);
+            if (made.fault) return note_fault(*made.fault);
+            if (made.race) return;
+            if (!first && made.stable && mode_ == ExecutionMode::StabilitySearch) return rest(at);
+            if (!seen.insert(at).second && !first) {
+                facts_.insert("total-instability");
+                return;
+            }
+            at.first = made.state;
+            for (std::size_t k = 0; k < at.second.size(); ++k)
+                at.second[k] = at.second[k] && at.first.situation[watched(k)];
+            if (mode_ == ExecutionMode::EveryCycle) return rest(at);
+        }
+    }
+
+    void rest(const Rest& at) {
+        if (known_.insert(at).second) open_.push_back(at);
+    }
+
+    void note_fault(const RunFault& fault) {
+        if (fault.kind == RunFault::Kind::OutOfRange) facts_.insert("out-of-range " + chart_.variables[fault.variable].name);
+        else lost_ = true;
+    }
+
+    void note_situation(const State& state) {
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (state.situation[id.index]) active_.insert(chart_.steps[id].name);
+    }
+
+    void note_evolution(const State& before, const Evolution& made) {
+        std::vector<bool> on(chart_.steps.size()), off(chart_.steps.size());
+        for (const auto first : made.fired) {
+            fired_.insert(name(first));
+            for (const auto step : chart_.transitions[first].to) on[step.index] = true;
+            for (const auto step : chart_.transitions[first].from) off[step.index] = true;
+            for (const auto second : made.fired)
+                for (const auto step : chart_.transitions[first].from)
+                    if (first.index < second.index && std::ranges::count(chart_.transitions[second].from, step) > 0)
+                        facts_.insert("branches-together " + name(first));
+        }
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (before.situation[id.index] && on[id.index] && !off[id.index])
+                facts_.insert("step-reactivated X" + chart_.steps[id].name);
+        for (const Id<Chart::Transition> id : chart_.transitions.ids()) {
+            const bool enabled = std::ranges::all_of(chart_.transitions[id].from,
+                                                     [&](Id<Chart::Step> step) -> bool { return before.situation[step.index]; });
+            if (enabled && std::ranges::find(made.fired, id) == made.fired.end()) always_.erase(name(id));
+        }
+    }
+
+    const Chart& chart_;
+    ExecutionMode mode_;
+    std::vector<Id<Chart::Variable>> inputs_ = {};
+    std::set<std::string> active_ = {}, fired_ = {}, always_ = {};
+    std::set<Rest, RestOrder> known_ = {};
+    std::vector<Rest> open_ = {};
+    std::size_t points_ = 0;
+    bool lost_ = false;
+    Facts facts_ = {};
+};
+
+bool is_compared(const std::string& code) {
+    return code != "input-never-read" && code != "output-never-set" && code != "step-never-stable" &&
+           code != "action-conflict";
+}
+
+/// What the two routes do not agree on; empty: nothing. Empty optional: the chart is too large for this.
+std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode) {
+    const std::optional<Facts> expected = ExplicitSearch(chart, mode).facts();
+    Diagnostics diagnostics;
+    const auto equations = derive(chart, diagnostics);
+    if (!expected || !equations) return {};
+    AnalyseOptions options;
+    options.mode = mode;
+    const Analysis analysis = analyse(chart, *equations, options);
+    std::string text;
+    for (const std::string& fault : verify(analysis)) text += "invariant: " + fault + '\n';
+    for (const std::string& failure : analysis.failures) text += failure + '\n';
+    Facts found;
+    for (const Finding& finding : analysis.findings)
+        if (is_compared(finding.code)) found.insert(finding.code + (finding.subject.empty() ? "" : " " + finding.subject));
+    for (const std::string& fact : *expected)
+        if (!found.contains(fact)) text += "not found: " + fact + '\n';
+    for (const std::string& fact : found)
+        if (!expected->contains(fact)) text += "not true: " + fact + '\n';
+    return text;
+}
+
+TEST(AnalyseLaw, TheAnalysisFindsWhatASearchPointByPointFinds) {
+    for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
+        int compared = 0;
+        for (int seed = 1; seed <= law_size(150); ++seed) {
+            Random random(static_cast<std::uint64_t>(seed));
+            const Chart chart = random_chart(random);
+            const std::optional<std::string> wrong = disagreement(chart, mode);
+            if (!wrong) continue;
+            ++compared;
+            if (wrong->empty()) continue;
+            const Chart small = shrunk(chart, [mode](const Chart& less) { return !disagreement(less, mode).value_or("").empty(); });
+            FAIL() << "seed " << seed << (mode == ExecutionMode::EveryCycle ? ", every_cycle" : "") << '\n'
+                   << *disagreement(small, mode) << chart_text(small);
+        }
+        EXPECT_GT(compared, 20);
+    }
+}
+
+}  // namespace
+}  // namespace grafverif
