@@ -156,9 +156,13 @@ void Machine::add_stored() {
         found.first_race = first_race.bits.front() & ~first_race.undefined;
         found.no_value = race.undefined;
         found.first_no_value = first.undefined | first_race.undefined;
-        found.first_out_of_range = outside(first, type);
         for (const Equations::Write& write : stored.writes) {
             if (is_constant(equations_.exprs[write.value].op) && type.boolean) continue;
+            if (write.initial) {
+                const BddTerm& value = (*first_terms_)(write.value);
+                found.first_no_value |= value.undefined;
+                found.first_out_of_range |= outside(value, type);
+            }
             const BddTerm& value = (*terms_)(write.value);
             const Bdd trigger = holds(write.trigger);
             found.no_value |= trigger & value.undefined;

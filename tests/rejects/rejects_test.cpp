@@ -15,6 +15,7 @@
 #include "grafverif/compose/compose.hpp"
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/plant/plant.hpp"
+#include "grafverif/read/exclusions.hpp"
 #include "grafverif/read/text.hpp"
 #include "grafverif/schedule/controller.hpp"
 #include "grafverif/schedule/network.hpp"
@@ -79,6 +80,15 @@ void build(const Model& model, Diagnostics& diagnostics) {
     }
 }
 
+/// <code>[-n].csv beside a reject is a table of exclusions for its chart.
+void exclude(const std::string& name, const std::optional<Model>& model, Sources& sources, Diagnostics& diagnostics) {
+    const fs::path path = fs::path(name).replace_extension(".csv");
+    const auto table = content(root / "tests/rejects" / path);
+    if (!table || !model) return;
+    const Id<Source> id = sources.add({path.string(), *table});
+    read_exclusions(sources[id], id, *model->charts.begin(), diagnostics);
+}
+
 std::string said_about(const std::string& name, const std::string& text) {
     std::vector<LibraryEntry> library;
     for (const LibraryFile& file : library_files()) library.push_back({file.name, file.text, file.path});
@@ -92,6 +102,7 @@ std::string said_about(const std::string& name, const std::string& text) {
     const auto model = read_text(sources.add({name, text}), sources, context, diagnostics);
     EXPECT_EQ(model.has_value(), !diagnostics.has_errors());
     if (model) build(*model, diagnostics);
+    exclude(name, model, sources, diagnostics);
     std::ostringstream said;
     render_text(diagnostics.all(), sources, Colour::Plain, said);
     return std::move(said).str();

@@ -153,7 +153,7 @@ TEST(Analyse, ARaceInTheFirstEvolutionIsFoundThere) {
 
 TEST(Analyse, ACounterThatLeavesItsRangeIsFoundAfterAsManyRoundsAsItTakes) {
     const Analysis found = analysed(R"(
-        input a; internal n : int -1..2;
+        input a; internal n : int -1..2 = 0;
         initial step 0;
         step 1 { n := n + 1 on activation; }
         transition t0: 0 -> 1 when a;
@@ -163,7 +163,7 @@ TEST(Analyse, ACounterThatLeavesItsRangeIsFoundAfterAsManyRoundsAsItTakes) {
     const Finding* const range = find(found, "out-of-range", "n");
     ASSERT_NE(range, nullptr);
     ASSERT_TRUE(range->evidence.has_value());
-    EXPECT_EQ(range->evidence->steps.size(), 1U + 5U) << "power-on; up, down, up, down, up";
+    EXPECT_EQ(range->evidence->steps.size(), 1U + 5U) << "power-on; up and down, up and down, up";
     ASSERT_NE(find(found, "transition-never-fired", "t2"), nullptr);
 }
 
@@ -260,7 +260,7 @@ TEST(Analyse, TheLongerOfTwoTimersOnOneStepNeverEndsFirst) {
         initial step 0;
         step 1;
         transition t0: 0 -> 1 when 2s/X0;
-        transition t1: 0 -> 0 when 5s/X0 && !2s/X0;
+        transition t1: 0 -> 0 when 5s/X0 && !(2s/X0);
         transition t2: 1 -> 0 when 1s/X1;
     )");
     EXPECT_NE(find(found, "transition-never-fired", "t1"), nullptr);
@@ -275,7 +275,7 @@ TEST(Analyse, WhatOnlyTheTimesRuleOutIsSaidToBeUnconfirmed) {
         step 2;
         transition t0: 0 -> 0 when 3s/X0 && false;
         transition t1: 0 -> 2 when 3s/X0;
-        transition t2: 0, 1 -> 2 when 5s/X1 && !3s/X0;
+        transition t2: 0, 1 -> 2 when 5s/X1 && !(3s/X0);
         transition t3: 2 -> when 1s/X2 && false;
     )");
     const Finding* const early = find(found, "transition-never-fired", "t2");

@@ -50,8 +50,8 @@ public:
             });
         }
         if (!open_.empty() || lost_) return {};
-        for (const Chart::Step& step : chart_.steps)
-            if (!active_.contains(step.name)) facts_.insert("step-never-active X" + step.name);
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (!active_.contains(id.index)) facts_.insert("step-never-active " + step_variable(chart_, id));
         for (const Id<Chart::Transition> id : chart_.transitions.ids()) {
             if (!fired_.contains(name(id))) facts_.insert("transition-never-fired " + name(id));
             else if (always_.contains(name(id))) facts_.insert("transition-always-fired " + name(id));
@@ -108,7 +108,7 @@ private:
             if (made.fault) return note_fault(*made.fault);
             if (made.race) return;
             if (!first && made.stable && mode_ == ExecutionMode::StabilitySearch) return rest(at);
-            if (!seen.insert(at).second && !first) {
+            if (!first && !seen.insert(at).second) {
                 facts_.insert("total-instability");
                 return;
             }
@@ -130,7 +130,7 @@ private:
 
     void note_situation(const State& state) {
         for (const Id<Chart::Step> id : chart_.steps.ids())
-            if (state.situation[id.index]) active_.insert(chart_.steps[id].name);
+            if (state.situation[id.index]) active_.insert(id.index);
     }
 
     void note_evolution(const State& before, const Evolution& made) {
@@ -146,7 +146,7 @@ private:
         }
         for (const Id<Chart::Step> id : chart_.steps.ids())
             if (before.situation[id.index] && on[id.index] && !off[id.index])
-                facts_.insert("step-reactivated X" + chart_.steps[id].name);
+                facts_.insert("step-reactivated " + step_variable(chart_, id));
         for (const Id<Chart::Transition> id : chart_.transitions.ids()) {
             const bool enabled = std::ranges::all_of(chart_.transitions[id].from,
                                                      [&](Id<Chart::Step> step) -> bool { return before.situation[step.index]; });
@@ -157,7 +157,8 @@ private:
     const Chart& chart_;
     ExecutionMode mode_;
     std::vector<Id<Chart::Variable>> inputs_ = {};
-    std::set<std::string> active_ = {}, fired_ = {}, always_ = {};
+    std::set<std::uint32_t> active_ = {};
+    std::set<std::string> fired_ = {}, always_ = {};
     std::set<Rest, RestOrder> known_ = {};
     std::vector<Rest> open_ = {};
     std::size_t points_ = 0;
@@ -170,8 +171,16 @@ bool is_compared(const std::string& code) {
            code != "action-conflict";
 }
 
+/// The interpreter names one race, and one value that does not fit, of an evolution that may have several.
+bool masked(const std::string& fact, const Facts& expected) {
+    const std::string code = fact.substr(0, fact.find(' ') + 1);
+    return (code == "action-race " || code == "out-of-range ") &&
+           std::ranges::any_of(expected, [&](const std::string& other) { return other.starts_with(code); });
+}
+
 /// What the two routes do not agree on; empty: nothing. Empty optional: the chart is too large for this.
 std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode) {
+    if (chart.steps.empty()) return {};
     const std::optional<Facts> expected = ExplicitSearch(chart, mode).facts();
     Diagnostics diagnostics;
     const auto equations = derive(chart, diagnostics);
@@ -188,7 +197,7 @@ std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode) 
     for (const std::string& fact : *expected)
         if (!found.contains(fact)) text += "not found: " + fact + '\n';
     for (const std::string& fact : found)
-        if (!expected->contains(fact)) text += "not true: " + fact + '\n';
+        if (!expected->contains(fact) && !masked(fact, *expected)) text += "not true: " + fact + '\n';
     return text;
 }
 
