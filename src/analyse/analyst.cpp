@@ -13,6 +13,7 @@ void Analyst::ask() {
     instability();
     broken_off();
     forcing();
+    lost_values();
     branches_together();
     reactivated_steps();
     if (!complete_) return;
@@ -120,6 +121,55 @@ void Analyst::broken_off(const Machine::Break& each) {
     look("no-value", each.no_value, each.first_no_value, {.fault = true},
          "a condition or a stored value can divide by zero; guard it by a comparison",
          "the value of the last evolution does not exist");
+}
+
+// -- values that are overwritten in their instant -----------------------------------------------------------------------
+
+std::optional<Way> Analyst::way_along(const std::vector<Point>& points) const {
+    std::optional<Way> way = search_.way(machine_.only(points.front()));
+    if (way) way->instants.back().insert(way->instants.back().end(), points.begin() + 1, points.end());
+    return way;
+}
+
+void Analyst::lost_values() {
+    if (!searching()) return;
+    for (const Equations::Stored& stored : equations_.stored) {
+        const Equations::Variable& variable = equations_.variables[stored.variable];
+        if (variable.role != Equations::Role::Output || !variable.type.boolean) continue;
+        lost_value(stored, true);
+        lost_value(stored, false);
+    }
+}
+
+void Analyst::lost_value(const Equations::Stored& stored, bool value) {
+    Bdd stores, overwrites;
+    for (const Equations::Write& write : stored.writes) {
+        if (!is_constant(equations_.exprs[write.value].op)) continue;
+        (is_true(equations_.exprs, write.value) == value ? stores : overwrites) |= machine_.holds(write.trigger);
+    }
+    const Bdd going_on = search_.reached() & ~machine_.stable() & ~machine_.breaks();
+    std::vector<Bdd> layers{going_on & stores};   // evolutions that store it, and those after them
+    Bdd seen, hit;
+    while (!layers.back().is_false() && hit.is_false()) {
+        const Bdd next = machine_.evolved(layers.back()) & going_on;
+        hit = next & overwrites;
+        layers.push_back(next & ~seen);
+        seen |= next;
+    }
+    if (hit.is_false()) return;
+    std::vector<Point> points{machine_.pick(hit)};
+    for (std::size_t k = layers.size() - 1; k-- > 0;)
+        points.push_back(machine_.pick(machine_.with_inputs_of(machine_.origins(layers[k], points.back()), points.front())));
+    std::ranges::reverse(points);
+    const Equations::Variable& variable = equations_.variables[stored.variable];
+    Finding made = finding("action-conflict", variable.name,
+                           "`" + variable.name + "` can be " + (value ? "set and reset" : "reset and set") +
+                               " in one instant, so that the first of the two never gets out",
+                           variable.origin);
+    for (const Equations::Write& write : stored.writes)
+        made.related.push_back({write.origin, "an action on it"});
+    show(made, way_along(points), {}, "both happen in the last instant");
+    keep(std::move(made));
 }
 
 // -- situations --------------------------------------------------------------------------------------------------------

@@ -30,6 +30,8 @@ private:
     void instability();
     void broken_off();
     void broken_off(const Machine::Break& each);
+    void lost_values();
+    void lost_value(const Equations::Stored& stored, bool value);
     void branches_together();
     void reactivated_steps();
     void forcing();
@@ -53,6 +55,9 @@ private:
     Evidence& show(Finding& finding, const Bdd& goal, const Demand& demand, std::string shows);
     Evidence& show(Finding& finding, const std::optional<Way>& way, const Demand& demand, std::string shows);
     void keep(Finding finding) { result_.findings.push_back(std::move(finding)); }
+
+    /// The way to the first of `points`, and on along them.
+    std::optional<Way> way_along(const std::vector<Point>& points) const;
 
     const Chart& chart_;
     const Equations& equations_;

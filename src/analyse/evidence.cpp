@@ -40,6 +40,8 @@ public:
     }
 
 private:
+    using Fired = std::vector<std::vector<Id<Chart::Transition>>>;
+
     void make_signals() {
         std::map<std::string, int> uses;
         for (const Chart::Step& step : chart_.steps) ++uses[step.name];
@@ -112,16 +114,23 @@ private:
             result_.trace.steps.push_back(row(shown.race ? "race" : "no such value", std::move(fired)));
             return;
         }
+        fired.push_back(shown.fired);
+        tell_rest(at_start, shown, std::move(fired));
+    }
+
+    /// The whole instant, or, where it never ends or breaks off later, as far as the way goes.
+    void tell_rest(const State& at_start, const Evolution& shown, Fired fired) {
         Cycle done = cycle(chart_, at_start, inputs_, mode_);
-        state_ = std::move(done.state);
-        result_.trace.steps.push_back(row("", std::move(done.fired)));
+        const bool ends = problem(done).empty();
+        state_ = ends ? std::move(done.state) : shown.state;
+        result_.trace.steps.push_back(ends ? row("", std::move(done.fired)) : row("in this instant", std::move(fired)));
     }
 
     /// The way ends on the loop.
-    void tell_loop(std::size_t instant, std::vector<std::vector<Id<Chart::Transition>>> fired) {
+    void tell_loop(std::size_t instant, Fired fired) {
         result_.endless = cycle(chart_, state_, inputs_, mode_).endless;
         if (result_.endless.empty()) return fail(instant, "the instant ends");
-        result_.trace.steps.push_back(row("", std::move(fired)));
+        if (!fired.empty()) result_.trace.steps.push_back(row("", std::move(fired)));
         if (result_.endless.size() <= told_of_loop) result_.trace.loop_from = result_.trace.steps.size();
         for (std::size_t k = 0; k < std::min(result_.endless.size(), told_of_loop); ++k) {
             Evolution made = evolve();
@@ -149,8 +158,6 @@ private:
     void fail(std::size_t instant, const std::string& what) {
         result_.failure = "instant " + std::to_string(instant + 1) + ": by the rules " + what;
     }
-
-    using Fired = std::vector<std::vector<Id<Chart::Transition>>>;
 
     Trace::Step row(std::string what, Fired fired) const {
         Trace::Step step{Trace::Kind::Controller, "", std::move(what), {}, false, {}};

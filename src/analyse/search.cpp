@@ -7,6 +7,16 @@
 
 namespace grafverif::analysis {
 
+namespace {
+
+/// `fresh`, and as many of `known` as make its diagram small: what follows from those is known as well.
+Bdd widened(const Bdd& fresh, const Bdd& known) {
+    const Bdd care = fresh | ~known;
+    return care.is_false() ? fresh : simplify(fresh, care);
+}
+
+}  // namespace
+
 void Search::run() {
     first_instant();
     while (!instants_.back().rest.is_false()) next_instant();
@@ -20,7 +30,10 @@ void Search::first_instant() {
     instants_.push_back({{}, rested_});
 }
 
-void Search::next_instant() { make_instant(machine_.sampled(instants_.back().rest) & ~reached_); }
+void Search::next_instant() {
+    const Bdd& rest = instants_.back().rest;
+    make_instant(machine_.sampled(widened(rest, rested_ & ~rest)) & ~reached_);
+}
 
 /// Under stability search the instant goes on through the points that are not stable, in every_cycle mode it is over.
 void Search::make_instant(Bdd points) {
@@ -28,8 +41,8 @@ void Search::make_instant(Bdd points) {
     Bdd ended;
     while (!points.is_false()) {
         instant.points.push_back(points);
+        const Bdd good = widened(points, reached_) & ~machine_.breaks();
         reached_ |= points;
-        const Bdd good = points & ~machine_.breaks();
         if (mode_ == ExecutionMode::EveryCycle) {
             ended = machine_.evolved(good);
             landings_ |= ended;

@@ -21,7 +21,8 @@ std::string printed(const Analysis& analysis, const Job& job) {
     case Format::Json:  print_findings_json(analysis, job.sources, out); break;
     case Format::Sarif: print_findings_sarif(analysis, job.sources, GRAFVERIF_VERSION, out); break;
     case Format::Text:
-    case Format::Latex: print_findings(analysis, job.sources, coloured ? Colour::Ansi : Colour::Plain, out); break;
+    case Format::Latex:
+    case Format::Xml:   print_findings(analysis, job.sources, coloured ? Colour::Ansi : Colour::Plain, out); break;
     }
     return std::move(out).str();
 }

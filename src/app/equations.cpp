@@ -14,11 +14,11 @@ namespace {
 std::string printed(const Equations& equations, Format format) {
     std::ostringstream out;
     switch (format) {
-    case Format::Sarif:
     case Format::Text:  print_equations(out, equations); break;
     case Format::Latex: print_equations_latex(out, equations); break;
     case Format::Json:  print_equations_json(out, equations); break;
-    case Format::Xml:   break;   // not offered
+    case Format::Xml:
+    case Format::Sarif: break;   // not offered
     }
     return out.str();
 }

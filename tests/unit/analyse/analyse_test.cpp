@@ -217,6 +217,26 @@ TEST(Analyse, AStepThatIsLeftAtOnceGivesNoOutputUnderStabilitySearchOnly) {
     EXPECT_EQ(codes(cyclic), Codes{"transition-always-fired t1"});
 }
 
+TEST(Analyse, AnOutputThatIsSetAndResetInOneInstantNeverGetsOut) {
+    const Analysis found = analysed(R"(
+        input a; output O;
+        initial step 0;
+        step 1 { O := true on activation; }
+        step 2;
+        step 3 { O := false on activation; }
+        transition t0: 0 -> 1 when a;
+        transition t1: 1 -> 2 when true;
+        transition t2: 2 -> 3 when a;
+        transition t3: 3 -> 0 when !a;
+    )");
+    const Finding* const conflict = find(found, "action-conflict", "O");
+    ASSERT_NE(conflict, nullptr);
+    EXPECT_EQ(conflict->message, "`O` can be set and reset in one instant, so that the first of the two never gets out");
+    ASSERT_TRUE(conflict->evidence.has_value());
+    EXPECT_EQ(conflict->evidence->steps.back().fired, (std::vector<std::vector<std::string>>{{"t0"}, {"t1"}, {"t2"}}));
+    EXPECT_EQ(find(found, "action-race"), nullptr);
+}
+
 TEST(Analyse, AnInputThatNothingReadsIsANote) {
     const Analysis found = analysed("input a, b; initial step 0; step 1; transition t0: 0 -> 1 when a; "
                                     "transition t1: 1 -> 0 when !a;");

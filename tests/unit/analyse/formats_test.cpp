@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Findings as text, JSON and SARIF, and the table of exclusions.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "grafverif/analyse/analyse.hpp"
+#include "grafverif/derive/derive.hpp"
+#include "grafverif/read/exclusions.hpp"
+#include "grafverif/read/text.hpp"
+#include "grafverif/report/findings.hpp"
+
+namespace grafverif {
+namespace {
+
+constexpr std::string_view two_buttons = R"(grafcet two_buttons {
+    input  a, b, spare;
+    output O;
+    accept input-never-read spare "later";
+    initial step 0;
+    step 1 { O; }
+    step 2;
+    transition t0: 0 -> 1 when a;
+    transition t1: 0 -> 2 when b;
+    transition t2: 1 -> 0 when !a && !b;
+    transition t3: 2 -> 0 when !a && !b;
+}
+)";
+
+struct Analysed {
+    Sources sources = {};
+    Chart chart = {};
+    Analysis analysis = {};
+};
+
+Analysed analysed(std::string text) {
+    Analysed made;
+    Diagnostics diagnostics;
+    const std::vector<LibraryEntry> library;
+    const ReadContext context{[](const std::string&, std::string&) -> std::optional<std::string> { return {}; }, library};
+    const auto model = read_text(made.sources.add({"two buttons.grafcet", std::move(text)}), made.sources, context, diagnostics);
+    std::ostringstream said;
+    render_text(diagnostics.all(), made.sources, Colour::Plain, said);
+    if (!model) throw std::invalid_argument(said.str());
+    made.chart = *model->charts.begin();
+    made.analysis = analyse(made.chart, derive(made.chart, diagnostics).value());
+    return made;
+}
+
+TEST(Findings, AsTextTellThePlaceTheRunAndWhatIsAccepted) {
+    const Analysed made = analysed(std::string(two_buttons));
+    std::ostringstream out;
+    print_findings(made.analysis, made.sources, Colour::Plain, out);
+    EXPECT_NE(out.str().find("two buttons.grafcet:9:5: warning: `t0` and `t1` leave one step"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find("a shortest way: both are cleared in the last instant"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find("accepted: nothing depends on the input `spare` [input-never-read]: later"), std::string::npos);
+    EXPECT_NE(out.str().find("two_buttons: 1 warning, 1 accepted"), std::string::npos) << out.str();
+}
+
+TEST(Findings, AsJsonHaveAllTheirParts) {
+    const Analysed made = analysed(std::string(two_buttons));
+    std::ostringstream out;
+    print_findings_json(made.analysis, made.sources, out);
+    const auto object = nlohmann::json::parse(out.str());
+    EXPECT_EQ(object["chart"], "two_buttons");
+    EXPECT_EQ(object["complete"], true);
+    ASSERT_EQ(object["findings"].size(), 2U);
+    const auto& both = object["findings"][0];
+    EXPECT_EQ(both["code"], "branches-together");
+    EXPECT_EQ(both["subject"], "t0");
+    EXPECT_EQ(both["line"], 9);
+    EXPECT_EQ(both["accepted"], nullptr);
+    EXPECT_EQ(both["related"].size(), 1U);
+    EXPECT_EQ(both["trace"]["steps"].back()["fired"], (nlohmann::json{"t0", "t1"}));
+    EXPECT_EQ(object["findings"][1]["accepted"], "later");
+}
+
+/// What the schema of SARIF 2.1.0 asks of a log such as ours.
+void expect_sarif(const nlohmann::json& log) {
+    EXPECT_EQ(log["version"], "2.1.0");
+    ASSERT_EQ(log["runs"].size(), 1U);
+    const auto& run = log["runs"][0];
+    const auto& rules = run["tool"]["driver"]["rules"];
+    EXPECT_TRUE(run["tool"]["driver"]["name"].is_string());
+    const std::set<std::string> levels{"none", "note", "warning", "error"};
+    std::set<std::string> ids;
+    for (const auto& rule : rules) {
+        EXPECT_TRUE(ids.insert(rule["id"]).second) << rule["id"];
+        EXPECT_TRUE(rule["shortDescription"]["text"].is_string());
+        EXPECT_TRUE(levels.contains(rule["defaultConfiguration"]["level"]));
+    }
+    EXPECT_TRUE(run["invocations"][0]["executionSuccessful"].is_boolean());
+    for (const auto& result : run["results"]) {
+        EXPECT_EQ(rules.at(result["ruleIndex"].get<std::size_t>())["id"], result["ruleId"]);
+        EXPECT_TRUE(levels.contains(result["level"]));
+        EXPECT_FALSE(result["message"]["text"].get<std::string>().empty());
+        for (const auto& location : result["locations"]) {
+            const auto& physical = location["physicalLocation"];
+            EXPECT_EQ(physical["artifactLocation"]["uri"], "two%20buttons.grafcet");
+            EXPECT_GE(physical["region"]["startLine"], 1);
+            EXPECT_GE(physical["region"]["startColumn"], 1);
+        }
+        for (const auto& suppression : result.value("suppressions", nlohmann::json::array()))
+            EXPECT_EQ(suppression["kind"], "inSource");
+    }
+}
+
+TEST(Findings, AsSarifAreALogThatTheStandardKnows) {
+    const Analysed made = analysed(std::string(two_buttons));
+    std::ostringstream out;
+    print_findings_sarif(made.analysis, made.sources, "0.1.0", out);
+    const auto log = nlohmann::json::parse(out.str());
+    expect_sarif(log);
+    const auto& results = log["runs"][0]["results"];
+    ASSERT_EQ(results.size(), 2U);
+    EXPECT_EQ(results[0]["message"]["text"],
+              "`t0` and `t1` leave one step and can be cleared at once; make their conditions exclude each other. Inputs: a, b "
+              "at 0 s: both are cleared in the last instant");
+    EXPECT_EQ(results[1]["suppressions"][0]["justification"], "later");
+}
+
+TEST(Exclusions, AreReadWithQuotesCommentsAndLineEndsOfAllKinds) {
+    Analysed made = analysed(std::string(two_buttons));
+    Diagnostics diagnostics;
+    const Id<Source> id = made.sources.add(
+        {"wiring.csv", "\xEF\xBB\xBFvariable1, variable2 ,reason\r\n# the panel\r\n\r\na,b,\"one \"\"switch\"\", two positions\"\r\n"});
+    const auto rows = read_exclusions(made.sources[id], id, made.chart, diagnostics);
+    ASSERT_TRUE(rows.has_value());
+    ASSERT_EQ(rows->size(), 1U);
+    EXPECT_EQ(rows->front().reason, "one \"switch\", two positions");
+    EXPECT_EQ(rows->front().first.index, 0U);
+    EXPECT_EQ(rows->front().second.index, 1U);
+}
+
+}  // namespace
+}  // namespace grafverif
