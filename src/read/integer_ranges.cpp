@@ -28,6 +28,7 @@ public:
             std::visit(overloaded{
                 [](const tree::Variables&) {},
                 [this](const tree::Constraint& constraint) { term(constraint.condition); },
+                [](const tree::Accept&) {},
                 [this](const tree::Step& step) {
                     for (const tree::Action& action : step.actions) this->action(action);
                 },
