@@ -222,17 +222,20 @@ void Analyst::reactivated_steps() {
 }
 
 void Analyst::forcing() {
-    for (const auto& [first, second] : contrary_orders(chart_)) {
-        const Chart::ForcingOrder &one = chart_.forcing[first], &other = chart_.forcing[second];
-        const Bdd both = all_active({one.step, other.step});
-        if (!seen(both)) continue;
-        const std::string& partial = chart_.partial_charts[one.forced].name;
+    for (std::size_t k = 0; k < equations_.conflicts.size(); ++k) {
+        const Bdd& points = machine_.conflicts()[k];
+        if (!seen(points)) continue;
+        const Span origin = equations_.conflicts[k].origin;
+        const auto order = std::ranges::find_if(chart_.forcing, [&](const Chart::ForcingOrder& other) {
+            return other.origin.source == origin.source && other.origin.begin == origin.begin;
+        });
+        const bool known = order != chart_.forcing.end();
+        const std::string partial = known ? chart_.partial_charts[order->forced].name : "";
         Finding made = finding("forced-twice", partial,
-                               "`" + step_name(one.step) + "` and `" + step_name(other.step) + "` can be active at once and force `" +
-                                   partial + "` into different situations",
-                               other.origin);
-        made.related.push_back({one.origin, "the other order is here"});
-        show(made, both, {.ends = false}, "both steps are active");
+                               "this order and another one that is active with it can force `" + partial +
+                                   "` into different situations",
+                               origin);
+        show(made, points, {.fault = true}, "both orders become active");
         keep(std::move(made));
     }
     for (const auto& [order, step] : orders_on_enclosed(chart_)) {

@@ -68,7 +68,8 @@ void Analyst::transient_steps() {
 }
 
 void Analyst::silent_outputs() {
-    const Bdd written = searching() ? search_.reached() & machine_.stable() : search_.landings();
+    const Bdd written = searching() ? search_.reached() & machine_.stable()
+                                   : machine_.without_ends(search_.landings());
     const auto silent = [&](Id<Equations::Variable> id) {
         const Equations::Variable& variable = equations_.variables[id];
         keep(finding("output-never-set", variable.name,

@@ -17,6 +17,15 @@ using Kind = Chart::VariableKind;
 /// Of a loop of more evolutions than this the first ones are told.
 constexpr std::size_t told_of_loop = 60;
 
+std::string fault_words(RunFault::Kind kind) {
+    switch (kind) {
+    case RunFault::Kind::NoValue:     return "no such value";
+    case RunFault::Kind::OutOfRange:  return "the value does not fit";
+    case RunFault::Kind::ForcedApart: return "orders that exclude each other";
+    }
+    return {};
+}
+
 class Teller {
 public:
     Teller(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode, const Way& way)
@@ -111,7 +120,7 @@ private:
         if (shown.race || shown.fault) {
             fired.push_back(shown.fired);
             state_.situation = shown.state.situation;
-            result_.trace.steps.push_back(row(shown.race ? "race" : "no such value", std::move(fired)));
+            result_.trace.steps.push_back(row(shown.race ? "race" : fault_words(shown.fault->kind), std::move(fired)));
             return;
         }
         fired.push_back(shown.fired);

@@ -144,6 +144,10 @@ void Machine::add_steps() {
         const BddTerm initial = constant_term({}, equations_.variables[step.variable].initial);
         keep({step.variable, (*terms_)(step.next), initial});
     }
+    for (const Equations::Conflict& conflict : equations_.conflicts) {
+        conflicts_.push_back(holds(conflict.condition));
+        breaks_ |= conflicts_.back();
+    }
 }
 
 void Machine::add_stored() {
@@ -301,6 +305,13 @@ Bdd Machine::sampled(const Bdd& rest) const {
         result = ite(end, was_true | (was_false & level), was_false | (was_true & may_end));
     }
     return allowed_ends(result) & possible_;
+}
+
+Bdd Machine::without_ends(const Bdd& points) const {
+    std::vector<std::uint32_t> ends;
+    for (const Clock& clock : clocks_)
+        if (matters_[clock.end.index]) ends.push_back(words_[clock.end.index].bits.front());
+    return exists(points, variable_set(ends));
 }
 
 Bdd Machine::origins_in_time(const Bdd& rest, const Point& next) const {

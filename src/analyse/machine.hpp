@@ -60,6 +60,10 @@ public:
         Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};   ///< in the first evolution, over inputs
     };
     const std::vector<Break>& all_breaks() const { return all_breaks_; }
+    /// Per Equations::conflicts: where it breaks the evolution off.
+    const std::vector<Bdd>& conflicts() const { return conflicts_; }
+    /// `points`, whatever the ends of timers are.
+    Bdd without_ends(const Bdd& points) const;
     /// Whether the variable is part of points.
     bool matters(Id<Equations::Variable> variable) const { return matters_[variable.index]; }
     /// Where a term over the variables after an evolution has another value than `value`; in a set of points after it.
@@ -115,6 +119,7 @@ private:
     std::vector<KeptBit> kept_ = {};
     std::vector<Part> parts_ = {};
     std::vector<Break> all_breaks_ = {};
+    std::vector<Bdd> conflicts_ = {};
     Bdd inputs_ = {}, kept_set_ = {}, unread_ = {};         ///< sets of variables; unread: kept ones that no part reads
     Bdd possible_ = {}, stable_ = {}, breaks_ = {}, started_ = {}, breaks_at_first_ = {};
     std::optional<BddTerms> terms_ = {};

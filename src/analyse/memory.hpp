@@ -16,7 +16,13 @@ struct Remembered {
     bool after = false;   ///< over the values after the evolution; else over those before it
 };
 
-inline std::vector<Remembered> remembered(const Equations&) { return {}; }
+inline std::vector<Remembered> remembered(const Equations& equations) {
+    std::vector<Remembered> result;
+    for (const Equations::Previous& previous : equations.previous)
+        result.push_back({previous.variable, previous.value, false});
+    for (const Equations::Watch& watch : equations.watches) result.push_back({watch.variable, watch.value, true});
+    return result;
+}
 
 /// `rise/watched/fall`, in milliseconds: `end` is true from `rise` after `watched` rises until `fall` after it falls.
 struct Clock {
@@ -26,7 +32,8 @@ struct Clock {
 
 inline std::vector<Clock> clocks(const Equations& equations) {
     std::vector<Clock> result;
-    for (const Equations::Timer& timer : equations.timers) result.push_back({timer.step, timer.end, timer.duration_ms, 0});
+    for (const Equations::Timer& timer : equations.timers)
+        result.push_back({timer.watched, timer.end, timer.rise_ms, timer.fall_ms});
     return result;
 }
 

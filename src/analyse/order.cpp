@@ -140,6 +140,7 @@ std::vector<bool> variables_that_matter(const Equations& equations) {
             if (!is_constant(equations.exprs[write.value].op)) marks.mark(write.value);
     }
     for (const Equations::Output& output : equations.outputs) marks.mark(output.value);
+    for (const Equations::Conflict& conflict : equations.conflicts) marks.mark(conflict.condition);
     marks.mark(equations.stable);
     std::vector<bool> all = marks.all();
     for (const Id<Variable> id : equations.variables.ids())

@@ -73,17 +73,6 @@ std::vector<std::vector<OrderId>> forcing_cycles(const Chart& chart) {
     return found;
 }
 
-std::vector<std::pair<OrderId, OrderId>> contrary_orders(const Chart& chart) {
-    std::vector<std::pair<OrderId, OrderId>> found;
-    for (const OrderId second : chart.forcing.ids())
-        for (const OrderId first : chart.forcing.ids()) {
-            const Chart::ForcingOrder &one = chart.forcing[first], &other = chart.forcing[second];
-            if (first.index >= second.index || one.forced != other.forced || one.step == other.step) continue;
-            if (one.to != other.to || one.situation != other.situation) found.emplace_back(first, second);
-        }
-    return found;
-}
-
 std::vector<std::pair<OrderId, Id<Chart::Step>>> orders_on_enclosed(const Chart& chart) {
     std::vector<std::pair<OrderId, Id<Chart::Step>>> found;
     for (const OrderId order : chart.forcing.ids()) {

@@ -17,9 +17,6 @@ std::vector<bool> variables_read(const Equations& equations);
 /// Circles of forcing orders: each forces the partial chart that the next one's step is in, the last the first's.
 std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_cycles(const Chart& chart);
 
-/// Orders on one partial chart, from steps that differ, that hold it in different situations.
-std::vector<std::pair<Id<Chart::ForcingOrder>, Id<Chart::ForcingOrder>>> contrary_orders(const Chart& chart);
-
 /// Orders on partial charts that an enclosing step governs too, with that step: of the partial chart itself or of one
 /// around it.
 std::vector<std::pair<Id<Chart::ForcingOrder>, Id<Chart::Step>>> orders_on_enclosed(const Chart& chart);

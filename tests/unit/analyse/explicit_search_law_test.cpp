@@ -25,7 +25,11 @@ using Facts = std::set<std::string>;
 using Rest = std::pair<State, std::vector<bool>>;   ///< with the ends of the time conditions
 
 struct RestOrder {
-    static auto key(const Rest& rest) { return std::tie(rest.first.situation, rest.first.values, rest.second); }
+    static auto key(const Rest& rest) {
+        std::vector<bool> levels;
+        for (const Timing& timing : rest.first.timing) levels.push_back(timing.risen >= 0);
+        return std::tuple(rest.first.situation, rest.first.values, rest.first.previous, levels, rest.second);
+    }
     bool operator()(const Rest& left, const Rest& right) const { return key(left) < key(right); }
 };
 
@@ -40,7 +44,7 @@ public:
     /// Empty: there are too many points, or a condition has no value somewhere.
     std::optional<Facts> facts() {
         for_each_input([&](const std::vector<std::int64_t>& inputs) {
-            begin({power_on(chart_), std::vector<bool>(chart_.time_conditions.size())}, inputs);
+            begin({power_on(chart_), std::vector<bool>(elements_.size())}, inputs);
         });
         while (!open_.empty() && points_ < most_points && !lost_) {
             const Rest rest = std::move(open_.back());
@@ -77,21 +81,41 @@ private:
         }
     }
 
-    const Chart::TimeCondition& timed(std::size_t k) const { return chart_.time_conditions[{static_cast<std::uint32_t>(k)}]; }
-    std::size_t watched(std::size_t k) const { return static_cast<std::size_t>(chart_.exprs[timed(k).watched].value); }
+    /// What element k watches: a step, or some other term.
+    std::pair<bool, std::size_t> watched(std::size_t k) const {
+        const TimedElement& element = elements_[k];
+        if (element.step.valid()) return {true, element.step.index};
+        const Expr& node = chart_.exprs[element.watched];
+        if (node.op == Op::Step) return {true, static_cast<std::size_t>(node.value)};
+        return {false, element.watched.index};
+    }
+
+    static bool level(const State& state, std::size_t k) { return state.timing[k].risen >= 0; }
+
+    /// Ends on one watched term: shorter ones first, equal ones together.
+    bool in_order(const Rest& rest) const {
+        for (std::size_t i = 0; i < elements_.size(); ++i)
+            for (std::size_t j = 0; j < elements_.size(); ++j) {
+                const TimedElement &one = elements_[i], &other = elements_[j];
+                if (watched(i) != watched(j) || one.fall_ms != other.fall_ms) continue;
+                const bool implied = one.rise_ms == other.rise_ms || (one.fall_ms == 0 && one.rise_ms < other.rise_ms);
+                if (implied && rest.second[j] && !rest.second[i]) return false;
+            }
+        return true;
+    }
 
     template <class Visit>
     void for_each_end(Rest rest, std::size_t k, const Visit& visit) {
         if (k == rest.second.size()) {
-            for (std::size_t i = 0; i < k; ++i)
-                for (std::size_t j = 0; j < k; ++j)
-                    if (watched(i) == watched(j) && timed(i).rise_ms <= timed(j).rise_ms && rest.second[j] && !rest.second[i])
-                        return;
-            return visit(rest);
+            if (in_order(rest)) visit(rest);
+            return;
         }
         for_each_end(rest, k + 1, visit);
-        if (rest.second[k] || !rest.first.situation[watched(k)]) return;
-        rest.second[k] = true;
+        const TimedElement& element = elements_[k];
+        const bool high = level(rest.first, k);
+        const bool may_end = element.fall_ms > 0 && (element.rise_ms > 0 || !high);
+        if (rest.second[k] ? !may_end : !high) return;
+        rest.second[k] = !rest.second[k];
         for_each_end(rest, k + 1, visit);
     }
 
@@ -113,8 +137,10 @@ private:
                 return;
             }
             at.first = made.state;
-            for (std::size_t k = 0; k < at.second.size(); ++k)
-                at.second[k] = at.second[k] && at.first.situation[watched(k)];
+            for (std::size_t k = 0; k < at.second.size(); ++k) {
+                if (elements_[k].fall_ms == 0) at.second[k] = at.second[k] && level(at.first, k);
+                if (elements_[k].rise_ms == 0) at.second[k] = at.second[k] || level(at.first, k);
+            }
             if (mode_ == ExecutionMode::EveryCycle) return rest(at);
         }
     }
@@ -125,7 +151,7 @@ private:
 
     void note_fault(const RunFault& fault) {
         if (fault.kind == RunFault::Kind::OutOfRange) facts_.insert("out-of-range " + chart_.variables[fault.variable].name);
-        else lost_ = true;
+        lost_ = lost_ || fault.kind == RunFault::Kind::NoValue;
     }
 
     void note_situation(const State& state) {
@@ -156,6 +182,7 @@ private:
 
     const Chart& chart_;
     ExecutionMode mode_;
+    std::vector<TimedElement> elements_ = timed_elements(chart_);
     std::vector<Id<Chart::Variable>> inputs_ = {};
     std::set<std::uint32_t> active_ = {};
     std::set<std::string> fired_ = {}, always_ = {};
@@ -168,7 +195,7 @@ private:
 
 bool is_compared(const std::string& code) {
     return code != "input-never-read" && code != "output-never-set" && code != "step-never-stable" &&
-           code != "action-conflict";
+           code != "action-conflict" && !code.starts_with("forc");
 }
 
 /// The interpreter names one race, and one value that does not fit, of an evolution that may have several.
