@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "app/engines.hpp"
+#include "app/progress_line.hpp"
 #include "app/traces.hpp"
 #include "grafverif/check/timed.hpp"
 
@@ -19,35 +20,11 @@ std::string grouped(std::uint64_t number) {
     return text;
 }
 
-/// A line on the terminal, written over until the search ends.
-class ProgressLine {
-public:
-    ProgressLine(std::ostream& err, bool shown) : err_(err), shown_(shown) {}
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
-    ~ProgressLine() { erase(); }
-
-    void show(const TimedProgress& now) {
-        if (!shown_) return;
-        erase();
-        const double rate = now.seconds > 0 ? static_cast<double>(now.states) / now.seconds / 1e6 : 0;
-        const std::string line =
-            fmt::format("{} states, {:.2f} million/s, {} to go on from, {} MiB, {:.0f} s", grouped(now.states), rate,
-                        grouped(now.queue), now.bytes >> 20U, now.seconds);
-        width_ = line.size();
-        err_ << line << std::flush;
-    }
-
-private:
-    void erase() {
-        if (width_ != 0) err_ << '\r' << std::string(width_, ' ') << '\r' << std::flush;
-        width_ = 0;
-    }
-
-    std::ostream& err_;
-    bool shown_;
-    std::size_t width_ = 0;
-};
+std::string progress_text(const TimedProgress& now) {
+    const double rate = now.seconds > 0 ? static_cast<double>(now.states) / now.seconds / 1e6 : 0;
+    return fmt::format("{} states, {:.2f} million/s, {} to go on from, {} MiB, {:.0f} s", grouped(now.states), rate,
+                       grouped(now.queue), now.bytes >> 20U, now.seconds);
+}
 
 TimedResult search(const Network& network, const Options& options, const Streams& streams, const Interrupt& interrupt) {
     ProgressLine line(streams.err, streams.err_is_terminal && !options.quiet);
@@ -58,7 +35,7 @@ TimedResult search(const Network& network, const Options& options, const Streams
     if (options.timeout_ms)
         timed.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
     timed.stop = &interrupt.asked();
-    timed.progress = [&line](const TimedProgress& now) { line.show(now); };
+    timed.progress = [&line](const TimedProgress& now) { line.show(progress_text(now)); };
     return check_timed(network, timed);
 }
 

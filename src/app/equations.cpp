@@ -17,8 +17,7 @@ std::string printed(const Equations& equations, Format format) {
     case Format::Text:  print_equations(out, equations); break;
     case Format::Latex: print_equations_latex(out, equations); break;
     case Format::Json:  print_equations_json(out, equations); break;
-    case Format::Xml:
-    case Format::Sarif: break;   // not offered
+    case Format::Xml: case Format::Sarif: case Format::Dot: case Format::Svg: case Format::Csv: break;   // not offered
     }
     return out.str();
 }

@@ -84,6 +84,22 @@ po::options_description visible_options(const Verb& verb) {
     }
     if (accepts(verb, Accepts::Format)) add("format", text("text|json"), "form of the output (default: text)");
     if (accepts(verb, Accepts::FormatLatex)) add("format", text("text|latex|json"), "form of the output (default: text)");
+    if (accepts(verb, Accepts::FormatDiagram)) {
+        add("format", text("text|json|dot|svg"), "form of the output (default: text)");
+        add("counts", po::bool_switch(), "print counts only, no tables");
+    }
+    if (accepts(verb, Accepts::FormatTest)) add("format", text("csv|json|st|xml"), "form of the output: a table, JSON, Structured Text alone or in PLCopen XML (default: csv)");
+    if (accepts(verb, Accepts::Cover)) {
+        add("cover", text("transitions|evolutions|locations"),
+            "what the test crosses: every combination of inputs in every state, every evolution once, or every location (default: transitions)");
+        add("hold", text("stable|one"), "cycles of a step: two where the controller stays, or one each (default: stable)");
+    }
+    if (accepts(verb, Accepts::Minimise)) add("minimise", po::bool_switch(), "merge states that nobody can tell apart");
+    if (accepts(verb, Accepts::Limits)) {
+        add("max-states", text("N"), "give up after N locations or states (default: 20000000)");
+        add("max-memory", text("SIZE"), "give up above SIZE of conditions, such as 500M or 2G (default: 2G)");
+        add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
+    }
     if (accepts(verb, Accepts::Clock))
         add("clock", text("simulated|real"), "how time passes: by `wait` lines, or by itself (default: simulated)");
     if (accepts(verb, Accepts::FormatXml)) add("format", text("xml|text"), "PLCopen XML or a textual unit (default: xml)");
@@ -137,7 +153,17 @@ std::string choose_all(const Verb& verb, const po::variables_map& values, Option
     keep(choose<Grain>(values, "grain", {{"phased", Grain::Phased}, {"atomic", Grain::Atomic}}, options.grain));
     keep(choose<Clock>(values, "clock", {{"simulated", Clock::Simulated}, {"real", Clock::Real}}, options.clock));
     keep(choose<Target>(values, "target", {{"uppaal", Target::Uppaal}, {"nusmv", Target::Nusmv}}, options.target));
-    if (accepts(verb, Accepts::FormatLatex))
+    keep(choose<TestCover>(values, "cover", {{"transitions", TestCover::Transitions}, {"evolutions", TestCover::Evolutions},
+                                             {"locations", TestCover::Locations}}, options.cover));
+    keep(choose<bool>(values, "hold", {{"stable", false}, {"one", true}}, options.one_cycle_each));
+    if (accepts(verb, Accepts::FormatTest)) {
+        options.format = Format::Csv;
+        keep(choose<Format>(values, "format", {{"csv", Format::Csv}, {"json", Format::Json}, {"st", Format::Text},
+                                                   {"xml", Format::Xml}}, options.format));
+    } else if (accepts(verb, Accepts::FormatDiagram))
+        keep(choose<Format>(values, "format", {{"text", Format::Text}, {"json", Format::Json}, {"dot", Format::Dot}, {"svg", Format::Svg}},
+                            options.format));
+    else if (accepts(verb, Accepts::FormatLatex))
         keep(choose<Format>(values, "format", {{"text", Format::Text}, {"latex", Format::Latex}, {"json", Format::Json}},
                             options.format));
     else if (accepts(verb, Accepts::FormatXml)) {
@@ -283,6 +309,8 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     options.chart = text("chart");
     options.in_place = flag("in-place");
     options.check = flag("check");
+    options.minimise = flag("minimise");
+    options.counts = flag("counts");
     options.junit = text("junit");
     options.trace_vcd = text("trace-vcd");
     options.trace_svg = text("trace-svg");

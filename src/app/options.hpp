@@ -11,11 +11,12 @@
 
 #include "grafverif/compose/compose.hpp"
 #include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/test_sequence.hpp"
 #include "grafverif/schedule/options.hpp"
 
 namespace grafverif::app {
 
-enum class Format { Text, Json, Latex, Xml, Sarif };
+enum class Format { Text, Json, Latex, Xml, Sarif, Dot, Svg, Csv };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
@@ -33,7 +34,11 @@ struct Options {
     ScheduleOptions untimed = {};                    ///< of untimed models; its mode is the one above
     Target target = Target::Both;
     Clock clock = Clock::Simulated;
-    Format format = Format::Text;
+    Format format = Format::Text;                    ///< of `testgen`: Csv
+    TestCover cover = TestCover::Transitions;
+    bool one_cycle_each = false;                     ///< `--hold one`
+    bool minimise = false;
+    bool counts = false;                             ///< no tables
     DiagnosticFormat diagnostics = DiagnosticFormat::Text;
     ColourChoice colour = ColourChoice::Auto;
     bool in_place = false;
@@ -55,6 +60,7 @@ struct Options {
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
     std::string against = {};                        ///< of `test`: the command that runs the controller
     std::optional<std::string> sequence = {};        ///< of `test`: the table to run; else it is made of the chart
+    std::optional<std::uint64_t> patience_ms = {};   ///< of `test`: for one answer
     bool go_on = false;
     std::uint32_t max_evolutions = 1000;             ///< of `st`
     std::optional<std::string> script = {};          ///< of `simulate`
@@ -65,8 +71,8 @@ struct Options {
 
 /// The options a verb may take besides --help, --quiet, --color and --diagnostics, which all take.
 enum class Accepts { Output, OutputDirectory, Loop, Chart, Mode, Grain, Untimed, Target, Format, FormatLatex, InPlace,
-                     Search, Traces, Walk, Verbose, Ablations, Clock, Bench, Sequence, FormatXml, MaxEvolutions,
-                     Analysis };
+                     Search, Traces, Walk, Verbose, Ablations, Clock, Bench, Sequence, FormatXml, MaxEvolutions, Analysis,
+                     FormatDiagram, FormatTest, Cover, Minimise, Limits };
 
 struct Verb {
     std::string name = {};

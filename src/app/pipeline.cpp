@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "app/pipeline.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <sstream>
 #include <vector>
 
 #include "app/files.hpp"
 #include "app/library.hpp"
+#include "app/progress_line.hpp"
 #include "grafverif/compose/compose.hpp"
+#include "grafverif/conform/automaton.hpp"
+#include "grafverif/conform/mealy.hpp"
+#include "grafverif/conform/test_sequence.hpp"
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/emit/nusmv.hpp"
 #include "grafverif/emit/structured_text.hpp"
@@ -122,6 +129,43 @@ std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, J
     const auto file = job.diagnostics.has_errors() ? std::nullopt : read_source(*job.options.sequence, job);
     if (!file) return {};
     return read_test_csv(*file, job.sources, tested, execution_mode(model, chart, job), job.diagnostics);
+}
+
+std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> chart, Job& job, const Streams& streams,
+                                              const Interrupt& interrupt) {
+    const auto equations = equations_of(model, chart, job);
+    if (!equations) return {};
+    ProgressLine line(streams.err, streams.err_is_terminal && !job.options.quiet);
+    AutomatonOptions options;
+    options.mode = execution_mode(model, chart, job);
+    options.max_locations = job.options.max_states.value_or(options.max_locations);
+    options.max_memory = job.options.max_memory.value_or(options.max_memory);
+    if (job.options.timeout_ms)
+        options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*job.options.timeout_ms);
+    options.stop = &interrupt.asked();
+    options.progress = [&line](const ConformProgress& now) {
+        line.show(fmt::format("{} locations, {} to go on from, {} evolutions", now.locations, now.locations - now.done, now.evolutions));
+    };
+    return location_automaton(*equations, options, job.diagnostics);
+}
+
+std::optional<MealyMachine> mealy_of(const Model& model, Id<Chart> chart, Job& job, const Streams& streams,
+                                     const Interrupt& interrupt) {
+    const auto automaton = automaton_of(model, chart, job, streams, interrupt);
+    if (!automaton) return {};
+    MealyOptions options;
+    options.max_states = job.options.max_states.value_or(options.max_states);
+    options.max_memory = job.options.max_memory.value_or(options.max_memory);
+    auto machine = mealy_machine(*automaton, options, job.diagnostics);
+    if (machine && job.options.minimise) return minimised(*machine);
+    return machine;
+}
+
+std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const MealyMachine& machine, Job& job) {
+    TestOptions options;
+    options.cover = job.options.cover;
+    options.one_cycle_each = job.options.one_cycle_each;
+    return test_sequence(machine, options, model.charts[chart].origin, job.diagnostics);
 }
 
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, Job& job) {

@@ -6,10 +6,14 @@
 #include <optional>
 #include <string>
 
+#include "app/interrupt.hpp"
 #include "app/options.hpp"
+#include "app/program.hpp"
 #include "grafverif/check/verifyta.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/equations.hpp"
+#include "grafverif/ir/location_automaton.hpp"
+#include "grafverif/ir/mealy.hpp"
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/test_sequence.hpp"
 #include "grafverif/ir/transition_system.hpp"
@@ -43,6 +47,12 @@ std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Job& 
 
 /// The test of the chart in the table of `--sequence`.
 std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, Job& job);
+/// Equations -> LocationAutomaton -> MealyMachine -> TestSequence, with progress on a terminal.
+std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> chart, Job& job, const Streams& streams,
+                                              const Interrupt& interrupt);
+std::optional<MealyMachine> mealy_of(const Model& model, Id<Chart> chart, Job& job, const Streams& streams,
+                                     const Interrupt& interrupt);
+std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const MealyMachine& machine, Job& job);
 
 /// ClosedLoop -> plant -> Network
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Job& job);

@@ -77,17 +77,6 @@ std::span<const Transition> transitions_from(const MealyMachine& machine, Id<Sta
     return {found.begin(), found.end()};
 }
 
-std::optional<std::uint64_t> input_combinations(const MealyMachine& machine) {
-    constexpr std::uint64_t most = std::uint64_t{1} << 62U;
-    std::uint64_t count = 1;
-    for (const MealyMachine::Variable& input : machine.inputs) {
-        const auto values = static_cast<std::uint64_t>(input.type.high - input.type.low) + 1;
-        if (count > most / values) return {};
-        count *= values;
-    }
-    return count;
-}
-
 std::vector<std::string> verify(const MealyMachine& machine) {
     Check check{machine};
     check.states();

@@ -27,6 +27,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -86,6 +87,7 @@ struct LocationAutomaton {
     struct Instability {
         Id<Location> from = {};
         Id<Expr> condition = {};
+        std::optional<std::uint64_t> combinations = {};    ///< how many of inputs and timer ends; empty: more than 64 bits can count
         std::vector<std::int64_t> witness = {};            ///< per input: values under which it happens
         std::vector<std::vector<Id<Step>>> cycle = {};     ///< the situations that follow each other for ever
         bool operator==(const Instability&) const = default;

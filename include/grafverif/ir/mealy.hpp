@@ -76,15 +76,14 @@ struct MealyMachine {
     std::vector<Unstable> unstable = {};
     std::vector<Activation> activation = {};      ///< empty: the first cycle is one like any other
     Id<Expr> assumed = {};
+    std::optional<std::uint64_t> combinations = 1;     ///< of inputs, as assumed; empty: more than 64 bits can count
+    std::optional<std::uint64_t> unstable_pairs = 0;   ///< states with a combination under which they are unstable
 
     bool operator==(const MealyMachine&) const = default;
 };
 
 /// The transitions that leave `state`.
 std::span<const MealyMachine::Transition> transitions_from(const MealyMachine& machine, Id<MealyMachine::State> state);
-
-/// How many combinations the inputs have, constraints apart; empty: more than 2^62.
-std::optional<std::uint64_t> input_combinations(const MealyMachine& machine);
 
 std::vector<std::string> verify(const MealyMachine& machine);
 

@@ -190,6 +190,24 @@ Diagnostic urgent_invariant(Span where, std::string_view component, std::string_
 Diagnostic range_skipped(Span where, std::string_view variable, std::string_view mover, std::int64_t step,
                          std::string_view detector, std::int64_t low, std::int64_t high);
 
+// -- conform -------------------------------------------------------------------------------------------------------------
+// (src/support/messages_conform.cpp)
+Diagnostic excludes_every_input(Span where);
+/// `cycle`: the situations that follow each other for ever.
+Diagnostic initial_never_stable(Span where, std::string_view inputs, std::string_view cycle);
+/// `when`: the situation and the inputs, `{2,5} with s, not h1`.
+Diagnostic action_race(Span where, std::string_view variable, std::string_view when);
+Diagnostic no_value_in_location(Span where, std::string_view when);
+Diagnostic out_of_range_in_location(Span where, std::string_view variable, std::int64_t value, std::string_view when);
+Diagnostic too_many_locations(Span where, std::uint64_t limit);
+Diagnostic too_many_pairs(Span where, std::size_t states, std::uint64_t limit);
+Diagnostic too_many_nodes(std::size_t nodes, std::size_t limit);
+Diagnostic too_many_states(Span where, std::uint64_t limit);
+Diagnostic automaton_too_large(Span where);
+Diagnostic stopped(Span where);
+/// More combinations of inputs, 2^`bits`, than a tour of all of them can take.
+Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit);
+
 // -- schedule and emit -------------------------------------------------------------------------------------------------
 /// (src/support/messages_loop.cpp) `decided`: else no inputs were found in the time there is.
 Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided);

@@ -5,7 +5,6 @@
 
 #include <sstream>
 
-#include "grafverif/ir/mealy.hpp"
 #include "grafverif/syntax/test_csv.hpp"
 
 namespace grafverif {
@@ -63,15 +62,6 @@ TEST(TestSequence, ValuesStayInTheRangesOfTheirVariables) {
     TestSequence test = lamp();
     test.sequences[0].steps[0].outputs = {1, 4};
     EXPECT_EQ(verify(test), std::vector<std::string>{"a value of `SPEED` is outside its range"});
-}
-
-TEST(MealyMachine, CountsTheCombinationsOfItsInputs) {
-    MealyMachine machine;
-    EXPECT_EQ(input_combinations(machine), 1u);
-    machine.inputs = {{"a", {}}, {"level", integer_type(-1, 3)}, {"b", {}}};
-    EXPECT_EQ(input_combinations(machine), 20u);
-    machine.inputs.assign(63, {"c", {}});
-    EXPECT_EQ(input_combinations(machine), std::nullopt);
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Location automata and Mealy machines as drawings (JESA13 Figs. 8, 10, 11): Graphviz DOT, and SVG laid out here.
+//
+// A node is a location: its number and situation, below them the outputs that are set. An arrow is an evolution under its
+// condition; inputs that never stabilise are a dashed arrow to nowhere. In a Mealy machine an arrow carries
+// `condition / outputs`; arrows between the same two states are one, their labels below each other.
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/location_automaton.hpp"
+#include "grafverif/ir/mealy.hpp"
+
+namespace grafverif {
+
+struct Diagram {
+    struct Node {
+        std::vector<std::string> lines = {};
+        bool initial = false;
+        bool operator==(const Node&) const = default;
+    };
+    struct Arrow {
+        std::size_t from = 0, to = 0;
+        std::vector<std::string> lines = {};
+        bool dashed = false;             ///< total instability; `to` is `from`
+        bool operator==(const Arrow&) const = default;
+    };
+    std::string name = {};
+    std::vector<Node> nodes = {};
+    std::vector<Arrow> arrows = {};
+    bool operator==(const Diagram&) const = default;
+};
+
+Diagram diagram(const LocationAutomaton& automaton);
+Diagram diagram(const MealyMachine& machine);
+
+void emit_dot(const Diagram& diagram, std::ostream& out);
+/// Requires a diagram that a person could look at: see `largest_drawing`.
+void emit_svg(const Diagram& diagram, std::ostream& out);
+
+/// More nodes than this are not laid out here; Graphviz takes the DOT file.
+inline constexpr std::size_t largest_drawing = 200;
+
+}  // namespace grafverif

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A test sequence on the interpreter of the rules of IEC 60848: what a PLC that does as the chart says would answer.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "grafverif/ir/chart.hpp"
+#include "grafverif/ir/test_sequence.hpp"
+
+namespace grafverif {
+
+/// The first scan in which the chart answers otherwise than `test` expects, in words; empty: it passes. Requires that
+/// the inputs and outputs of the test are those of the chart, in its order.
+std::optional<std::string> disagreement(const Chart& chart, const TestSequence& test);
+
+}  // namespace grafverif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Location automata, Mealy machines and test sequences as text to read and as JSON; sequences as CSV: see test_csv.hpp.
+//
+// Counts include INIT and what leaves it. `unstable` counts the pairs of a location and a combination of inputs from which
+// no stable situation is reached; those of INIT are counted apart.
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "grafverif/ir/location_automaton.hpp"
+#include "grafverif/ir/mealy.hpp"
+#include "grafverif/ir/test_sequence.hpp"
+
+namespace grafverif {
+
+struct AutomatonCounts {
+    std::size_t locations = 0, evolutions = 0, evolutions_from_init = 0;
+    std::optional<std::uint64_t> unstable = 0, unstable_from_init = 0;   ///< empty: too many to count
+};
+AutomatonCounts counts(const LocationAutomaton& automaton);
+
+/// States times combinations of inputs; empty: too many to count.
+std::optional<std::uint64_t> transition_count(const MealyMachine& machine);
+
+/// A condition of the automaton, of the machine: `s and not h1`.
+std::string condition_text(const LocationAutomaton& automaton, Id<Expr> condition);
+std::string condition_text(const MealyMachine& machine, Id<Expr> condition);
+
+/// `details`: also each location and evolution, each state and transition.
+void print_automaton(std::ostream& out, const LocationAutomaton& automaton, bool details);
+void print_mealy(std::ostream& out, const MealyMachine& machine, bool details);
+
+/// `{"name", "mode", "locations", "evolutions", "evolutions_from_init", "unstable", "unstable_from_init"}`; with details also
+/// `"inputs", "outputs", "assumed", "location_table": [{"location", "situation", "values", "outputs"}],
+/// "evolution_table": [{"from", "to", "condition", "restarted"}], "instability_table": [{"from", "condition", "witness",
+/// "cycle"}]`; location 0 is INIT.
+void print_automaton_json(std::ostream& out, const LocationAutomaton& automaton, bool details);
+
+/// `{"name", "mode", "states", "transitions", "unstable_pairs", "combinations", "initial"}`; with details also `"inputs",
+/// "outputs", "assumed", "activation", "state_table", "transition_table": [{"from", "to", "condition", "outputs",
+/// "wait_ms"}], "unstable_table"`.
+void print_mealy_json(std::ostream& out, const MealyMachine& machine, bool details);
+
+/// `{"chart", "mode", "cover", "hold", "steps", "lower_bound", "proven_least", "covered", "to_cover", "inputs", "outputs",
+/// "sequences": [[{"step", "wait_ms", "cycles", "inputs": {}, "outputs": {}, "situation"}]]}`; step 0 is the activation.
+void print_test_json(std::ostream& out, const TestSequence& test);
+
+/// One sentence: how long the test is, what it covers, and whether anything shorter would do.
+std::string summary(const TestSequence& test);
+
+}  // namespace grafverif

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "conform/location_terms.hpp"
+
+#include <algorithm>
+
+namespace grafverif::conform {
+
+LocationTerms::LocationTerms(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs,
+                             const InputSpace& space)
+    : equations_(equations), inputs_(inputs), space_(space), values_(equations.variables.size()),
+      of_inputs_(equations.exprs, [this](const Expr& leaf) { return space_.term(*inputs_[static_cast<std::size_t>(leaf.value)]); }) {
+    const Exprs& exprs = equations.exprs;
+    for (std::uint32_t index = 0; index < exprs.size(); ++index) {
+        const Id<Expr> id{index};
+        if (exprs[id].op == Op::Variable) {
+            kinds_.push_back(is_input(exprs[id]) ? Kind::OfInputs : Kind::Fixed);
+            continue;
+        }
+        bool reads_inputs = false, reads_location = false;
+        for (const Id<Expr> operand : exprs.operands(id)) {
+            reads_inputs = reads_inputs || kinds_[operand.index] != Kind::Fixed;
+            reads_location = reads_location || (kinds_[operand.index] != Kind::OfInputs && !is_constant(exprs[operand].op));
+        }
+        kinds_.push_back(!reads_inputs ? Kind::Fixed : reads_location ? Kind::Mixed : Kind::OfInputs);
+    }
+}
+
+LocationValue LocationTerms::value(Id<Expr> term) {
+    switch (kinds_[term.index]) {
+    case Kind::Fixed:    return fixed(term);
+    case Kind::OfInputs: return {0, false, of_inputs_(term)};
+    case Kind::Mixed:    break;
+    }
+    const Op op = equations_.exprs[term].op;
+    if ((op == Op::And || op == Op::Or) && split(term) != nullptr) return joined(term);
+    if (op != Op::Not) return anyhow(term);
+    LocationValue result = value(equations_.exprs.operands(term)[0]);
+    if (result.function) result.function->bits.front() = ~result.function->bits.front();
+    else result.number = result.number == 0;
+    return result;
+}
+
+Bdd LocationTerms::condition(Id<Expr> term, Bdd& undefined) {
+    LocationValue result = value(term);
+    if (result.none) undefined = Bdd::constant(true);
+    if (!result.function) return Bdd::constant(result.number != 0);
+    if (!result.function->undefined.is_false()) undefined |= result.function->undefined;
+    return std::move(result.function->bits.front());
+}
+
+/// A term without inputs. Depth is bounded by `derive`.
+LocationValue LocationTerms::fixed(Id<Expr> term) const {
+    const Expr& node = equations_.exprs[term];
+    switch (node.op) {
+    case Op::Variable: return {values_[static_cast<std::size_t>(node.value)], false, {}};
+    case Op::Not: {
+        LocationValue result = fixed(equations_.exprs.operands(term)[0]);
+        result.number = result.number == 0;
+        return result;
+    }
+    case Op::And:
+    case Op::Or: {
+        const bool decides = node.op == Op::Or;
+        for (const Id<Expr> operand : equations_.exprs.operands(term)) {
+            LocationValue result = fixed(operand);
+            if (result.none || (result.number != 0) == decides) return result;
+        }
+        return {decides ? 0 : 1, false, {}};
+    }
+    default: break;
+    }
+    const std::optional<std::int64_t> number = evaluate(
+        equations_.exprs, term, [this](const Expr& leaf) { return values_[static_cast<std::size_t>(leaf.value)]; });
+    return {number.value_or(0), !number, {}};
+}
+
+/// The terms of inputs alone always have a value, so their order among the others does not matter.
+LocationValue LocationTerms::joined(Id<Expr> term) {
+    const bool decides = equations_.exprs[term].op == Op::Or;
+    const Split& parts = *split(term);
+    std::optional<BddTerm> result;
+    for (const Id<Expr> operand : parts.others) {
+        LocationValue other = value(operand);
+        if (other.none) return anyhow(term);   // whether it is looked at is up to the inputs
+        if (!other.function) {
+            if ((other.number != 0) == decides) return other;
+            continue;
+        }
+        if (!other.function->undefined.is_false()) return anyhow(term);
+        if (!result) result = std::move(other.function);
+        else if (decides) result->bits.front() |= other.function->bits.front();
+        else result->bits.front() &= other.function->bits.front();
+    }
+    if (!result) return {0, false, bdd_boolean(parts.inputs)};
+    if (decides) result->bits.front() |= parts.inputs;
+    else result->bits.front() &= parts.inputs;
+    return {0, false, std::move(result)};
+}
+
+LocationValue LocationTerms::anyhow(Id<Expr> term) {
+    BddTerms terms(equations_.exprs, [this](const Expr& leaf) {
+        const auto variable = static_cast<std::size_t>(leaf.value);
+        if (inputs_[variable]) return space_.term(*inputs_[variable]);
+        if (equations_.variables[{static_cast<std::uint32_t>(variable)}].type.boolean)
+            return bdd_boolean(Bdd::constant(values_[variable] != 0));
+        return bdd_integer(values_[variable]);
+    });
+    return {0, false, terms(term)};
+}
+
+const LocationTerms::Split* LocationTerms::split(Id<Expr> term) {
+    const auto [place, added] = splits_.try_emplace(term.index);
+    if (!added) return place->second ? &*place->second : nullptr;
+    const bool conjunction = equations_.exprs[term].op == Op::And;
+    Split result{Bdd::constant(conjunction), {}};
+    for (const Id<Expr> operand : equations_.exprs.operands(term)) {
+        if (kinds_[operand.index] != Kind::OfInputs) {
+            result.others.push_back(operand);
+            continue;
+        }
+        const BddTerm& part = of_inputs_(operand);
+        if (!part.undefined.is_false()) return nullptr;
+        if (conjunction) result.inputs &= part.bits.front();
+        else result.inputs |= part.bits.front();
+    }
+    place->second = std::move(result);
+    return &*place->second;
+}
+
+}  // namespace grafverif::conform

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+#include "grafverif/conform/mealy.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "conform/input_space.hpp"
+#include "grafverif/support/messages.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using namespace conform;
+using Automaton = LocationAutomaton;
+using Location = Automaton::Location;
+using State = MealyMachine::State;
+
+/// A location and, per timed step, for how long it has been active, no longer than its longest timer; -1: it is not.
+struct Place {
+    Id<Location> location = {};
+    std::vector<std::int64_t> ages = {};
+    auto operator<=>(const Place&) const = default;
+};
+
+/// What happens in a place: the inputs that lead to each next place, and those that lead nowhere.
+struct Departures {
+    std::map<Place, Bdd> to = {};
+    Bdd staying = {};    ///< part of `to`
+    Bdd unstable = {};
+    bool operator==(const Departures& other) const { return to == other.to && unstable == other.unstable; }
+};
+
+struct TimedStep {
+    Id<Automaton::Step> step = {};
+    std::int64_t longest = 0;
+};
+
+class Builder {
+public:
+    Builder(const Automaton& automaton, const MealyOptions& options, Diagnostics& diagnostics)
+        : automaton_(automaton), options_(options), diagnostics_(diagnostics),
+          space_(types(automaton), {options.max_memory, {}, nullptr}),
+          terms_(automaton.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }),
+          conditions_(space_, machine_.exprs) {
+        space_.assume(condition(automaton.assumed));
+        for (const Id<Automaton::Input> id : automaton.inputs.ids()) {
+            const Automaton::Input& input = automaton.inputs[id];
+            if (!input.timed.valid()) {
+                machine_.inputs.push_back({input.name, input.type});
+                for (const std::uint32_t bit : space_.word(id.index).bits) bits_.push_back(bit);
+                continue;
+            }
+            const auto known = std::ranges::find(timed_, input.timed, &TimedStep::step);
+            if (known == timed_.end()) timed_.push_back({input.timed, input.wait_ms});
+            else known->longest = std::max(known->longest, input.wait_ms);
+        }
+        std::ranges::sort(bits_);
+    }
+
+    std::optional<MealyMachine> machine() {
+        machine_.name = automaton_.name;
+        machine_.mode = automaton_.mode;
+        for (const Automaton::Output& output : automaton_.outputs) machine_.outputs.push_back({output.name, output.type});
+        machine_.assumed = translate(automaton_.exprs, automaton_.assumed, machine_.exprs, [&](const Expr& leaf) {
+            return machine_.exprs.leaf(Op::Variable, static_cast<std::uint32_t>(leaf.value));
+        });
+        machine_.combinations = small_count(space_.assumed(), bits_);
+        begin();
+        for (std::size_t next = 0; next < places_.size(); ++next) {
+            if (places_.size() > options_.max_states) {
+                diagnostics_.add(messages::too_many_states(automaton_.origin, options_.max_states));
+                return {};
+            }
+            add_transitions(next);
+        }
+        return std::move(machine_);
+    }
+
+private:
+    static std::vector<Type> types(const Automaton& automaton) {
+        std::vector<Type> all;
+        for (const Automaton::Input& input : automaton.inputs) all.push_back(input.type);
+        return all;
+    }
+
+    Bdd condition(Id<Expr> term) {
+        const BddTerm& found = terms_(term);
+        return found.bits.front() & ~found.undefined;
+    }
+
+    bool active(Id<Location> location, Id<Automaton::Step> step) const {
+        return std::ranges::binary_search(automaton_.locations[location].situation, step);
+    }
+
+    /// The place after an arrival in `location`: the ages of `before`, but of steps that were activated anew.
+    Place arrival(const Place& before, Id<Location> location, const std::vector<Id<Automaton::Input>>& restarted) const {
+        Place place{location, {}};
+        for (std::size_t k = 0; k < timed_.size(); ++k) {
+            const bool anew = std::ranges::any_of(restarted, [&](Id<Automaton::Input> timer) {
+                return automaton_.inputs[timer].timed == timed_[k].step;
+            });
+            if (!active(location, timed_[k].step)) place.ages.push_back(-1);
+            else place.ages.push_back(anew || before.ages[k] < 0 ? 0 : before.ages[k]);
+        }
+        return place;
+    }
+
+    Place place_of_init() const {
+        Place place{automaton_.init, {}};
+        for (const TimedStep& timed : timed_) place.ages.push_back(active(automaton_.init, timed.step) ? 0 : -1);
+        return place;
+    }
+
+    /// The ends of the timers in `place`, as a cube.
+    Bdd timer_ends(const Place& place) const {
+        std::vector<BddLiteral> literals;
+        for (const Id<Automaton::Input> id : automaton_.inputs.ids()) {
+            const Automaton::Input& input = automaton_.inputs[id];
+            if (!input.timed.valid()) continue;
+            const auto step = static_cast<std::size_t>(std::ranges::find(timed_, input.timed, &TimedStep::step) - timed_.begin());
+            literals.push_back({space_.word(id.index).bits.front(), place.ages[step] >= input.wait_ms});
+        }
+        return cube(literals);
+    }
+
+    Departures departures(const Place& place) {
+        Departures result;
+        const Bdd ends = timer_ends(place);
+        const auto now = [&](const Bdd& set) { return timed_.empty() ? set : cofactor(set, ends); };
+        const Bdd assumed = now(space_.assumed());
+        Bdd rest = assumed;
+        for (const Automaton::Evolution& evolution : evolutions_from(automaton_, place.location)) {
+            const Bdd set = now(condition(evolution.condition)) & assumed;
+            if (set.is_false()) continue;
+            result.to[arrival(place, evolution.to, evolution.restarted)] |= set;
+            rest &= ~set;
+        }
+        for (const Automaton::Instability& instability : instabilities_of(automaton_, place.location))
+            result.unstable |= now(condition(instability.condition)) & assumed;
+        rest &= ~result.unstable;
+        if (!rest.is_false()) result.to[staying_place(place)] |= rest;
+        result.staying = rest;
+        return result;
+    }
+
+    /// Where the controller is if nothing happens. With stability search it may stay in INIT: the location of the
+    /// initial situation is the same to everybody.
+    Place staying_place(const Place& place) const {
+        if (place.location != automaton_.init) return place;
+        Place same = place;
+        for (const Id<Location> id : automaton_.locations.ids())
+            if (id != automaton_.init && automaton_.locations[id].situation == automaton_.locations[place.location].situation &&
+                automaton_.locations[id].values == automaton_.locations[place.location].values)
+                same.location = id;
+        return same;
+    }
+
+    /// Merges INIT with the location of the initial situation, where both mean the same (JESA13 section 6).
+    void begin() {
+        const Place init = place_of_init();
+        const Departures first = departures(init);
+        if (automaton_.mode == ExecutionMode::EveryCycle) {
+            if (first.to.size() != 1) {
+                machine_.initial = state(init);
+                return;
+            }
+            const Place& place = first.to.begin()->first;
+            machine_.initial = state(place);
+            for (const auto& [answer, set] : answers(place, space_.assumed()))
+                machine_.activation.push_back({conditions_.term(set), answer});
+            return;
+        }
+        for (const auto& [place, set] : first.to) {
+            const bool same_situation =
+                automaton_.locations[place.location].situation == automaton_.locations[automaton_.init].situation;
+            if (!same_situation || place.ages != init.ages || !(departures(place) == first)) continue;
+            machine_.initial = state(place);
+            return;
+        }
+        machine_.initial = state(init);
+    }
+
+    Id<State> state(const Place& place) {
+        const auto [known, added] = known_.emplace(place, Id<State>{});
+        if (!added) return known->second;
+        places_.push_back(place);
+        return known->second = machine_.states.add({situation_text(automaton_, automaton_.locations[place.location].situation), detail(place)});
+    }
+
+    std::string detail(const Place& place) const {
+        std::string text;
+        const auto add = [&text](const std::string& one) { text += (text.empty() ? "" : ", ") + one; };
+        if (place.location == automaton_.init) add("INIT");
+        const std::vector<std::int64_t>& values = automaton_.locations[place.location].values;
+        for (std::size_t k = 0; k < values.size(); ++k)
+            add(automaton_.stored[Id<Automaton::Stored>{static_cast<std::uint32_t>(k)}].name + " = " + std::to_string(values[k]));
+        for (std::size_t k = 0; k < timed_.size(); ++k)
+            if (place.ages[k] >= 0) add("X" + automaton_.steps[timed_[k].step].name + " for " + std::to_string(place.ages[k]) + " ms");
+        return text;
+    }
+
+    void add_transitions(std::size_t index) {
+        const Place place = places_[index];
+        const Id<State> from{static_cast<std::uint32_t>(index)};
+        const Departures now = departures(place);
+        for (const auto& [to, set] : now.to) add_transition(from, to, set, 0);
+        if (!now.unstable.is_false()) {
+            machine_.unstable.push_back({from, conditions_.term(now.unstable)});
+            const auto pairs = small_count(now.unstable, bits_);
+            machine_.unstable_pairs = machine_.unstable_pairs && pairs ? std::optional(*machine_.unstable_pairs + *pairs) : std::nullopt;
+        }
+        if (place.location != automaton_.init) add_waits(from, place, now.staying);
+    }
+
+    /// Lets time pass until the next timer ends, under inputs that the place is stable for.
+    void add_waits(Id<State> from, const Place& place, const Bdd& staying) {
+        std::int64_t wait = 0;
+        for (const Automaton::Input& input : automaton_.inputs) {
+            if (!input.timed.valid()) continue;
+            const std::int64_t age = place.ages[static_cast<std::size_t>(std::ranges::find(timed_, input.timed, &TimedStep::step) - timed_.begin())];
+            if (age >= 0 && age < input.wait_ms && (wait == 0 || input.wait_ms - age < wait)) wait = input.wait_ms - age;
+        }
+        if (wait == 0 || staying.is_false()) return;
+        Place later = place;
+        for (std::size_t k = 0; k < timed_.size(); ++k)
+            if (later.ages[k] >= 0) later.ages[k] = std::min(later.ages[k] + wait, timed_[k].longest);
+        for (const auto& [to, set] : departures(later).to)
+            if (const Bdd both = set & staying; !both.is_false()) add_transition(from, to, both, wait);
+    }
+
+    void add_transition(Id<State> from, const Place& to, const Bdd& set, std::int64_t wait) {
+        for (const auto& [answer, part] : answers(to, set))
+            machine_.transitions.push_back({from, state(to), conditions_.term(part), answer, wait});
+    }
+
+    /// What is written on arrival in `place`, by the inputs.
+    std::vector<std::pair<Id<MealyMachine::Answer>, Bdd>> answers(const Place& place, const Bdd& set) {
+        struct Part {
+            Bdd set = {};
+            std::vector<std::int64_t> values = {};
+        };
+        std::vector<Part> parts{{set, std::vector<std::int64_t>(automaton_.outputs.size())}};
+        for (const Automaton::Emission& emission : automaton_.locations[place.location].emissions) {
+            const Expr& value = automaton_.exprs[emission.value];
+            if (is_constant(value.op)) {
+                for (Part& part : parts) part.values[emission.output.index] = value.op == Op::Integer ? value.value : 1;
+                continue;
+            }
+            Bdd holds = condition(emission.value);
+            if (!timed_.empty()) holds = cofactor(holds, timer_ends(place));
+            std::vector<Part> pieces;
+            for (Part& part : parts) {
+                Part on{part.set & holds, part.values};
+                on.values[emission.output.index] = 1;
+                part.set &= ~holds;
+                if (!on.set.is_false()) pieces.push_back(std::move(on));
+                if (!part.set.is_false()) pieces.push_back(std::move(part));
+            }
+            parts = std::move(pieces);
+        }
+        std::vector<std::pair<Id<MealyMachine::Answer>, Bdd>> result;
+        for (Part& part : parts) result.emplace_back(answer(std::move(part.values)), std::move(part.set));
+        return result;
+    }
+
+    Id<MealyMachine::Answer> answer(std::vector<std::int64_t> values) {
+        const auto [known, added] = answer_of_.emplace(std::move(values), Id<MealyMachine::Answer>{});
+        if (added) known->second = machine_.answers.add({known->first});
+        return known->second;
+    }
+
+    const Automaton& automaton_;
+    const MealyOptions& options_;
+    Diagnostics& diagnostics_;
+    MealyMachine machine_ = {};
+    InputSpace space_;
+    BddTerms terms_;
+    Conditions conditions_;
+    std::vector<std::uint32_t> bits_ = {};       ///< of the inputs proper
+    std::vector<TimedStep> timed_ = {};
+    std::vector<Place> places_ = {};             ///< per state
+    std::map<Place, Id<State>> known_ = {};
+    std::map<std::vector<std::int64_t>, Id<MealyMachine::Answer>> answer_of_ = {};
+};
+
+}  // namespace
+
+std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, const MealyOptions& options,
+                                          Diagnostics& diagnostics) {
+    try {
+        return Builder(automaton, options, diagnostics).machine();
+    } catch (const BddExhausted&) {
+        diagnostics.add(messages::automaton_too_large(automaton.origin));
+        return {};
+    }
+}
+
+}  // namespace grafverif

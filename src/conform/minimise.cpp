@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Partition refinement (Moore 1956): two states stay together while they answer alike and go to states that are together,
+// under the same inputs.
+#include <map>
+#include <tuple>
+
+#include "conform/input_space.hpp"
+#include "grafverif/conform/mealy.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using namespace conform;
+
+class Minimiser {
+public:
+    explicit Minimiser(const MealyMachine& machine)
+        : machine_(machine), space_(types(machine), {}),
+          terms_(machine.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }),
+          class_of_(machine.states.size()) {
+        space_.assume(condition(machine.assumed));
+    }
+
+    MealyMachine minimised() {
+        std::size_t classes = 1;
+        while (refine() != classes) classes = classes_;
+        return merged();
+    }
+
+private:
+    /// What a state does: to which class, with which answer, after which wait, under which inputs; `none`: unstable.
+    using Deed = std::tuple<std::uint32_t, std::uint32_t, std::int64_t>;
+    using Behaviour = std::map<Deed, Bdd>;
+    static constexpr std::uint32_t no_class = 0xFFFFFFFFU;
+
+    static std::vector<Type> types(const MealyMachine& machine) {
+        std::vector<Type> all;
+        for (const MealyMachine::Variable& input : machine.inputs) all.push_back(input.type);
+        return all;
+    }
+
+    Bdd condition(Id<Expr> term) {
+        const BddTerm& found = terms_(term);
+        return found.bits.front() & ~found.undefined & space_.assumed();
+    }
+
+    std::vector<Behaviour> behaviours() {
+        std::vector<Behaviour> all(machine_.states.size());
+        for (const MealyMachine::Transition& one : machine_.transitions)
+            all[one.from.index][{class_of_[one.to.index], one.answer.index, one.wait_ms}] |= condition(one.condition);
+        for (const MealyMachine::Unstable& one : machine_.unstable)
+            all[one.from.index][{no_class, no_class, 0}] |= condition(one.condition);
+        return all;
+    }
+
+    /// One round; the number of classes after it. Classes are numbered by their first states.
+    std::size_t refine() {
+        struct Less {
+            bool operator()(const Behaviour& a, const Behaviour& b) const {
+                return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+                    return x.first != y.first ? x.first < y.first : x.second.node() < y.second.node();
+                });
+            }
+        };
+        const std::vector<Behaviour> all = behaviours();
+        std::map<Behaviour, std::uint32_t, Less> known;
+        for (std::size_t state = 0; state < all.size(); ++state)
+            class_of_[state] = known.emplace(all[state], static_cast<std::uint32_t>(known.size())).first->second;
+        return classes_ = known.size();
+    }
+
+    MealyMachine merged() {
+        MealyMachine result = machine_;
+        result.states = {};
+        result.transitions.clear();
+        result.unstable.clear();
+        result.initial = {class_of_[machine_.initial.index]};
+        result.unstable_pairs = machine_.unstable_pairs ? std::optional<std::uint64_t>(0) : std::nullopt;
+        Conditions conditions(space_, result.exprs);
+        const std::vector<Behaviour> all = behaviours();
+        for (std::uint32_t state = 0; state < all.size(); ++state) {
+            if (class_of_[state] != result.states.size()) continue;
+            const Id<MealyMachine::State> from = result.states.add(machine_.states[{state}]);
+            for (const auto& [deed, set] : all[state]) {
+                const auto& [to, answer, wait] = deed;
+                if (to != no_class) {
+                    result.transitions.push_back({from, {to}, conditions.term(set), {answer}, wait});
+                    continue;
+                }
+                result.unstable.push_back({from, conditions.term(set)});
+                const auto pairs = small_count(set, space_.bits());
+                if (result.unstable_pairs && pairs) *result.unstable_pairs += *pairs;
+            }
+        }
+        return result;
+    }
+
+    const MealyMachine& machine_;
+    InputSpace space_;
+    BddTerms terms_;
+    std::vector<std::uint32_t> class_of_ = {};
+    std::size_t classes_ = 1;
+};
+
+}  // namespace
+
+MealyMachine minimised(const MealyMachine& machine) { return Minimiser(machine).minimised(); }
+
+}  // namespace grafverif

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: MIT
+#include "conform/moves.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "conform/words.hpp"
+#include "grafverif/support/messages.hpp"
+
+namespace grafverif::conform {
+
+Moves::Moves(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs, const InputSpace& space,
+             Diagnostics& diagnostics)
+    : equations_(equations), inputs_(inputs), space_(space), diagnostics_(diagnostics), terms_(equations, inputs, space) {
+    for (const Equations::StepActivity& step : equations.steps) add_field(step.variable, step.next, {});
+    for (const Equations::Stored& stored : equations.stored) add_field(stored.variable, stored.next, stored.first);
+    std::uint32_t bit = fields_.empty() ? 0 : 64 * fields_.back().word + fields_.back().shift + 1;
+    if (!fields_.empty()) {
+        for (std::uint64_t mask = fields_.back().mask >> 1U; mask != 0; mask >>= 1U) ++bit;
+    }
+    for (std::size_t timer = 0; timer < equations.timers.size(); ++timer) fresh_bits_.push_back(bit++);
+    store_.shape(std::max<std::size_t>(1, (bit + 63) / 64));
+    index_firings();
+    index_fields();
+}
+
+void Moves::add_field(Id<Equations::Variable> variable, Id<Expr> next, Id<Expr> first) {
+    const Type type = equations_.variables[variable].type;
+    const auto bits = static_cast<std::uint32_t>(std::max<std::size_t>(1, bit_count(type)));
+    StateField field{variable, type, 0, 0, (std::uint64_t{1} << bits) - 1, next, first};
+    if (!fields_.empty()) {
+        const StateField& before = fields_.back();
+        const auto width = static_cast<std::uint32_t>(std::max<std::size_t>(1, bit_count(before.type)));
+        field.word = before.word;
+        field.shift = before.shift + width;
+        if (field.shift + bits > 64) ++field.word, field.shift = 0;
+    }
+    fields_.push_back(field);
+}
+
+/// A firing whose condition begins with the step upstream is looked at only where that step is active.
+void Moves::index_firings() {
+    const Exprs& exprs = equations_.exprs;
+    std::vector<std::uint32_t> field_of(equations_.variables.size(), no_state);
+    for (std::uint32_t field = 0; field < fields_.size(); ++field)
+        if (equations_.variables[fields_[field].variable].role == Equations::Role::Step)
+            field_of[fields_[field].variable.index] = field;
+    guarded_.resize(fields_.size());
+    for (std::uint32_t firing = 0; firing < equations_.firings.size(); ++firing) {
+        const Id<Expr> condition = equations_.firings[firing].condition;
+        const Id<Expr> guard = exprs[condition].op == Op::And ? exprs.operands(condition)[0] : condition;
+        const bool is_step = exprs[guard].op == Op::Variable && field_of[static_cast<std::size_t>(exprs[guard].value)] != no_state;
+        if (is_step) guarded_[field_of[static_cast<std::size_t>(exprs[guard].value)]].push_back(firing);
+        else unguarded_.push_back(firing);
+    }
+}
+
+/// Whether the variable keeps its value wherever no transition fires that its equation reads.
+bool Moves::keeps_by_itself(const StateField& field) {
+    Exprs scratch;
+    const Id<Expr> quiet = translate(equations_.exprs, field.next, scratch, [&](const Expr& leaf) {
+        const Id<Equations::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
+        return equations_.variables[variable].role == Equations::Role::FiringCondition
+                   ? scratch.constant(false)
+                   : scratch.leaf(Op::Variable, variable.index);
+    });
+    return scratch[quiet].op == Op::Variable && scratch[quiet].value == static_cast<std::int64_t>(field.variable.index);
+}
+
+void Moves::index_fields() {
+    const Exprs& exprs = equations_.exprs;
+    std::vector<std::uint32_t> firing_of(equations_.variables.size(), no_state);
+    for (std::uint32_t firing = 0; firing < equations_.firings.size(); ++firing)
+        firing_of[equations_.firings[firing].variable.index] = firing;
+    affected_.resize(equations_.firings.size());
+    races_.resize(equations_.firings.size());
+    const auto firings_in = [&](Id<Expr> term, auto visit) {
+        for (const Id<Expr> leaf : leaves(exprs, term))
+            if (const std::uint32_t firing = firing_of[static_cast<std::size_t>(exprs[leaf].value)]; firing != no_state) visit(firing);
+    };
+    for (std::uint32_t field = 0; field < fields_.size(); ++field) {
+        if (keeps_by_itself(fields_[field])) firings_in(fields_[field].next, [&](std::uint32_t firing) { affected_[firing].push_back(field); });
+        else restless_.push_back(field);
+    }
+    for (std::uint32_t k = 0; k < equations_.stored.size(); ++k)
+        if (!is_false(exprs, equations_.stored[k].race))
+            firings_in(equations_.stored[k].race, [&](std::uint32_t firing) { races_[firing].push_back(k); });
+    const Id<Expr> stable = equations_.stable;
+    if (exprs[stable].op == Op::Not) {
+        const Id<Expr> changes = exprs.operands(stable)[0];
+        std::size_t plain = 0;
+        const auto count = [&](Id<Expr> term) {
+            if (exprs[term].op == Op::Variable && firing_of[static_cast<std::size_t>(exprs[term].value)] != no_state) ++plain;
+        };
+        if (exprs[changes].op == Op::Or)
+            for (const Id<Expr> operand : exprs.operands(changes)) count(operand);
+        else count(changes);
+        const auto never = std::ranges::count_if(equations_.firings, [&](const Equations::Firing& firing) { return is_false(exprs, firing.condition); });
+        fires_unstable_ = plain + static_cast<std::size_t>(never) == equations_.firings.size();
+    }
+}
+
+const std::vector<std::int64_t>& Moves::load(StateId state) {
+    std::vector<std::int64_t>& values = terms_.values();
+    if (loaded_ == state) return values;
+    const std::span<const std::uint64_t> words = store_.at(state);
+    for (const StateField& field : fields_)
+        values[field.variable.index] = static_cast<std::int64_t>((words[field.word] >> field.shift) & field.mask) +
+                                       (field.type.boolean ? 0 : field.type.low);
+    loaded_ = state;
+    return values;
+}
+
+StateId Moves::settled(StateId state) {
+    if (fresh_bits_.empty()) return state;
+    std::vector<std::uint64_t> words(store_.at(state).begin(), store_.at(state).end());
+    for (const std::uint32_t bit : fresh_bits_) words[bit / 64] &= ~(std::uint64_t{1} << (bit % 64));
+    return store_.intern(words);
+}
+
+std::vector<std::size_t> Moves::fresh(StateId state) const {
+    std::vector<std::size_t> timers;
+    const std::span<const std::uint64_t> words = store_.at(state);
+    for (std::size_t timer = 0; timer < fresh_bits_.size(); ++timer)
+        if (((words[fresh_bits_[timer] / 64] >> (fresh_bits_[timer] % 64)) & 1U) != 0) timers.push_back(timer);
+    return timers;
+}
+
+const std::vector<StateMove>& Moves::of(StateId state) {
+    while (known_.size() <= state) known_.emplace_back();
+    if (!known_[state]) {
+        std::vector<StateMove> moves = moves_of(state);
+        known_[state] = std::move(moves);
+    }
+    return *known_[state];
+}
+
+/// Timers whose step is inactive, or was activated within the instant, have not ended.
+Bdd Moves::without_idle_timers(StateId state, Bdd set) {
+    if (fresh_bits_.empty()) return set;
+    const std::span<const std::uint64_t> words = store_.at(state);
+    std::vector<BddLiteral> idle;
+    for (std::size_t k = 0; k < equations_.timers.size(); ++k) {
+        const bool fresh = ((words[fresh_bits_[k] / 64] >> (fresh_bits_[k] % 64)) & 1U) != 0;
+        if (fresh || terms_.values()[equations_.timers[k].step.index] == 0)
+            idle.push_back({space_.word(*inputs_[equations_.timers[k].end.index]).bits.front(), false});
+    }
+    return idle.empty() ? set : cofactor(set, cube(idle));
+}
+
+std::vector<StateMove> Moves::moves_of(StateId state) {
+    load(state);
+    std::vector<StateMove> moves;
+    const std::vector<Cell> all = cells(space_.assumed());
+    for (const Cell& cell : all) {
+        for (const std::uint32_t firing : cell.fired) terms_.values()[equations_.firings[firing].variable.index] = 1;
+        if (check_races(cell)) add_moves(state, cell, moves);
+        for (const std::uint32_t firing : cell.fired) terms_.values()[equations_.firings[firing].variable.index] = 0;
+        if (failed_) return {};
+    }
+    for (StateMove& move : moves) move.set = without_idle_timers(state, std::move(move.set));
+    std::erase_if(moves, [](const StateMove& move) { return move.set.is_false(); });
+    std::ranges::stable_sort(moves, [](const StateMove& a, const StateMove& b) { return a.stable && !b.stable; });
+    std::vector<StateMove> merged;   // several sets of transitions may lead to one state
+    for (StateMove& move : moves) {
+        const auto same = std::ranges::find_if(merged, [&](const StateMove& other) { return other.next == move.next && other.stable == move.stable; });
+        if (same == merged.end()) merged.push_back(std::move(move));
+        else same->set |= move.set;
+    }
+    return merged;
+}
+
+std::vector<Moves::Cell> Moves::cells(const Bdd& within) {
+    std::vector<Cell> cells;
+    Bdd touched;   // where some transition fires
+    for (std::uint32_t field = 0; field < fields_.size(); ++field) {
+        if (guarded_[field].empty() || terms_.values()[fields_[field].variable.index] == 0) continue;
+        for (const std::uint32_t firing : guarded_[field]) fire(cells, touched, firing, within);
+    }
+    for (const std::uint32_t firing : unguarded_) fire(cells, touched, firing, within);
+    Bdd quiet = within & ~touched;
+    if (!quiet.is_false()) cells.insert(cells.begin(), {std::move(quiet), {}});
+    return cells;
+}
+
+/// Cuts the cells by the condition of `firing`.
+void Moves::fire(std::vector<Cell>& cells, Bdd& touched, std::uint32_t firing, const Bdd& within) {
+    if (failed_) return;
+    Bdd undefined;
+    Bdd condition = terms_.condition(equations_.firings[firing].condition, undefined) & within;
+    if (!undefined.is_false() && !(undefined & within).is_false())
+        return complain(messages::no_value_in_location(equations_.firings[firing].origin, circumstances(undefined & within)));
+    if (condition.is_false()) return;
+    if (!(condition & touched).is_false()) {
+        const std::size_t count = cells.size();
+        for (std::size_t k = 0; k < count; ++k) {
+            Bdd both = cells[k].set & condition;
+            if (both.is_false()) continue;
+            if (both == cells[k].set) {
+                cells[k].fired.push_back(firing);
+                continue;
+            }
+            Cell split{std::move(both), cells[k].fired};
+            split.fired.push_back(firing);
+            cells[k].set &= ~condition;
+            cells.push_back(std::move(split));
+        }
+        Bdd alone = condition & ~touched;
+        touched |= condition;
+        if (!alone.is_false()) cells.push_back({std::move(alone), {firing}});
+        return;
+    }
+    touched |= condition;
+    cells.push_back({std::move(condition), {firing}});
+}
+
+bool Moves::check_races(const Cell& cell) {
+    for (const std::uint32_t firing : cell.fired)
+        for (const std::uint32_t stored : races_[firing]) {
+            Bdd undefined;
+            const Bdd race = terms_.condition(equations_.stored[stored].race, undefined) & cell.set;
+            if (race.is_false()) continue;
+            const Equations::Variable& variable = equations_.variables[equations_.stored[stored].variable];
+            complain(messages::action_race(variable.origin, variable.name, circumstances(race)));
+            return false;
+        }
+    return true;
+}
+
+void Moves::add_moves(StateId state, const Cell& cell, std::vector<StateMove>& moves) {
+    std::vector<Part> parts{{cell.set, {}}};
+    for (const std::uint32_t field : restless_) split_by(parts, field, fields_[field].next);
+    for (const std::uint32_t firing : cell.fired)
+        for (const std::uint32_t field : affected_[firing]) split_by(parts, field, fields_[field].next);
+    if (failed_) return;
+    Bdd stable;   // where nothing changes
+    if (!fires_unstable_ || cell.fired.empty()) {
+        Bdd undefined;
+        stable = terms_.condition(equations_.stable, undefined);
+    }
+    for (Part& part : parts) {
+        Bdd settled = stable.is_constant() ? (stable.is_true() ? part.set : Bdd{}) : part.set & stable;
+        if (settled == part.set) {
+            moves.push_back({std::move(settled), state, true});
+            continue;
+        }
+        if (!settled.is_false()) {
+            part.set &= ~settled;
+            moves.push_back({std::move(settled), state, true});
+        }
+        const StateId next = changed(state, part, {});
+        moves.push_back({std::move(part.set), next, false});
+    }
+}
+
+/// Gives `field` the value of `term` in each part; a part in which the inputs decide on it falls apart.
+void Moves::split_by(std::vector<Part>& parts, std::uint32_t field, Id<Expr> term) {
+    if (failed_) return;
+    const Equations::Variable& variable = equations_.variables[fields_[field].variable];
+    const LocationValue found = terms_.value(term);
+    std::vector<Part> result;
+    for (Part& part : parts) {
+        if (found.none || (found.function && !(found.function->undefined & part.set).is_false()))
+            return complain(messages::no_value_in_location(variable.origin, circumstances(part.set)));
+        std::vector<Part> pieces;
+        if (found.function) pieces = split(part, *found.function);
+        else pieces.push_back({std::move(part.set), std::move(part.changes)});
+        for (Part& piece : pieces) {
+            std::int64_t value = found.number;
+            if (found.function) value = piece.changes.back().second;
+            if (value < variable.type.low || value > variable.type.high)
+                return complain(messages::out_of_range_in_location(variable.origin, variable.name, value, circumstances(piece.set)));
+            if (found.function) piece.changes.back().first = field;
+            else piece.changes.emplace_back(field, value);
+            result.push_back(std::move(piece));
+        }
+    }
+    parts = std::move(result);
+}
+
+/// The part by the values of `value`, each at the end of the changes of its piece.
+std::vector<Moves::Part> Moves::split(const Part& part, const BddTerm& value) {
+    std::vector<Part> pieces;
+    Bdd rest = part.set;
+    while (!rest.is_false()) {
+        const std::vector<bool> assignment = space_.assignment(rest);
+        std::int64_t number = 0;
+        Bdd same = rest;
+        for (std::size_t bit = 0; bit < value.bits.size(); ++bit) {
+            const bool on = evaluate(value.bits[bit], assignment);
+            same &= on ? value.bits[bit] : ~value.bits[bit];
+            const bool sign = !value.boolean && bit + 1 == value.bits.size();
+            if (on) number += sign ? -(std::int64_t{1} << bit) : std::int64_t{1} << bit;
+        }
+        pieces.push_back({same, part.changes});
+        pieces.back().changes.emplace_back(0, number);
+        rest &= ~same;
+    }
+    return pieces;
+}
+
+/// `state` after the changes of `part`; timers whose step became active are fresh, and `restarted` ones.
+StateId Moves::changed(StateId state, const Part& part, const std::vector<std::size_t>& restarted) {
+    std::vector<std::uint64_t> words(store_.at(state).begin(), store_.at(state).end());
+    for (const auto& [index, value] : part.changes) {
+        const StateField& field = fields_[index];
+        const auto packed = static_cast<std::uint64_t>(value - (field.type.boolean ? 0 : field.type.low));
+        words[field.word] = (words[field.word] & ~(field.mask << field.shift)) | (packed << field.shift);
+    }
+    for (std::size_t timer = 0; timer < fresh_bits_.size(); ++timer) {
+        const auto field = std::ranges::find(fields_, equations_.timers[timer].step, &StateField::variable);
+        const bool before = terms_.values()[field->variable.index] != 0;
+        const bool after = ((words[field->word] >> field->shift) & 1U) != 0;
+        const std::uint64_t bit = std::uint64_t{1} << (fresh_bits_[timer] % 64);
+        std::uint64_t& word = words[fresh_bits_[timer] / 64];
+        if (!after) word &= ~bit;
+        else if (!before || std::ranges::find(restarted, timer) != restarted.end()) word |= bit;
+    }
+    return store_.intern(words);
+}
+
+std::vector<StateMove> Moves::first() {
+    for (const Id<Equations::Variable> id : equations_.variables.ids())
+        terms_.values()[id.index] = equations_.variables[id].initial;
+    loaded_ = no_state;
+    std::vector<Part> parts{{space_.assumed(), {}}};
+    for (const Equations::Stored& stored : equations_.stored) {
+        Bdd undefined;
+        const Bdd race = terms_.condition(stored.first_race, undefined) & space_.assumed();
+        const Equations::Variable& variable = equations_.variables[stored.variable];
+        if (!race.is_false()) complain(messages::action_race(variable.origin, variable.name, circumstances(race)));
+    }
+    std::vector<std::pair<std::uint32_t, std::int64_t>> initial;
+    for (std::uint32_t field = 0; field < fields_.size(); ++field)
+        initial.emplace_back(field, equations_.variables[fields_[field].variable].initial);
+    const StateId before = store_.intern(std::vector<std::uint64_t>(store_.words()));
+    const StateId power_on = changed(before, {{}, initial}, {});
+    for (std::uint32_t field = 0; field < fields_.size(); ++field)
+        if (fields_[field].first.valid()) split_by(parts, field, fields_[field].first);
+    if (failed_) return {};
+    std::vector<std::size_t> running;
+    for (std::size_t timer = 0; timer < equations_.timers.size(); ++timer) running.push_back(timer);
+    std::vector<StateMove> moves;
+    for (Part& part : parts) {
+        const StateId next = changed(power_on, part, running);
+        moves.push_back({std::move(part.set), next, false});
+    }
+    const std::vector<BddLiteral> idle = [&] {
+        std::vector<BddLiteral> literals;
+        for (const Equations::Timer& timer : equations_.timers)
+            literals.push_back({space_.word(*inputs_[timer.end.index]).bits.front(), false});
+        return literals;
+    }();
+    if (!idle.empty())
+        for (StateMove& move : moves) move.set = cofactor(move.set, cube(idle));
+    return moves;
+}
+
+void Moves::complain(Diagnostic diagnostic) {
+    if (!failed_) diagnostics_.add(std::move(diagnostic));
+    failed_ = true;
+}
+
+std::string Moves::circumstances(const Bdd& set) const {
+    std::string situation = "{";
+    for (const Equations::StepActivity& step : equations_.steps)
+        if (terms_.values()[step.variable.index] != 0) situation += (situation.size() > 1 ? "," : "") + step.step;
+    std::vector<std::pair<std::string, Type>> names(space_.inputs());
+    for (const Id<Equations::Variable> id : equations_.variables.ids())
+        if (inputs_[id.index]) names[*inputs_[id.index]] = {equations_.variables[id].name, equations_.variables[id].type};
+    return situation + "} with " + inputs_text(names, space_.witness(set));
+}
+
+}  // namespace grafverif::conform

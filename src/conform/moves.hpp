@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Moves: one evolution of the chart from a state, for all inputs at once.
+//
+// A state is what the chart remembers between two evolutions: step activities, stored variables, and the timers that
+// cannot have ended because their step was activated within the same instant (`fresh`). The moves of a state are
+// disjoint sets of inputs that together are all that is assumed, each with the state that follows.
+//
+// Ends of timers are inputs. In the sets of a state those of timers that cannot have ended do not occur.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "conform/input_space.hpp"
+#include "conform/location_terms.hpp"
+#include "conform/state_store.hpp"
+#include "grafverif/ir/equations.hpp"
+#include "grafverif/support/diagnostic.hpp"
+
+namespace grafverif::conform {
+
+struct StateMove {
+    Bdd set = {};
+    StateId next = 0;
+    bool stable = false;   ///< nothing changes under these inputs; `next` is the state itself
+};
+
+/// Where a variable of the equations stands in a packed state.
+struct StateField {
+    Id<Equations::Variable> variable = {};
+    Type type = {};
+    std::uint32_t word = 0, shift = 0;
+    std::uint64_t mask = 0;           ///< before the shift
+    Id<Expr> next = {}, first = {};   ///< `first` not valid: the initial value
+};
+
+class Moves {
+public:
+    /// `inputs`: per variable of the equations the input it is. All arguments outlive this.
+    Moves(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs, const InputSpace& space,
+          Diagnostics& diagnostics);
+
+    /// The evolution that activates the initial steps; empty after an error.
+    std::vector<StateMove> first();
+    /// The evolutions of `state`, stable ones first. Empty after an error.
+    const std::vector<StateMove>& of(StateId state);
+
+    const StateStore& states() const { return store_; }
+    bool failed() const { return failed_; }
+
+    /// The state with no timer fresh; whether `state` is such a one.
+    StateId settled(StateId state);
+    /// Timers of the equations, by index, that are fresh in `state`.
+    std::vector<std::size_t> fresh(StateId state) const;
+
+    /// The values of all variables in `state`, per variable of the equations; others are 0.
+    const std::vector<std::int64_t>& load(StateId state);
+    LocationTerms& terms() { return terms_; }
+
+private:
+    struct Cell {
+        Bdd set = {};
+        std::vector<std::uint32_t> fired = {};
+    };
+    /// A part of a cell, with the values found so far that differ from the state's.
+    struct Part {
+        Bdd set = {};
+        std::vector<std::pair<std::uint32_t, std::int64_t>> changes = {};   ///< field, value
+    };
+
+    void add_field(Id<Equations::Variable> variable, Id<Expr> next, Id<Expr> first);
+    void index_firings();
+    void index_fields();
+    bool keeps_by_itself(const StateField& field);
+    std::vector<Cell> cells(const Bdd& within);
+    void fire(std::vector<Cell>& cells, Bdd& touched, std::uint32_t firing, const Bdd& within);
+    std::vector<StateMove> moves_of(StateId state);
+    void add_moves(StateId state, const Cell& cell, std::vector<StateMove>& moves);
+    void split_by(std::vector<Part>& parts, std::uint32_t field, Id<Expr> term);
+    std::vector<Part> split(const Part& part, const BddTerm& value);
+    StateId changed(StateId state, const Part& part, const std::vector<std::size_t>& restarted);
+    bool check_races(const Cell& cell);
+    void complain(Diagnostic diagnostic);
+    std::string circumstances(const Bdd& set) const;
+    Bdd without_idle_timers(StateId state, Bdd set);
+
+    const Equations& equations_;
+    const std::vector<std::optional<std::size_t>>& inputs_;
+    const InputSpace& space_;
+    Diagnostics& diagnostics_;
+    LocationTerms terms_;
+    StateStore store_;
+    std::vector<StateField> fields_ = {};
+    std::vector<std::uint32_t> fresh_bits_ = {};                 ///< per timer: its bit in the packed state
+    std::vector<std::vector<std::uint32_t>> guarded_ = {};       ///< per field: firings that need the step to be active
+    std::vector<std::uint32_t> unguarded_ = {};                  ///< the other firings
+    std::vector<std::vector<std::uint32_t>> affected_ = {};      ///< per firing: fields to compute where it fires
+    std::vector<std::uint32_t> restless_ = {};                   ///< fields to compute in every evolution
+    std::vector<std::vector<std::uint32_t>> races_ = {};         ///< per firing: stored variables that may race then
+    bool fires_unstable_ = false;                                ///< whether a firing alone decides that nothing is stable
+    StateId loaded_ = no_state;
+    std::deque<std::optional<std::vector<StateMove>>> known_ = {};   ///< per state
+    bool failed_ = false;
+};
+
+}  // namespace grafverif::conform

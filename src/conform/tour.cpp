@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "conform/tour.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <numeric>
+#include <tuple>
+#include <unordered_map>
+
+#include "conform/flow.hpp"
+
+namespace grafverif::conform {
+
+namespace {
+
+constexpr std::uint32_t none = 0xFFFFFFFFU;
+
+/// Arcs by the node they leave: those of node n are order[first[n]] to order[first[n + 1] - 1].
+struct Leaving {
+    std::vector<std::uint32_t> first = {}, order = {};
+
+    Leaving(std::uint32_t nodes, const std::vector<TourArc>& arcs) : first(nodes + 1), order(arcs.size()) {
+        for (const TourArc& arc : arcs) ++first[arc.from + 1];
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+        for (std::uint32_t arc = 0; arc < arcs.size(); ++arc) order[next[arcs[arc].from]++] = arc;
+    }
+};
+
+/// One arc per pair of different nodes, the first of several.
+std::vector<std::uint32_t> distinct_arcs(const std::vector<TourArc>& arcs) {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
+        if (arcs[arc].from != arcs[arc].to) all.push_back(arc);
+    const auto key = [&](std::uint32_t arc) { return std::tuple(arcs[arc].from, arcs[arc].to, arcs[arc].wait_ms != 0, arc); };
+    std::ranges::sort(all, {}, key);
+    const auto same = [&](std::uint32_t a, std::uint32_t b) { return arcs[a].from == arcs[b].from && arcs[a].to == arcs[b].to; };
+    all.erase(std::unique(all.begin(), all.end(), same), all.end());
+    return all;
+}
+
+/// Whether `start`, from which every node can be reached, can be reached from every node.
+bool strongly_connected(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs,
+                        const std::vector<std::uint32_t>& distinct) {
+    std::vector<std::vector<std::uint32_t>> before(nodes);
+    for (const std::uint32_t arc : distinct) before[arcs[arc].to].push_back(arcs[arc].from);
+    std::vector<bool> seen(nodes);
+    std::vector<std::uint32_t> open{start};
+    seen[start] = true;
+    std::uint32_t count = 1;
+    while (!open.empty()) {
+        const std::uint32_t node = open.back();
+        open.pop_back();
+        for (const std::uint32_t earlier : before[node])
+            if (!seen[earlier]) seen[earlier] = true, ++count, open.push_back(earlier);
+    }
+    return count == nodes;
+}
+
+/// How often each arc is crossed, and how often the controller is switched off and on again in each node.
+struct Crossings {
+    std::vector<std::uint32_t> arcs = {};
+    std::vector<std::int64_t> ends = {};     ///< per node
+    std::int64_t starts = 1;
+};
+
+/// Balances what enters and leaves each node, at least cost. Node `nodes` is the controller switched off: sequences
+/// start and end there.
+Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs) {
+    const std::vector<std::uint32_t> distinct = distinct_arcs(arcs);
+    const bool several = !strongly_connected(nodes, start, arcs, distinct);
+    const std::int64_t step_cost = several ? std::int64_t{1} << 32U : 1;   // fewer sequences only where no step is lost
+    Flow flow(nodes + 1);
+    for (const TourArc& arc : arcs) {
+        flow.add_supply(arc.to, 1);
+        flow.add_supply(arc.from, -1);
+    }
+    flow.add_supply(start, 1);
+    flow.add_supply(nodes, -1);
+    for (const std::uint32_t arc : distinct) flow.add_arc(arcs[arc].from, arcs[arc].to, step_cost);
+    for (std::uint32_t node = 0; node < nodes; ++node) flow.add_arc(node, nodes, 0);
+    if (several) flow.add_arc(nodes, start, 1);
+    flow.solve();
+    Crossings crossings{std::vector<std::uint32_t>(arcs.size(), 1), {}, 1};
+    for (std::size_t k = 0; k < distinct.size(); ++k) crossings.arcs[distinct[k]] += static_cast<std::uint32_t>(flow.flow(k));
+    for (std::uint32_t node = 0; node < nodes; ++node) crossings.ends.push_back(flow.flow(distinct.size() + node));
+    if (several) crossings.starts += flow.flow(distinct.size() + nodes);
+    return crossings;
+}
+
+/// An Eulerian circuit of all crossings through the node of the controller switched off (Hierholzer 1873). Where it can, a
+/// wait follows the step with its inputs at once.
+class Circuit {
+public:
+    Circuit(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs, Crossings crossings)
+        : nodes_(nodes), start_(start), arcs_(arcs), left_(std::move(crossings)), leaving_(nodes, arcs), next_(leaving_.first) {
+        for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
+            if (arcs[arc].wait_ms != 0) waits_.emplace(key(arcs[arc].from, arcs[arc].inputs), arc);
+    }
+
+    std::vector<std::vector<std::uint32_t>> sequences() {
+        std::vector<Visit> path{{nodes_, none}};
+        std::vector<std::uint32_t> reversed;   // arcs; `none` where the controller is switched on
+        while (!path.empty()) {
+            const Visit here = path.back();
+            if (const std::uint32_t arc = onwards(here); arc != none) {
+                path.push_back({arcs_[arc].to, arc});
+            } else if (here.node == nodes_ && left_.starts > 0) {
+                --left_.starts;
+                path.push_back({start_, none});
+            } else if (here.node != nodes_ && left_.ends[here.node] > 0) {
+                --left_.ends[here.node];
+                path.push_back({nodes_, none});
+            } else {
+                if (here.node != nodes_) reversed.push_back(here.arc);
+                path.pop_back();
+            }
+        }
+        std::vector<std::vector<std::uint32_t>> result;
+        for (std::size_t k = reversed.size(); k-- > 0;) {
+            if (reversed[k] == none) result.emplace_back();
+            else result.back().push_back(reversed[k]);
+        }
+        return result;
+    }
+
+private:
+    struct Visit {
+        std::uint32_t node = 0;
+        std::uint32_t arc = none;   ///< that led here
+    };
+
+    static std::uint64_t key(std::uint32_t node, std::uint32_t inputs) { return (std::uint64_t{node} << 32U) | inputs; }
+
+    std::uint32_t onwards(const Visit& here) {
+        if (here.node == nodes_) return none;
+        if (here.arc != none && !waits_.empty()) {
+            const auto wait = waits_.find(key(here.node, arcs_[here.arc].inputs));
+            if (wait != waits_.end() && left_.arcs[wait->second] > 0) return --left_.arcs[wait->second], wait->second;
+        }
+        for (std::uint32_t& place = next_[here.node]; place < leaving_.first[here.node + 1]; ++place) {
+            const std::uint32_t arc = leaving_.order[place];
+            if (left_.arcs[arc] > 0) return --left_.arcs[arc], arc;
+        }
+        return none;
+    }
+
+    std::uint32_t nodes_, start_;
+    const std::vector<TourArc>& arcs_;
+    Crossings left_;
+    Leaving leaving_;
+    std::vector<std::uint32_t> next_;   ///< per node: the first of its arcs that may have crossings left
+    std::unordered_map<std::uint64_t, std::uint32_t> waits_ = {};
+};
+
+}  // namespace
+
+Tour least_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs) {
+    Tour tour;
+    tour.sequences = Circuit(nodes, start, arcs, balanced(nodes, start, arcs)).sequences();
+    for (const auto& sequence : tour.sequences) tour.length += sequence.size();
+    return tour;
+}
+
+Tour visiting_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs) {
+    const Leaving leaving(nodes, arcs);
+    std::vector<bool> wanted(nodes);
+    for (const TourArc& arc : arcs) wanted[arc.to] = true;
+    Tour tour;
+    auto open = static_cast<std::uint64_t>(std::ranges::count(wanted, true));
+    std::uint32_t here = start;
+    tour.sequences.emplace_back();
+    std::vector<std::uint32_t> seen_in(nodes, 0), by(nodes, none);
+    for (std::uint32_t round = 1; open > 0; ++round) {
+        std::deque<std::uint32_t> queue{here};
+        std::uint32_t found = none;
+        std::vector<std::uint32_t> entered;
+        while (!queue.empty() && found == none) {
+            const std::uint32_t node = queue.front();
+            queue.pop_front();
+            for (std::uint32_t place = leaving.first[node]; place < leaving.first[node + 1] && found == none; ++place) {
+                const std::uint32_t arc = leaving.order[place], to = arcs[arc].to;
+                if (seen_in[to] == round) continue;
+                seen_in[to] = round;
+                by[to] = arc;
+                if (wanted[to]) found = to;
+                else queue.push_back(to);
+            }
+        }
+        if (found == none) {   // what is left can be reached from power-on only
+            here = start;
+            tour.sequences.emplace_back();
+            continue;
+        }
+        std::vector<std::uint32_t> way;
+        for (std::uint32_t node = found; way.empty() || node != here; node = arcs[way.back()].from) way.push_back(by[node]);
+        tour.sequences.back().insert(tour.sequences.back().end(), way.rbegin(), way.rend());
+        tour.length += way.size();
+        wanted[found] = false;
+        --open;
+        here = found;
+    }
+    std::erase_if(tour.sequences, [](const auto& sequence) { return sequence.empty(); });
+    return tour;
+}
+
+}  // namespace grafverif::conform

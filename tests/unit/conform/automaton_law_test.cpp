@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Law: the location automaton of a chart, made for all inputs at once, says of any run of the interpreter where it is, what
+// it emits and that it never stabilises; and tests made of it pass on the interpreter.
+#include <optional>
+#include <sstream>
+
+#include "grafverif/run/replay_test.hpp"
+#include "support/law_size.hpp"
+#include "support/random_chart.hpp"
+#include "unit/conform/conforming.hpp"
+
+namespace grafverif {
+namespace {
+
+constexpr int runs_per_chart = 3, cycles_per_run = 12;
+
+/// What the runs met, so that a generator gone dull does not pass for a law that holds.
+struct Walked {
+    int refused = 0, evolutions = 0, stays = 0, unstable = 0, conditional = 0, timed = 0, tests = 0, several = 0;
+};
+
+/// A chart and its automaton, side by side.
+class Walk {
+public:
+    Walk(const Chart& chart, const LocationAutomaton& automaton, Walked& walked)
+        : chart_(chart), automaton_(automaton), walked_(walked), state_(power_on(chart)), location_(automaton.init) {}
+
+    /// One cycle; what differs, or nothing. `ended`: the run cannot go on.
+    std::string cycle_with(const std::vector<std::int64_t>& inputs, bool& ended) {
+        read_inputs(inputs);
+        const Cycle run = cycle(chart_, state_, inputs, automaton_.mode);
+        ended = true;
+        if (run.race || run.fault) return "the automaton knows nothing of a race or fault";
+        const LocationAutomaton::Instability* instability = nullptr;
+        for (const LocationAutomaton::Instability& one : instabilities_of(automaton_, location_))
+            if (value(one.condition) != 0) instability = &one;
+        if ((instability != nullptr) != !run.endless.empty()) return "total instability";
+        if (instability != nullptr) return ++walked_.unstable, instability->cycle.size() == run.endless.size() ? "" : "the cycle of instability";
+        const LocationAutomaton::Evolution* taken = nullptr;
+        for (const LocationAutomaton::Evolution& one : evolutions_from(automaton_, location_)) {
+            if (value(one.condition) == 0) continue;
+            if (taken != nullptr) return "two evolutions at once";
+            taken = &one;
+        }
+        ++(taken != nullptr ? walked_.evolutions : walked_.stays);
+        if (taken != nullptr) location_ = taken->to;
+        ended = false;
+        state_ = run.state;
+        return compared();
+    }
+
+    void wait(std::int64_t milliseconds) { state_ = pass_time(state_, milliseconds); }
+
+private:
+    void read_inputs(const std::vector<std::int64_t>& inputs) {
+        inputs_.clear();
+        for (const Id<Chart::Variable> id : chart_.variables.ids())
+            if (chart_.variables[id].kind == Chart::VariableKind::Input) inputs_.push_back(inputs[id.index]);
+        for (const LocationAutomaton::Input& input : automaton_.inputs) {
+            if (!input.timed.valid()) continue;
+            inputs_.push_back(state_.situation[input.timed.index] && state_.ages[input.timed.index] >= input.wait_ms);
+            walked_.timed += inputs_.back() != 0 ? 1 : 0;
+        }
+    }
+
+    std::int64_t value(Id<Expr> term) const {
+        return evaluate(automaton_.exprs, term, [&](const Expr& leaf) { return inputs_[static_cast<std::size_t>(leaf.value)]; }).value_or(-1);
+    }
+
+    std::string compared() {
+        const LocationAutomaton::Location& location = automaton_.locations[location_];
+        std::vector<Id<LocationAutomaton::Step>> situation;
+        for (const Id<Chart::Step> step : chart_.steps.ids())
+            if (state_.situation[step.index]) situation.push_back({step.index});
+        if (situation != location.situation)
+            return "the situation is " + situation_text(automaton_, situation) + ", not " + situation_text(automaton_, location.situation);
+        std::vector<std::int64_t> outputs(automaton_.outputs.size());
+        for (const LocationAutomaton::Emission& emission : location.emissions) {
+            outputs[emission.output.index] = value(emission.value);
+            if (!is_constant(automaton_.exprs[emission.value].op)) ++walked_.conditional;
+        }
+        std::size_t output = 0;
+        for (const Id<Chart::Variable> id : chart_.variables.ids())
+            if (chart_.variables[id].kind == Chart::VariableKind::Output && outputs[output++] != state_.outputs[id.index])
+                return "output " + chart_.variables[id].name;
+        return {};
+    }
+
+    const Chart& chart_;
+    const LocationAutomaton& automaton_;
+    Walked& walked_;
+    State state_ = {};
+    Id<LocationAutomaton::Location> location_ = {};
+    std::vector<std::int64_t> inputs_ = {};   ///< per input of the automaton
+};
+
+std::string walk(const Chart& chart, const LocationAutomaton& automaton, Random& random, Walked& walked) {
+    for (int run = 0; run < runs_per_chart; ++run) {
+        Walk side_by_side(chart, automaton, walked);
+        std::vector<std::int64_t> inputs(chart.variables.size());
+        bool ended = false;
+        for (int k = 0; k < cycles_per_run && !ended; ++k) {
+            for (const Id<Chart::Variable> id : chart.variables.ids())
+                if (chart.variables[id].kind == Chart::VariableKind::Input && chance(random, 50))
+                    inputs[id.index] = random_number(random, chart.variables[id].type.low, chart.variables[id].type.high);
+            if (std::string what = side_by_side.cycle_with(inputs, ended); !what.empty()) return what;
+            if (chance(random, 40)) side_by_side.wait(500 * random_number(random, 1, 8));
+        }
+    }
+    return {};
+}
+
+/// Tests of every cover, replayed.
+std::string tested(const Chart& chart, const LocationAutomaton& automaton, Walked& walked) {
+    Diagnostics diagnostics;
+    const auto machine = mealy_machine(automaton, {.max_states = 300}, diagnostics);
+    if (!machine) return {};
+    for (const std::string& fault : verify(*machine)) return "verify: " + fault;
+    for (const TestCover cover : {TestCover::Transitions, TestCover::Evolutions, TestCover::Locations})
+        for (const bool one : {false, true}) {
+            TestOptions options;
+            options.cover = cover;
+            options.one_cycle_each = one;
+            options.max_pairs = 20'000;
+            const auto test = test_sequence(*machine, options, {}, diagnostics);
+            if (!test || test->sequences.empty()) continue;
+            for (const std::string& fault : verify(*test)) return "verify: " + fault;
+            ++walked.tests;
+            walked.several += test->sequences.size() > 1 ? 1 : 0;
+            if (const auto wrong = disagreement(chart, *test)) return std::string(word(cover)) + (one ? ", one cycle each: " : ": ") + *wrong;
+        }
+    return {};
+}
+
+std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode, Walked& walked) {
+    Diagnostics diagnostics;
+    const auto equations = derive(chart, diagnostics);
+    if (!equations) return {};
+    AutomatonOptions options;
+    options.mode = mode;
+    options.max_locations = 400;
+    const auto found = location_automaton(*equations, options, diagnostics);
+    if (!found) return ++walked.refused, "";
+    for (const std::string& fault : verify(*found)) return "verify: " + fault;
+    Random random(seed);
+    if (std::string what = walk(chart, *found, random, walked); !what.empty()) return what;
+    return tested(chart, *found, walked);
+}
+
+TEST(AutomatonLaw, TheAutomatonIsWhereTheInterpreterIs) {
+    Walked walked;
+    for (int seed = 1; seed <= law_size(150); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        const Chart chart = random_chart(random);
+        for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
+            const std::uint64_t run_seed = random();
+            if (violation(chart, run_seed, mode, walked).empty()) continue;
+            Walked ignored;
+            const Chart smallest = shrunk(chart, [&](const Chart& smaller) { return !violation(smaller, run_seed, mode, ignored).empty(); });
+            FAIL() << "seed " << seed << (mode == ExecutionMode::EveryCycle ? ", every cycle, " : ", stability search, ")
+                   << violation(smallest, run_seed, mode, ignored) << "\n\n" << chart_text(smallest);
+        }
+    }
+    EXPECT_GT(walked.evolutions, 300);
+    EXPECT_GT(walked.stays, 300);
+    EXPECT_GT(walked.unstable, 5);
+    EXPECT_GT(walked.conditional, 50);
+    EXPECT_GT(walked.timed, 50);
+    EXPECT_GT(walked.tests, 100);
+    EXPECT_GT(walked.several, 20);
+    EXPECT_LT(walked.refused, 2 * law_size(150) * 3 / 4);
+}
+
+}  // namespace
+}  // namespace grafverif

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <sstream>
+
+#include "unit/conform/conforming.hpp"
+
+namespace grafverif {
+namespace {
+
+constexpr ExecutionMode search = ExecutionMode::StabilitySearch, every_cycle = ExecutionMode::EveryCycle;
+
+std::string told(const LocationAutomaton& automaton) {
+    std::ostringstream out;
+    print_automaton(out, automaton, true);
+    std::string text = std::move(out).str();
+    return text.substr(text.find("\n\n") + 2);
+}
+
+TEST(LocationAutomatonOfTanks, HasTheCountsOfThePaper) {
+    const AutomatonCounts with = counts(automaton(tanks(), search)), without = counts(automaton(tanks(), every_cycle));
+    EXPECT_EQ(with.locations, 10U);
+    EXPECT_EQ(with.evolutions - with.evolutions_from_init, 54U);
+    EXPECT_EQ(with.evolutions, 62U);
+    EXPECT_EQ(with.unstable, 9U);
+    EXPECT_EQ(without.locations, 11U);
+    EXPECT_EQ(without.evolutions, 19U);
+    EXPECT_EQ(without.evolutions_from_init, 1U);
+    EXPECT_EQ(without.unstable, 0U);
+    const AutomatonCounts assumed = counts(automaton(tanks(full_is_not_empty), search));
+    EXPECT_EQ(assumed.locations, 10U);
+    EXPECT_EQ(assumed.evolutions - assumed.evolutions_from_init, 25U);
+    EXPECT_EQ(assumed.evolutions, 29U);
+    EXPECT_EQ(assumed.unstable, 0U);
+}
+
+TEST(LocationAutomaton, TellsTheCycleOfATotalInstability) {
+    const LocationAutomaton found = automaton(tanks());
+    ASSERT_EQ(found.instabilities.size(), 10U);
+    for (const LocationAutomaton::Instability& instability : found.instabilities) {
+        EXPECT_EQ(condition_text(found, instability.condition), "s and h1 and h2 and not l1 and not l2");
+        EXPECT_EQ(instability.witness, (std::vector<std::int64_t>{1, 1, 1, 0, 0}));
+        ASSERT_EQ(instability.cycle.size(), 4U);
+        EXPECT_EQ(situation_text(found, instability.cycle[0]), "{1}");
+        EXPECT_EQ(situation_text(found, instability.cycle[3]), "{4,7}");
+    }
+}
+
+TEST(LocationAutomaton, ClearsAllThatCanBeClearedTogether) {
+    EXPECT_EQ(told(automaton("input a, b; output O; initial step 1 { O; } initial step 2; step 3; step 4;"
+                             "transition t0: 1 -> 3 when a; transition t1: 2 -> 4 when a && b;", every_cycle)),
+              "0  INIT {1,2}\n"
+              "    -> 1 {1,2}  when true\n"
+              "\n"
+              "1  {1,2}  / O\n"
+              "    -> 2 {2,3}  when a and not b\n"
+              "    -> 3 {3,4}  when a and b\n"
+              "\n"
+              "2  {2,3}\n"
+              "    -> 3 {3,4}  when a and b\n"
+              "\n"
+              "3  {3,4}\n");
+}
+
+TEST(LocationAutomaton, KeepsStoredVariablesInItsLocations) {
+    EXPECT_EQ(told(automaton("input a; output L; internal N: int 0..1 = 0; initial step 1 { N := 1 - N on deactivation; }"
+                             "step 2 { L := N == 1 on activation; }"
+                             "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;")),
+              "0  INIT {1}  L = 0  N = 0\n"
+              "    -> 2 {2}  L = 0  N = 1  when a\n"
+              "\n"
+              "1  {1}  L = 0  N = 0\n"
+              "    -> 2 {2}  L = 0  N = 1  when a\n");
+}
+
+TEST(LocationAutomaton, ReadsIntegerInputsByTheirValues) {
+    EXPECT_EQ(told(automaton("input level: int 0..5; output O; initial step 1; step 2 { O if level > 3; }"
+                             "transition t0: 1 -> 2 when level >= 2 && level <= 4; transition t1: 2 -> 1 when level == 0;")),
+              "0  INIT {1}\n"
+              "    -> 2 {2}  when level >= 2 and level <= 4\n"
+              "\n"
+              "1  {1}\n"
+              "    -> 2 {2}  when level >= 2 and level <= 4\n"
+              "\n"
+              "2  {2}  / O if level >= 4\n"
+              "    -> 1 {1}  when level = 0\n");
+}
+
+TEST(LocationAutomaton, ATimerIsAnInputThatIsFalseInANewlyActiveStep) {
+    const LocationAutomaton found =
+        automaton("input a; output O; initial step 1; step 2 { O; } step 3;"
+                  "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 || !a; transition t2: 3 -> 2 when a;");
+    EXPECT_EQ(told(found),
+              "0  INIT {1}\n"
+              "    -> 2 {2}  when a; starts T_X2_3s_Q\n"
+              "\n"
+              "1  {1}\n"
+              "    -> 2 {2}  when a; starts T_X2_3s_Q\n"
+              "\n"
+              "2  {2}  / O\n"
+              "    -> 3 {3}  when not a\n"
+              "    -> 2 {2}  when a and T_X2_3s_Q; starts T_X2_3s_Q\n"
+              "\n"
+              "3  {3}\n"
+              "    -> 2 {2}  when a; starts T_X2_3s_Q\n");
+}
+
+TEST(LocationAutomaton, RefusesWhatCannotBeTested) {
+    EXPECT_EQ(refusal("output O; initial step 1 { O; }"),
+              "[nothing-to-test] `chart` has no inputs; a test drives inputs and compares outputs");
+    EXPECT_EQ(refusal("input a; initial step 1; step 2; transition t0: 1 -> 2 when a;"),
+              "[nothing-to-test] `chart` has no outputs; a test drives inputs and compares outputs");
+    EXPECT_EQ(refusal("input a; output O; constraint a; constraint !a; initial step 1 { O; }"),
+              "[excludes-every-input] no combination of inputs is left by this constraint and those before it; weaken one of them");
+    EXPECT_EQ(refusal("input a; output O; initial step 1 { O; } step 2; transition t0: 1 -> 2 when true; transition t1: 2 -> 1 when true;"),
+              "[never-stable] from the initial situation no combination of inputs leads to a stable one; with not a the situations "
+              "{1} -> {2} -> {1} follow each other for ever");
+}
+
+TEST(LocationAutomaton, StopsAtRacesAndValuesThatDoNotFit) {
+    EXPECT_EQ(refusal("input a, b; output L; initial step 1; step 2 { L := true on activation; } initial step 3; step 4 { L := false on "
+                      "activation; } transition t0: 1 -> 2 when a; transition t1: 3 -> 4 when b;"),
+              "[action-race] two actions store different values in `L` at once: in {1,3} with a, b; make their conditions exclusive, or "
+              "exclude these inputs by a `constraint`");
+    EXPECT_EQ(refusal("input a; output O; internal N: int 0..1 = 0; initial step 1; step 2 { O; N := N + 1 on activation; }"
+                      "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;"),
+              "[out-of-range] `N` would get the value 2, which is outside its range, in {1} with a");
+    EXPECT_EQ(refusal("input level: int 0..2; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when 2 / level == 1;"),
+              "[no-value] this has no value in {1} with level = 0: division by zero, or a number too large");
+    EXPECT_EQ(refusal("input level: int 0..2; output O; constraint level > 0; initial step 1; step 2 { O; }"
+                      "transition t0: 1 -> 2 when 2 / level == 1;"),
+              "no error");
+}
+
+TEST(LocationAutomaton, EndsAtItsLimits) {
+    AutomatonOptions options;
+    options.max_locations = 5;
+    EXPECT_EQ(refusal(tanks(), options), "[too-large] the location automaton has more than 5 locations; raise `--max-states`");
+}
+
+TEST(LocationAutomaton, ForgetsNoInstabilityThatStartsLate) {
+    // {1} is stable without a; with a the chart goes 1 -> 2 -> 3 -> 2 -> ... for ever.
+    const LocationAutomaton found =
+        automaton("input a, b; output O; initial step 1; step 2 { O; } step 3;"
+                  "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when a && b; transition t2: 3 -> 2 when b;");
+    ASSERT_FALSE(found.instabilities.empty());
+    for (const LocationAutomaton::Instability& instability : found.instabilities) {
+        ASSERT_EQ(instability.cycle.size(), 2U);
+        EXPECT_EQ(condition_text(found, instability.condition), "a and b");
+        EXPECT_EQ(instability.combinations, 1U);
+    }
+}
+
+}  // namespace
+}  // namespace grafverif

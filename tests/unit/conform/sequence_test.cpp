@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "grafverif/run/replay_test.hpp"
+#include "grafverif/syntax/test_csv.hpp"
+#include "unit/conform/conforming.hpp"
+
+namespace grafverif {
+namespace {
+
+constexpr ExecutionMode search = ExecutionMode::StabilitySearch, every_cycle = ExecutionMode::EveryCycle;
+
+std::string csv(const TestSequence& test) {
+    std::ostringstream out;
+    print_test_csv(out, test);
+    return std::move(out).str();
+}
+
+TEST(MealyMachineOfTanks, HasTheCountsOfThePaper) {
+    const MealyMachine with = machine(automaton(tanks(), search)), without = machine(automaton(tanks(), every_cycle));
+    EXPECT_EQ(with.states.size(), 9U);
+    EXPECT_EQ(transition_count(with), 288U);
+    EXPECT_EQ(with.unstable_pairs, 9U);
+    EXPECT_TRUE(with.activation.empty());
+    EXPECT_EQ(without.states.size(), 10U);
+    EXPECT_EQ(transition_count(without), 320U);
+    EXPECT_EQ(without.unstable_pairs, 0U);
+    EXPECT_EQ(without.activation.size(), 1U);
+    EXPECT_EQ(transition_count(machine(automaton(tanks(full_is_not_empty)))), 9U * 18U);
+}
+
+TEST(TestSequenceOfTanks, IsProvenLeast) {
+    struct Case {
+        ExecutionMode mode;
+        bool one_cycle_each;
+        std::size_t steps, covered;
+    };
+    for (const Case& one : {Case{search, false, 278, 279}, {search, true, 348, 279}, {every_cycle, false, 436, 320}, {every_cycle, true, 510, 320}}) {
+        SCOPED_TRACE(one.steps);
+        const TestSequence test = test_of(machine(automaton(tanks(), one.mode)), TestCover::Transitions, one.one_cycle_each);
+        EXPECT_EQ(step_count(test), one.steps);
+        EXPECT_EQ(test.lower_bound, one.steps);
+        EXPECT_TRUE(test.proven_least);
+        EXPECT_EQ(test.sequences.size(), 1U);
+        EXPECT_EQ(test.covered, one.covered);
+        EXPECT_EQ(disagreement(chart(tanks()), test), std::nullopt);
+    }
+}
+
+/// The pairs of a state and inputs that the steps of `test` cross, told by the machine's own conditions.
+std::size_t crossed(const MealyMachine& machine, const TestSequence& test) {
+    std::set<std::pair<std::uint32_t, std::vector<std::int64_t>>> pairs;
+    for (const TestSequence::Sequence& sequence : test.sequences) {
+        Id<MealyMachine::State> state = machine.initial;
+        for (const TestSequence::Step& step : sequence.steps)
+            for (std::uint32_t cycle = 0; cycle < step.cycles; ++cycle) {
+                pairs.emplace(state.index, step.inputs);
+                for (const MealyMachine::Transition& one : transitions_from(machine, state))
+                    if (evaluate(machine.exprs, one.condition, [&](const Expr& leaf) { return step.inputs[static_cast<std::size_t>(leaf.value)]; }) == 1) {
+                        EXPECT_EQ(machine.answers[one.answer].values, step.outputs);
+                        state = one.to;
+                        break;
+                    }
+            }
+    }
+    return pairs.size();
+}
+
+TEST(TestSequenceOfTanks, CrossesEveryTransition) {
+    for (const ExecutionMode mode : {search, every_cycle})
+        for (const bool one_cycle_each : {false, true}) {
+            const MealyMachine found = machine(automaton(tanks(), mode));
+            const TestSequence test = test_of(found, TestCover::Transitions, one_cycle_each);
+            EXPECT_EQ(crossed(found, test), test.to_cover);
+        }
+}
+
+TEST(TestSequenceOfTanks, CoversLessWhenAskedForLess) {
+    const MealyMachine found = machine(automaton(tanks()));
+    const TestSequence evolutions = test_of(found, TestCover::Evolutions), locations = test_of(found, TestCover::Locations);
+    EXPECT_EQ(evolutions.to_cover, 54U);
+    EXPECT_TRUE(evolutions.proven_least);
+    EXPECT_LT(step_count(evolutions), 100U);
+    EXPECT_EQ(locations.to_cover, 9U);
+    EXPECT_LE(step_count(locations), 12U);
+    std::set<std::uint32_t> seen;
+    for (const TestSequence::Step& step : locations.sequences.at(0).steps) seen.insert(step.situation.index);
+    EXPECT_EQ(seen.size(), 9U);
+}
+
+TEST(TestSequence, StartsWithTheScanThatActivatesTheInitialSteps) {
+    const TestSequence test = test_of(machine(automaton("input a; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when a;", every_cycle)));
+    EXPECT_EQ(csv(test),
+              "sequence,step,wait,cycles,a,O,situation\n"
+              "1,0,,1,0,0,{1}\n"
+              "1,1,,2,0,0,{1}\n"
+              "1,2,,2,1,1,{2}\n"
+              "1,3,,2,0,1,{2}\n");
+}
+
+TEST(TestSequence, OfAMachineWithoutWayBackStartsAnewFromPowerOn) {
+    const std::string text = "input a, b; output O, P; initial step 1; step 2 { O; } step 3 { P; }"
+                             "transition t0: 1 -> 2 when a && !b; transition t1: 1 -> 3 when b;";
+    const TestSequence test = test_of(machine(automaton(text)));
+    EXPECT_EQ(test.sequences.size(), 3U);   // a and not b, b, a and b leave {1}
+    EXPECT_EQ(step_count(test), 10U);       // 12 pairs, of which the arrivals hold 3, and {1} stays under one
+    EXPECT_TRUE(test.proven_least);
+    EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
+}
+
+TEST(TestSequence, WaitsForTimersWithTheInputsHeld) {
+    const std::string text = "input a; output O; initial step 1; step 2 { O; }"
+                             "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when 3s/X2 && !a;";
+    const MealyMachine found = machine(automaton(text));
+    ASSERT_EQ(found.states.size(), 3U);   // {1}, {2} before the timer ends, {2} after it
+    const TestSequence test = test_of(found);
+    EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
+    bool waits = false;
+    for (const TestSequence::Sequence& sequence : test.sequences)
+        for (const TestSequence::Step& step : sequence.steps) waits = waits || step.wait_ms == 3000;
+    EXPECT_TRUE(waits);
+}
+
+TEST(TestSequence, AsksForLessWhereTheInputsAreTooMany) {
+    std::string text = "input i0";
+    for (int k = 1; k < 40; ++k) text += ", i" + std::to_string(k);
+    text += "; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when i0 && i39; transition t1: 2 -> 1 when !i7;";
+    const MealyMachine found = machine(automaton(text));
+    EXPECT_EQ(found.combinations, std::uint64_t{1} << 40U);
+    Diagnostics diagnostics;
+    EXPECT_FALSE(test_sequence(found, {}, {}, diagnostics));
+    EXPECT_EQ(diagnostics.all().at(0).code, "too-many-inputs");
+    EXPECT_EQ(step_count(test_of(found, TestCover::Evolutions)), 2U);
+}
+
+TEST(MealyMachine, IsMinimisedByWhatItAnswers) {
+    const MealyMachine found = machine(automaton("input a; output O; initial step 1; step 2 { O; } step 3; step 4 { O; }"
+                                                 "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when !a;"
+                                                 "transition t2: 3 -> 4 when a; transition t3: 4 -> 1 when !a;"));
+    EXPECT_EQ(found.states.size(), 4U);
+    const MealyMachine least = minimised(found);
+    EXPECT_EQ(verify(least), std::vector<std::string>{});
+    EXPECT_EQ(least.states.size(), 1U);   // O is a
+    EXPECT_EQ(minimised(machine(automaton(tanks()))).states.size(), 9U);
+}
+
+TEST(TestSequence, ThatExpectsSomethingElseDoesNotPassOnTheInterpreter) {
+    TestSequence test = test_of(machine(automaton(tanks())));
+    test.sequences[0].steps[17].outputs[1] ^= 1;
+    const auto wrong = disagreement(chart(tanks()), test);
+    ASSERT_TRUE(wrong);
+    EXPECT_TRUE(wrong->starts_with("sequence 1, step 18: `V2` is ")) << *wrong;
+}
+
+}  // namespace
+}  // namespace grafverif
