@@ -71,7 +71,8 @@ private:
         for (const StateMove& move : first) follow(move.next, move.set, all);
         if (moves_.failed()) return false;
         if (all.arrivals.empty()) return never_stabilises(all.loops.front());
-        const bool unchanged = first.size() == 1 && nothing_happened(moves_.settled(first.front().next));
+        const bool unchanged = first.size() == 1 && moves_.fresh(first.front().next).empty() &&
+                               nothing_happened(moves_.settled(first.front().next));
         for (const Arrival& arrival : all.arrivals)
             if (!unchanged || moves_.settled(arrival.state) != moves_.settled(first.front().next)) add_evolution(automaton_.init, arrival);
             else location(moves_.settled(arrival.state));
@@ -125,6 +126,8 @@ private:
 
     /// Follows `set` from `state`, the inputs held, until it is stable or on a loop.
     void follow(StateId state, const Bdd& set, Followed& result, StateId origin = no_state) {
+        if (const std::vector<StateMove>& moves = moves_.of(state); !moves.empty() && moves.front().stable)
+            if (Bdd both = set & moves.front().set; both == set) return arrive(state, std::move(both), result);   // as most do
         std::vector<Leg> open{{state, set, 0}};
         std::vector<StateId> path;
         if (origin != no_state) path.push_back(origin), open.back().depth = 1;

@@ -41,11 +41,28 @@ LocationValue LocationTerms::value(Id<Expr> term) {
 }
 
 Bdd LocationTerms::condition(Id<Expr> term, Bdd& undefined) {
+    if (std::optional<Bdd> found = plain_condition(term)) return std::move(*found);
     LocationValue result = value(term);
     if (result.none) undefined = Bdd::constant(true);
     if (!result.function) return Bdd::constant(result.number != 0);
     if (!result.function->undefined.is_false()) undefined |= result.function->undefined;
     return std::move(result.function->bits.front());
+}
+
+/// A conjunction or disjunction of constants of the location with terms of inputs: most conditions are.
+std::optional<Bdd> LocationTerms::plain_condition(Id<Expr> term) {
+    const Op op = equations_.exprs[term].op;
+    if (kinds_[term.index] != Kind::Mixed || (op != Op::And && op != Op::Or)) return {};
+    const Split* const parts = split(term);
+    if (parts == nullptr) return {};
+    const bool decides = op == Op::Or;
+    for (const Id<Expr> operand : parts->others) {
+        if (kinds_[operand.index] != Kind::Fixed) return {};
+        const LocationValue value = fixed(operand);
+        if (value.none) return {};
+        if ((value.number != 0) == decides) return Bdd::constant(decides);
+    }
+    return parts->inputs;
 }
 
 /// A term without inputs. Depth is bounded by `derive`.

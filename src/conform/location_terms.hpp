@@ -46,6 +46,7 @@ private:
     };
 
     bool is_input(const Expr& leaf) const { return inputs_[static_cast<std::size_t>(leaf.value)].has_value(); }
+    std::optional<Bdd> plain_condition(Id<Expr> term);
     LocationValue fixed(Id<Expr> term) const;
     LocationValue joined(Id<Expr> term);
     LocationValue anyhow(Id<Expr> term);

@@ -160,14 +160,17 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
     }
     for (StateMove& move : moves) move.set = without_idle_timers(state, std::move(move.set));
     std::erase_if(moves, [](const StateMove& move) { return move.set.is_false(); });
-    std::ranges::stable_sort(moves, [](const StateMove& a, const StateMove& b) { return a.stable && !b.stable; });
-    std::vector<StateMove> merged;   // several sets of transitions may lead to one state
+    const auto is_stable = [](const StateMove& move) { return move.stable; };
+    if (!std::ranges::is_partitioned(moves, is_stable)) std::ranges::stable_partition(moves, is_stable);
+    std::size_t kept = 0;   // several sets of transitions may lead to one state
     for (StateMove& move : moves) {
-        const auto same = std::ranges::find_if(merged, [&](const StateMove& other) { return other.next == move.next && other.stable == move.stable; });
-        if (same == merged.end()) merged.push_back(std::move(move));
-        else same->set |= move.set;
+        std::size_t same = 0;
+        while (same < kept && (moves[same].next != move.next || moves[same].stable != move.stable)) ++same;
+        if (same < kept) moves[same].set |= move.set;
+        else if (&moves[kept++] != &move) moves[kept - 1] = std::move(move);
     }
-    return merged;
+    moves.resize(kept);
+    return moves;
 }
 
 std::vector<Moves::Cell> Moves::cells(const Bdd& within) {
@@ -258,6 +261,11 @@ void Moves::split_by(std::vector<Part>& parts, std::uint32_t field, Id<Expr> ter
     if (failed_) return;
     const Equations::Variable& variable = equations_.variables[fields_[field].variable];
     const LocationValue found = terms_.value(term);
+    const bool fits = !found.function && !found.none && found.number >= variable.type.low && found.number <= variable.type.high;
+    if (fits) {
+        for (Part& part : parts) part.changes.emplace_back(field, found.number);
+        return;
+    }
     std::vector<Part> result;
     for (Part& part : parts) {
         if (found.none || (found.function && !(found.function->undefined & part.set).is_false()))
@@ -301,7 +309,8 @@ std::vector<Moves::Part> Moves::split(const Part& part, const BddTerm& value) {
 
 /// `state` after the changes of `part`; timers whose step became active are fresh, and `restarted` ones.
 StateId Moves::changed(StateId state, const Part& part, const std::vector<std::size_t>& restarted) {
-    std::vector<std::uint64_t> words(store_.at(state).begin(), store_.at(state).end());
+    std::vector<std::uint64_t>& words = scratch_;
+    words.assign(store_.at(state).begin(), store_.at(state).end());
     for (const auto& [index, value] : part.changes) {
         const StateField& field = fields_[index];
         const auto packed = static_cast<std::uint64_t>(value - (field.type.boolean ? 0 : field.type.low));

@@ -103,6 +103,7 @@ private:
     std::vector<std::vector<std::uint32_t>> races_ = {};         ///< per firing: stored variables that may race then
     bool fires_unstable_ = false;                                ///< whether a firing alone decides that nothing is stable
     StateId loaded_ = no_state;
+    std::vector<std::uint64_t> scratch_ = {};
     std::deque<std::optional<std::vector<StateMove>>> known_ = {};   ///< per state
     bool failed_ = false;
 };

@@ -46,7 +46,8 @@ public:
         for (const MealyMachine::Variable& input : machine_.inputs) test.inputs.push_back({input.name, input.type});
         for (const MealyMachine::Variable& output : machine_.outputs) test.outputs.push_back({output.name, output.type});
         for (const State& state : machine_.states) test.situations.add({state.situation});
-        for (const auto& sequence : tour.sequences) test.sequences.push_back(steps(sequence));
+        for (const auto& sequence : tour.sequences)
+            if (!sequence.empty()) test.sequences.push_back(steps(sequence));
         test.covered = test.to_cover = to_cover_;
         test.lower_bound = options_.cover == TestCover::Locations ? to_cover_ : tour.length + crossed_before_waits_;
         test.proven_least = step_count(test) == test.lower_bound;
@@ -238,7 +239,10 @@ std::optional<TestSequence> test_sequence(const MealyMachine& machine, const Tes
             return {};
         }
     }
-    return Writer(machine, options).write();
+    TestSequence test = Writer(machine, options).write();
+    if (test.to_cover != 0) return test;
+    diagnostics.add(messages::nothing_to_test(chart, machine.name, word(options.cover)));
+    return {};
 }
 
 }  // namespace grafverif

@@ -13,6 +13,9 @@
 #include <vector>
 
 #include "grafverif/compose/compose.hpp"
+#include "grafverif/conform/automaton.hpp"
+#include "grafverif/conform/mealy.hpp"
+#include "grafverif/conform/test_sequence.hpp"
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/plant/plant.hpp"
 #include "grafverif/read/exclusions.hpp"
@@ -63,11 +66,25 @@ std::vector<fs::path> rejects() {
     return found;
 }
 
+/// As far as `testgen` goes, under either mode until something is said.
+void test(const Equations& equations, Diagnostics& diagnostics) {
+    for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
+        AutomatonOptions options;
+        options.mode = mode;
+        const auto automaton = location_automaton(equations, options, diagnostics);
+        const auto machine = automaton ? mealy_machine(*automaton, {}, diagnostics) : std::nullopt;
+        if (machine) test_sequence(*machine, {}, equations.origin, diagnostics);
+        if (diagnostics.has_errors()) return;
+    }
+}
+
 /// As far as `build` goes: every chart to equations, every loop to a network, and that to a transition system; with the
-/// constraints of the loop.
-void build(const Model& model, Diagnostics& diagnostics) {
+/// constraints of the loop. A chart without a loop, in a file that says `// testgen`, goes on to a test sequence.
+void build(const Model& model, bool tested, Diagnostics& diagnostics) {
     std::vector<std::optional<Equations>> equations;
     for (const Chart& chart : model.charts) equations.push_back(derive(chart, diagnostics));
+    for (const std::optional<Equations>& one : equations)
+        if (tested && one) test(*one, diagnostics);
     for (const ClosedLoop& loop : model.loops) {
         const auto network = plant(model, loop, diagnostics);
         std::vector<Equations> controllers;
@@ -101,7 +118,7 @@ std::string said_about(const std::string& name, const std::string& text) {
     Diagnostics diagnostics;
     const auto model = read_text(sources.add({name, text}), sources, context, diagnostics);
     EXPECT_EQ(model.has_value(), !diagnostics.has_errors());
-    if (model) build(*model, diagnostics);
+    if (model) build(*model, text.starts_with("// testgen"), diagnostics);
     exclude(name, model, sources, diagnostics);
     std::ostringstream said;
     render_text(diagnostics.all(), sources, Colour::Plain, said);

@@ -30,7 +30,7 @@ struct TestOptions {
     std::uint64_t max_pairs = 100'000'000;       ///< likewise: of states and combinations
 };
 
-/// The sequences for `machine`, or nothing after an error: too many combinations of inputs. Requires
+/// The sequences for `machine`, or nothing after an error: too many combinations of inputs, nothing to cover. Requires
 /// verify(machine).empty().
 std::optional<TestSequence> test_sequence(const MealyMachine& machine, const TestOptions& options, Span chart,
                                           Diagnostics& diagnostics);

@@ -10,7 +10,8 @@
 //               The controller writes no outputs and never reads its inputs again.
 //
 // With stability search INIT stays INIT under the inputs for which the initial situation is stable, provided that the
-// first evolution changed no variable and the initial situation emits what power-on did: nothing happened then.
+// first evolution changed no variable, started no timer, and the initial situation emits what power-on did: nothing
+// happened then.
 // Without it INIT is always left, for its next cycle does what its first did not: clear transitions.
 //
 // Timers are inputs that a tester can only wait for. The end of a timer is false while its step is inactive and when

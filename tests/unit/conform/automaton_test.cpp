@@ -6,8 +6,6 @@
 namespace grafverif {
 namespace {
 
-constexpr ExecutionMode search = ExecutionMode::StabilitySearch, every_cycle = ExecutionMode::EveryCycle;
-
 std::string told(const LocationAutomaton& automaton) {
     std::ostringstream out;
     print_automaton(out, automaton, true);
@@ -65,10 +63,22 @@ TEST(LocationAutomaton, KeepsStoredVariablesInItsLocations) {
                              "step 2 { L := N == 1 on activation; }"
                              "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;")),
               "0  INIT {1}  L = 0  N = 0\n"
-              "    -> 2 {2}  L = 0  N = 1  when a\n"
+              "    -> 2 {2}  when a\n"
               "\n"
               "1  {1}  L = 0  N = 0\n"
-              "    -> 2 {2}  L = 0  N = 1  when a\n");
+              "    -> 2 {2}  when a\n"
+              "\n"
+              "2  {2}  L = 0  N = 1\n"     // L is stored with the old value of N
+              "    -> 3 {1}  when not a\n"
+              "\n"
+              "3  {1}  L = 0  N = 1\n"
+              "    -> 4 {2}  when a\n"
+              "\n"
+              "4  {2}  L = 1  N = 0  / L\n"
+              "    -> 5 {1}  when not a\n"
+              "\n"
+              "5  {1}  L = 1  N = 0  / L\n"
+              "    -> 2 {2}  when a\n");
 }
 
 TEST(LocationAutomaton, ReadsIntegerInputsByTheirValues) {
@@ -81,7 +91,7 @@ TEST(LocationAutomaton, ReadsIntegerInputsByTheirValues) {
               "    -> 2 {2}  when level >= 2 and level <= 4\n"
               "\n"
               "2  {2}  / O if level >= 4\n"
-              "    -> 1 {1}  when level = 0\n");
+              "    -> 1 {1}  when level == 0\n");
 }
 
 TEST(LocationAutomaton, ATimerIsAnInputThatIsFalseInANewlyActiveStep) {

@@ -14,6 +14,8 @@
 
 namespace grafverif {
 
+inline constexpr ExecutionMode search = ExecutionMode::StabilitySearch, every_cycle = ExecutionMode::EveryCycle;
+
 /// The chart of samples/tanks, with `more` declarations.
 inline std::string tanks(const std::string& more = {}) {
     return "input s, h1, h2, l1, l2; output V1, V2, W1, W2;" + more +

@@ -106,7 +106,9 @@ TEST(Tour, IsNoLongerThanWhatTryingEverythingFinds) {
         const Tour tour = least_tour(nodes, 0, arcs);
         expect_a_tour(tour, arcs);
         EXPECT_EQ(tour.length, tried_length(0, arcs, !connected));
-        if (connected) EXPECT_EQ(tour.sequences.size(), 1U);
+        if (connected) {
+            EXPECT_EQ(tour.sequences.size(), 1U);
+        }
     }
     EXPECT_GT(one, 20);
     EXPECT_GT(several, 20);
