@@ -202,6 +202,8 @@ private:
         Location result{situation(state), {}, {}};
         for (const Equations::Stored& stored : equations_.stored)
             result.values.push_back(moves_.load(state)[stored.variable.index]);
+        for (const Equations::Previous& previous : equations_.previous)
+            result.values.push_back(moves_.load(state)[previous.variable.index]);
         result.emissions = stored_emissions(result.values);
         for (const Equations::Output& output : equations_.outputs) {
             Bdd undefined;
@@ -220,7 +222,7 @@ private:
     /// Outputs with stored actions, where they are not 0.
     std::vector<Automaton::Emission> stored_emissions(const std::vector<std::int64_t>& values) {
         std::vector<Automaton::Emission> result;
-        for (std::size_t k = 0; k < values.size(); ++k) {
+        for (std::size_t k = 0; k < equations_.stored.size(); ++k) {
             const Equations::Variable& variable = equations_.variables[equations_.stored[k].variable];
             if (variable.role != Role::Output || values[k] == 0) continue;
             const Id<Expr> value = variable.type.boolean ? automaton_.exprs.constant(true) : automaton_.exprs.integer(values[k]);
@@ -277,10 +279,27 @@ std::vector<std::optional<std::size_t>> declare_inputs(const Equations& equation
     }
     for (const Equations::Timer& timer : equations.timers) {
         std::uint32_t step = 0;
-        while (equations.steps[step].variable != timer.step) ++step;
-        inputs[timer.end.index] = automaton.inputs.add({equations.variables[timer.end].name, {}, {step}, timer.duration_ms, timer.origin}).index;
+        while (equations.steps[step].variable != timer.watched) ++step;
+        inputs[timer.end.index] = automaton.inputs.add({equations.variables[timer.end].name, {}, {step}, timer.rise_ms, timer.origin}).index;
     }
     return inputs;
+}
+
+/// Whether a tester can tell by waiting when the timers end: each measures from the activation of a step, and no output
+/// reads it. Else an error is added.
+bool can_be_waited_for(const Equations& equations, Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    for (const Equations::Timer& timer : equations.timers) {
+        const bool of_step = equations.variables[timer.watched].role == Role::Step && timer.rise_ms > 0 && timer.fall_ms == 0;
+        bool emitted = false;
+        for (const Equations::Output& output : equations.outputs)
+            for (const Id<Expr> leaf : leaves(equations.exprs, output.value))
+                emitted = emitted || equations.exprs[leaf].value == static_cast<std::int64_t>(timer.end.index);
+        if (!of_step || emitted)
+            diagnostics.add(messages::not_in_automaton(timer.origin, of_step ? "an output that reads a time condition"
+                                                                             : "a time condition other than a duration over a step variable (`3s/X2`)"));
+    }
+    return diagnostics.errors() == errors;
 }
 
 /// False after an error: JESA13 section 2.2 asks for inputs and outputs.
@@ -290,6 +309,10 @@ bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diag
     for (const Equations::StepActivity& step : equations.steps) automaton.steps.add({step.step});
     for (const Equations::Stored& stored : equations.stored) {
         const Equations::Variable& variable = equations.variables[stored.variable];
+        automaton.stored.add({variable.name, variable.type, variable.initial});
+    }
+    for (const Equations::Previous& previous : equations.previous) {
+        const Equations::Variable& variable = equations.variables[previous.variable];
         automaton.stored.add({variable.name, variable.type, variable.initial});
     }
     const bool inputs = !automaton.inputs.empty(), outputs = !automaton.outputs.empty();
@@ -334,6 +357,7 @@ std::optional<LocationAutomaton> location_automaton(const Equations& equations, 
     automaton.name = equations.name;
     automaton.mode = options.mode;
     automaton.origin = equations.origin;
+    if (!can_be_waited_for(equations, diagnostics)) return {};
     const std::vector<std::optional<std::size_t>> inputs = declare_inputs(equations, automaton);
     if (!declare(equations, automaton, diagnostics)) return {};
     std::vector<Type> types;

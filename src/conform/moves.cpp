@@ -14,6 +14,7 @@ Moves::Moves(const Equations& equations, const std::vector<std::optional<std::si
     : equations_(equations), inputs_(inputs), space_(space), diagnostics_(diagnostics), terms_(equations, inputs, space) {
     for (const Equations::StepActivity& step : equations.steps) add_field(step.variable, step.next, {});
     for (const Equations::Stored& stored : equations.stored) add_field(stored.variable, stored.next, stored.first);
+    for (const Equations::Previous& previous : equations.previous) add_field(previous.variable, previous.value, previous.value);
     std::uint32_t bit = fields_.empty() ? 0 : 64 * fields_.back().word + fields_.back().shift + 1;
     if (!fields_.empty()) {
         for (std::uint64_t mask = fields_.back().mask >> 1U; mask != 0; mask >>= 1U) ++bit;
@@ -55,15 +56,20 @@ void Moves::index_firings() {
     }
 }
 
-/// Whether the variable keeps its value wherever no transition fires that its equation reads.
-bool Moves::keeps_by_itself(const StateField& field) {
-    Exprs scratch;
-    const Id<Expr> quiet = translate(equations_.exprs, field.next, scratch, [&](const Expr& leaf) {
+/// `term`, in `scratch`, where no transition fires.
+Id<Expr> Moves::while_quiet(Id<Expr> term, Exprs& scratch) const {
+    return translate(equations_.exprs, term, scratch, [&](const Expr& leaf) {
         const Id<Equations::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
         return equations_.variables[variable].role == Equations::Role::FiringCondition
                    ? scratch.constant(false)
                    : scratch.leaf(Op::Variable, variable.index);
     });
+}
+
+/// Whether the variable keeps its value wherever no transition fires that its equation reads.
+bool Moves::keeps_by_itself(const StateField& field) {
+    Exprs scratch;
+    const Id<Expr> quiet = while_quiet(field.next, scratch);
     return scratch[quiet].op == Op::Variable && scratch[quiet].value == static_cast<std::int64_t>(field.variable.index);
 }
 
@@ -82,9 +88,11 @@ void Moves::index_fields() {
         if (keeps_by_itself(fields_[field])) firings_in(fields_[field].next, [&](std::uint32_t firing) { affected_[firing].push_back(field); });
         else restless_.push_back(field);
     }
-    for (std::uint32_t k = 0; k < equations_.stored.size(); ++k)
-        if (!is_false(exprs, equations_.stored[k].race))
-            firings_in(equations_.stored[k].race, [&](std::uint32_t firing) { races_[firing].push_back(k); });
+    for (std::uint32_t k = 0; k < equations_.stored.size(); ++k) {
+        Exprs scratch;
+        if (!is_false(scratch, while_quiet(equations_.stored[k].race, scratch))) restless_races_.push_back(k);
+        else firings_in(equations_.stored[k].race, [&](std::uint32_t firing) { races_[firing].push_back(k); });
+    }
     const Id<Expr> stable = equations_.stable;
     if (exprs[stable].op == Op::Not) {
         const Id<Expr> changes = exprs.operands(stable)[0];
@@ -142,7 +150,7 @@ Bdd Moves::without_idle_timers(StateId state, Bdd set) {
     std::vector<BddLiteral> idle;
     for (std::size_t k = 0; k < equations_.timers.size(); ++k) {
         const bool fresh = ((words[fresh_bits_[k] / 64] >> (fresh_bits_[k] % 64)) & 1U) != 0;
-        if (fresh || terms_.values()[equations_.timers[k].step.index] == 0)
+        if (fresh || terms_.values()[equations_.timers[k].watched.index] == 0)
             idle.push_back({space_.word(*inputs_[equations_.timers[k].end.index]).bits.front(), false});
     }
     return idle.empty() ? set : cofactor(set, cube(idle));
@@ -218,16 +226,23 @@ void Moves::fire(std::vector<Cell>& cells, Bdd& touched, std::uint32_t firing, c
 }
 
 bool Moves::check_races(const Cell& cell) {
+    for (const std::uint32_t stored : restless_races_) check_race(cell, equations_.stored[stored]);
     for (const std::uint32_t firing : cell.fired)
-        for (const std::uint32_t stored : races_[firing]) {
-            Bdd undefined;
-            const Bdd race = terms_.condition(equations_.stored[stored].race, undefined) & cell.set;
-            if (race.is_false()) continue;
-            const Equations::Variable& variable = equations_.variables[equations_.stored[stored].variable];
-            complain(messages::action_race(variable.origin, variable.name, circumstances(race)));
-            return false;
-        }
-    return true;
+        for (const std::uint32_t stored : races_[firing]) check_race(cell, equations_.stored[stored]);
+    for (const Equations::Conflict& conflict : equations_.conflicts) {
+        Bdd undefined;
+        const Bdd both = (terms_.condition(conflict.condition, undefined) | undefined) & cell.set;
+        if (!both.is_false()) complain(messages::forcing_race(conflict.origin, circumstances(both)));
+    }
+    return !failed_;
+}
+
+void Moves::check_race(const Cell& cell, const Equations::Stored& stored) {
+    Bdd undefined;
+    const Bdd race = (terms_.condition(stored.race, undefined) | undefined) & cell.set;
+    if (race.is_false()) return;
+    const Equations::Variable& variable = equations_.variables[stored.variable];
+    complain(messages::action_race(variable.origin, variable.name, circumstances(race)));
 }
 
 void Moves::add_moves(StateId state, const Cell& cell, std::vector<StateMove>& moves) {
@@ -317,7 +332,7 @@ StateId Moves::changed(StateId state, const Part& part, const std::vector<std::s
         words[field.word] = (words[field.word] & ~(field.mask << field.shift)) | (packed << field.shift);
     }
     for (std::size_t timer = 0; timer < fresh_bits_.size(); ++timer) {
-        const auto field = std::ranges::find(fields_, equations_.timers[timer].step, &StateField::variable);
+        const auto field = std::ranges::find(fields_, equations_.timers[timer].watched, &StateField::variable);
         const bool before = terms_.values()[field->variable.index] != 0;
         const bool after = ((words[field->word] >> field->shift) & 1U) != 0;
         const std::uint64_t bit = std::uint64_t{1} << (fresh_bits_[timer] % 64);

@@ -75,6 +75,7 @@ private:
     void add_field(Id<Equations::Variable> variable, Id<Expr> next, Id<Expr> first);
     void index_firings();
     void index_fields();
+    Id<Expr> while_quiet(Id<Expr> term, Exprs& scratch) const;
     bool keeps_by_itself(const StateField& field);
     std::vector<Cell> cells(const Bdd& within);
     void fire(std::vector<Cell>& cells, Bdd& touched, std::uint32_t firing, const Bdd& within);
@@ -84,6 +85,7 @@ private:
     std::vector<Part> split(const Part& part, const BddTerm& value);
     StateId changed(StateId state, const Part& part, const std::vector<std::size_t>& restarted);
     bool check_races(const Cell& cell);
+    void check_race(const Cell& cell, const Equations::Stored& stored);
     void complain(Diagnostic diagnostic);
     std::string circumstances(const Bdd& set) const;
     Bdd without_idle_timers(StateId state, Bdd set);
@@ -101,6 +103,7 @@ private:
     std::vector<std::vector<std::uint32_t>> affected_ = {};      ///< per firing: fields to compute where it fires
     std::vector<std::uint32_t> restless_ = {};                   ///< fields to compute in every evolution
     std::vector<std::vector<std::uint32_t>> races_ = {};         ///< per firing: stored variables that may race then
+    std::vector<std::uint32_t> restless_races_ = {};             ///< stored variables that may race where nothing fires
     bool fires_unstable_ = false;                                ///< whether a firing alone decides that nothing is stable
     StateId loaded_ = no_state;
     std::vector<std::uint64_t> scratch_ = {};
