@@ -8,6 +8,7 @@
 #include <charconv>
 #include <limits>
 #include <ostream>
+#include <utility>
 
 namespace grafverif::app {
 
@@ -33,7 +34,7 @@ void add_checking_options(const Verb& verb, po::options_description& options) {
         add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
         add("junit", text("FILE"), "write a JUnit report to FILE");
     }
-    if (accepts(verb, Accepts::Sequence)) add("sequence", text("FILE"), "the test sequence, as CSV");
+    if (accepts(verb, Accepts::Sequence)) add("sequence", text("FILE"), "the test sequence, as CSV (`test`: without it, one is made of the chart)");
     if (accepts(verb, Accepts::Bench)) {
         add("against", text("PROGRAM"), "the controller under test: a command for the shell");
         add("stop-on-failure", po::bool_switch(), "run no step after the first failure (the default)");
@@ -329,9 +330,9 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (std::string complaint = choose_engine(values, options); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = choose_untimed(values, options); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = read_numbers(values, options); !complaint.empty()) return {{}, complaint};
+    if (accepts(verb, Accepts::Bench)) options.patience_ms = std::exchange(options.timeout_ms, {});
     if (options.help) return {options, {}};
     if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
-    if (accepts(verb, Accepts::Bench) && !options.sequence) return {{}, "`--sequence FILE` is missing"};
     if (options.go_on && flag("stop-on-failure")) return {{}, "`--stop-on-failure` and `--go-on` exclude each other"};
     if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
     if (options.operands.size() > verb.most_operands)

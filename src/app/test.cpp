@@ -9,38 +9,22 @@
 #include "app/bench.hpp"
 #include "app/files.hpp"
 #include "app/interrupt.hpp"
+#include "app/progress_line.hpp"
 #include "app/verbs.hpp"
+#include "grafverif/run/replay_test.hpp"
 #include "grafverif/support/messages.hpp"
 
 namespace grafverif::app {
 
 namespace {
 
-/// A line on the terminal, written over until the test ends.
-class StepCounter {
-public:
-    StepCounter(const Streams& streams, bool shown, std::size_t rows) : err_(streams.err), shown_(shown), rows_(rows) {}
-    StepCounter(const StepCounter&) = delete;
-    StepCounter& operator=(const StepCounter&) = delete;
-    ~StepCounter() {
-        if (written_) err_ << "\r\x1b[K" << std::flush;
-    }
-
-    void show(std::size_t done) {
-        const auto now = std::chrono::steady_clock::now();
-        if (!shown_ || now - last_ < std::chrono::milliseconds(200)) return;
-        last_ = now;
-        written_ = true;
-        err_ << fmt::format("\r{} of {} steps\x1b[K", done, rows_) << std::flush;
-    }
-
-private:
-    std::ostream& err_;
-    bool shown_;
-    std::size_t rows_;
-    bool written_ = false;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
+/// The table of `--sequence`; or a test made of the chart, which passes on the rules of IEC 60848 before it is run.
+std::optional<TestSequence> sequence_to_run(const Model& model, Id<Chart> chart, Job& job, const Streams& streams,
+                                            const Interrupt& interrupt) {
+    if (job.options.sequence) return test_sequence(model, chart, job);
+    const auto machine = mealy_of(model, chart, job, streams, interrupt);
+    return machine ? test_of(model, chart, *machine, job) : std::nullopt;
+}
 
 void write_test_report(const TestReport& report, const Options& options, const Streams& streams) {
     if (options.format == Format::Json) print_json(report, streams.out);
@@ -51,21 +35,35 @@ void write_test_report(const TestReport& report, const Options& options, const S
     write_files({{*options.junit, std::move(text).str()}});
 }
 
+std::optional<TestReport> bench_report(const TestSequence& sequence, const Options& options, const Streams& streams,
+                                       const Interrupt& interrupt) {
+    ProgressLine line(streams.err, streams.err_is_terminal && !options.quiet);
+    auto last = std::chrono::steady_clock::now();
+    BenchOptions bench{options.against, options.clock, options.go_on};
+    bench.patience = std::chrono::milliseconds(options.patience_ms.value_or(10'000));
+    bench.stop = &interrupt.asked();
+    bench.progress = [&](std::size_t done) {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last < std::chrono::milliseconds(200)) return;
+        last = now;
+        line.show(fmt::format("{} of {} steps", done, step_count(sequence)));
+    };
+    return run_test(sequence, bench);
+}
+
 }  // namespace
 
 ExitCode test(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
-    const auto sequence = chart ? test_sequence(*model, *chart, job) : std::nullopt;
-    if (!sequence) return ExitCode::Input;
-
     const Interrupt interrupt;
-    StepCounter line(streams, streams.err_is_terminal && !job.options.quiet, step_count(*sequence));
-    BenchOptions bench{job.options.against, job.options.clock, job.options.go_on};
-    bench.patience = std::chrono::milliseconds(job.options.timeout_ms.value_or(10'000));
-    bench.stop = &interrupt.asked();
-    bench.progress = [&line](std::size_t done) { line.show(done); };
-    const auto report = run_test(*sequence, bench);
+    const auto sequence = chart ? sequence_to_run(*model, *chart, job, streams, interrupt) : std::nullopt;
+    if (!sequence) return interrupt.asked() ? ExitCode::Unknown : ExitCode::Input;
+    if (const auto wrong = job.options.sequence ? std::nullopt : disagreement(model->charts[*chart], *sequence)) {
+        streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong << '\n';
+        return ExitCode::Failure;
+    }
+    const auto report = bench_report(*sequence, job.options, streams, interrupt);
     if (!report) {
         job.diagnostics.add(messages::cannot_run(job.options.against));
         return ExitCode::Input;
@@ -83,10 +81,13 @@ Verb test_usage() {
             "test an implementation against a chart, scan by scan",
             "Runs the controller PROGRAM through a test sequence and compares its outputs with those of the chart in every\n"
             "scan. PROGRAM is a command for the shell; it reads one line of inputs and answers by one line of outputs for each\n"
-            "scan (docs/conformance.md). Exit code 1: it does not conform. Formats: text, JSON, JUnit XML (--junit).",
-            {"grafverif test tanks.grafcet --sequence samples/tanks/table2.csv --against ./my_controller",
+            "scan (docs/conformance.md). Without --sequence the test is the one that `testgen` makes of the chart.\n"
+            "Exit code 1: the controller does not conform. Formats: text, JSON, JUnit XML (--junit).",
+            {"grafverif test tanks.grafcet --against ./my_controller",
+             "grafverif test tanks.grafcet --against ./my_controller --cover evolutions --go-on --junit report.xml",
              "grafverif test tanks.grafcet --sequence table2.csv --against \"grafverif plc tanks.grafcet --mode every-cycle\""},
-            {Accepts::Bench, Accepts::Sequence, Accepts::Chart, Accepts::Mode, Accepts::Clock, Accepts::Format}};
+            {Accepts::Bench, Accepts::Sequence, Accepts::Chart, Accepts::Mode, Accepts::Clock, Accepts::Format, Accepts::Cover,
+             Accepts::Minimise}};
 }
 
 }  // namespace grafverif::app

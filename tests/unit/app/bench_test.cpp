@@ -143,6 +143,20 @@ TEST(Bench, WritesAJunitReport) {
     EXPECT_STREQ(second.child("failure").attribute("message").value(), "differs in V1, W1");
 }
 
+TEST(Bench, MakesTheTestOfTheChartItself) {
+    const auto run = [](const std::string& of, const std::string& mode, const std::string& hold) {
+        return grafverif({"test", tanks_chart, "--mode", of, "--hold", hold, "--quiet", "--against",
+                          this_program + " plc " + tanks_chart + " --mode " + mode});
+    };
+    for (const std::string hold : {"stable", "one"})
+        for (const std::string mode : {"stability-search", "every-cycle"}) {
+            const Result right = run(mode, mode, hold);
+            EXPECT_EQ(right.code, ExitCode::Done) << right.out << right.err;
+            const Result wrong = run(mode, mode == "every-cycle" ? "stability-search" : "every-cycle", hold);
+            EXPECT_EQ(wrong.code, ExitCode::Verdict) << wrong.out << wrong.err;
+        }
+}
+
 TEST(Bench, RefusesTablesThatAreNoTest) {
     struct Case {
         const char* table;
