@@ -44,6 +44,7 @@ private:
 
     bool searching() const { return options_.mode == ExecutionMode::StabilitySearch; }
     bool seen(const Bdd& points) const { return !(search_.reached() & points).is_false(); }
+    bool ever_active(Step step) const;
     Bdd enabled(Transition transition) const;
     Bdd all_active(const std::vector<Step>& steps) const;
     std::string step_name(Step step) const { return step_variable(chart_, step); }

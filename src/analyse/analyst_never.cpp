@@ -6,10 +6,14 @@
 
 namespace grafverif::analysis {
 
+/// A step that is active at power-on is, even where no evolution follows.
+bool Analyst::ever_active(Step step) const {
+    return equations_.variables[equations_.steps[step.index].variable].initial != 0 || seen(machine_.active(step.index));
+}
+
 void Analyst::dead_steps() {
     for (const Step step : chart_.steps.ids()) {
-        const bool initial = equations_.variables[equations_.steps[step.index].variable].initial != 0;
-        if (initial || seen(machine_.active(step.index))) continue;
+        if (ever_active(step)) continue;
         keep(finding("step-never-active", step_name(step),
                      "`" + step_name(step) + "` is never active; no sequence of inputs leads to it",
                      chart_.steps[step].origin));
@@ -22,7 +26,7 @@ void Analyst::dead_transitions() {
         const Chart::Transition& transition = chart_.transitions[id];
         std::vector<Step> dead;
         for (const Step step : transition.from)
-            if (!seen(machine_.active(step.index)) && !chart_.steps[step].initial) dead.push_back(step);
+            if (!ever_active(step)) dead.push_back(step);
         const bool ready = seen(enabled(id));
         std::string why = "; its condition is never true then";
         if (!dead.empty()) why = "; " + steps_text(dead) + (dead.size() == 1 ? " is never active" : " are never active");

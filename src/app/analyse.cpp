@@ -22,7 +22,8 @@ std::string printed(const Analysis& analysis, const Job& job) {
     case Format::Sarif: print_findings_sarif(analysis, job.sources, GRAFVERIF_VERSION, out); break;
     case Format::Text:
     case Format::Latex:
-    case Format::Xml:   print_findings(analysis, job.sources, coloured ? Colour::Ansi : Colour::Plain, out); break;
+    case Format::Xml: case Format::Dot: case Format::Svg: case Format::Csv:
+        print_findings(analysis, job.sources, coloured ? Colour::Ansi : Colour::Plain, out); break;
     }
     return std::move(out).str();
 }

@@ -205,7 +205,6 @@ std::string choose_untimed(const po::variables_map& values, Options& options) {
     if (discrete && untimed.schedule.value_or(Schedule::Interleaved) != Schedule::Interleaved)
         return "`--time discrete` needs `--schedule interleaved`";
     if (discrete) untimed.schedule = Schedule::Interleaved;
-    options.check_untimed = options.check_untimed || plant.has_value() || asked != nullptr;
     return {};
 }
 
@@ -268,7 +267,9 @@ std::string leave_out_cures(const po::variables_map& values, Options& options) {
 }
 
 std::string choose_engine(const po::variables_map& values, Options& options) {
-    options.check_untimed = values.count("untimed") != 0 && values["untimed"].as<bool>();
+    const bool modelled = values.count("plant") != 0 || values.count("schedule") != 0 || values.count("time") != 0;
+    options.check_untimed =
+        modelled || options.untimed.fairness || (values.count("untimed") != 0 && values["untimed"].as<bool>());
     std::string complaint = choose<Engine>(values, "engine",
                                            {{"auto", Engine::Auto}, {"timed", Engine::Timed}, {"symbolic", Engine::Symbolic},
                                             {"verifyta", Engine::Verifyta}, {"NuSMV", Engine::Nusmv}, {"nuXmv", Engine::Nuxmv}},
@@ -276,7 +277,7 @@ std::string choose_engine(const po::variables_map& values, Options& options) {
     if (!complaint.empty()) return complaint;
     const bool timed = options.engine == Engine::Timed || options.engine == Engine::Verifyta;
     if (timed && options.check_untimed)
-        return fmt::format("`--engine {}` checks timed models; leave out `--untimed`", values["engine"].as<std::string>());
+        return fmt::format("`--engine {}` checks timed models; leave out `--untimed` and what it takes", values["engine"].as<std::string>());
     options.check_untimed = options.check_untimed || (!timed && options.engine != Engine::Auto);
     return {};
 }
@@ -327,8 +328,8 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     options.help = flag("help");
     if (std::string complaint = choose_all(verb, values, options); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = leave_out_cures(values, options); !complaint.empty()) return {{}, complaint};
-    if (std::string complaint = choose_engine(values, options); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = choose_untimed(values, options); !complaint.empty()) return {{}, complaint};
+    if (std::string complaint = choose_engine(values, options); !complaint.empty()) return {{}, complaint};
     if (std::string complaint = read_numbers(values, options); !complaint.empty()) return {{}, complaint};
     if (accepts(verb, Accepts::Bench)) options.patience_ms = std::exchange(options.timeout_ms, {});
     if (options.help) return {options, {}};

@@ -144,30 +144,36 @@ const std::vector<StateMove>& Moves::of(StateId state) {
 }
 
 /// Timers whose step is inactive, or was activated within the instant, have not ended.
-Bdd Moves::without_idle_timers(StateId state, Bdd set) {
-    if (fresh_bits_.empty()) return set;
-    const std::span<const std::uint64_t> words = store_.at(state);
+Bdd Moves::idle_timers(StateId state) {
     std::vector<BddLiteral> idle;
-    for (std::size_t k = 0; k < equations_.timers.size(); ++k) {
+    const std::span<const std::uint64_t> words = store_.at(state);
+    for (std::size_t k = 0; k < fresh_bits_.size(); ++k) {
         const bool fresh = ((words[fresh_bits_[k] / 64] >> (fresh_bits_[k] % 64)) & 1U) != 0;
         if (fresh || terms_.values()[equations_.timers[k].watched.index] == 0)
             idle.push_back({space_.word(*inputs_[equations_.timers[k].end.index]).bits.front(), false});
     }
-    return idle.empty() ? set : cofactor(set, cube(idle));
+    return cube(idle);
+}
+
+/// What is said of `moves` that happen only where `idle` holds; those that cannot are dropped.
+void Moves::suppose(const Bdd& idle, std::vector<StateMove>& moves) {
+    if (idle.is_true()) return;
+    for (StateMove& move : moves) move.set = cofactor(move.set & idle, idle);
+    std::erase_if(moves, [](const StateMove& move) { return move.set.is_false(); });
 }
 
 std::vector<StateMove> Moves::moves_of(StateId state) {
     load(state);
     std::vector<StateMove> moves;
-    const std::vector<Cell> all = cells(space_.assumed());
+    const Bdd idle = idle_timers(state);
+    const std::vector<Cell> all = cells(space_.assumed() & idle);
     for (const Cell& cell : all) {
         for (const std::uint32_t firing : cell.fired) terms_.values()[equations_.firings[firing].variable.index] = 1;
         if (check_races(cell)) add_moves(state, cell, moves);
         for (const std::uint32_t firing : cell.fired) terms_.values()[equations_.firings[firing].variable.index] = 0;
         if (failed_) return {};
     }
-    for (StateMove& move : moves) move.set = without_idle_timers(state, std::move(move.set));
-    std::erase_if(moves, [](const StateMove& move) { return move.set.is_false(); });
+    suppose(idle, moves);
     const auto is_stable = [](const StateMove& move) { return move.stable; };
     if (!std::ranges::is_partitioned(moves, is_stable)) std::ranges::stable_partition(moves, is_stable);
     std::size_t kept = 0;   // several sets of transitions may lead to one state
@@ -347,10 +353,14 @@ std::vector<StateMove> Moves::first() {
     for (const Id<Equations::Variable> id : equations_.variables.ids())
         terms_.values()[id.index] = equations_.variables[id].initial;
     loaded_ = no_state;
-    std::vector<Part> parts{{space_.assumed(), {}}};
+    std::vector<BddLiteral> ends;
+    for (const Equations::Timer& timer : equations_.timers)
+        ends.push_back({space_.word(*inputs_[timer.end.index]).bits.front(), false});
+    const Bdd idle = cube(ends);
+    std::vector<Part> parts{{space_.assumed() & idle, {}}};
     for (const Equations::Stored& stored : equations_.stored) {
         Bdd undefined;
-        const Bdd race = terms_.condition(stored.first_race, undefined) & space_.assumed();
+        const Bdd race = terms_.condition(stored.first_race, undefined) & parts.front().set;
         const Equations::Variable& variable = equations_.variables[stored.variable];
         if (!race.is_false()) complain(messages::action_race(variable.origin, variable.name, circumstances(race)));
     }
@@ -369,14 +379,7 @@ std::vector<StateMove> Moves::first() {
         const StateId next = changed(power_on, part, running);
         moves.push_back({std::move(part.set), next, false});
     }
-    const std::vector<BddLiteral> idle = [&] {
-        std::vector<BddLiteral> literals;
-        for (const Equations::Timer& timer : equations_.timers)
-            literals.push_back({space_.word(*inputs_[timer.end.index]).bits.front(), false});
-        return literals;
-    }();
-    if (!idle.empty())
-        for (StateMove& move : moves) move.set = cofactor(move.set, cube(idle));
+    suppose(idle, moves);
     return moves;
 }
 

@@ -88,7 +88,8 @@ private:
     void check_race(const Cell& cell, const Equations::Stored& stored);
     void complain(Diagnostic diagnostic);
     std::string circumstances(const Bdd& set) const;
-    Bdd without_idle_timers(StateId state, Bdd set);
+    Bdd idle_timers(StateId state);
+    static void suppose(const Bdd& idle, std::vector<StateMove>& moves);
 
     const Equations& equations_;
     const std::vector<std::optional<std::size_t>>& inputs_;

@@ -85,9 +85,8 @@ private:
             timer(derivation_, variable, written.rise_ms, written.fall_ms, written.origin);
         derivation_.equations.conditions[id.index] = running;
         const Id<Expr> end = end_leaf(derivation_, running);
-        const bool is_step = derivation_.equations.variables[variable].role == Equations::Role::Step;
         if (written.fall_ms > 0) return written.rise_ms > 0 ? end : exprs_.disjunction(watched, end);
-        return is_step && reading_ != Reading::After ? end : exprs_.conjunction(watched, end);
+        return exprs_.conjunction(watched, end);
     }
 
     Derivation& derivation_;

@@ -19,8 +19,9 @@ std::string comment_of(const Equations& equations, const Names& names, const Opt
     text += "One call is one PLC cycle: call it once per cycle of its task, with inputs that do not change meanwhile.\n";
     text += search ? "With stability search: evolutions follow each other until the situation is stable, then outputs are written.\n"
                    : "Without stability search: one evolution per call, outputs are written in every cycle.\n";
-    text += fmt::format("{}: {}2 race of stored actions, 3 value outside its range; outputs then stay as they are.\n",
-                        names.fault, search ? "1 no stable situation, " : "");
+    text += fmt::format("{}: {}2 race of stored actions, 3 value outside its range{}; outputs then stay as they are.\n",
+                        names.fault, search ? "1 no stable situation, " : "",
+                        equations.conflicts.empty() ? "" : ", 4 forcing orders in conflict");
     for (const Renaming& renaming : names.changed) text += fmt::format("{} is {}\n", renaming.name, renaming.legal);
     return text;
 }

@@ -67,7 +67,7 @@ private:
     // -- time --
 
     void sample(std::size_t k) {
-        const TimerTimes times = times_of(equations_.timers[k]);
+        const Equations::Timer& times = equations_.timers[k];
         const TimerNames& timer = names_.timers[k];
         const std::string& end = stored_in(equations_.timers[k].end);
         if (!timer.on.empty()) line("{}(IN := {}, PT := {});", timer.on, stored_in(times.watched), time_literal(times.rise_ms));
@@ -80,7 +80,7 @@ private:
     /// Whether the watched term has lasted for the rise time.
     const std::string& lasted(std::size_t k) const {
         const TimerNames& timer = names_.timers[k];
-        return timer.lasted.empty() ? stored_in(times_of(equations_.timers[k]).watched) : timer.lasted;
+        return timer.lasted.empty() ? stored_in(equations_.timers[k].watched) : timer.lasted;
     }
 
     /// What an evolution changes within the cycle.
@@ -92,7 +92,7 @@ private:
     }
 
     void tell(std::size_t k) {
-        const TimerTimes times = times_of(equations_.timers[k]);
+        const Equations::Timer& times = equations_.timers[k];
         const TimerNames& timer = names_.timers[k];
         if (!timer.on.empty()) line("{}(IN := {}, PT := {});", timer.on, stored_in(times.watched), time_literal(times.rise_ms));
         if (!timer.lasted.empty()) line("{} := {} AND {};", timer.lasted, timer.lasted, stored_in(times.watched));
@@ -164,7 +164,7 @@ private:
             refuse(stored.race, 2);
             updates.push_back({stored.variable, stored.next});
         }
-        for (const Equations::Conflict& conflict : equations_.conflicts) refuse(conflict.condition, 2);
+        for (const Equations::Conflict& conflict : equations_.conflicts) refuse(conflict.condition, 4);
         remember(updates);
         for (const Equations::StepActivity& step : equations_.steps) updates.push_back({step.variable, step.next});
         if (!updates.empty()) heading("steps and stored values");

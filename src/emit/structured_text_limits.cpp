@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "emit/structured_text_names.hpp"
 #include "grafverif/emit/structured_text.hpp"
 #include "grafverif/ir/interval.hpp"
 #include "grafverif/support/messages.hpp"
@@ -65,11 +64,10 @@ bool expressible(const Equations& equations, Diagnostics& diagnostics) {
         }
     for (const Equations::Previous& previous : equations.previous) check(previous.value, previous.origin);
     for (const Equations::Watch& watch : equations.watches) check(watch.value, watch.origin);
-    for (const Equations::Timer& timer : equations.timers) {
-        const TimerTimes times = times_of(timer);
-        if (times.rise_ms > greatest || times.fall_ms > greatest)
+    for (const Equations::Conflict& conflict : equations.conflicts) check(conflict.condition, conflict.origin);
+    for (const Equations::Timer& timer : equations.timers)
+        if (timer.rise_ms > greatest || timer.fall_ms > greatest)
             diagnostics.add(messages::not_in_structured_text(timer.origin, "a duration of more than 24 days"));
-    }
     return diagnostics.errors() == errors;
 }
 

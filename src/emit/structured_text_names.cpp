@@ -34,11 +34,10 @@ private:
 void wish_timers(const Equations& equations, Inner& inner, Names& names) {
     names.timers.resize(equations.timers.size());
     for (std::size_t k = 0; k < names.timers.size(); ++k) {
-        const TimerTimes times = times_of(equations.timers[k]);
-        const std::string& name = equations.timers[k].name;
-        if (times.rise_ms != 0) inner.wish(name, names.timers[k].on);
-        if (times.rise_ms != 0 && times.fall_ms != 0) inner.wish(name + "_L", names.timers[k].lasted);
-        if (times.fall_ms != 0) inner.wish(name + "_OFF", names.timers[k].off);
+        const Equations::Timer& timer = equations.timers[k];
+        if (timer.rise_ms != 0) inner.wish(timer.name, names.timers[k].on);
+        if (timer.rise_ms != 0 && timer.fall_ms != 0) inner.wish(timer.name + "_L", names.timers[k].lasted);
+        if (timer.fall_ms != 0) inner.wish(timer.name + "_OFF", names.timers[k].off);
     }
 }
 
@@ -54,8 +53,6 @@ InterfaceNames interface_names(const std::string& chart, std::span<const std::st
     names.variables.pop_back();
     return names;
 }
-
-TimerTimes times_of(const Equations::Timer& timer) { return {timer.watched, timer.rise_ms, timer.fall_ms}; }
 
 Names names_of(const Equations& equations) {
     std::vector<std::string> inputs, outputs, all;

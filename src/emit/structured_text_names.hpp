@@ -2,7 +2,6 @@
 // The names of a controller in Structured Text.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,13 +19,6 @@ struct InterfaceNames {
 };
 InterfaceNames interface_names(const std::string& chart, std::span<const std::string> inputs,
                                std::span<const std::string> outputs);
-
-/// What a timer watches, and its t1 and t2; 0: none.
-struct TimerTimes {
-    Id<Equations::Variable> watched = {};
-    std::int64_t rise_ms = 0, fall_ms = 0;
-};
-TimerTimes times_of(const Equations::Timer& timer);
 
 struct TimerNames {
     std::string on = {};       ///< the TON; empty: no rise time

@@ -99,7 +99,10 @@ private:
         const std::string& q = one.qualifier;
         const Span where = one.where;
         if (q == "N" || q.empty()) of(step).emplace_back(tree::ContinuousAction{name(output, where), {}, {}, {}, where});
-        else if (q == "S") on_activation(step, output, true, where);
+        else if (q == "S") {
+            on_activation(step, output, true, where);
+            set_.insert(output);
+        }
         else if (q == "R") reset(step, output, where);
         else if (q == "P" || q == "P1" || q == "P0") pulse(step, output, q == "P0", where);
         else if (q == "D" || q == "L" || q == "SD" || q == "DS" || q == "SL") delayed(step, output, one);
@@ -252,11 +255,23 @@ public:
     /// R ends SD and SL of its output too.
     void finish(SfcActions& made) {
         for (const Reset& reset : resets_)
+            if (has_parallel_steps() && set_.erase(reset.output) > 0)
+                sfc_.differs(reset.where, "S and R of `" + reset.output + "`: where both steps are active R wins in a Sequential Function Chart; here the step activated last does");
+        for (const Reset& reset : resets_)
             for (const std::string& state : timed_latches_[reset.output])
                 made.of_steps[reset.step].emplace_back(stored(state, sfc_.draft.constant(false, reset.where), tree::StoredWhen::Activation, reset.where));
     }
 
 private:
+    bool has_parallel_steps() const {
+        for (const st::Network& network : sfc_.unit.networks)
+            if (std::ranges::any_of(network.transitions, [](const st::Transition& one) { return one.to.size() > 1; }) ||
+                std::ranges::count_if(network.steps, &st::Step::initial) > 1)
+                return true;
+        return false;
+    }
+
+    std::unordered_set<std::string> set_ = {};
     std::vector<Reset> resets_ = {};
 };
 

@@ -19,6 +19,7 @@ using VariableKind = Chart::VariableKind;
 
 struct Generator {
     Random& random;
+    TimedTerms timed;
     Chart chart = {};
     std::vector<std::int64_t> outer = {};   ///< per partial chart: the one with the step that owns it; -1: none
     std::vector<Id<Chart::Variable>> inputs = {}, continuous = {}, stored_bools = {}, stored_ints = {}, numbers = {};
@@ -198,14 +199,18 @@ struct Generator {
             static_cast<std::uint32_t>(number(0, static_cast<std::int64_t>(chart.steps.size()) - 1))};
     }
 
+    /// Of the delay or the limit of an action; 0: it has none.
+    std::int64_t action_time() { return timed == TimedTerms::Any && often(20) ? duration() : 0; }
+
     std::int64_t duration() { return pick(std::vector<std::int64_t>{500, 1000, 3000}); }
 
     Id<Expr> time_condition(Allowed allowed) {
         allowed.edges = false;
         allowed.times = often(20);
+        const bool step_only = timed == TimedTerms::Steps;
         const Id<Expr> watched =
-            often(60) ? chart.exprs.leaf(Op::Step, pick_step().index) : condition(1, allowed);
-        const std::int64_t kind = number(0, 9);
+            step_only || often(60) ? chart.exprs.leaf(Op::Step, pick_step().index) : condition(1, allowed);
+        const std::int64_t kind = step_only ? 0 : number(0, 9);
         const Chart::TimeCondition time{kind < 8 ? duration() : 0, watched, kind < 5 ? 0 : duration(), {}};
         for (const auto id : chart.time_conditions.ids())
             if (chart.time_conditions[id] == time) return chart.exprs.leaf(Op::Timed, id.index);
@@ -259,7 +264,7 @@ struct Generator {
             for (std::int64_t count = number(0, 3); count > 0; --count)
                 chart.continuous.add({pick_step(), continuous[k],
                                       often(50) ? chart.exprs.constant(true) : condition(2, Allowed{k}),
-                                      often(20) ? duration() : 0, often(20) ? duration() : 0, {}});
+                                      action_time(), action_time(), {}});
         for (const Id<Chart::Variable> target : stored_bools)
             for (std::int64_t count = number(0, 3); count > 0; --count)
                 store(target, often(60) ? chart.exprs.constant(often(50)) : condition(2, everything()));
@@ -305,8 +310,8 @@ struct Generator {
 
 }  // namespace
 
-Chart random_chart(Random& random) {
-    Generator generator{random};
+Chart random_chart(Random& random, TimedTerms timed) {
+    Generator generator{random, timed};
     generator.chart.name = "law";
     generator.variables();
     generator.steps();

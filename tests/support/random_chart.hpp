@@ -3,9 +3,9 @@
 // a small one that breaks it too.
 //
 // A chart has one to four partial charts of a few steps, plain ones, expansions and enclosed ones, rings with
-// alternatives, parallel branches, sources and sinks, some under forcing orders; bool and small int variables; continuous actions, conditional, delayed and limited ones among them; stored
-// actions of all four kinds, whose arithmetic sometimes leaves the range; conditions over inputs, steps, internals,
-// outputs, edges and time.
+// alternatives, parallel branches, sources and sinks, some under forcing orders; bool and small int variables; continuous
+// actions, conditional, delayed and limited ones among them; stored actions of all four kinds, whose arithmetic sometimes
+// leaves the range; conditions over inputs, steps, internals, outputs, edges and time.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,11 @@ std::int64_t random_number(Random& random, std::int64_t low, std::int64_t high);
 /// True `percent` times in a hundred.
 bool chance(Random& random, int percent);
 
-Chart random_chart(Random& random);
+/// What time conditions watch: any Boolean term and both its edges, in delayed and limited actions too; or, as `t/X`,
+/// the time for which a step has been active.
+enum class TimedTerms { Any, Steps };
+
+Chart random_chart(Random& random, TimedTerms timed = TimedTerms::Any);
 
 /// The same chart without terms and time conditions that nothing uses, in order of first use: as if read from its text.
 Chart tidied(const Chart& chart);

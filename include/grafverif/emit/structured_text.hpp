@@ -10,7 +10,8 @@
 //                          cycle starts its timer anew
 //   stability search       REPEAT ... UNTIL the situation is stable, bounded by MAX_EVOLUTIONS
 //   what has no meaning    output FAULT: 1 no stable situation within the bound (total instability), 2 a race of stored
-//                          actions, 3 a value outside its range. From then on the block keeps its outputs and does nothing.
+//                          actions, 3 a value outside its range, 4 forcing orders that cannot be obeyed together. From then
+//                          on the block keeps its outputs and does nothing.
 // New values are computed from old ones: where an assignment would change what a later one reads, the new value waits in a
 // variable of its own (N_...). Names are legalised once (syntax/legal_names); what had to change stands in the header.
 //

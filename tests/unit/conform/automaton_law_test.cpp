@@ -151,7 +151,7 @@ TEST(AutomatonLaw, TheAutomatonIsWhereTheInterpreterIs) {
     Walked walked;
     for (int seed = 1; seed <= law_size(150); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        const Chart chart = random_chart(random);
+        const Chart chart = random_chart(random, TimedTerms::Steps);
         for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
             const std::uint64_t run_seed = random();
             if (violation(chart, run_seed, mode, walked).empty()) continue;

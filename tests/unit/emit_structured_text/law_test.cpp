@@ -31,7 +31,7 @@ std::string controller_text(const Equations& equations, ExecutionMode mode, Form
 
 int fault_of(const Cycle& run) {
     if (run.race) return 2;
-    if (run.fault) return 3;
+    if (run.fault) return run.fault->kind == RunFault::Kind::ForcedApart ? 4 : 3;
     return !run.endless.empty() || run.gave_up ? 1 : 0;
 }
 
@@ -63,7 +63,7 @@ void meet(const Chart& chart, const State& before, const Cycle& run, Met& met) {
 std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode, Met& met) {
     Diagnostics diagnostics;
     const auto equations = derive(chart, diagnostics);
-    if (!equations) return "derive refuses the chart";
+    if (!equations) return ++met.refused, "";
     if (!structured_text::expressible(*equations, diagnostics)) return ++met.refused, "";
     Random random(seed);
     SmallPlc plc({controller_text(*equations, mode, chance(random, 50) ? Form::Text : Form::PlcopenXml)}, chart.name);

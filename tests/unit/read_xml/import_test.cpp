@@ -73,6 +73,7 @@ TEST(Import, TakesOverTextualChartsWithTheirActionBlocks) {
                              "horn if horn_limited && !(3s/horn_limited);", "transition both: Wait -> Left, Right when go;",
                              "transition Left, Right -> Wait when done != go;"})
         EXPECT_NE(result.text.find(line), std::string::npos) << line << "\n" << result.text << result.said;
+    EXPECT_NE(result.said.find("S and R of `lamp`"), std::string::npos) << result.said;
 }
 
 TEST(Import, ReadsOtherEncodings) {

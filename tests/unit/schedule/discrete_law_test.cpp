@@ -19,10 +19,19 @@ namespace {
 
 struct Tally {
     std::uint64_t states = 0;
-    std::size_t verdicts = 0, loops = 0;
+    std::size_t verdicts = 0, loops = 0, left_out = 0;
 };
 
-/// Compares the two engines on `network` unless it has more than `limit` states, or breaks off somewhere.
+/// Each clock counts on its own, and diagrams of many that do take for ever.
+constexpr std::size_t most_clocks = 6;
+
+std::size_t clock_count(const Network& network) {
+    std::size_t count = 0;
+    for (const Network::Process& process : network.processes) count += network.templates[process.automaton].clocks.size();
+    return count;
+}
+
+/// Compares the two engines on `network` unless it has more than `limit` states or breaks off somewhere.
 void compare(const Network& network, std::uint64_t limit, Tally& tally) {
     const TimedResult timed = check_timed(network, {.max_states = limit});
     if (!timed.complete || !timed.errors.empty()) return;
@@ -61,12 +70,16 @@ TEST(DiscreteTimeLaw, ARandomLoopHasTheStatesAndVerdictsOfTheTimedEngine) {
         for (const Grain grain : {Grain::Atomic, Grain::Phased}) {
             const auto network = compose(*plant_network, model, loop, equations, {grain, {}, {}}, diagnostics);
             if (!network) continue;
+            if (clock_count(*network) > most_clocks) {
+                ++tally.left_out;
+                continue;
+            }
             ASSERT_NO_FATAL_FAILURE(compare(*network, 3000, tally));
         }
     }
     std::cout << "seeds 1 to " << cases << ": " << tally.loops << " loops, " << tally.states << " states, "
-              << tally.verdicts << " verdicts\n";
-    EXPECT_GT(tally.loops, 0U);
+              << tally.verdicts << " verdicts, " << tally.left_out << " left out\n";
+    EXPECT_GT(tally.loops, 20U);
 }
 
 TEST(DiscreteTimeLaw, TheSamplesHaveTheStatesAndVerdictsOfTheTimedEngine) {
