@@ -9,6 +9,7 @@
 
 #include "app/files.hpp"
 #include "app/process.hpp"
+#include "app/progress_line.hpp"
 #include "app/traces.hpp"
 #include "app/untimed.hpp"
 #include "grafverif/check/nusmv.hpp"
@@ -20,35 +21,6 @@
 namespace grafverif::app {
 
 namespace {
-
-/// A line on the terminal while the search goes on.
-class DepthLine {
-public:
-    DepthLine(std::ostream& err, bool shown) : err_(err), shown_(shown) {}
-    DepthLine(const DepthLine&) = delete;
-    DepthLine& operator=(const DepthLine&) = delete;
-    ~DepthLine() { erase(); }
-
-    void show(const SymbolicProgress& now) {
-        if (!shown_ || now.seconds < last_ + 0.2) return;
-        last_ = now.seconds;
-        erase();
-        const std::string line = fmt::format("{} steps deep, {} MiB, {:.0f} s", now.depth, now.bytes >> 20U, now.seconds);
-        width_ = line.size();
-        err_ << line << std::flush;
-    }
-
-private:
-    void erase() {
-        if (width_ != 0) err_ << '\r' << std::string(width_, ' ') << '\r' << std::flush;
-        width_ = 0;
-    }
-
-    std::ostream& err_;
-    bool shown_;
-    double last_ = 0;
-    std::size_t width_ = 0;
-};
 
 /// Turns verdicts and runs into a report; runs that do not replay are failures and are not told.
 class SystemReporter {
@@ -142,8 +114,12 @@ Findings check_symbolically(const SystemToCheck& check, const Options& options, 
     symbolic.stop = &interrupt.asked();
     SymbolicResult result;
     if (options.properties.empty() || !symbolic.properties.empty()) {   // no names would ask for all
-        DepthLine line(streams.err, streams.err_is_terminal && !options.quiet);
-        symbolic.progress = [&line](const SymbolicProgress& now) { line.show(now); };
+        ProgressLine line(streams.err, streams.err_is_terminal && !options.quiet);
+        symbolic.progress = [&line](const SymbolicProgress& now) {
+            line.show([&] {
+                return fmt::format("{} steps deep, {} MiB, {:.0f} s", now.depth, now.bytes >> 20U, now.seconds);
+            });
+        };
         result = check_symbolic(check.system, symbolic);
     }
     SystemReporter reporter(check, "symbolic", options);

@@ -35,7 +35,7 @@ TimedResult search(const Network& network, const Options& options, const Streams
     if (options.timeout_ms)
         timed.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
     timed.stop = &interrupt.asked();
-    timed.progress = [&line](const TimedProgress& now) { line.show(progress_text(now)); };
+    timed.progress = [&line](const TimedProgress& now) { line.show([&] { return progress_text(now); }); };
     return check_timed(network, timed);
 }
 

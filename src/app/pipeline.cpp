@@ -144,7 +144,10 @@ std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> char
         options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*job.options.timeout_ms);
     options.stop = &interrupt.asked();
     options.progress = [&line](const ConformProgress& now) {
-        line.show(fmt::format("{} locations, {} to go on from, {} evolutions", now.locations, now.locations - now.done, now.evolutions));
+        line.show([&] {
+            return fmt::format("{} locations, {} to go on from, {} evolutions", now.locations, now.locations - now.done,
+                               now.evolutions);
+        });
     };
     return location_automaton(*equations, options, job.diagnostics);
 }

@@ -2,6 +2,7 @@
 // A line on the terminal, written over until the work ends.
 #pragma once
 
+#include <chrono>
 #include <ostream>
 #include <string>
 
@@ -14,9 +15,14 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
     ~ProgressLine() { erase(); }
 
-    void show(const std::string& line) {
-        if (!shown_) return;
+    /// Shows what `text()` gives; five times a second at most.
+    template <class Text>
+    void show(const Text& text) {
+        const auto now = std::chrono::steady_clock::now();
+        if (!shown_ || now - last_ < std::chrono::milliseconds(200)) return;
+        last_ = now;
         erase();
+        const std::string line = text();
         width_ = line.size();
         err_ << line << std::flush;
     }
@@ -30,6 +36,7 @@ private:
     std::ostream& err_;
     bool shown_;
     std::size_t width_ = 0;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace grafverif::app

@@ -38,15 +38,11 @@ void write_test_report(const TestReport& report, const Options& options, const S
 std::optional<TestReport> bench_report(const TestSequence& sequence, const Options& options, const Streams& streams,
                                        const Interrupt& interrupt) {
     ProgressLine line(streams.err, streams.err_is_terminal && !options.quiet);
-    auto last = std::chrono::steady_clock::now();
     BenchOptions bench{options.against, options.clock, options.go_on};
     bench.patience = std::chrono::milliseconds(options.patience_ms.value_or(10'000));
     bench.stop = &interrupt.asked();
     bench.progress = [&](std::size_t done) {
-        const auto now = std::chrono::steady_clock::now();
-        if (now - last < std::chrono::milliseconds(200)) return;
-        last = now;
-        line.show(fmt::format("{} of {} steps", done, step_count(sequence)));
+        line.show([&] { return fmt::format("{} of {} steps", done, step_count(sequence)); });
     };
     return run_test(sequence, bench);
 }

@@ -10,24 +10,11 @@
 
 #include "grafverif/support/diagnostic.hpp"
 #include "grafverif/syntax/tree.hpp"
+#include "syntax/places.hpp"
 
 namespace grafverif::tree {
 
 class Lexer;
-
-/// Levels of brackets and operators in one expression.
-inline constexpr std::size_t deepest_expression = 1000;
-
-/// The empty place right after `span`.
-inline Span after(Span span) { return {span.source, span.end, span.end}; }
-
-/// From the first to the last of `count` places, those left out (empty ones) not counted.
-template <class Place>
-Span across(std::size_t count, const Place& place) {
-    Span first = place(1);
-    for (int i = 2; i <= static_cast<int>(count) && first.begin == first.end; ++i) first = place(i);
-    return {first.source, first.begin, place(static_cast<int>(count)).end};
-}
 
 class Builder {
 public:

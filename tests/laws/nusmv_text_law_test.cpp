@@ -7,9 +7,9 @@
 #include <iostream>
 #include <sstream>
 
-#include "grafverif/derive/derive.hpp"
 #include "grafverif/emit/nusmv.hpp"
 #include "grafverif/schedule/controller.hpp"
+#include "support/derived.hpp"
 #include "support/law_size.hpp"
 #include "support/nusmv_reader.hpp"
 #include "support/random_loop.hpp"
@@ -87,13 +87,9 @@ TEST(NusmvTextLaw, TheModelOfARandomLoopReadBackIsItsTransitionSystem) {
         Random random(static_cast<std::uint64_t>(seed));
         const Model model = random_loop(random);
         const ClosedLoop& loop = model.loops[{0}];
-        Diagnostics diagnostics;
-        std::vector<Equations> equations;
-        for (const ClosedLoop::Controller& controller : loop.controllers)
-            if (auto derived = derive(model.charts[controller.chart], diagnostics))
-                equations.push_back(std::move(*derived));
-        if (equations.size() != loop.controllers.size()) continue;
-        const System system = schedule_controllers(model, loop, equations);
+        const auto equations = derived(model);
+        if (!equations) continue;
+        const System system = schedule_controllers(model, loop, *equations);
         ASSERT_EQ(verify(system), std::vector<std::string>{}) << "seed " << seed;
         EXPECT_GE(system.properties.size() + system.omitted.size(), loop.properties.size()) << "seed " << seed;
         const std::string found = difference(system);

@@ -13,7 +13,6 @@
 #include <set>
 #include <sstream>
 
-#include "grafverif/derive/derive.hpp"
 #include "grafverif/emit/nusmv.hpp"
 #include "grafverif/compose/compose.hpp"
 #include "grafverif/plant/plant.hpp"
@@ -21,6 +20,7 @@
 #include "grafverif/schedule/network.hpp"
 #include "grafverif/schedule/together.hpp"
 #include "grafverif/syntax/legal_names.hpp"
+#include "support/derived.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
 #include "support/run_transition_system.hpp"
@@ -256,13 +256,9 @@ TEST(NusmvOracle, AgreesWithAnExplicitSearchOnRandomLoops) {
         Random random(static_cast<std::uint64_t>(seed));
         const Model model = random_loop(random);
         const ClosedLoop& loop = model.loops[{0}];
-        Diagnostics diagnostics;
-        std::vector<Equations> equations;
-        for (const ClosedLoop::Controller& controller : loop.controllers)
-            if (auto derived = derive(model.charts[controller.chart], diagnostics))
-                equations.push_back(std::move(*derived));
-        if (equations.size() != loop.controllers.size()) continue;
-        System system = schedule_controllers(model, loop, equations);
+        const auto equations = derived(model);
+        if (!equations) continue;
+        System system = schedule_controllers(model, loop, *equations);
         ask_more(system, random);
         ASSERT_NO_FATAL_FAILURE(compare(system, states, verdicts));
     }
@@ -296,13 +292,9 @@ TEST(NusmvOracle, AgreesWithAnExplicitSearchOnRandomLoopsWithPlantAutomata) {
         Random random(static_cast<std::uint64_t>(seed));
         const Model model = random_loop(random);
         const ClosedLoop& loop = model.loops[{0}];
-        Diagnostics diagnostics;
-        std::vector<Equations> equations;
-        for (const ClosedLoop::Controller& controller : loop.controllers)
-            if (auto derived = derive(model.charts[controller.chart], diagnostics))
-                equations.push_back(std::move(*derived));
-        if (equations.size() != loop.controllers.size()) continue;
-        for (System& system : with_automata(model, loop, equations)) {
+        const auto equations = derived(model);
+        if (!equations) continue;
+        for (System& system : with_automata(model, loop, *equations)) {
             SCOPED_TRACE(system.scope);
             ASSERT_EQ(verify(system), std::vector<std::string>{});
             ask_more(system, random);

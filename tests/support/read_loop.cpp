@@ -7,9 +7,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "grafverif/derive/derive.hpp"
 #include "grafverif/plant/plant.hpp"
 #include "grafverif/read/text.hpp"
+#include "support/derived.hpp"
 
 namespace grafverif {
 
@@ -53,15 +53,11 @@ std::vector<const Chart*> LoopUnderTest::charts() const {
 LoopUnderTest composed_loop(Model model, const ComposeOptions& options) {
     Diagnostics diagnostics;
     const ClosedLoop& loop = model.loops[{0}];
-    std::vector<Equations> equations;
-    for (const ClosedLoop::Controller& controller : loop.controllers) {
-        auto derived = derive(model.charts[controller.chart], diagnostics);
-        if (!derived) refuse(diagnostics, {});
-        equations.push_back(std::move(*derived));
-    }
+    const auto equations = derived(model, diagnostics);
+    if (!equations) refuse(diagnostics, {});
     const auto plant_network = plant(model, loop, diagnostics);
     if (!plant_network) refuse(diagnostics, {});
-    auto network = compose(*plant_network, model, loop, equations, options, diagnostics);
+    auto network = compose(*plant_network, model, loop, *equations, options, diagnostics);
     if (!network) refuse(diagnostics, {});
     return {std::move(model), std::move(*network)};
 }

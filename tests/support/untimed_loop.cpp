@@ -6,11 +6,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "grafverif/derive/derive.hpp"
 #include "grafverif/plant/plant.hpp"
 #include "grafverif/schedule/controller.hpp"
 #include "grafverif/schedule/network.hpp"
 #include "grafverif/schedule/together.hpp"
+#include "support/derived.hpp"
 #include "support/read_loop.hpp"
 
 namespace grafverif {
@@ -26,9 +26,7 @@ namespace {
 std::optional<TransitionSystem> scheduled(const Model& model, const ScheduleOptions& options, Grain grain,
                                           Diagnostics& diagnostics) {
     const ClosedLoop& loop = model.loops[{0}];
-    std::vector<Equations> equations;
-    for (const ClosedLoop::Controller& controller : loop.controllers)
-        equations.push_back(derive(model.charts[controller.chart], diagnostics).value());
+    const std::vector<Equations> equations = derived(model, diagnostics).value();
     if (options.plant != PlantApproach::Automata) {
         if (options.plant == PlantApproach::Constraints && !constraints_agree(loop, diagnostics)) return {};
         return schedule_controllers(model, loop, equations, options);

@@ -7,10 +7,10 @@
 #include <iostream>
 
 #include "grafverif/check/symbolic.hpp"
-#include "grafverif/derive/derive.hpp"
 #include "grafverif/report/tell_system.hpp"
 #include "grafverif/run/replay_system.hpp"
 #include "grafverif/schedule/controller.hpp"
+#include "support/derived.hpp"
 #include "support/explicit_search.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"
@@ -159,13 +159,9 @@ TEST(SymbolicLaw, AgreesWithAnExplicitSearchOnRandomControllers) {
         Random random(static_cast<std::uint64_t>(seed));
         const Model model = random_loop(random);
         const ClosedLoop& loop = model.loops[{0}];
-        Diagnostics diagnostics;
-        std::vector<Equations> equations;
-        for (const ClosedLoop::Controller& controller : loop.controllers)
-            if (auto derived = derive(model.charts[controller.chart], diagnostics))
-                equations.push_back(std::move(*derived));
-        if (equations.size() != loop.controllers.size()) continue;
-        System system = schedule_controllers(model, loop, equations);
+        const auto equations = derived(model);
+        if (!equations) continue;
+        System system = schedule_controllers(model, loop, *equations);
         ask_more(system, random);
         compare(system, 600, compared);
         std::vector<const Chart*> charts;

@@ -10,6 +10,7 @@
 #include "grafverif/compose/compose.hpp"
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/plant/plant.hpp"
+#include "support/derived.hpp"
 #include "support/random_loop.hpp"
 
 namespace grafverif {
@@ -54,9 +55,7 @@ struct HandChart {
 inline Network composed(const Model& model, const ComposeOptions& options = {}) {
     Diagnostics diagnostics;
     const ClosedLoop& loop = model.loops[{0}];
-    std::vector<Equations> equations;
-    for (const ClosedLoop::Controller& controller : loop.controllers)
-        equations.push_back(derive(model.charts[controller.chart], diagnostics).value());
+    const std::vector<Equations> equations = derived(model, diagnostics).value();
     const Network alone = plant(model, loop, diagnostics).value();
     Network network = compose(alone, model, loop, equations, options, diagnostics).value();
     EXPECT_EQ(verify(network), std::vector<std::string>{});

@@ -7,9 +7,9 @@
 #include "grafverif/check/symbolic.hpp"
 #include "grafverif/check/timed.hpp"
 #include "grafverif/compose/compose.hpp"
-#include "grafverif/derive/derive.hpp"
 #include "grafverif/plant/plant.hpp"
 #include "grafverif/schedule/network.hpp"
+#include "support/derived.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
 #include "support/read_loop.hpp"
@@ -61,14 +61,11 @@ TEST(DiscreteTimeLaw, ARandomLoopHasTheStatesAndVerdictsOfTheTimedEngine) {
         const Model model = random_loop(random);
         const ClosedLoop& loop = model.loops[{0}];
         Diagnostics diagnostics;
-        std::vector<Equations> equations;
-        for (const ClosedLoop::Controller& controller : loop.controllers)
-            if (auto derived = derive(model.charts[controller.chart], diagnostics))
-                equations.push_back(std::move(*derived));
+        const auto equations = derived(model);
         const auto plant_network = plant(model, loop, diagnostics);
-        if (!plant_network || equations.size() != loop.controllers.size()) continue;
+        if (!plant_network || !equations) continue;
         for (const Grain grain : {Grain::Atomic, Grain::Phased}) {
-            const auto network = compose(*plant_network, model, loop, equations, {grain, {}, {}}, diagnostics);
+            const auto network = compose(*plant_network, model, loop, *equations, {grain, {}, {}}, diagnostics);
             if (!network) continue;
             if (clock_count(*network) > most_clocks) {
                 ++tally.left_out;

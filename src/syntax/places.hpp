@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What both grammars say of the places of their words, and how deep terms may nest.
+#pragma once
+
+#include <cstddef>
+
+#include "grafverif/support/diagnostic.hpp"
+
+namespace grafverif {
+
+/// Levels of brackets and operators in one expression.
+inline constexpr std::size_t deepest_expression = 1000;
+
+/// The empty place right after `span`.
+inline Span after(Span span) { return {span.source, span.end, span.end}; }
+
+/// From the first to the last of `count` places, those left out (empty ones) not counted.
+template <class Place>
+Span across(std::size_t count, const Place& place) {
+    Span first = place(1);
+    for (int i = 2; i <= static_cast<int>(count) && first.begin == first.end; ++i) first = place(i);
+    return {first.source, first.begin, place(static_cast<int>(count)).end};
+}
+
+}  // namespace grafverif
