@@ -75,8 +75,8 @@ private:
                      : exprs_.conjunction(before, exprs_.negation(now));
     }
 
-    /// `t1/v/t2`. The end of a timer is that of the level after the last cycle. Where v is a step, that is its level
-    /// before this cycle; elsewhere an input may have changed it since.
+    /// `t1/v/t2`. The end of a timer is that of the level after the last cycle; an input may have changed it since, and an
+    /// untimed model ends timers whether v is true or not: without t2, v itself must be true now.
     Id<Expr> timed(Id<Chart::TimeCondition> id) {
         const Chart::TimeCondition& written = derivation_.chart.time_conditions[id];
         const Id<Expr> watched = Copier(derivation_, Reading::After, written.origin)(written.watched);

@@ -68,7 +68,7 @@ struct Chart {
     /// `t1/v/t2` (IEC 60848, 4.4): true `rise_ms` after v rises, until `fall_ms` after it falls.
     struct TimeCondition {
         std::int64_t rise_ms = 0;
-        Id<Expr> watched = {};                  ///< in this issue's stages: a Step leaf
+        Id<Expr> watched = {};                  ///< a Boolean term
         std::int64_t fall_ms = 0;
         Span origin = {};
         bool operator==(const TimeCondition&) const = default;
