@@ -74,7 +74,7 @@ private:
         const bool unchanged = first.size() == 1 && moves_.fresh(first.front().next).empty() &&
                                nothing_happened(moves_.settled(first.front().next));
         for (const Arrival& arrival : all.arrivals)
-            if (!unchanged || moves_.settled(arrival.state) != moves_.settled(first.front().next)) add_evolution(automaton_.init, arrival);
+            if (!unchanged || arrival.state != first.front().next) add_evolution(automaton_.init, arrival);
             else location(moves_.settled(arrival.state));
         add_instabilities(automaton_.init, all.loops);
         return !moves_.failed();
@@ -106,14 +106,16 @@ private:
 
     void step_from(Id<Location> from) {
         for (const StateMove& move : moves_.of(states_[from.index]))
-            if (!move.stable) add_evolution(from, {move.next, move.set});
+            if (!move.stable || move.next != states_[from.index]) add_evolution(from, {move.next, move.set});
     }
 
     void search_from(Id<Location> from) {
         Followed all;
         const std::vector<StateMove>& moves = moves_.of(states_[from.index]);
-        for (const StateMove& move : moves)
+        for (const StateMove& move : moves) {
             if (!move.stable) follow(move.next, move.set, all, states_[from.index]);
+            else if (move.next != states_[from.index]) arrive(move.next, move.set, all);
+        }
         for (const Arrival& arrival : all.arrivals) add_evolution(from, arrival);
         add_instabilities(from, all.loops);
     }
@@ -127,7 +129,7 @@ private:
     /// Follows `set` from `state`, the inputs held, until it is stable or on a loop.
     void follow(StateId state, const Bdd& set, Followed& result, StateId origin = no_state) {
         if (const std::vector<StateMove>& moves = moves_.of(state); !moves.empty() && moves.front().stable)
-            if (Bdd both = set & moves.front().set; both == set) return arrive(state, std::move(both), result);   // as most do
+            if (Bdd both = set & moves.front().set; both == set) return arrive(moves.front().next, std::move(both), result);   // as most do
         std::vector<Leg> open{{state, set, 0}};
         std::vector<StateId> path;
         if (origin != no_state) path.push_back(origin), open.back().depth = 1;
@@ -144,7 +146,7 @@ private:
                 Bdd both = leg.set & move.set;
                 if (both.is_false()) continue;
                 const bool all = both == leg.set;
-                if (move.stable) arrive(leg.state, std::move(both), result);
+                if (move.stable) arrive(move.next, std::move(both), result);
                 else open.push_back({move.next, std::move(both), path.size()});
                 if (all) break;
             }
@@ -158,8 +160,9 @@ private:
     }
 
     void add_evolution(Id<Location> from, const Arrival& arrival) {
-        Automaton::Evolution evolution{from, location(moves_.settled(arrival.state)), conditions_.term(arrival.set), {}};
+        Automaton::Evolution evolution{from, location(moves_.settled(arrival.state)), conditions_.term(arrival.set), {}, {}};
         for (const std::size_t timer : moves_.fresh(arrival.state)) evolution.restarted.push_back(timer_input(timer));
+        for (const std::size_t timer : moves_.falling(arrival.state)) evolution.falling.push_back(timer_input(timer));
         automaton_.evolutions.push_back(std::move(evolution));
     }
 
@@ -204,6 +207,7 @@ private:
             result.values.push_back(moves_.load(state)[stored.variable.index]);
         for (const Equations::Previous& previous : equations_.previous)
             result.values.push_back(moves_.load(state)[previous.variable.index]);
+        for (const Equations::Watch& watch : equations_.watches) result.values.push_back(moves_.load(state)[watch.variable.index]);
         result.emissions = stored_emissions(result.values);
         for (const Equations::Output& output : equations_.outputs) {
             Bdd undefined;
@@ -275,31 +279,27 @@ std::vector<std::optional<std::size_t>> declare_inputs(const Equations& equation
     for (const Id<Equations::Variable> id : equations.variables.ids()) {
         const Equations::Variable& variable = equations.variables[id];
         if (variable.role == Role::Input)
-            inputs[id.index] = automaton.inputs.add({variable.name, variable.type, {}, 0, variable.origin}).index;
+            inputs[id.index] = automaton.inputs.add({variable.name, variable.type, {}, {}, 0, 0, variable.origin}).index;
     }
     for (const Equations::Timer& timer : equations.timers) {
-        std::uint32_t step = 0;
-        while (equations.steps[step].variable != timer.watched) ++step;
-        inputs[timer.end.index] = automaton.inputs.add({equations.variables[timer.end].name, {}, {step}, timer.rise_ms, timer.origin}).index;
+        Automaton::Input input{equations.variables[timer.end].name, {}, {}, {}, timer.rise_ms, timer.fall_ms, timer.origin};
+        const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
+        const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
+        if (step != equations.steps.end()) input.timed = {static_cast<std::uint32_t>(step - equations.steps.begin())};
+        else input.watched = {static_cast<std::uint32_t>(equations.stored.size() + equations.previous.size() +
+                                                         static_cast<std::size_t>(watch - equations.watches.begin()))};
+        inputs[timer.end.index] = automaton.inputs.add(std::move(input)).index;
     }
     return inputs;
 }
 
-/// Whether a tester can tell by waiting when the timers end: each measures from the activation of a step, and no output
-/// reads it. Else an error is added.
-bool can_be_waited_for(const Equations& equations, Diagnostics& diagnostics) {
-    const std::size_t errors = diagnostics.errors();
-    for (const Equations::Timer& timer : equations.timers) {
-        const bool of_step = equations.variables[timer.watched].role == Role::Step && timer.rise_ms > 0 && timer.fall_ms == 0;
-        bool emitted = false;
-        for (const Equations::Output& output : equations.outputs)
-            for (const Id<Expr> leaf : leaves(equations.exprs, output.value))
-                emitted = emitted || equations.exprs[leaf].value == static_cast<std::int64_t>(timer.end.index);
-        if (!of_step || emitted)
-            diagnostics.add(messages::not_in_automaton(timer.origin, of_step ? "an output that reads a time condition"
-                                                                             : "a time condition other than a duration over a step variable (`3s/X2`)"));
-    }
-    return diagnostics.errors() == errors;
+/// Excludes what timers of one level cannot do: of those that rise later and fall earlier none holds alone.
+void order_timers(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs, InputSpace& space) {
+    const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
+    for (const Equations::Timer& one : equations.timers)
+        for (const Equations::Timer& other : equations.timers)
+            if (&one != &other && one.watched == other.watched && one.rise_ms >= other.rise_ms && one.fall_ms <= other.fall_ms)
+                space.assume(~end(one) | end(other));
 }
 
 /// False after an error: JESA13 section 2.2 asks for inputs and outputs.
@@ -307,14 +307,13 @@ bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diag
     for (const Equations::Variable& variable : equations.variables)
         if (variable.role == Role::Output) automaton.outputs.add({variable.name, variable.type});
     for (const Equations::StepActivity& step : equations.steps) automaton.steps.add({step.step});
-    for (const Equations::Stored& stored : equations.stored) {
-        const Equations::Variable& variable = equations.variables[stored.variable];
+    const auto remember = [&](Id<Equations::Variable> id) {
+        const Equations::Variable& variable = equations.variables[id];
         automaton.stored.add({variable.name, variable.type, variable.initial});
-    }
-    for (const Equations::Previous& previous : equations.previous) {
-        const Equations::Variable& variable = equations.variables[previous.variable];
-        automaton.stored.add({variable.name, variable.type, variable.initial});
-    }
+    };
+    for (const Equations::Stored& stored : equations.stored) remember(stored.variable);
+    for (const Equations::Previous& previous : equations.previous) remember(previous.variable);
+    for (const Equations::Watch& watch : equations.watches) remember(watch.variable);
     const bool inputs = !automaton.inputs.empty(), outputs = !automaton.outputs.empty();
     if (!inputs) diagnostics.add(messages::nothing_to_test(equations.origin, equations.name, "inputs"));
     if (!outputs) diagnostics.add(messages::nothing_to_test(equations.origin, equations.name, "outputs"));
@@ -357,7 +356,6 @@ std::optional<LocationAutomaton> location_automaton(const Equations& equations, 
     automaton.name = equations.name;
     automaton.mode = options.mode;
     automaton.origin = equations.origin;
-    if (!can_be_waited_for(equations, diagnostics)) return {};
     const std::vector<std::optional<std::size_t>> inputs = declare_inputs(equations, automaton);
     if (!declare(equations, automaton, diagnostics)) return {};
     std::vector<Type> types;
@@ -365,6 +363,7 @@ std::optional<LocationAutomaton> location_automaton(const Equations& equations, 
     try {
         InputSpace space(types, {options.max_memory, options.deadline, options.stop});
         if (!assume(equations, inputs, space, diagnostics)) return {};
+        order_timers(equations, inputs, space);
         automaton.assumed = assumed_term(equations, inputs, automaton.exprs);
         Search search(equations, options, inputs, space, automaton, diagnostics);
         if (!search.run() || search.unsound()) return {};

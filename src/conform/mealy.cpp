@@ -17,10 +17,11 @@ using Automaton = LocationAutomaton;
 using Location = Automaton::Location;
 using State = MealyMachine::State;
 
-/// A location and, per timed step, for how long it has been active, no longer than its longest timer; -1: it is not.
+/// A location and how long its timers have been running. Per level that timers watch: for how long it has been true, no
+/// longer than the longest rise time; -1: it is not. Per timer with a fall time: since when that runs; -1: it does not.
 struct Place {
     Id<Location> location = {};
-    std::vector<std::int64_t> ages = {};
+    std::vector<std::int64_t> ages = {}, falls = {};
     auto operator<=>(const Place&) const = default;
 };
 
@@ -32,9 +33,16 @@ struct Departures {
     bool operator==(const Departures& other) const { return to == other.to && unstable == other.unstable; }
 };
 
-struct TimedStep {
-    Id<Automaton::Step> step = {};
+/// A level that timers watch, with its longest rise time; and a timer over it.
+struct Level {
+    Automaton::Input watched = {};
     std::int64_t longest = 0;
+};
+struct Timer {
+    Id<Automaton::Input> input = {};
+    std::size_t level = 0;
+    std::size_t fall = 0;      ///< place in Place::falls, of a timer with a fall time
+    std::int64_t rise_ms = 0, fall_ms = 0;
 };
 
 class Builder {
@@ -47,14 +55,12 @@ public:
         space_.assume(condition(automaton.assumed));
         for (const Id<Automaton::Input> id : automaton.inputs.ids()) {
             const Automaton::Input& input = automaton.inputs[id];
-            if (!input.timed.valid()) {
-                machine_.inputs.push_back({input.name, input.type});
-                for (const std::uint32_t bit : space_.word(id.index).bits) bits_.push_back(bit);
+            if (is_timer(input)) {
+                add_timer(id);
                 continue;
             }
-            const auto known = std::ranges::find(timed_, input.timed, &TimedStep::step);
-            if (known == timed_.end()) timed_.push_back({input.timed, input.wait_ms});
-            else known->longest = std::max(known->longest, input.wait_ms);
+            machine_.inputs.push_back({input.name, input.type});
+            for (const std::uint32_t bit : space_.word(id.index).bits) bits_.push_back(bit);
         }
         std::ranges::sort(bits_);
     }
@@ -90,37 +96,48 @@ private:
         return found.bits.front() & ~found.undefined;
     }
 
-    bool active(Id<Location> location, Id<Automaton::Step> step) const {
-        return std::ranges::binary_search(automaton_.locations[location].situation, step);
+    void add_timer(Id<Automaton::Input> id) {
+        const Automaton::Input& input = automaton_.inputs[id];
+        const auto known = std::ranges::find_if(levels_, [&](const Level& level) {
+            return level.watched.timed == input.timed && level.watched.watched == input.watched;
+        });
+        timers_.push_back({id, static_cast<std::size_t>(known - levels_.begin()), falls_, input.rise_ms, input.fall_ms});
+        if (input.fall_ms > 0) ++falls_;
+        if (known == levels_.end()) levels_.push_back({input, input.rise_ms});
+        else known->longest = std::max(known->longest, input.rise_ms);
     }
 
-    /// The place after an arrival in `location`: the ages of `before`, but of steps that were activated anew.
-    Place arrival(const Place& before, Id<Location> location, const std::vector<Id<Automaton::Input>>& restarted) const {
-        Place place{location, {}};
-        for (std::size_t k = 0; k < timed_.size(); ++k) {
-            const bool anew = std::ranges::any_of(restarted, [&](Id<Automaton::Input> timer) {
-                return automaton_.inputs[timer].timed == timed_[k].step;
-            });
-            if (!active(location, timed_[k].step)) place.ages.push_back(-1);
-            else place.ages.push_back(anew || before.ages[k] < 0 ? 0 : before.ages[k]);
+    bool active(Id<Location> location, const Level& level) const {
+        return grafverif::level(automaton_.locations[location], level.watched);
+    }
+
+    /// The place after `evolution`: the times of `before`, but of what was started anew.
+    Place arrival(const Place& before, const Automaton::Evolution& evolution) const {
+        Place place{evolution.to, {}, before.falls};
+        for (std::size_t k = 0; k < levels_.size(); ++k)
+            place.ages.push_back(active(evolution.to, levels_[k]) ? std::max<std::int64_t>(before.ages[k], 0) : -1);
+        for (const Timer& timer : timers_) {
+            if (std::ranges::find(evolution.restarted, timer.input) != evolution.restarted.end()) place.ages[timer.level] = 0;
+            const bool fell = std::ranges::find(evolution.falling, timer.input) != evolution.falling.end();
+            if (fell && (timer.rise_ms == 0 || before.ages[timer.level] >= timer.rise_ms)) place.falls[timer.fall] = 0;
         }
         return place;
     }
 
     Place place_of_init() const {
-        Place place{automaton_.init, {}};
-        for (const TimedStep& timed : timed_) place.ages.push_back(active(automaton_.init, timed.step) ? 0 : -1);
+        Place place{automaton_.init, {}, std::vector<std::int64_t>(falls_, -1)};
+        for (const Level& level : levels_) place.ages.push_back(active(automaton_.init, level) ? 0 : -1);
         return place;
     }
 
-    /// The ends of the timers in `place`, as a cube.
+    /// The ends of the timers in `place`, as a cube. Before the first cycle none holds.
     Bdd timer_ends(const Place& place) const {
         std::vector<BddLiteral> literals;
-        for (const Id<Automaton::Input> id : automaton_.inputs.ids()) {
-            const Automaton::Input& input = automaton_.inputs[id];
-            if (!input.timed.valid()) continue;
-            const auto step = static_cast<std::size_t>(std::ranges::find(timed_, input.timed, &TimedStep::step) - timed_.begin());
-            literals.push_back({space_.word(id.index).bits.front(), place.ages[step] >= input.wait_ms});
+        for (const Timer& timer : timers_) {
+            const std::int64_t age = place.ages[timer.level];
+            const bool risen = age >= timer.rise_ms && age >= 0 && place.location != automaton_.init;
+            const bool falling = timer.fall_ms > 0 && place.falls[timer.fall] >= 0;
+            literals.push_back({space_.word(timer.input.index).bits.front(), risen || falling});
         }
         return cube(literals);
     }
@@ -128,13 +145,13 @@ private:
     Departures departures(const Place& place) {
         Departures result;
         const Bdd ends = timer_ends(place);
-        const auto now = [&](const Bdd& set) { return timed_.empty() ? set : cofactor(set, ends); };
+        const auto now = [&](const Bdd& set) { return timers_.empty() ? set : cofactor(set, ends); };
         const Bdd assumed = now(space_.assumed());
         Bdd rest = assumed;
         for (const Automaton::Evolution& evolution : evolutions_from(automaton_, place.location)) {
             const Bdd set = now(condition(evolution.condition)) & assumed;
             if (set.is_false()) continue;
-            result.to[arrival(place, evolution.to, evolution.restarted)] |= set;
+            result.to[arrival(place, evolution)] |= set;
             rest &= ~set;
         }
         for (const Automaton::Instability& instability : instabilities_of(automaton_, place.location))
@@ -175,7 +192,7 @@ private:
         for (const auto& [place, set] : first.to) {
             const bool same_situation =
                 automaton_.locations[place.location].situation == automaton_.locations[automaton_.init].situation;
-            if (!same_situation || place.ages != init.ages || !(departures(place) == first)) continue;
+            if (!same_situation || place.ages != init.ages || place.falls != init.falls || !(departures(place) == first)) continue;
             machine_.initial = state(place);
             return;
         }
@@ -196,9 +213,17 @@ private:
         const std::vector<std::int64_t>& values = automaton_.locations[place.location].values;
         for (std::size_t k = 0; k < values.size(); ++k)
             add(automaton_.stored[Id<Automaton::Stored>{static_cast<std::uint32_t>(k)}].name + " = " + std::to_string(values[k]));
-        for (std::size_t k = 0; k < timed_.size(); ++k)
-            if (place.ages[k] >= 0) add("X" + automaton_.steps[timed_[k].step].name + " for " + std::to_string(place.ages[k]) + " ms");
+        for (std::size_t k = 0; k < levels_.size(); ++k)
+            if (place.ages[k] >= 0 && levels_[k].longest > 0) add(level_name(levels_[k]) + " for " + std::to_string(place.ages[k]) + " ms");
+        for (const Timer& timer : timers_)
+            if (timer.fall_ms > 0 && place.falls[timer.fall] >= 0)
+                add(automaton_.inputs[timer.input].name + " until " + std::to_string(timer.fall_ms - place.falls[timer.fall]) + " ms");
         return text;
+    }
+
+    std::string level_name(const Level& level) const {
+        if (level.watched.watched.valid()) return automaton_.stored[level.watched.watched].name;
+        return "X" + automaton_.steps[level.watched.timed].name;
     }
 
     void add_transitions(std::size_t index) {
@@ -216,18 +241,28 @@ private:
 
     /// Lets time pass until the next timer ends, under inputs that the place is stable for.
     void add_waits(Id<State> from, const Place& place, const Bdd& staying) {
-        std::int64_t wait = 0;
-        for (const Automaton::Input& input : automaton_.inputs) {
-            if (!input.timed.valid()) continue;
-            const std::int64_t age = place.ages[static_cast<std::size_t>(std::ranges::find(timed_, input.timed, &TimedStep::step) - timed_.begin())];
-            if (age >= 0 && age < input.wait_ms && (wait == 0 || input.wait_ms - age < wait)) wait = input.wait_ms - age;
-        }
+        const std::int64_t wait = next_end(place);
         if (wait == 0 || staying.is_false()) return;
         Place later = place;
-        for (std::size_t k = 0; k < timed_.size(); ++k)
-            if (later.ages[k] >= 0) later.ages[k] = std::min(later.ages[k] + wait, timed_[k].longest);
+        for (std::size_t k = 0; k < levels_.size(); ++k)
+            if (later.ages[k] >= 0) later.ages[k] = std::min(later.ages[k] + wait, levels_[k].longest);
+        for (const Timer& timer : timers_)
+            if (std::int64_t* const fall = timer.fall_ms > 0 ? &later.falls[timer.fall] : nullptr; fall != nullptr && *fall >= 0)
+                *fall = *fall + wait < timer.fall_ms ? *fall + wait : -1;
         for (const auto& [to, set] : departures(later).to)
             if (const Bdd both = set & staying; !both.is_false()) add_transition(from, to, both, wait);
+    }
+
+    /// The time until the next end of a timer rises, or a fall time is over; 0: nothing runs.
+    std::int64_t next_end(const Place& place) const {
+        std::int64_t next = 0;
+        const auto consider = [&next](std::int64_t wait) { next = next == 0 ? wait : std::min(next, wait); };
+        for (const Timer& timer : timers_) {
+            const std::int64_t age = place.ages[timer.level];
+            if (age >= 0 && age < timer.rise_ms) consider(timer.rise_ms - age);
+            if (timer.fall_ms > 0 && place.falls[timer.fall] >= 0) consider(timer.fall_ms - place.falls[timer.fall]);
+        }
+        return next;
     }
 
     void add_transition(Id<State> from, const Place& to, const Bdd& set, std::int64_t wait) {
@@ -249,7 +284,7 @@ private:
                 continue;
             }
             Bdd holds = condition(emission.value);
-            if (!timed_.empty()) holds = cofactor(holds, timer_ends(place));
+            if (!timers_.empty()) holds = cofactor(holds, timer_ends(place));
             std::vector<Part> pieces;
             for (Part& part : parts) {
                 Part on{part.set & holds, part.values};
@@ -279,7 +314,9 @@ private:
     BddTerms terms_;
     Conditions conditions_;
     std::vector<std::uint32_t> bits_ = {};       ///< of the inputs proper
-    std::vector<TimedStep> timed_ = {};
+    std::vector<Level> levels_ = {};
+    std::vector<Timer> timers_ = {};
+    std::size_t falls_ = 0;                      ///< timers with a fall time
     std::vector<Place> places_ = {};             ///< per state
     std::map<Place, Id<State>> known_ = {};
     std::map<std::vector<std::int64_t>, Id<MealyMachine::Answer>> answer_of_ = {};

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Partition refinement (Moore 1956): two states stay together while they answer alike and go to states that are together,
 // under the same inputs.
+#include <algorithm>
 #include <map>
+#include <string>
 #include <tuple>
 
 #include "conform/input_space.hpp"
@@ -81,7 +83,7 @@ private:
         const std::vector<Behaviour> all = behaviours();
         for (std::uint32_t state = 0; state < all.size(); ++state) {
             if (class_of_[state] != result.states.size()) continue;
-            const Id<MealyMachine::State> from = result.states.add(machine_.states[{state}]);
+            const Id<MealyMachine::State> from = result.states.add({situations(state), machine_.states[{state}].detail});
             for (const auto& [deed, set] : all[state]) {
                 const auto& [to, answer, wait] = deed;
                 if (to != no_class) {
@@ -94,6 +96,18 @@ private:
             }
         }
         return result;
+    }
+
+    /// The situations of the class that begins with `first`.
+    std::string situations(std::uint32_t first) const {
+        std::vector<std::string> all;
+        for (std::uint32_t state = first; state < class_of_.size(); ++state)
+            if (const std::string& one = machine_.states[{state}].situation;
+                class_of_[state] == class_of_[first] && std::ranges::find(all, one) == all.end())
+                all.push_back(one);
+        std::string text;
+        for (const std::string& one : all) text += (text.empty() ? "" : " or ") + one;
+        return text;
     }
 
     const MealyMachine& machine_;

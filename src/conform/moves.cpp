@@ -15,11 +15,17 @@ Moves::Moves(const Equations& equations, const std::vector<std::optional<std::si
     for (const Equations::StepActivity& step : equations.steps) add_field(step.variable, step.next, {});
     for (const Equations::Stored& stored : equations.stored) add_field(stored.variable, stored.next, stored.first);
     for (const Equations::Previous& previous : equations.previous) add_field(previous.variable, previous.value, previous.value);
+    evolving_ = fields_.size();
+    for (const Equations::Watch& watch : equations.watches) add_field(watch.variable, {}, {});
     std::uint32_t bit = fields_.empty() ? 0 : 64 * fields_.back().word + fields_.back().shift + 1;
     if (!fields_.empty()) {
         for (std::uint64_t mask = fields_.back().mask >> 1U; mask != 0; mask >>= 1U) ++bit;
     }
-    for (std::size_t timer = 0; timer < equations.timers.size(); ++timer) fresh_bits_.push_back(bit++);
+    for (const Equations::Timer& timer : equations.timers) {
+        fresh_bits_.push_back(bit++);
+        falling_bits_.push_back(bit++);
+        level_fields_.push_back(static_cast<std::uint32_t>(std::ranges::find(fields_, timer.watched, &StateField::variable) - fields_.begin()));
+    }
     store_.shape(std::max<std::size_t>(1, (bit + 63) / 64));
     index_firings();
     index_fields();
@@ -84,7 +90,7 @@ void Moves::index_fields() {
         for (const Id<Expr> leaf : leaves(exprs, term))
             if (const std::uint32_t firing = firing_of[static_cast<std::size_t>(exprs[leaf].value)]; firing != no_state) visit(firing);
     };
-    for (std::uint32_t field = 0; field < fields_.size(); ++field) {
+    for (std::uint32_t field = 0; field < evolving_; ++field) {
         if (keeps_by_itself(fields_[field])) firings_in(fields_[field].next, [&](std::uint32_t firing) { affected_[firing].push_back(field); });
         else restless_.push_back(field);
     }
@@ -119,21 +125,6 @@ const std::vector<std::int64_t>& Moves::load(StateId state) {
     return values;
 }
 
-StateId Moves::settled(StateId state) {
-    if (fresh_bits_.empty()) return state;
-    std::vector<std::uint64_t> words(store_.at(state).begin(), store_.at(state).end());
-    for (const std::uint32_t bit : fresh_bits_) words[bit / 64] &= ~(std::uint64_t{1} << (bit % 64));
-    return store_.intern(words);
-}
-
-std::vector<std::size_t> Moves::fresh(StateId state) const {
-    std::vector<std::size_t> timers;
-    const std::span<const std::uint64_t> words = store_.at(state);
-    for (std::size_t timer = 0; timer < fresh_bits_.size(); ++timer)
-        if (((words[fresh_bits_[timer] / 64] >> (fresh_bits_[timer] % 64)) & 1U) != 0) timers.push_back(timer);
-    return timers;
-}
-
 const std::vector<StateMove>& Moves::of(StateId state) {
     while (known_.size() <= state) known_.emplace_back();
     if (!known_[state]) {
@@ -143,37 +134,18 @@ const std::vector<StateMove>& Moves::of(StateId state) {
     return *known_[state];
 }
 
-/// Timers whose step is inactive, or was activated within the instant, have not ended.
-Bdd Moves::idle_timers(StateId state) {
-    std::vector<BddLiteral> idle;
-    const std::span<const std::uint64_t> words = store_.at(state);
-    for (std::size_t k = 0; k < fresh_bits_.size(); ++k) {
-        const bool fresh = ((words[fresh_bits_[k] / 64] >> (fresh_bits_[k] % 64)) & 1U) != 0;
-        if (fresh || terms_.values()[equations_.timers[k].watched.index] == 0)
-            idle.push_back({space_.word(*inputs_[equations_.timers[k].end.index]).bits.front(), false});
-    }
-    return cube(idle);
-}
-
-/// What is said of `moves` that happen only where `idle` holds; those that cannot are dropped.
-void Moves::suppose(const Bdd& idle, std::vector<StateMove>& moves) {
-    if (idle.is_true()) return;
-    for (StateMove& move : moves) move.set = cofactor(move.set & idle, idle);
-    std::erase_if(moves, [](const StateMove& move) { return move.set.is_false(); });
-}
-
 std::vector<StateMove> Moves::moves_of(StateId state) {
     load(state);
     std::vector<StateMove> moves;
-    const Bdd idle = idle_timers(state);
-    const std::vector<Cell> all = cells(space_.assumed() & idle);
+    const Bdd known = known_ends(state);
+    const std::vector<Cell> all = cells(space_.assumed() & known);
     for (const Cell& cell : all) {
         for (const std::uint32_t firing : cell.fired) terms_.values()[equations_.firings[firing].variable.index] = 1;
         if (check_races(cell)) add_moves(state, cell, moves);
         for (const std::uint32_t firing : cell.fired) terms_.values()[equations_.firings[firing].variable.index] = 0;
         if (failed_) return {};
     }
-    suppose(idle, moves);
+    suppose(known, moves);
     const auto is_stable = [](const StateMove& move) { return move.stable; };
     if (!std::ranges::is_partitioned(moves, is_stable)) std::ranges::stable_partition(moves, is_stable);
     std::size_t kept = 0;   // several sets of transitions may lead to one state
@@ -232,9 +204,11 @@ void Moves::fire(std::vector<Cell>& cells, Bdd& touched, std::uint32_t firing, c
 }
 
 bool Moves::check_races(const Cell& cell) {
-    for (const std::uint32_t stored : restless_races_) check_race(cell, equations_.stored[stored]);
-    for (const std::uint32_t firing : cell.fired)
-        for (const std::uint32_t stored : races_[firing]) check_race(cell, equations_.stored[stored]);
+    const auto check = [&](std::uint32_t stored) {
+        check_race(equations_.stored[stored].race, equations_.variables[equations_.stored[stored].variable], cell.set);
+    };
+    std::ranges::for_each(restless_races_, check);
+    for (const std::uint32_t firing : cell.fired) std::ranges::for_each(races_[firing], check);
     for (const Equations::Conflict& conflict : equations_.conflicts) {
         Bdd undefined;
         const Bdd both = (terms_.condition(conflict.condition, undefined) | undefined) & cell.set;
@@ -243,12 +217,14 @@ bool Moves::check_races(const Cell& cell) {
     return !failed_;
 }
 
-void Moves::check_race(const Cell& cell, const Equations::Stored& stored) {
+/// That `race` never holds in `within`, and always has a value: each value stored has one.
+void Moves::check_race(Id<Expr> race, const Equations::Variable& variable, const Bdd& within) {
     Bdd undefined;
-    const Bdd race = (terms_.condition(stored.race, undefined) | undefined) & cell.set;
-    if (race.is_false()) return;
-    const Equations::Variable& variable = equations_.variables[stored.variable];
-    complain(messages::action_race(variable.origin, variable.name, circumstances(race)));
+    const Bdd both = terms_.condition(race, undefined) & within;
+    if (!(both & ~undefined).is_false())
+        complain(messages::action_race(variable.origin, variable.name, circumstances(both & ~undefined)));
+    else if (!(undefined & within).is_false())
+        complain(messages::no_value_in_location(variable.origin, circumstances(undefined & within)));
 }
 
 void Moves::add_moves(StateId state, const Cell& cell, std::vector<StateMove>& moves) {
@@ -264,17 +240,21 @@ void Moves::add_moves(StateId state, const Cell& cell, std::vector<StateMove>& m
     }
     for (Part& part : parts) {
         Bdd settled = stable.is_constant() ? (stable.is_true() ? part.set : Bdd{}) : part.set & stable;
-        if (settled == part.set) {
-            moves.push_back({std::move(settled), state, true});
-            continue;
-        }
         if (!settled.is_false()) {
             part.set &= ~settled;
-            moves.push_back({std::move(settled), state, true});
+            add_pieces(state, {std::move(settled), {}}, true, moves);
         }
-        const StateId next = changed(state, part, {});
-        moves.push_back({std::move(part.set), next, false});
+        if (!part.set.is_false()) add_pieces(state, std::move(part), false, moves);
     }
+}
+
+void Moves::add_pieces(StateId state, Part part, bool stable, std::vector<StateMove>& moves) {
+    const auto add = [&](Part& piece) {
+        const StateId next = piece.changes.empty() ? state : changed(state, piece);
+        moves.push_back({std::move(piece.set), next, stable});
+    };
+    if (evolving_ == fields_.size()) return add(part);
+    for (Part& piece : watched(std::move(part))) add(piece);
 }
 
 /// Gives `field` the value of `term` in each part; a part in which the inputs decide on it falls apart.
@@ -328,8 +308,8 @@ std::vector<Moves::Part> Moves::split(const Part& part, const BddTerm& value) {
     return pieces;
 }
 
-/// `state` after the changes of `part`; timers whose step became active are fresh, and `restarted` ones.
-StateId Moves::changed(StateId state, const Part& part, const std::vector<std::size_t>& restarted) {
+/// `state` after the changes of `part`; the values of `state` are loaded.
+StateId Moves::changed(StateId state, const Part& part, bool power_on) {
     std::vector<std::uint64_t>& words = scratch_;
     words.assign(store_.at(state).begin(), store_.at(state).end());
     for (const auto& [index, value] : part.changes) {
@@ -337,15 +317,7 @@ StateId Moves::changed(StateId state, const Part& part, const std::vector<std::s
         const auto packed = static_cast<std::uint64_t>(value - (field.type.boolean ? 0 : field.type.low));
         words[field.word] = (words[field.word] & ~(field.mask << field.shift)) | (packed << field.shift);
     }
-    for (std::size_t timer = 0; timer < fresh_bits_.size(); ++timer) {
-        const auto field = std::ranges::find(fields_, equations_.timers[timer].watched, &StateField::variable);
-        const bool before = terms_.values()[field->variable.index] != 0;
-        const bool after = ((words[field->word] >> field->shift) & 1U) != 0;
-        const std::uint64_t bit = std::uint64_t{1} << (fresh_bits_[timer] % 64);
-        std::uint64_t& word = words[fresh_bits_[timer] / 64];
-        if (!after) word &= ~bit;
-        else if (!before || std::ranges::find(restarted, timer) != restarted.end()) word |= bit;
-    }
+    mark_timers(words, power_on);
     return store_.intern(words);
 }
 
@@ -353,33 +325,29 @@ std::vector<StateMove> Moves::first() {
     for (const Id<Equations::Variable> id : equations_.variables.ids())
         terms_.values()[id.index] = equations_.variables[id].initial;
     loaded_ = no_state;
-    std::vector<BddLiteral> ends;
+    std::vector<BddLiteral> ends, falls;   // none holds; whose fall time has not started says so in the sets as well
     for (const Equations::Timer& timer : equations_.timers)
-        ends.push_back({space_.word(*inputs_[timer.end.index]).bits.front(), false});
-    const Bdd idle = cube(ends);
-    std::vector<Part> parts{{space_.assumed() & idle, {}}};
-    for (const Equations::Stored& stored : equations_.stored) {
-        Bdd undefined;
-        const Bdd race = terms_.condition(stored.first_race, undefined) & parts.front().set;
-        const Equations::Variable& variable = equations_.variables[stored.variable];
-        if (!race.is_false()) complain(messages::action_race(variable.origin, variable.name, circumstances(race)));
-    }
+        (timer.fall_ms > 0 ? falls : ends).push_back({space_.word(*inputs_[timer.end.index]).bits.front(), false});
+    const Bdd known = cube(ends);
+    std::vector<Part> parts{{space_.assumed() & known & cube(falls), {}}};
+    for (const Equations::Stored& stored : equations_.stored)
+        check_race(stored.first_race, equations_.variables[stored.variable], parts.front().set);
     std::vector<std::pair<std::uint32_t, std::int64_t>> initial;
     for (std::uint32_t field = 0; field < fields_.size(); ++field)
         initial.emplace_back(field, equations_.variables[fields_[field].variable].initial);
     const StateId before = store_.intern(std::vector<std::uint64_t>(store_.words()));
-    const StateId power_on = changed(before, {{}, initial}, {});
-    for (std::uint32_t field = 0; field < fields_.size(); ++field)
+    const StateId power_on = changed(before, {{}, initial});
+    for (std::uint32_t field = 0; field < evolving_; ++field)
         if (fields_[field].first.valid()) split_by(parts, field, fields_[field].first);
     if (failed_) return {};
-    std::vector<std::size_t> running;
-    for (std::size_t timer = 0; timer < equations_.timers.size(); ++timer) running.push_back(timer);
     std::vector<StateMove> moves;
-    for (Part& part : parts) {
-        const StateId next = changed(power_on, part, running);
-        moves.push_back({std::move(part.set), next, false});
-    }
-    suppose(idle, moves);
+    for (Part& part : parts)
+        for (Part& piece : watched(std::move(part))) {
+            const StateId next = changed(power_on, piece, true);
+            moves.push_back({std::move(piece.set), next, false});
+        }
+    if (failed_) return {};
+    suppose(known, moves);
     return moves;
 }
 

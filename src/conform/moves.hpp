@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Moves: one evolution of the chart from a state, for all inputs at once.
 //
-// A state is what the chart remembers between two evolutions: step activities, stored variables, and the timers that
-// cannot have ended because their step was activated within the same instant (`fresh`). The moves of a state are
-// disjoint sets of inputs that together are all that is assumed, each with the state that follows.
+// A state is what the chart remembers between two evolutions: step activities, stored variables, previous values, the
+// levels that timers watch, and of each timer what happened to its level within the same instant: it became true
+// (`fresh`), its fall time may have started (`falling`). The moves of a state are disjoint sets of inputs that together
+// are all that is assumed, each with the state that follows.
 //
-// Ends of timers are inputs. In the sets of a state those of timers that cannot have ended do not occur.
+// Ends of timers are inputs. In the sets of a state those do not occur whose value is known: `3s/v` is false where v is,
+// or has just become true; `v/2s` is true where v is, or has just become false.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +28,7 @@ namespace grafverif::conform {
 struct StateMove {
     Bdd set = {};
     StateId next = 0;
-    bool stable = false;   ///< nothing changes under these inputs; `next` is the state itself
+    bool stable = false;   ///< nothing changes under these inputs but levels that timers watch, and they no more then
 };
 
 /// Where a variable of the equations stands in a packed state.
@@ -35,7 +37,7 @@ struct StateField {
     Type type = {};
     std::uint32_t word = 0, shift = 0;
     std::uint64_t mask = 0;           ///< before the shift
-    Id<Expr> next = {}, first = {};   ///< `first` not valid: the initial value
+    Id<Expr> next = {}, first = {};   ///< `first` not valid: the initial value; `next` not valid: a watched level
 };
 
 class Moves {
@@ -54,8 +56,9 @@ public:
 
     /// The state with no timer fresh; whether `state` is such a one.
     StateId settled(StateId state);
-    /// Timers of the equations, by index, that are fresh in `state`.
-    std::vector<std::size_t> fresh(StateId state) const;
+    /// Timers of the equations, by index, that are fresh, or falling, in `state`.
+    std::vector<std::size_t> fresh(StateId state) const { return marked(state, fresh_bits_); }
+    std::vector<std::size_t> falling(StateId state) const { return marked(state, falling_bits_); }
 
     /// The values of all variables in `state`, per variable of the equations; others are 0.
     const std::vector<std::int64_t>& load(StateId state);
@@ -66,10 +69,11 @@ private:
         Bdd set = {};
         std::vector<std::uint32_t> fired = {};
     };
-    /// A part of a cell, with the values found so far that differ from the state's.
+    using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;   ///< field, value
+    /// A part of a cell, with the values found so far.
     struct Part {
         Bdd set = {};
-        std::vector<std::pair<std::uint32_t, std::int64_t>> changes = {};   ///< field, value
+        Changes changes = {};
     };
 
     void add_field(Id<Equations::Variable> variable, Id<Expr> next, Id<Expr> first);
@@ -83,12 +87,17 @@ private:
     void add_moves(StateId state, const Cell& cell, std::vector<StateMove>& moves);
     void split_by(std::vector<Part>& parts, std::uint32_t field, Id<Expr> term);
     std::vector<Part> split(const Part& part, const BddTerm& value);
-    StateId changed(StateId state, const Part& part, const std::vector<std::size_t>& restarted);
+    void add_pieces(StateId state, Part part, bool stable, std::vector<StateMove>& moves);
+    std::vector<Part> watched(Part part);
+    Changes exchange_values(const Changes& changes);
+    StateId changed(StateId state, const Part& part, bool power_on = false);
+    void mark_timers(std::vector<std::uint64_t>& words, bool power_on) const;
+    std::vector<std::size_t> marked(StateId state, const std::vector<std::uint32_t>& bits) const;
     bool check_races(const Cell& cell);
-    void check_race(const Cell& cell, const Equations::Stored& stored);
+    void check_race(Id<Expr> race, const Equations::Variable& variable, const Bdd& within);
     void complain(Diagnostic diagnostic);
     std::string circumstances(const Bdd& set) const;
-    Bdd idle_timers(StateId state);
+    Bdd known_ends(StateId state);
     static void suppose(const Bdd& idle, std::vector<StateMove>& moves);
 
     const Equations& equations_;
@@ -98,7 +107,9 @@ private:
     LocationTerms terms_;
     StateStore store_;
     std::vector<StateField> fields_ = {};
-    std::vector<std::uint32_t> fresh_bits_ = {};                 ///< per timer: its bit in the packed state
+    std::size_t evolving_ = 0;                                   ///< fields before those of watched levels
+    std::vector<std::uint32_t> fresh_bits_ = {}, falling_bits_ = {};   ///< per timer: its bits in the packed state
+    std::vector<std::uint32_t> level_fields_ = {};               ///< per timer: the field of what it watches
     std::vector<std::vector<std::uint32_t>> guarded_ = {};       ///< per field: firings that need the step to be active
     std::vector<std::uint32_t> unguarded_ = {};                  ///< the other firings
     std::vector<std::vector<std::uint32_t>> affected_ = {};      ///< per firing: fields to compute where it fires

@@ -20,6 +20,7 @@ public:
     Writer(const MealyMachine& machine, const TestOptions& options)
         : machine_(machine), options_(options), space_(types(machine), {}),
           terms_(machine.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }) {
+        space_.assume(condition(machine.assumed));
         std::uint32_t stride = 1;   // meant for TestCover::Transitions, whose combinations are few
         weights_.resize(space_.space().variables());
         for (std::size_t input = machine.inputs.size(); input-- > 0;) {
@@ -95,22 +96,18 @@ private:
         combinations_ = 1;
         for (const MealyMachine::Variable& input : machine_.inputs)
             combinations_ *= static_cast<std::uint64_t>(input.type.high - input.type.low) + 1;
-        std::vector<bool> stays(machine_.states.size() * combinations_), seen(stays.size());
-        for (const MealyMachine::Transition& transition : machine_.transitions)
-            if (transition.from == transition.to && transition.wait_ms == 0)
-                for_each_combination(condition(transition.condition),
-                                     [&](std::uint32_t inputs) { stays[pair(transition.to.index, inputs)] = true; });
-        std::vector<bool> waits(stays.size());
+        std::vector<bool> seen(machine_.states.size() * combinations_), waits(seen.size());
         for (const MealyMachine::Transition& transition : machine_.transitions) {
+            const Bdd set = condition(transition.condition), held = set & staying(transition);
             const bool loop = transition.from == transition.to && transition.wait_ms == 0;
-            for_each_combination(condition(transition.condition), [&](std::uint32_t inputs) {
-                ++to_cover_;
-                if (loop) return;
-                const bool still = stays[pair(transition.to.index, inputs)];
-                if (still && !options_.one_cycle_each) seen[pair(transition.to.index, inputs)] = true;
-                if (transition.wait_ms != 0) waits[pair(transition.from.index, inputs)] = true;
-                add(transition, inputs, still);
-            });
+            for (const bool still : {true, false})
+                for_each_combination(still ? held : set & ~held, [&](std::uint32_t inputs) {
+                    ++to_cover_;
+                    if (loop) return;
+                    if (still && !options_.one_cycle_each) seen[pair(transition.to.index, inputs)] = true;
+                    if (transition.wait_ms != 0) waits[pair(transition.from.index, inputs)] = true;
+                    add(transition, inputs, still);
+                });
         }
         for (const MealyMachine::Transition& transition : machine_.transitions) {
             if (transition.from != transition.to || transition.wait_ms != 0) continue;
@@ -129,7 +126,7 @@ private:
             const bool loop = transition.from == transition.to && transition.wait_ms == 0;
             if (loop && options_.cover == TestCover::Evolutions) continue;
             const Bdd set = condition(transition.condition);
-            const Bdd held = set & staying(transition.to);
+            const Bdd held = set & staying(transition);
             const bool still = !held.is_false();
             witnesses_.push_back(space_.witness(still ? held : set));
             add(transition, static_cast<std::uint32_t>(witnesses_.size() - 1), still);
@@ -141,12 +138,13 @@ private:
         to_cover_ = static_cast<std::uint64_t>(std::ranges::count(entered, true));
     }
 
-    /// The inputs under which the machine stays in `state`.
-    const Bdd& staying(Id<State> state) {
-        const auto [place, added] = staying_.try_emplace(state);
+    /// The inputs under which the machine stays where `arrival` leads to, and answers the same again. Where states were
+    /// merged it may answer something else.
+    const Bdd& staying(const MealyMachine::Transition& arrival) {
+        const auto [place, added] = staying_.try_emplace({arrival.to, arrival.answer});
         if (!added) return place->second;
-        for (const MealyMachine::Transition& transition : transitions_from(machine_, state))
-            if (transition.to == state && transition.wait_ms == 0) place->second |= condition(transition.condition);
+        for (const MealyMachine::Transition& one : transitions_from(machine_, arrival.to))
+            if (one.to == arrival.to && one.answer == arrival.answer && one.wait_ms == 0) place->second |= condition(one.condition);
         return place->second;
     }
 
@@ -212,7 +210,7 @@ private:
     std::vector<std::uint32_t> weights_ = {};   ///< per variable of the space
     std::vector<TourArc> arcs_ = {};
     std::vector<std::vector<std::int64_t>> witnesses_ = {};
-    std::map<Id<State>, Bdd> staying_ = {};
+    std::map<std::pair<Id<State>, Id<MealyMachine::Answer>>, Bdd> staying_ = {};
     std::uint64_t to_cover_ = 0;
     std::uint64_t crossed_before_waits_ = 0;    ///< stable transitions that only the step before a wait crosses
 };

@@ -25,6 +25,21 @@ struct Check {
 
     void fault(std::string text) { faults.push_back(std::move(text)); }
 
+    void inputs() {
+        for (const LocationAutomaton::Input& input : automaton.inputs) {
+            if (!is_timer(input)) continue;
+            const bool known = input.timed.valid() ? automaton.steps.contains(input.timed) && !input.watched.valid()
+                                                   : automaton.stored.contains(input.watched);
+            const bool waits = input.rise_ms >= 0 && input.fall_ms >= 0 && input.rise_ms + input.fall_ms > 0;
+            if (!known || !waits) fault("timer `" + input.name + "` watches nothing, or waits for no time");
+        }
+        if (!automaton.exprs.contains(automaton.assumed)) return;
+        for (const Id<Expr> leaf : leaves(automaton.exprs, automaton.assumed)) {
+            const Id<LocationAutomaton::Input> input{static_cast<std::uint32_t>(automaton.exprs[leaf].value)};
+            if (automaton.inputs.contains(input) && is_timer(automaton.inputs[input])) fault("what is assumed reads a timer");
+        }
+    }
+
     void term(Id<Expr> term, std::string_view what) {
         if (!automaton.exprs.contains(term)) return fault(std::string(what) + " is no term of the automaton");
         for (const Id<Expr> leaf : leaves(automaton.exprs, term)) {
@@ -74,8 +89,11 @@ struct Check {
             if (evolution.to == automaton.init) fault("an evolution leads to INIT");
             condition(evolution.condition, "the condition of an evolution");
             for (const Id<LocationAutomaton::Input> timer : evolution.restarted)
-                if (!automaton.inputs.contains(timer) || !automaton.inputs[timer].timed.valid())
+                if (!automaton.inputs.contains(timer) || !is_timer(automaton.inputs[timer]))
                     fault("an evolution restarts something that is no timer");
+            for (const Id<LocationAutomaton::Input> timer : evolution.falling)
+                if (!automaton.inputs.contains(timer) || automaton.inputs[timer].fall_ms <= 0)
+                    fault("an evolution starts a fall time that is none");
         }
     }
 
@@ -104,6 +122,15 @@ std::span<const LocationAutomaton::Instability> instabilities_of(const LocationA
     return leaving(automaton.instabilities, location);
 }
 
+bool level(const Location& location, const LocationAutomaton::Input& timer) {
+    if (timer.timed.valid()) return std::ranges::binary_search(location.situation, timer.timed);
+    return location.values[timer.watched.index] != 0;
+}
+
+std::string watched_text(const LocationAutomaton& automaton, const LocationAutomaton::Input& timer) {
+    return timer.timed.valid() ? "step " + automaton.steps[timer.timed].name : automaton.stored[timer.watched].name;
+}
+
 std::string situation_text(const LocationAutomaton& automaton, const std::vector<Id<Step>>& situation) {
     std::string text = "{";
     for (const Id<Step> step : situation) {
@@ -115,9 +142,7 @@ std::string situation_text(const LocationAutomaton& automaton, const std::vector
 
 std::vector<std::string> verify(const LocationAutomaton& automaton) {
     Check check{automaton};
-    for (const LocationAutomaton::Input& input : automaton.inputs)
-        if (input.timed.valid() && (!automaton.steps.contains(input.timed) || input.wait_ms <= 0))
-            check.fault("timer `" + input.name + "` watches no step, or waits for no time");
+    check.inputs();
     check.term(automaton.assumed, "what is assumed");
     check.locations();
     check.evolutions();

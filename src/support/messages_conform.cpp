@@ -31,11 +31,6 @@ Diagnostic forcing_race(Span where, std::string_view when) {
                  fmt::format("two forcing orders that exclude each other are active at once: in {}", clipped(when)));
 }
 
-Diagnostic not_in_automaton(Span where, std::string_view what) {
-    return error("not-in-automaton", where,
-                 fmt::format("{} is not supported in location automata and tests; a tester can wait for timers of steps alone", what));
-}
-
 Diagnostic no_value_in_location(Span where, std::string_view when) {
     return error("no-value", where, fmt::format("this has no value in {}: division by zero, or a number too large", clipped(when)));
 }

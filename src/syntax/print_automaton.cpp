@@ -48,10 +48,23 @@ Json location_json(const Automaton& automaton, Id<Automaton::Location> id) {
 }
 
 Json evolution_json(const Automaton& automaton, const Automaton::Evolution& evolution) {
-    Json restarted = Json::array();
+    Json restarted = Json::array(), falling = Json::array();
     for (const Id<Automaton::Input> timer : evolution.restarted) restarted.push_back(automaton.inputs[timer].name);
+    for (const Id<Automaton::Input> timer : evolution.falling) falling.push_back(automaton.inputs[timer].name);
     return {{"from", evolution.from.index}, {"to", evolution.to.index},
-            {"condition", condition_text(automaton, evolution.condition)}, {"restarted", restarted}};
+            {"condition", condition_text(automaton, evolution.condition)}, {"restarted", restarted}, {"falling", falling}};
+}
+
+std::string timer_line(const Automaton& automaton, const Automaton::Input& timer) {
+    std::string text = timer.name + ": the end of a timer; a tester can only wait for it";
+    const std::string what = watched_text(automaton, timer);
+    const bool step = timer.timed.valid();
+    if (timer.rise_ms != 0)
+        text += fmt::format(", {} after {} {}", duration_text(timer.rise_ms), what, step ? "was activated" : "became true");
+    if (timer.fall_ms != 0)
+        text += fmt::format("{} until {} after {} {}", timer.rise_ms == 0 ? "," : "", duration_text(timer.fall_ms), what,
+                            step ? "was left" : "became false");
+    return text;
 }
 
 Json instability_json(const Automaton& automaton, const Automaton::Instability& instability) {
@@ -114,9 +127,7 @@ void print_automaton(std::ostream& out, const Automaton& automaton, bool details
                            count.unstable_from_init == 0 ? "" : ", and " + count_text(count.unstable_from_init) + " of INIT");
     if (!is_true(automaton.exprs, automaton.assumed)) out << "assumed: " << condition_text(automaton, automaton.assumed) << '\n';
     for (const Automaton::Input& input : automaton.inputs)
-        if (input.timed.valid())
-            out << fmt::format("{}: the end of a timer; a tester can only wait for it, {} after step {} was activated\n", input.name,
-                               duration_text(input.wait_ms), automaton.steps[input.timed].name);
+        if (is_timer(input)) out << timer_line(automaton, input) << '\n';
     if (!details) return;
     for (const Id<Automaton::Location> id : automaton.locations.ids()) {
         out << '\n' << location_line(automaton, id) << '\n';
@@ -125,6 +136,7 @@ void print_automaton(std::ostream& out, const Automaton& automaton, bool details
                                situation_text(automaton, automaton.locations[evolution.to].situation),
                                condition_text(automaton, evolution.condition));
             for (const Id<Automaton::Input> timer : evolution.restarted) out << "; starts " << automaton.inputs[timer].name;
+            for (const Id<Automaton::Input> timer : evolution.falling) out << "; ends " << automaton.inputs[timer].name;
             out << '\n';
         }
         for (const Automaton::Instability& instability : instabilities_of(automaton, id)) {
@@ -148,7 +160,7 @@ void print_automaton_json(std::ostream& out, const Automaton& automaton, bool de
         Json inputs = Json::array(), outputs = Json::array();
         for (const Automaton::Input& input : automaton.inputs) {
             Json one = {{"name", input.name}};
-            if (input.timed.valid()) one["wait_ms"] = input.wait_ms, one["step"] = automaton.steps[input.timed].name;
+            if (is_timer(input)) one["rise_ms"] = input.rise_ms, one["fall_ms"] = input.fall_ms, one["watched"] = watched_text(automaton, input);
             inputs.push_back(std::move(one));
         }
         for (const Automaton::Output& output : automaton.outputs) outputs.push_back(output.name);

@@ -26,7 +26,7 @@ std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, co
                                           Diagnostics& diagnostics);
 
 /// The least machine that gives the same answers to the same inputs from its initial state: states that nobody can tell
-/// apart become one (Moore 1956), named after the first of them.
+/// apart become one (Moore 1956), named after the situations of all of them.
 MealyMachine minimised(const MealyMachine& machine);
 
 }  // namespace grafverif

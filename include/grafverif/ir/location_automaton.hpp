@@ -14,16 +14,19 @@
 // happened then.
 // Without it INIT is always left, for its next cycle does what its first did not: clear transitions.
 //
-// Timers are inputs that a tester can only wait for. The end of a timer is false while its step is inactive and when
-// the step has just been activated; it rises while nothing else changes, and falls only with its step. Conditions read
-// it as any input; `restarted` tells the timers that an evolution starts anew.
+// Timers are inputs that a tester can only wait for. Without a fall time the end of a timer is false while its step is
+// inactive and when the step has just been activated; it rises while nothing else changes, and falls only with its
+// step. A term that is no step is watched by its level in the last cycle, which is one of the stored variables. With a
+// fall time the end falls while nothing else changes, too. Conditions read it as any input; an evolution tells the timers
+// whose rise time it starts anew (`restarted`) and those whose fall time it may start (`falling`).
 //
 // Expressions live in `exprs`; their leaves are Variable -> inputs. Under `assumed`, which restricts the inputs
-// considered (the chart's constraints), all conditions are exact; elsewhere they mean nothing.
+// considered (the chart's constraints), all conditions are exact; elsewhere they mean nothing. They may also rely on what
+// timers of one level cannot do: `5s/X2` does not hold where `3s/X2` does not.
 //
 // Invariants (see verify): ids in their tables; situations increase; locations differ in situation or values, INIT
 // apart; `evolutions` and `instabilities` are ordered by `from`; no condition is the constant false; INIT is
-// nobody's target; a cycle of instability is not empty.
+// nobody's target; a cycle of instability is not empty; what is assumed reads no timers.
 #pragma once
 
 #include <cstddef>
@@ -46,11 +49,20 @@ struct LocationAutomaton {
         std::string name = {};                 ///< as the chart names it, qualified: `2`, `G2.2`
         bool operator==(const Step&) const = default;
     };
+    /// What outlives a cycle besides the situation: an internal, an output with stored actions, a previous value that an
+    /// edge is compared with, a level that a timer watches.
+    struct Stored {
+        std::string name = {};
+        Type type = {};
+        std::int64_t initial = 0;
+        bool operator==(const Stored&) const = default;
+    };
     struct Input {
         std::string name = {};
         Type type = {};
-        Id<Step> timed = {};                   ///< the end of a timer over this step; not valid: an input proper
-        std::int64_t wait_ms = 0;              ///< of a timer: how long the step has to be active
+        Id<Step> timed = {};                   ///< the end of a timer over this step
+        Id<Stored> watched = {};               ///< the end of a timer over this level; neither valid: an input proper
+        std::int64_t rise_ms = 0, fall_ms = 0; ///< t1 and t2 of `t1/v/t2` (IEC 60848, 4.4); not both 0 for a timer
         Span origin = {};
         bool operator==(const Input&) const = default;
     };
@@ -58,13 +70,6 @@ struct LocationAutomaton {
         std::string name = {};
         Type type = {};
         bool operator==(const Output&) const = default;
-    };
-    /// A variable that outlives a cycle: an internal, or an output with stored actions.
-    struct Stored {
-        std::string name = {};
-        Type type = {};
-        std::int64_t initial = 0;
-        bool operator==(const Stored&) const = default;
     };
 
     /// An output that is not the constant 0 in a location.
@@ -82,7 +87,10 @@ struct LocationAutomaton {
     struct Evolution {
         Id<Location> from = {}, to = {};
         Id<Expr> condition = {};
-        std::vector<Id<Input>> restarted = {}; ///< timers whose step is active in `to` and was activated on the way
+        std::vector<Id<Input>> restarted = {}; ///< timers whose level holds in `to` and became true on the way
+        /// Timers with a fall time whose level became false on the way, one with a rise time only where it had held in
+        /// `from`: where the level had lasted for the rise time, the fall time starts.
+        std::vector<Id<Input>> falling = {};
         bool operator==(const Evolution&) const = default;
     };
     struct Instability {
@@ -110,6 +118,15 @@ struct LocationAutomaton {
 
     bool operator==(const LocationAutomaton&) const = default;
 };
+
+/// Whether the input is the end of a timer.
+inline bool is_timer(const LocationAutomaton::Input& input) { return input.timed.valid() || input.watched.valid(); }
+
+/// Whether what the timer watches is true in `location`: its step is active, or its level was true in the last cycle.
+bool level(const LocationAutomaton::Location& location, const LocationAutomaton::Input& timer);
+
+/// `step 2`, `V_a`: what the timer watches.
+std::string watched_text(const LocationAutomaton& automaton, const LocationAutomaton::Input& timer);
 
 /// The evolutions, the instabilities that leave `location`.
 std::span<const LocationAutomaton::Evolution> evolutions_from(const LocationAutomaton& automaton,

@@ -37,7 +37,7 @@ struct MealyMachine {
         bool operator==(const Variable&) const = default;
     };
     struct State {
-        std::string situation = {};               ///< `{2,5}`
+        std::string situation = {};               ///< `{2,5}`; of merged states all: `{1} or {3}`
         std::string detail = {};                  ///< stored values and running timers: `LOCK=1, T_X2_3s 1s`; or empty
         bool operator==(const State&) const = default;
     };

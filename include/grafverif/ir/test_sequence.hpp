@@ -43,7 +43,7 @@ struct TestSequence {
         bool operator==(const Variable&) const = default;
     };
     struct Situation {
-        std::string text = {};                     ///< `{2,5}`, after the step
+        std::string text = {};                     ///< `{2,5}`, after the step; where several are alike `{1} or {3}`
         bool operator==(const Situation&) const = default;
     };
     struct Step {

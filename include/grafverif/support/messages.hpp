@@ -198,7 +198,6 @@ Diagnostic initial_never_stable(Span where, std::string_view inputs, std::string
 /// `when`: the situation and the inputs, `{2,5} with s, not h1`.
 Diagnostic action_race(Span where, std::string_view variable, std::string_view when);
 Diagnostic forcing_race(Span where, std::string_view when);
-Diagnostic not_in_automaton(Span where, std::string_view what);
 Diagnostic no_value_in_location(Span where, std::string_view when);
 Diagnostic out_of_range_in_location(Span where, std::string_view variable, std::int64_t value, std::string_view when);
 Diagnostic too_many_locations(Span where, std::uint64_t limit);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <sstream>
 
 #include "unit/conform/conforming.hpp"
@@ -113,6 +114,61 @@ TEST(LocationAutomaton, ATimerIsAnInputThatIsFalseInANewlyActiveStep) {
               "    -> 2 {2}  when a; starts T_X2_3s_Q\n");
 }
 
+TEST(LocationAutomaton, DelayedAndLimitedActionsAreOutputsThatReadTimers) {
+    EXPECT_EQ(told(automaton("input a; output O, P; initial step 1; step 2 { O after 2s; P for 5s; }"
+                             "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;")),
+              "0  INIT {1}\n"
+              "    -> 2 {2}  when a; starts T_X2_2s_Q; starts T_X2_5s_Q\n"
+              "\n"
+              "1  {1}\n"
+              "    -> 2 {2}  when a; starts T_X2_2s_Q; starts T_X2_5s_Q\n"
+              "\n"
+              "2  {2}  / O if T_X2_2s_Q, P if not T_X2_5s_Q\n"
+              "    -> 1 {1}  when not a\n");
+}
+
+TEST(LocationAutomaton, TheLevelThatATimerWatchesIsPartOfTheLocation) {
+    EXPECT_EQ(told(automaton("input a; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when a/2s; transition t1: 2 -> 1 when !a;",
+                             every_cycle)),
+              "0  INIT {1}  V_a = 0\n"
+              "    -> 1 {1}  when not a and not T_a_0s_2s_Q\n"
+              "    -> 2 {1}  when a and not T_a_0s_2s_Q; starts T_a_0s_2s_Q\n"
+              "\n"
+              "1  {1}  V_a = 0\n"
+              "    -> 3 {2}  when not a and T_a_0s_2s_Q\n"
+              "    -> 4 {2}  when a; starts T_a_0s_2s_Q\n"
+              "\n"
+              "2  {1}  V_a = 1\n"
+              "    -> 3 {2}  when not a; ends T_a_0s_2s_Q\n"
+              "    -> 4 {2}  when a\n"
+              "\n"
+              "3  {2}  V_a = 0  / O\n"
+              "    -> 4 {2}  when a; starts T_a_0s_2s_Q\n"
+              "    -> 1 {1}  when not a\n"
+              "\n"
+              "4  {2}  V_a = 1  / O\n"
+              "    -> 1 {1}  when not a; ends T_a_0s_2s_Q\n");
+}
+
+TEST(LocationAutomaton, OfTimersOfOneStepNoneEndsBeforeAShorterOne) {
+    const LocationAutomaton found =
+        automaton("input a, b; output O; initial step 1; step 2 { O; } step 3; step 4;"
+                  "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 && !b; transition t2: 2 -> 4 when 5s/X2 && 3s/X2;"
+                  "transition t3: 3 -> 1 when !a; transition t4: 4 -> 1 when !a;");
+    bool seen = false;   // 5s/X2 says it all
+    for (const LocationAutomaton::Evolution& evolution : found.evolutions)
+        seen = seen || condition_text(found, evolution.condition) == "a and b and T_X2_5s_Q";
+    EXPECT_TRUE(seen) << told(found);
+    const MealyMachine timed = machine(found);
+    std::vector<std::int64_t> waits;
+    for (const MealyMachine::Transition& transition : timed.transitions)
+        if (transition.wait_ms != 0) waits.push_back(transition.wait_ms);
+    std::ranges::sort(waits);
+    const auto repeated = std::ranges::unique(waits);
+    waits.erase(repeated.begin(), repeated.end());
+    EXPECT_EQ(waits, (std::vector<std::int64_t>{2000, 3000}));
+}
+
 TEST(LocationAutomaton, RefusesWhatCannotBeTested) {
     EXPECT_EQ(refusal("output O; initial step 1 { O; }"),
               "[nothing-to-test] `chart` has no inputs; a test drives inputs and compares outputs");
@@ -138,6 +194,15 @@ TEST(LocationAutomaton, StopsAtRacesAndValuesThatDoNotFit) {
     EXPECT_EQ(refusal("input level: int 0..2; output O; constraint level > 0; initial step 1; step 2 { O; }"
                       "transition t0: 1 -> 2 when 2 / level == 1;"),
               "no error");
+}
+
+TEST(LocationAutomaton, OfTwoValuesStoredAtOnceBothMustExist) {
+    EXPECT_EQ(refusal("input a; output O; internal N: int 0..3 = 0; internal M: int 0..3 = 0;"
+                      "initial step 1 { O; N := 0 on activation; N := 1 % M on activation; }"),
+              "[no-value] this has no value in {1} with not a: division by zero, or a number too large");
+    EXPECT_EQ(refusal("input a; output O; internal N: int 0..3 = 0; internal M: int 0..3 = 0;"
+                      "initial step 1; step 2 { O; N := 0 on activation; N := 1 % M on activation; } transition t0: 1 -> 2 when a;"),
+              "[no-value] this has no value in {1} with a: division by zero, or a number too large");
 }
 
 TEST(LocationAutomaton, EndsAtItsLimits) {

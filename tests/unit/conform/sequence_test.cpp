@@ -47,6 +47,21 @@ TEST(TestSequenceOfTanks, IsProvenLeast) {
     }
 }
 
+TEST(TestSequenceOfTanks, AppliesNoInputsThatAConstraintExcludes) {
+    for (const bool one_cycle_each : {false, true})
+        for (const TestCover cover : {TestCover::Transitions, TestCover::Evolutions, TestCover::Locations}) {
+            const TestSequence test = test_of(machine(automaton(tanks(full_is_not_empty))), cover, one_cycle_each);
+            EXPECT_EQ(disagreement(chart(tanks(full_is_not_empty)), test), std::nullopt);
+            if (cover == TestCover::Transitions) {
+                EXPECT_EQ(test.covered, 9U * 18U);
+            }
+            for (const TestSequence::Step& step : test.sequences.at(0).steps) {
+                EXPECT_TRUE(step.inputs[1] == 0 || step.inputs[3] == 1);
+                EXPECT_TRUE(step.inputs[2] == 0 || step.inputs[4] == 1);
+            }
+        }
+}
+
 /// The pairs of a state and inputs that the steps of `test` cross, told by the machine's own conditions.
 std::size_t crossed(const MealyMachine& machine, const TestSequence& test) {
     std::set<std::pair<std::uint32_t, std::vector<std::int64_t>>> pairs;
@@ -121,6 +136,36 @@ TEST(TestSequence, WaitsForTimersWithTheInputsHeld) {
     EXPECT_TRUE(waits);
 }
 
+TEST(TestSequence, WaitsForEveryKindOfTimer) {
+    for (const char* text : {"input a; output O; initial step 1 { O if 3s/a/2s; }",
+                             "input a; output O; initial step 1 { O if a/2s; }",
+                             "input a; output O; initial step 1 { O if 3s/a; }",
+                             "input a, b; output O, P; initial step 1; step 2 { O after 2s; P for 3s; }"
+                             "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when b/1s && !a;"})
+        for (const ExecutionMode mode : {search, every_cycle}) {
+            SCOPED_TRACE(text);
+            const TestSequence test = test_of(machine(automaton(text, mode)));
+            EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
+            std::int64_t waited = 0;
+            for (const TestSequence::Sequence& sequence : test.sequences)
+                for (const TestSequence::Step& step : sequence.steps) waited += step.wait_ms;
+            EXPECT_GT(waited, 0);
+        }
+}
+
+TEST(TestSequence, OfAFallTimeSeesItRunAndEnd) {
+    EXPECT_EQ(csv(test_of(machine(automaton("input a; output O; initial step 1 { O if a/2s; }")))),
+              "sequence,step,wait,cycles,a,O,situation\n"
+              "1,1,,2,1,1,{1}\n"
+              "1,2,,2,0,1,{1}\n"
+              "1,3,,2,1,1,{1}\n"
+              "1,4,2s,2,1,1,{1}\n"   // a lasts longer than the fall time that ran
+              "1,5,,2,0,1,{1}\n"
+              "1,6,,2,1,1,{1}\n"
+              "1,7,,2,0,1,{1}\n"
+              "1,8,2s,2,0,0,{1}\n");
+}
+
 TEST(TestSequence, AsksForLessWhereTheInputsAreTooMany) {
     std::string text = "input i0";
     for (int k = 1; k < 40; ++k) text += ", i" + std::to_string(k);
@@ -140,8 +185,17 @@ TEST(MealyMachine, IsMinimisedByWhatItAnswers) {
     EXPECT_EQ(found.states.size(), 4U);
     const MealyMachine least = minimised(found);
     EXPECT_EQ(verify(least), std::vector<std::string>{});
-    EXPECT_EQ(least.states.size(), 1U);   // O is a
+    ASSERT_EQ(least.states.size(), 1U);   // O is a
+    EXPECT_EQ(least.states[least.initial].situation, "{1} or {2} or {3} or {4}");
     EXPECT_EQ(minimised(machine(automaton(tanks()))).states.size(), 9U);
+}
+
+TEST(TestSequence, OfALeastMachineHoldsInputsOnlyWhereTheAnswerStaysTheSame) {
+    // {1} answers what {1,2} does in the cycle after it: one state, which is entered with another answer.
+    const std::string text = "input a; output O, P; initial step 2 { O; } initial step 1 { P; } transition t0: 2 -> 1 when true;"
+                             "step 3; transition t1: 3 -> when fall(a);";
+    const TestSequence test = test_of(minimised(machine(automaton(text, every_cycle))));
+    EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
 }
 
 TEST(TestSequence, ThatExpectsSomethingElseDoesNotPassOnTheInterpreter) {
