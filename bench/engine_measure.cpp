@@ -16,20 +16,28 @@ namespace {
 
 using namespace grafverif;
 
-void print(const TimedResult& result) {
-    const double states = static_cast<double>(result.states);
-    fmt::print("{} states, {} transitions ({:.2f} per state), {:.2f} s, {:.2f} million transitions/s, {:.1f} bytes/state{}\n", result.states,
-               result.transitions, static_cast<double>(result.transitions) / states, result.seconds,
-               static_cast<double>(result.transitions) / result.seconds / 1e6, static_cast<double>(result.bytes) / states,
-               result.complete ? "" : ", incomplete");
+/// Seconds of the processor that this process has taken; other work on the machine does not count.
+double processor_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+           static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) / 1e6;
+}
+
+void print(const TimedResult& result, double seconds) {
+    const auto states = static_cast<double>(result.states), transitions = static_cast<double>(result.transitions);
+    fmt::print("{} states, {} transitions ({:.2f} per state), {:.2f} s of the processor{}\n", result.states,
+               result.transitions, transitions / states, seconds, result.complete ? "" : ", incomplete");
+    fmt::print("{:.2f} million transitions/s, {:.2f} million states/s, {:.1f} bytes/state, {} of them packed\n",
+               transitions / seconds / 1e6, states / seconds / 1e6, static_cast<double>(result.bytes) / states,
+               result.state_bytes);
     for (const Verdict& verdict : result.verdicts)
         fmt::print("  {}: {}{}{}{}\n", verdict.property, word(verdict.outcome), verdict.vacuous ? ", vacuous" : "",
                    verdict.reason.empty() ? "" : ": ", verdict.reason);
     for (const ModelError& error : result.errors) fmt::print("  model error: {}\n", word(error.kind));
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const double cpu = static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) / 1e6;
-    fmt::print("  peak {} MiB, {:.2f} s of the processor\n", usage.ru_maxrss / 1024, cpu);
+    fmt::print("  peak {} MiB, {:.2f} s of the processor in all\n", usage.ru_maxrss / 1024, processor_seconds());
 }
 
 Network chosen(const std::string& what, int count, char** values) {
@@ -51,5 +59,10 @@ int main(int count, char** values) {
     const auto progress = [](const TimedProgress& now) {
         fmt::print(stderr, "\r{} states, {} waiting, {} MiB, {:.1f} s ", now.states, now.queue, now.bytes >> 20U, now.seconds);
     };
-    print(check_timed(chosen(values[1], count, values), {.progress = std::getenv("ENGINE_PROGRESS") ? progress : std::function<void(const TimedProgress&)>{}}));
+    TimedOptions options;
+    if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
+    const Network network = chosen(values[1], count, values);
+    const double before = processor_seconds();
+    const TimedResult result = check_timed(network, options);
+    print(result, processor_seconds() - before);
 }

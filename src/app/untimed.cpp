@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "grafverif/ir/step_names.hpp"
+
 namespace grafverif::app {
 
 namespace {
@@ -30,13 +32,6 @@ bool speaks_of_every_plant(const SystemToCheck& check, const Property& property,
     if (property.pattern == Pattern::Reachable) return !holds;
     if (property.pattern == Pattern::Inevitable) return holds;
     return holds && property.pattern == Pattern::LeadsTo && !reads_free_variable(check.system, property.operands[0]);
-}
-
-/// `2` -> `X2`, `G2.2` -> `G2.X2`.
-std::string step_variable_name(const std::string& step) {
-    const std::size_t dot = step.rfind('.');
-    const std::size_t own = dot == std::string::npos ? 0 : dot + 1;
-    return step.substr(0, own) + "X" + step.substr(own);
 }
 
 }  // namespace

@@ -5,20 +5,12 @@
 
 #include <algorithm>
 
+#include "grafverif/ir/step_names.hpp"
 #include "grafverif/support/overloaded.hpp"
 
 namespace grafverif::timed {
 
 namespace {
-
-/// `X7` of the step variable `X_7`, `press.X7` of `press_X_7` where several controllers stand side by side.
-std::string step_name(const Network& network, const std::string& variable) {
-    if (variable.starts_with("X_")) return "X" + variable.substr(2);
-    for (const Network::Controller& controller : network.controllers)
-        if (const std::string prefix = controller.name + "_X_"; variable.starts_with(prefix))
-            return controller.name + ".X" + variable.substr(prefix.size());
-    return variable;
-}
 
 /// Whether `at stable` restricts the states that the property is judged in.
 bool is_judged(Pattern pattern) {
@@ -62,7 +54,7 @@ void Questions::ask_steps(const Property& property, const Question& prototype) {
         property.at_stable ? machine_.compiler().condition(network_.settled, Program::yes, Program::no) : Program::yes;
     for (const Id<Network::Variable> step : steps) {
         Question question = prototype;
-        question.verdict.property += "." + step_name(network_, network_.variables[step].name);
+        question.verdict.property += "." + step_variable_name(network_, step);
         question.watch = watch_.add_bit(machine_.layout().variables[step.index], settled);
         questions_.push_back(std::move(question));
     }

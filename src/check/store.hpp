@@ -61,6 +61,8 @@ public:
     bool is(std::uint32_t state, const Word* words) const;
 
     std::size_t size() const { return size_; }
+    /// One state, packed.
+    std::size_t state_bytes() const { return halves_ * 4; }
     std::size_t bytes() const { return chunks_.size() * chunk * halves_ * 4 + slots_ * sizeof(Slot); }
     /// Gives the index back: from here on no state can be looked up.
     void drop_index();

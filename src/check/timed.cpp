@@ -69,6 +69,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
 
     TimedResult result;
     result.bytes = graph.bytes();
+    result.state_bytes = graph.store.state_bytes();
     if (graph.linked) graph.store.drop_index();
     result.errors = errors_of(graph);
     result.verdicts = questions.answers(graph, ended, result.errors, limits, options);

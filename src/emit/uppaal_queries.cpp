@@ -6,6 +6,7 @@
 
 #include "emit/uppaal_text.hpp"
 #include "grafverif/emit/uppaal.hpp"
+#include "grafverif/ir/step_names.hpp"
 #include "grafverif/support/overloaded.hpp"
 
 namespace grafverif::uppaal {
@@ -68,7 +69,7 @@ private:
         const bool satisfied = !property.expected_violated;
         const std::string outcome = satisfied ? "expected: satisfied" : "expected of one step at least: not satisfied";
         for (const Id<Network::Variable> step : steps(property)) {
-            const std::string name = property.name + '.' + step_name(network_.variables[step].name);
+            const std::string name = property.name + '.' + step_variable_name(network_, step);
             list.push_back({id, name, "E<> " + (property.at_stable ? settled() + " && " : "") + names_.variables[step.index],
                             headline(property, name) + "\nevery step; " + std::string(remark(property)) + outcome,
                             satisfied ? std::optional(true) : std::nullopt});
@@ -84,15 +85,6 @@ private:
         for (const Id<Network::Variable> id : network_.variables.ids())
             if (network_.variables[id].role == Network::Role::Step) found.push_back(id);
         return found;
-    }
-
-    /// `X7` for the variable `X_7`, `press.X7` for `press_X_7` of the controller `press`.
-    std::string step_name(const std::string& variable) const {
-        if (variable.starts_with("X_")) return 'X' + variable.substr(2);
-        for (const Network::Controller& controller : network_.controllers)
-            if (const std::string prefix = controller.name + "_X_"; variable.starts_with(prefix))
-                return controller.name + ".X" + variable.substr(prefix.size());
-        return variable;
     }
 
     std::string formula(const Property& property) {

@@ -18,7 +18,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t character = 7, column_width = 36, row_height = 26, margin = 16;
-constexpr std::size_t longest_label = 40, longest_name = 32;
+constexpr std::size_t longest_label = 56, longest_name = 32;
 constexpr std::size_t wave_high = 5, wave_low = 20;  // within a row
 /// What a character adds to a label's extent, upwards and to the right, in hundredths: at 60 degrees from the level.
 constexpr std::size_t rise_per_hundred = 87 * character, run_per_hundred = 50 * character;

@@ -224,11 +224,14 @@ void Teller::tell_timer(const Fire& fire, const NetworkState& before, const Netw
         const Network::Controller& controller = network_.controllers[id];
         const auto place = std::ranges::find(controller.timers, fire.process) - controller.timers.begin();
         const Network::TimerVariables& timing = controller.timing[static_cast<std::size_t>(place)];
-        if (differ(before, after, timing.end) && after.variables[timing.end.index] != 0) {
+        const bool value = after.variables[timing.end.index] != 0;
+        // Without a delay the end variable only follows what the timer watches.
+        if (differ(before, after, timing.end) && (value ? timing.rise : timing.fall) > 0) {
             for (std::size_t other = 0; other < open_.size(); ++other) close(other, before);
-            return add(
-                {.kind = Trace::Kind::Timer, .component = name, .what = timer_words(network_, controller, timing)},
-                after);
+            return add({.kind = Trace::Kind::Timer,
+                        .component = name,
+                        .what = timer_words(network_, controller, timing, value)},
+                       after);
         }
     }
     if (detail_ == Detail::Everything)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "grafverif/ir/step_names.hpp"
 #include "grafverif/report/tell.hpp"
 
 namespace grafverif {
@@ -63,12 +64,8 @@ std::string duration_words(const Network& network, std::int64_t units) {
 
 /// What a timer watches as conditions write it; of a longer term nothing.
 std::string watched_words(const Network& network, const Network::Controller& controller, Id<Network::Variable> watched) {
-    for (const Network::Named& step : controller.steps) {
-        if (step.variable != watched) continue;
-        const std::size_t dot = step.name.rfind('.');
-        if (dot == std::string::npos) return "X" + step.name;
-        return step.name.substr(0, dot + 1) + "X" + step.name.substr(dot + 1);
-    }
+    for (const Network::Named& step : controller.steps)
+        if (step.variable == watched) return step_variable_name(step.name);
     const std::string& level = network.variables[watched].name;
     for (const Network::Symbol& symbol : controller.symbols)
         if (level.ends_with("V_" + network.variables[symbol.variable].name))
@@ -79,13 +76,12 @@ std::string watched_words(const Network& network, const Network::Controller& con
 }  // namespace
 
 std::string timer_words(const Network& network, const Network::Controller& controller,
-                        const Network::TimerVariables& timing) {
+                        const Network::TimerVariables& timing, bool value) {
     const std::string watched = watched_words(network, controller, timing.watched);
-    const std::string rise = duration_words(network, timing.rise);
-    if (watched.empty()) return rise + " are over";
-    std::string words = (timing.rise > 0 ? rise + "/" : "") + watched;
+    if (watched.empty()) return duration_words(network, value ? timing.rise : timing.fall) + " are over";
+    std::string words = (timing.rise > 0 ? duration_words(network, timing.rise) + "/" : "") + watched;
     if (timing.fall > 0) words += "/" + duration_words(network, timing.fall);
-    return words + " is true";
+    return words + (value ? " is true" : " is false");
 }
 
 const std::string& location_word(const Network& network, const Fire& fire) {

@@ -14,9 +14,9 @@ namespace grafverif {
 std::string instance_words(const Network& network, const Fire& fire, const NetworkState& before,
                            const NetworkState& after, bool inputs = false);
 
-/// `3s/X2 is true`.
+/// `3s/X2 is true`, `a/2s is false`: one of its delays is over, and its end variable has become `value`.
 std::string timer_words(const Network& network, const Network::Controller& controller,
-                        const Network::TimerVariables& timing);
+                        const Network::TimerVariables& timing, bool value);
 
 /// The name of the location that the edge leads to.
 const std::string& location_word(const Network& network, const Fire& fire);

@@ -100,8 +100,8 @@ void remember(const Chart& chart, const Memory& memory, Reader& reader, Evolutio
 }
 
 /// Starts and stops the times of what changed: terms are watched as the evolution leaves them.
-/// Where a term changes in the very moment its t1 is over, `timed` says which of both came first.
-void watch(const Chart& chart, const Memory& memory, const std::vector<bool>& timed, Reader& reader,
+/// Where a term changes in the very moment its t1 is over, `ended` says which of both came first.
+void watch(const Chart& chart, const Memory& memory, const std::vector<bool>& ended, Reader& reader,
            Evolution& evolution) {
     const std::vector<TimedElement> elements = timed_elements(chart);
     for (std::size_t k = 0; k < elements.size(); ++k) {
@@ -116,7 +116,7 @@ void watch(const Chart& chart, const Memory& memory, const std::vector<bool>& ti
         }
         Timing& timing = evolution.state.timing[k];
         if ((*level != 0) == (timing.risen >= 0)) continue;
-        const bool lasted = timing.risen == element.rise_ms ? element.rise_ms == 0 || timed[k]
+        const bool lasted = timing.risen == element.rise_ms ? element.rise_ms == 0 || ended[k]
                                                             : timing.risen > element.rise_ms;
         if (*level == 0 && lasted) timing.fallen = 0;
         timing.risen = *level != 0 ? 0 : -1;
@@ -161,6 +161,11 @@ std::vector<bool> time_conditions(const Chart& chart, const State& state) {
 }
 
 Evolution evolve(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed) {
+    return evolve(chart, state, inputs, timed, timed);
+}
+
+Evolution evolve(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed,
+                 const std::vector<bool>& ended) {
     Evolution evolution;
     evolution.state = state;
     evolution.state.started = true;
@@ -179,7 +184,7 @@ Evolution evolve(const Chart& chart, const State& state, InputValues inputs, con
     store(chart, state, before, evolution);
     if (evolution.fault || evolution.race) return evolution;
     Reader after(chart, evolution.state, inputs, timed, &remembered);
-    watch(chart, remembered, timed, after, evolution);
+    watch(chart, remembered, ended, after, evolution);
     return evolution;
 }
 

@@ -39,7 +39,7 @@ public:
             std::string fault;
             if (call == controller_.start) fault = start(before, after);
             else if (call == controller_.fire) fault = sample(before);
-            else if (call == controller_.evolve) fault = evolution(edge.calls.size() > 1 ? after : before, after);
+            else if (call == controller_.evolve) fault = evolution(before, edge.calls.size() > 1 ? after : before, after);
             else if (call == controller_.write) fault = write(after);
             if (!fault.empty() || raced_) return fault;
         }
@@ -112,9 +112,23 @@ private:
         return step_variable(chart_, {static_cast<std::uint32_t>(node.value)});
     }
 
-    std::string evolution(const NetworkState& fired_in, const NetworkState& after) {
+    /// Per element, whether its t1 is over: a timer may end in the instant of a cycle, after the inputs were sampled and
+    /// before the evolution. Its end variable does not tell, since it may still be true of an earlier rise.
+    std::vector<bool> ended(const NetworkState& now) const {
+        std::vector<bool> ended;
+        for (const Network::TimerVariables* const timer : timers_) ended.push_back(timer != nullptr && is_done(*timer, now));
+        return ended;
+    }
+
+    bool is_done(const Network::TimerVariables& timer, const NetworkState& now) const {
+        const Id<Network::Process> process = controller_.timers[static_cast<std::size_t>(&timer - controller_.timing.data())];
+        const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
+        return automaton.locations[now.locations[process.index]].name == "done";
+    }
+
+    std::string evolution(const NetworkState& before, const NetworkState& fired_in, const NetworkState& after) {
         ++evolutions_;
-        Evolution result = evolve(chart_, state_, inputs_, timed_);
+        Evolution result = evolve(chart_, state_, inputs_, timed_, ended(before));
         std::vector<std::string> network_fired, rules_fired;
         for (const Network::Named& transition : controller_.transitions)
             if (fired_in.variables[transition.variable.index] != 0) network_fired.push_back(transition.name);

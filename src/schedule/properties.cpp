@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "grafverif/ir/step_names.hpp"
 #include "grafverif/support/overloaded.hpp"
 #include "support/unique_names.hpp"
 
@@ -99,9 +100,7 @@ namespace {
 void add_all_steps(TransitionSystem& system, const Property& property, const LoopMeaning& meaning) {
     for (const StepTerm& step : meaning.steps) {
         Property one = property;
-        const std::size_t dot = step.label.rfind('.');
-        const std::size_t own = dot == std::string::npos ? 0 : dot + 1;
-        one.name = property.name + "." + step.label.substr(0, own) + "X" + step.label.substr(own);
+        one.name = property.name + "." + step_variable_name(step.label);
         one.pattern = Pattern::Reachable;
         one.operands = {step.active};
         system.properties.add(std::move(one));

@@ -51,6 +51,7 @@ struct TimedResult {
     std::uint64_t states = 0;
     std::uint64_t transitions = 0;             ///< edges and delays of one unit
     std::uint64_t bytes = 0;                   ///< most memory held at once
+    std::uint64_t state_bytes = 0;             ///< one state, packed
     double seconds = 0;
     bool complete = true;                      ///< every reachable state was looked at
     bool time_passes = false;                  ///< in some reachable state

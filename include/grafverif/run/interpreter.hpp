@@ -132,6 +132,10 @@ std::vector<bool> time_conditions(const Chart& chart, const State& state);
 
 /// One evolution; the first one after power_on clears nothing. `timed`: as time_conditions() gives it.
 Evolution evolve(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed);
+/// The same where delays may end between the reading of the conditions and the change of the situation: `ended`, per
+/// element, whether its time condition held when the levels changed.
+Evolution evolve(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed,
+                 const std::vector<bool>& ended);
 
 /// Per variable: the outputs of `state`, of its situation and image; other entries are 0. Empty optional where an
 /// assignation condition has no value. `timed`: as in the evolution that led to `state`.

@@ -367,13 +367,18 @@ TEST(TimedEngine, ExpandsTheStepsOfAReachabilityProperty) {
     Sketch s;
     const auto one = s.network.variables.add({.name = "X_1", .role = Network::Role::Step, .initial = 1});
     const auto two = s.network.variables.add({.name = "X_2", .role = Network::Role::Step});
-    s.network.variables.add({.name = "X_3", .role = Network::Role::Step});
+    const auto three = s.network.variables.add({.name = "X_3", .role = Network::Role::Step});
     const auto p = s.process("p", 2);
+    s.network.controllers.add({.name = "press",
+                               .process = p,
+                               .waiting = {0},
+                               .stable = s.boolean("stable"),
+                               .steps = {{"1", one}, {"G2.2", two}, {"3", three}}});
     s.edge(p, {.from = 0, .to = 1, .set = {{one, s.no(s.yes())}, {two, s.yes()}}});
     s.property("S", Pattern::ReachableAllSteps);
     const TimedResult result = checked(s.network);
     EXPECT_EQ(told(result, "S.X1"), "holds");
-    EXPECT_EQ(told(result, "S.X2"), "holds");
+    EXPECT_EQ(told(result, "S.G2.X2"), "holds");
     EXPECT_EQ(told(result, "S.X3"), "violated");
 }
 

@@ -285,7 +285,12 @@ Network station() {
     for (const auto p : h.network.templates[timer_template].parameters.ids())
         if (p.index == 0) h.network.templates[timer_template].parameters[p].type = integer_type(0, 60000);
 
-    h.network.controllers.add({"handling", ExecutionMode::StabilitySearch, plc, {0}, w.stable, {t}});
+    h.network.controllers.add({.name = "handling",
+                               .process = plc,
+                               .waiting = {0},
+                               .stable = w.stable,
+                               .timers = {t},
+                               .steps = {{"0", w.x0}, {"G2.1", w.x1}}});
     h.network.settled = h.all(
         {h.at(plc, 0), h.v(w.stable), h.neither(h.v(w.evol_pl)), h.neither(h.v(w.evol_ti)), h.neither(h.v(w.pending))});
     add_properties(h, w, actuator);

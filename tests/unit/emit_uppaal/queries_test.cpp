@@ -48,7 +48,7 @@ TEST(UppaalQueries, SayEachPattern) {
         {"P5", "!(X_0 && IS_IN) --> X_0 && IS_IN"},
         {"D", "A[] not deadlock"},
         {"S.X0", "E<> X_0"},
-        {"S.X1", "E<> X_1"},
+        {"S.G2.X1", "E<> X_1"},
         {"E", "A[] X_0 + X_1 == 1"},
         {"U", "A[] COUNT <= 10"},
         {"R", "E<> GO_IN && GO_OUT"},

@@ -90,6 +90,29 @@ TEST(ReplayLaw, EveryWalkThroughARandomLoopReplays) {
     EXPECT_GT(met.races, 0);
 }
 
+TEST(ReplayLaw, ADelayMayEndInTheVeryInstantThatItsTermFalls) {
+    // After the inputs were sampled and before the evolution; for the second an older fall still counts then.
+    constexpr const char* text = R"(
+        grafcet light {
+            input PART;
+            output SHORT, LONG;
+            initial step 0 { SHORT if 2s/PART/1s; LONG if 2s/PART/3s; }
+        }
+        closed_loop light_loop {
+            controller light;
+            plant Short = lamp(ON = SHORT);
+            plant Long = lamp(ON = LONG);
+            environment Part = push_button(OUT = PART);
+        })";
+    for (const ComposeOptions& options : all_options()) {
+        const LoopUnderTest loop = read_loop(text, options);
+        for (int seed = 1; seed <= law_size(5); ++seed) {
+            Random random(static_cast<std::uint64_t>(seed));
+            ASSERT_EQ(complaint(loop, random_walk(loop.network, random, 1000)), "") << "seed " << seed;
+        }
+    }
+}
+
 Network::Template& plc(Network& network) {
     return network.templates[network.processes[network.controllers[{0}].process].automaton];
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What verdicts and traces call a step variable: as conditions of the chart write it, `X7`, `G2.X7` of the partial chart
+// G2; where several controllers stand side by side, after the name of its own: `press.X7`.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "grafverif/ir/network.hpp"
+
+namespace grafverif {
+
+/// The step variable of the step that equations and networks call `label`: `2` -> `X2`, `G2.2` -> `G2.X2`.
+std::string step_variable_name(std::string_view label);
+
+/// The step variable that `variable` of the network stands for. Requires its role to be Step.
+std::string step_variable_name(const Network& network, Id<Network::Variable> variable);
+
+}  // namespace grafverif
