@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "read/mixed_actions.hpp"
 
+#include <iterator>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -74,15 +75,17 @@ void split_mixed_actions(Draft& draft, tree::Chart& chart) {
     std::size_t last = 0;
     for (std::size_t i = 0; i < chart.items.size(); ++i)
         if (std::holds_alternative<tree::Variables>(chart.items[i])) last = i + 1;
+    decltype(chart.items) declared;
     for (const Mixed& one : mixed) {
         const Span where = one.output.where;
         tree::Variable variable;
         variable.name = draft.name(one.stored, where);
         variable.where = where;
-        chart.items.insert(chart.items.begin() + static_cast<std::ptrdiff_t>(last++),
-                           tree::Variables{tree::VariableKind::Internal, {variable}, where});
+        declared.emplace_back(tree::Variables{tree::VariableKind::Internal, {variable}, where});
         always.actions.emplace_back(tree::ContinuousAction{one.output, draft.variable(one.stored, where), {}, {}, where});
     }
+    chart.items.insert(chart.items.begin() + static_cast<std::ptrdiff_t>(last), std::make_move_iterator(declared.begin()),
+                       std::make_move_iterator(declared.end()));
     tree::Partial partial{tree::PartialKind::Partial, draft.name(fresh("stored_outputs"), chart.where), {}, chart.where};
     partial.items.emplace_back(std::move(always));
     chart.items.emplace_back(std::move(partial));
