@@ -19,9 +19,21 @@ TEST(Families, HaveTheCountsOfThePublishedMethod) {
     EXPECT_EQ(hierarchical.evolutions, 52'497U);
 }
 
-TEST(Families, GrowAsTheyAreBuilt) {
-    EXPECT_EQ(counts(automaton(body(bench::basic_sequence(20)))).locations, 21U);
-    EXPECT_EQ(counts(automaton(body(bench::hierarchical_parallel(4, 3)))).locations, 82U);
+/// n^m.
+std::uint64_t power(std::uint64_t n, std::uint64_t m) { return m == 0 ? 1 : n * power(n, m - 1); }
+
+TEST(Families, GrowAsTheirFormulasSay) {
+    for (const std::size_t steps : {2U, 3U, 20U}) {
+        const AutomatonCounts ring = counts(automaton(body(bench::basic_sequence(steps))));
+        EXPECT_EQ(ring.locations, steps + 1);
+        EXPECT_EQ(ring.evolutions - ring.evolutions_from_init, steps);
+    }
+    for (std::size_t rings = 1; rings <= 4; ++rings)
+        for (std::size_t steps = 2; steps <= 4; ++steps) {
+            const AutomatonCounts parallel = counts(automaton(body(bench::hierarchical_parallel(rings, steps))));
+            EXPECT_EQ(parallel.locations, power(steps, rings) + 1);
+            EXPECT_EQ(parallel.evolutions - parallel.evolutions_from_init, rings * power(steps, rings));
+        }
 }
 
 TEST(Families, HaveToursNoLongerThanThePublishedMethodFinds) {
