@@ -217,7 +217,7 @@ private:
             if (place.ages[k] >= 0 && levels_[k].longest > 0) add(level_name(levels_[k]) + " for " + std::to_string(place.ages[k]) + " ms");
         for (const Timer& timer : timers_)
             if (timer.fall_ms > 0 && place.falls[timer.fall] >= 0)
-                add(automaton_.inputs[timer.input].name + " until " + std::to_string(timer.fall_ms - place.falls[timer.fall]) + " ms");
+                add(automaton_.inputs[timer.input].name + " for " + std::to_string(timer.fall_ms - place.falls[timer.fall]) + " ms more");
         return text;
     }
 
