@@ -95,10 +95,11 @@ void add_notes(const Equations& equations, const AnalyseOptions& options, Analys
                                   ? "inputs change between stable situations only (IEC 60848); cycle time is zero"
                                   : "one evolution per cycle, inputs sampled in each");
     const auto is_break = [](const Finding& finding) {
-        return finding.code == "action-race" || finding.code == "out-of-range" || finding.code == "no-value";
+        return finding.code == "action-race" || finding.code == "out-of-range" || finding.code == "no-value" ||
+               finding.code == "forced-twice";
     };
     if (std::ranges::any_of(result.findings, is_break))
-        result.notes.emplace_back("nothing is looked at beyond a race or a value that does not fit; what is said never to "
+        result.notes.emplace_back("nothing is looked at beyond a race, orders that exclude each other or a value that does not fit; what is said never to "
                                   "happen does not happen without them");
     if (!equations.assumptions.empty() || !options.exclusions.empty())
         result.notes.push_back("inputs are limited by " + std::to_string(equations.assumptions.size()) +

@@ -56,11 +56,11 @@ std::int64_t AgrafeReader::number(pugi::xml_node node, std::string_view attribut
 }
 
 bool AgrafeReader::flag(pugi::xml_node node, std::string_view attribute) {
-    const std::string text = value(node, attribute);
-    if (text == "true" || text == "1") return true;
-    if (!text.empty() && text != "false" && text != "0")
-        diagnostics().add(messages::bad_value(xml.where(node, attribute), '`' + std::string(attribute) + '`', text, "`true` or `false`"));
-    return false;
+    const auto found = truth(node, attribute);
+    if (!found)
+        diagnostics().add(messages::bad_value(xml.where(node, attribute), '`' + std::string(attribute) + '`',
+                                              value(node, attribute), "`true` or `false`"));
+    return found.value_or(false);
 }
 
 namespace {

@@ -16,6 +16,14 @@ st::Block PlcopenReader::statements(const st::Text& text) {
     return st::parse_statements(text, file, sources, diagnostics()).value_or(st::Block{});
 }
 
+bool PlcopenReader::flag(pugi::xml_node node, std::string_view attribute) {
+    const auto found = truth(node, attribute);
+    if (!found)
+        diagnostics().add(messages::bad_value(xml.where(node, attribute), '`' + std::string(attribute) + '`',
+                                              value(node, attribute), "`true` or `false`"));
+    return found.value_or(false);
+}
+
 Id<st::Expr> PlcopenReader::make(st::Op op, const std::vector<Id<st::Expr>>& operands, Span where) {
     st::Expr expr;
     expr.op = op;
@@ -60,7 +68,7 @@ void read_variables(PlcopenReader& reader, pugi::xml_node list, std::vector<st::
     for (const pugi::xml_node& node : children(list, "variable")) {
         st::Variable variable;
         variable.section = section_of(local_name(list.name()));
-        variable.constant = value(list, "constant") == "true";
+        variable.constant = reader.flag(list, "constant");
         variable.name = reader.name(value(node, "name"), reader.xml.where(node, "name"));
         variable.type = type_of(reader, child(node, "type"));
         variable.address = value(node, "address");

@@ -41,6 +41,9 @@ public:
 
     Id<st::Expr> from(pugi::xml_node source) { return of(source, 0); }
 
+    /// What a coil or variable gets that ends the network.
+    Id<st::Expr> into(pugi::xml_node end) { return passes_on(end) ? negated(end, at(end)) : Id<st::Expr>{}; }
+
 private:
     Id<st::Expr> of(pugi::xml_node node, std::size_t depth) {
         const Span where = reader_.xml.where(node);
@@ -48,8 +51,8 @@ private:
             reader_.draft.refuse(where, "a network that leads back to itself, or is deeper than 200 elements", "simplify it");
             return {};
         }
-        if (is(node, "inVariable") || is(node, "inOutVariable"))
-            return negated(node, reader_.expression(reader_.xml.text(child(node, "expression"))));
+        if (is(node, "inVariable")) return variable(node, "negated");
+        if (is(node, "inOutVariable")) return variable(node, "negatedOut");
         if (is(node, "leftPowerRail")) return reader_.make(st::Op::True, {}, where);
         if (is(node, "connector") || is(node, "continuation")) return at(node, depth);
         if (is(node, "contact")) return contact(node, depth);
@@ -59,48 +62,82 @@ private:
         return {};
     }
 
-    Id<st::Expr> negated(pugi::xml_node node, Id<st::Expr> term) {
-        if (!term.valid() || value(node, "negated") != "true") return term;
+    Id<st::Expr> negated(pugi::xml_node node, Id<st::Expr> term, std::string_view mark = "negated") {
+        if (!term.valid() || !reader_.flag(node, mark)) return term;
         return reader_.make(st::Op::Not, {term}, reader_.xml.where(node));
     }
 
-    Id<st::Expr> contact(pugi::xml_node node, std::size_t depth) {
-        const pugi::xml_node variable = child(node, "variable");
-        const std::string edge = value(node, "edge");
-        if (!edge.empty() && edge != "none") {
-            reader_.draft.refuse(reader_.xml.where(node, "edge"), "a contact that detects an edge", "use `R_TRIG` in Structured Text");
+    /// Whether a variable, contact, coil or pin only passes a value on: no edge, nothing set or reset.
+    bool passes_on(pugi::xml_node node) {
+        for (const std::string_view mark : {"edge", "edgeIn", "edgeOut", "storage", "storageIn", "storageOut"}) {
+            const std::string how = value(node, mark);
+            if (how.empty() || how == "none") continue;
+            const bool edge = mark.starts_with("edge");
+            reader_.draft.refuse(reader_.xml.where(node, mark),
+                                 edge ? "an edge in the network of a condition" : "a value stored in the network of a condition",
+                                 edge ? "keep the value before in a variable of the chart" : "store it in an action");
+            return false;
+        }
+        return true;
+    }
+
+    Id<st::Expr> variable(pugi::xml_node node, std::string_view mark) {
+        if (!passes_on(node)) return {};
+        if (!sources_of(reader_, network_, node).empty()) {
+            reader_.draft.refuse(reader_.xml.where(node), "a variable that a condition assigns", "assign it in an action");
             return {};
         }
-        const Id<st::Expr> own = negated(node, reader_.expression(reader_.xml.text(variable)));
-        const Id<st::Expr> before = at(node, depth);
-        if (!own.valid() || !before.valid()) return own;
+        return negated(node, reader_.expression(reader_.xml.text(child(node, "expression"))), mark);
+    }
+
+    Id<st::Expr> contact(pugi::xml_node node, std::size_t depth) {
+        if (!passes_on(node)) return {};
+        const Id<st::Expr> own = negated(node, reader_.expression(reader_.xml.text(child(node, "variable"))));
+        const Id<st::Expr> before = wired(node, depth, "this contact");
+        if (!own.valid() || !before.valid()) return {};
         if (reader_.node(before).op == st::Op::True) return own;
         return reader_.make(st::Op::And, {before, own}, reader_.xml.where(node));
     }
 
+    /// at(), an error where nothing is connected.
+    Id<st::Expr> wired(pugi::xml_node point, std::size_t depth, std::string_view what) {
+        if (!sources_of(reader_, network_, point).empty()) return at(point, depth);
+        reader_.diagnostics().add(messages::missing_part(reader_.xml.where(point), what, "connection"));
+        return {};
+    }
+
+    Id<st::Expr> unsupported(pugi::xml_node block, std::string_view what) {
+        reader_.draft.refuse(reader_.xml.where(block, "typeName"), what, "write the condition in Structured Text");
+        return {};
+    }
+
     Id<st::Expr> block(pugi::xml_node node, std::size_t depth) {
         const std::string type = st::capitals(value(node, "typeName"));
-        const Span where = reader_.xml.where(node, "typeName");
-        const bool known = type == "NOT" || std::ranges::any_of(functions, [&](const Function& one) { return one.name == type; });
-        if (!known) {
-            reader_.draft.refuse(where, "the block `" + value(node, "typeName") + "` in a condition",
-                                 "write the condition in Structured Text");
-            return {};
-        }
+        const auto* function = std::ranges::find(functions, type, &Function::name);
+        if (type != "NOT" && function == functions.end())
+            return unsupported(node, "the block `" + value(node, "typeName") + "` in a condition");
         std::vector<Id<st::Expr>> inputs;
-        for (const pugi::xml_node& variable : children(child(node, "inputVariables"), "variable")) {
-            const Id<st::Expr> one = negated(variable, at(variable, depth));
-            if (!one.valid()) {
-                reader_.diagnostics().add(messages::missing_part(reader_.xml.where(variable), "an input of this block", "connection"));
-                return {};
-            }
+        for (const pugi::xml_node& pin : children(child(node, "inputVariables"), "variable")) {
+            if (!passes_on(pin)) return {};
+            if (st::capitals(value(pin, "formalParameter")) == "EN")
+                return unsupported(node, "a block that is enabled by a condition of its own");
+            const Id<st::Expr> one = negated(pin, wired(pin, depth, "an input of this block"));
+            if (!one.valid()) return {};
             inputs.push_back(one);
         }
-        if (type == "NOT" && inputs.size() == 1) return reader_.make(st::Op::Not, inputs, where);
-        for (const Function& one : functions)
-            if (one.name == type && inputs.size() >= 2) return reader_.make(one.op, inputs, where);
-        reader_.diagnostics().add(messages::bad_value(where, "number of inputs of this block", std::to_string(inputs.size()), "at least two"));
-        return {};
+        const std::vector<pugi::xml_node> outputs = children(child(node, "outputVariables"), "variable");
+        if (outputs.size() > 1) return unsupported(node, "a block with several outputs in a condition");
+        const bool any_number = type == "AND" || type == "OR" || type == "XOR" || type == "ADD" || type == "MUL";
+        const std::size_t wanted = type == "NOT" ? 1 : 2;
+        const Span where = reader_.xml.where(node, "typeName");
+        if (inputs.size() < wanted || (inputs.size() > wanted && !any_number)) {
+            reader_.diagnostics().add(messages::bad_value(where, "number of inputs of this block", std::to_string(inputs.size()),
+                                                          wanted == 1 ? "one" : any_number ? "at least two" : "two"));
+            return {};
+        }
+        const Id<st::Expr> found = reader_.make(type == "NOT" ? st::Op::Not : function->op, inputs, where);
+        if (outputs.empty()) return found;
+        return passes_on(outputs.front()) ? negated(outputs.front(), found) : Id<st::Expr>{};
     }
 
     PlcopenReader& reader_;
@@ -118,15 +155,19 @@ Id<st::Expr> structured(PlcopenReader& reader, pugi::xml_node text) {
     return reader.file.statements[block.front()].value;
 }
 
-/// A body: Structured Text, or a ladder or function diagram whose last coil or variable is the condition.
+/// A body: Structured Text, or a ladder or function diagram with one coil or variable at its end, the condition.
 Id<st::Expr> body_condition(PlcopenReader& reader, pugi::xml_node body, Span where) {
     if (const pugi::xml_node text = child(body, "ST")) return structured(reader, text);
     for (const std::string_view language : {"LD", "FBD"}) {
         const pugi::xml_node diagram = child(body, language);
         if (!diagram) continue;
         const PlcopenNetwork network = network_of(reader, diagram);
+        std::vector<pugi::xml_node> ends;
         for (const pugi::xml_node& element : network.elements)
-            if (is(element, "coil") || is(element, "outVariable")) return Connected(reader, network).at(element);
+            if (is(element, "coil") || is(element, "outVariable")) ends.push_back(element);
+        if (ends.size() == 1) return Connected(reader, network).into(ends.front());
+        reader.draft.refuse(where, "a network without exactly one coil or variable at its end", "give it one");
+        return {};
     }
     reader.draft.refuse(where, "a condition in another language than Structured Text", "write it in Structured Text");
     return {};
@@ -166,7 +207,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
     }
     if (!found.valid() && reader.diagnostics().errors() == errors && !reader.draft.lossy())
         reader.diagnostics().add(messages::missing_part(where, "this transition", "condition"));
-    if (found.valid() && value(condition, "negated") == "true") return reader.make(st::Op::Not, {found}, where);
+    if (found.valid() && reader.flag(condition, "negated")) return reader.make(st::Op::Not, {found}, where);
     return found;
 }
 

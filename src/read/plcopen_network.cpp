@@ -27,8 +27,9 @@ std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork
             const bool over = is(source, "jumpStep");   // CODESYS draws lines on from where a branch jumps away
             if (over || !seen.insert(source.hash_value()).second) continue;
             const std::string_view kind = local_name(source.name());
-            if (kind.ends_with("Divergence") || kind.ends_with("Convergence") || kind == "connector" || kind == "continuation")
-                work.push_back(source);
+            const bool on_the_way = is(start, "transition") ? kind == "selectionDivergence" || kind == "simultaneousConvergence"
+                                                            : kind == "simultaneousDivergence" || kind == "selectionConvergence";
+            if (on_the_way || kind == "connector" || kind == "continuation") work.push_back(source);
             else if (wanted(source)) found.push_back(source);
             else
                 reader.diagnostics().add(messages::misplaced_link(
@@ -107,11 +108,19 @@ void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step)
     }
 }
 
+/// What the negation of a step or an action block means is said nowhere.
+void refuse_negation(PlcopenReader& reader, pugi::xml_node element) {
+    if (reader.flag(element, "negated"))
+        reader.draft.refuse(reader.xml.where(element, "negated"), "a negated `" + std::string(local_name(element.name())) + '`',
+                            "negate conditions");
+}
+
 void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const std::vector<Step>& steps, st::Network& made) {
     std::unordered_map<std::size_t, std::size_t> index;
     for (std::size_t i = 0; i < steps.size(); ++i) index.emplace(steps[i].node.hash_value(), i);
     for (const pugi::xml_node& element : network.elements) {
         if (!is(element, "actionBlock")) continue;
+        refuse_negation(reader, element);
         for (const pugi::xml_node& source : sources_of(reader, network, element)) {
             const auto step = index.find(source.hash_value());
             if (step == index.end()) {
@@ -226,7 +235,8 @@ void read_network(PlcopenReader& reader, st::Unit& unit, pugi::xml_node body, st
             steps.push_back({element, name});
             st::Step step;
             step.name = name;
-            step.initial = value(element, "initialStep") == "true";
+            step.initial = reader.flag(element, "initialStep");
+            refuse_negation(reader, element);
             step.comment = documentation(reader, element);
             step.where = reader.xml.where(element);
             made.steps.push_back(std::move(step));

@@ -128,6 +128,10 @@ std::vector<tree::ChartItem> items_of(Sfc& sfc, const st::Network& network, SfcA
             sfc.diagnostics().add(messages::missing_part(transition.where, "this transition", transition.from.empty() ? "step before it" : "step behind it"));
             continue;
         }
+        for (const st::Name& from : branch.written->from)
+            if (std::ranges::any_of(branch.written->to, [&](const st::Name& to) { return to.word == from.word; }))
+                sfc.differs(transition.where, "this transition leads back to the step `" + std::string(sfc.file.text(from)) +
+                                                  "`, which stays active here; its times and actions do not begin anew");
         items.emplace_back(std::move(transition));
     }
     return items;

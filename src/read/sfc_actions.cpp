@@ -98,11 +98,10 @@ private:
         const std::string output = target.name;
         const std::string& q = one.qualifier;
         const Span where = one.where;
+        if (q != "R") driven_.insert(output);
+        if (q == "P0") outlasting_.insert(output);
         if (q == "N" || q.empty()) of(step).emplace_back(tree::ContinuousAction{name(output, where), {}, {}, {}, where});
-        else if (q == "S") {
-            on_activation(step, output, true, where);
-            set_.insert(output);
-        }
+        else if (q == "S") on_activation(step, output, true, where);
         else if (q == "R") reset(step, output, where);
         else if (q == "P" || q == "P1" || q == "P0") pulse(step, output, q == "P0", where);
         else if (q == "D" || q == "L" || q == "SD" || q == "DS" || q == "SL") delayed(step, output, one);
@@ -155,13 +154,12 @@ private:
 
     void assignments(const std::string& step, const st::Association& one, const st::Block& body) {
         const std::string& q = one.qualifier;
-        if (q == "R") return;   // what was assigned stays as it is
-        const bool known = q == "N" || q.empty() || q == "P" || q == "P1" || q == "P0" || q == "S";
+        const bool known = q == "N" || q.empty() || q == "P" || q == "P1" || q == "P0";
         if (!known) return refuse(one.where, "a list of statements under the qualifier " + q, "use N, P1 or P0, or a Boolean variable");
         const auto effects = effects_of(sfc_, body);
         if (!effects) return;
         const std::unordered_set<std::string> reads = sfc_.reads;
-        const bool repeated = q == "N" || q.empty() || q == "S";
+        const bool repeated = q == "N" || q.empty();
         for (const auto& [target, effect] : *effects) {
             note_order(one.where, target, reads);
             if (repeated) every_scan(step, one, target, effect, *effects, reads);
@@ -252,11 +250,15 @@ private:
     std::unordered_set<std::string> orders_ = {};
 
 public:
-    /// R ends SD and SL of its output too.
+    /// R ends SD and SL of its output too. What else acts on the output while the step of R is active goes on here.
     void finish(SfcActions& made) {
-        for (const Reset& reset : resets_)
-            if (has_parallel_steps() && set_.erase(reset.output) > 0)
-                sfc_.differs(reset.where, "S and R of `" + reset.output + "`: where both steps are active R wins in a Sequential Function Chart; here the step activated last does");
+        const bool parallel = has_parallel_steps();
+        for (const Reset& reset : resets_) {
+            if (!(parallel ? driven_ : outlasting_).contains(reset.output)) continue;
+            sfc_.differs(reset.where, "R of `" + reset.output + "`: it wins over every other action on `" + reset.output +
+                                          "` as long as its step is active; here it takes back once what is stored");
+            driven_.erase(reset.output), outlasting_.erase(reset.output);
+        }
         for (const Reset& reset : resets_)
             for (const std::string& state : timed_latches_[reset.output])
                 made.of_steps[reset.step].emplace_back(stored(state, sfc_.draft.constant(false, reset.where), tree::StoredWhen::Activation, reset.where));
@@ -271,7 +273,8 @@ private:
         return false;
     }
 
-    std::unordered_set<std::string> set_ = {};
+    std::unordered_set<std::string> driven_ = {};       ///< outputs with another qualifier than R
+    std::unordered_set<std::string> outlasting_ = {};   ///< outputs of P0, which acts when its step is left
     std::vector<Reset> resets_ = {};
 };
 

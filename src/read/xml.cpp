@@ -178,6 +178,12 @@ pugi::xml_attribute attribute(pugi::xml_node node, std::string_view name) {
 
 std::string value(pugi::xml_node node, std::string_view name) { return unescape_xml(attribute(node, name).value()); }
 
+std::optional<bool> truth(pugi::xml_node node, std::string_view name) {
+    const std::string text = value(node, name);
+    if (text == "true" || text == "1") return true;
+    return text.empty() || text == "false" || text == "0" ? std::optional(false) : std::nullopt;
+}
+
 std::vector<std::string> comment_lines(std::string_view text) {
     std::vector<std::string> lines;
     constexpr std::string_view blanks = " \t\r\f\v";

@@ -56,7 +56,7 @@ Diagnostic cannot_include(Span where, std::string_view path, std::string_view wh
 }
 
 Diagnostic not_yet(Span where, std::string_view what) {
-    return error("unsupported", where, fmt::format("{} is not supported yet; take it out", what));
+    return error("unsupported", where, fmt::format("{} is not supported; take it out", what));
 }
 
 }  // namespace grafverif::messages

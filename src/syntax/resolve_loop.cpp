@@ -199,7 +199,7 @@ void resolve_questions(LoopScope& scope, const tree::ClosedLoop& written) {
             [](const tree::Constraint&) {},
             [](const tree::Observer&) {},
             [&](const tree::Schedule& chosen) { resolve_schedule(scope, chosen); },
-            [&](const tree::Accept& accept) { scope.diagnostics.add(messages::not_yet(accept.where, "`accept`")); },
+            [&](const tree::Accept& accept) { scope.diagnostics.add(messages::not_yet(accept.where, "`accept` outside a chart")); },
         }, item);
     }
     if (scope.incomplete) return;

@@ -167,6 +167,54 @@ TEST(Analyse, ACounterThatLeavesItsRangeIsFoundAfterAsManyRoundsAsItTakes) {
     ASSERT_NE(find(found, "transition-never-fired", "t2"), nullptr);
 }
 
+TEST(Analyse, ADivisionByACounterThatReachesZeroIsFound) {
+    const Analysis found = analysed(R"(
+        input a; internal n : int 0..2 = 1;
+        initial step 0;
+        step 1 { n := n - 1 on activation; }
+        step 2;
+        transition t0: 0 -> 1 when a;
+        transition t1: 1 -> 2 when 2 / n == 1;
+    )");
+    const Finding* const none = find(found, "no-value");
+    ASSERT_NE(none, nullptr);
+    ASSERT_TRUE(none->evidence.has_value());
+    EXPECT_EQ(none->evidence->steps.size(), 2U) << "power-on with `a`; then `n` is 0";
+}
+
+constexpr std::string_view two_orders = R"(
+    input a, b;
+    partial A { initial step 0; step 1 { force P := {}; } transition a0: 0 -> 1 when a; transition a1: 1 -> 0 when !a; }
+    partial B { initial step 10; step 11 { force P := {INIT}; } transition b0: 10 -> 11 when b; transition b1: 11 -> 10 when !b; }
+    partial P { initial step 20; step 21; transition p0: 20 -> 21 when !a; transition p1: 21 -> 20 when a; }
+)";
+
+TEST(Analyse, TwoOrdersThatExcludeEachOtherAreShownTogether) {
+    const Analysis found = analysed(two_orders);
+    const Finding* const twice = find(found, "forced-twice");
+    ASSERT_NE(twice, nullptr);
+    ASSERT_TRUE(twice->evidence.has_value());
+    EXPECT_EQ(twice->evidence->steps.back().what, "orders that exclude each other");
+    EXPECT_EQ(found.notes.size(), 2U) << "what is said never to happen does not happen without them";
+    const std::string exclusive = std::string(two_orders) + "constraint !(a && b);";
+    EXPECT_EQ(find(analysed(exclusive), "forced-twice"), nullptr);
+}
+
+TEST(Analyse, AChartThatIsForcedWhileItsEnclosingStepGovernsItIsFound) {
+    const std::string_view body = R"(
+        partial A { initial step 0; enclosing step 1 encloses P; transition a0: 0 -> 1 when a; transition a1: 1 -> 0 when !a; }
+        partial B { initial step 10; step 11 { force P := {21}; } transition b0: 10 -> 11 when b; transition b1: 11 -> 10 when !b; }
+        partial P { linked step 20; step 21; transition p0: 20 -> 21 when a && b; transition p1: 21 -> 20 when !a; }
+    )";
+    const Analysis found = analysed("input a, b;" + std::string(body));
+    const Finding* const both = find(found, "forced-and-enclosed");
+    ASSERT_NE(both, nullptr);
+    EXPECT_EQ(both->related.size(), 1U) << "the enclosing step";
+    ASSERT_TRUE(both->evidence.has_value());
+    EXPECT_EQ(both->evidence->steps.size(), 2U);
+    EXPECT_EQ(find(analysed("input a, b; constraint !(a && b);" + std::string(body)), "forced-and-enclosed"), nullptr);
+}
+
 TEST(Analyse, TotalInstabilityEndsInALoopOfSituations) {
     const Analysis found = analysed(R"(
         input a, b;

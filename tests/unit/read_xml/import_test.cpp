@@ -73,7 +73,91 @@ TEST(Import, TakesOverTextualChartsWithTheirActionBlocks) {
                              "horn if horn_limited && !(3s/horn_limited);", "transition both: Wait -> Left, Right when go;",
                              "transition Left, Right -> Wait when done != go;"})
         EXPECT_NE(result.text.find(line), std::string::npos) << line << "\n" << result.text << result.said;
-    EXPECT_NE(result.said.find("S and R of `lamp`"), std::string::npos) << result.said;
+    EXPECT_NE(result.said.find("R of `lamp`"), std::string::npos) << result.said;
+}
+
+/// A chart of two steps in PLCopen XML whose first transition gets its condition from the element 9 of `network`.
+std::string connected(const std::string& network) {
+    return R"(<project><pou name="p" pouType="program"><interface><inputVars>
+<variable name="a"><type><BOOL/></type></variable><variable name="b"><type><BOOL/></type></variable></inputVars>
+<localVars><variable name="c"><type><BOOL/></type></variable></localVars></interface>
+<body><SFC><step localId="1" name="S1" initialStep="1"><connectionPointIn><connection refLocalId="4"/></connectionPointIn></step>
+<transition localId="2"><connectionPointIn><connection refLocalId="1"/></connectionPointIn>
+<condition><connectionPointIn><connection refLocalId="9"/></connectionPointIn></condition></transition>
+<step localId="3" name="S2"><connectionPointIn><connection refLocalId="2"/></connectionPointIn></step>
+<transition localId="4"><connectionPointIn><connection refLocalId="3"/></connectionPointIn>
+<condition><inline name=""><ST>b</ST></inline></condition></transition>
+<leftPowerRail localId="5"/>
+<inVariable localId="6"><expression>a</expression></inVariable>
+<inVariable localId="7" negated="1"><expression>b</expression></inVariable>)" +
+           network + "</SFC></body></pou></project>";
+}
+
+std::string block(const std::string& type, const std::string& first, const std::string& second, const std::string& output) {
+    const auto pin = [](const std::string& marks, const char* source) {
+        return "<variable " + marks + "><connectionPointIn><connection refLocalId=\"" + source + "\"/></connectionPointIn></variable>";
+    };
+    return "<block localId=\"9\" typeName=\"" + type + "\"><inputVariables>" + pin(first, "6") + pin(second, "7") +
+           "</inputVariables><outputVariables><variable " + output + "/></outputVariables></block>";
+}
+
+std::string contact(const std::string& marks, const std::string& wire = "<connection refLocalId=\"5\"/>") {
+    return "<contact localId=\"9\" " + marks + "><connectionPointIn>" + wire + "</connectionPointIn><variable>a</variable></contact>";
+}
+
+TEST(Import, KeepsEveryNegationOfANetwork) {
+    struct Case {
+        std::string network = {}, condition = {};
+    };
+    const Case cases[] = {{block("AND", "", "", ""), "a && !b"},
+                          {block("and", "negated=\"true\"", "", ""), "!a && !b"},
+                          {block("OR", "", "negated=\"true\"", "negated=\"1\""), "!(a || !!b)"},
+                          {block("XOR", "", "negated=\"0\"", "negated=\"false\""), "a != !b"},
+                          {contact(""), "a"},
+                          {contact("negated=\"true\""), "!a"},
+                          {"<inOutVariable localId=\"9\" negatedOut=\"true\"><expression>a</expression></inOutVariable>", "!a"}};
+    for (const Case& one : cases) {
+        SCOPED_TRACE(one.network);
+        const Imported result = imported(connected(one.network));
+        EXPECT_NE(result.text.find("S1 -> S2 when " + one.condition + ";"), std::string::npos) << result.text << result.said;
+    }
+}
+
+TEST(Import, RefusesNetworksThatRememberOrLackAWire) {
+    struct Case {
+        std::string network = {}, message = {};
+    };
+    const Case cases[] = {{block("AND", "edge=\"rising\"", "", ""), "an edge in the network"},
+                          {block("AND", "", "", "storage=\"set\""), "a value stored in the network"},
+                          {block("AND", "formalParameter=\"EN\"", "", ""), "enabled by a condition of its own"},
+                          {block("SUB", "", "", ""), "arithmetic on anything but integers"},
+                          {block("NOT", "", "", ""), "number of inputs of this block"},
+                          {contact("edge=\"falling\""), "an edge in the network"},
+                          {contact("storage=\"reset\""), "a value stored in the network"},
+                          {contact("", ""), "this contact has no connection"},
+                          {block("RS", "", "", ""), "the block `RS`"}};
+    for (const Case& one : cases) {
+        SCOPED_TRACE(one.network);
+        const Imported result = imported(connected(one.network));
+        EXPECT_EQ(result.text, "");
+        EXPECT_NE(result.said.find(one.message), std::string::npos) << result.said;
+    }
+}
+
+TEST(Import, MakesNothingOfAConditionThatItTakesOverInPartOnly) {
+    const std::string behind_an_edge = R"(<contact localId="8" edge="rising"><connectionPointIn><connection refLocalId="5"/></connectionPointIn><variable>b</variable></contact>)" +
+                                       contact("", "<connection refLocalId=\"8\"/>");
+    const Imported result = imported(connected(behind_an_edge), true);
+    EXPECT_NE(result.text.find("S1 -> S2 when unknown_condition;"), std::string::npos) << result.text << result.said;
+}
+
+TEST(Import, RefusesStatementsUnderTheQualifiersThatOutliveTheirStep) {
+    for (const char* qualifier : {"S", "R", "D, T#1s"}) {
+        std::string text = fixtures::sfc;
+        text.replace(text.find("horn(P);"), 8, "work(" + std::string(qualifier) + ");");
+        text.replace(text.find("END_PROGRAM"), 0, "ACTION work: lamp := go; END_ACTION\n");
+        EXPECT_NE(imported(text).said.find("a list of statements under the qualifier"), std::string::npos) << qualifier;
+    }
 }
 
 TEST(Import, ReadsOtherEncodings) {
