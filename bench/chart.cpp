@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// bench_chart SIZE: prints the generated ring of SIZE steps.
+// bench_chart SIZE: prints the generated ring of SIZE steps; bench_chart line CELLS: the production line of so many cells.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "generate.hpp"
 
 int main(int count, char** values) {
-    const long size = count == 2 ? std::strtol(values[1], nullptr, 10) : 0;
+    const bool line = count == 3 && std::string_view(values[1]) == "line";
+    const long size = line || count == 2 ? std::strtol(values[count - 1], nullptr, 10) : 0;
     if (size < 1) {
-        std::fputs("usage: bench_chart SIZE\n", stderr);
+        std::fputs("usage: bench_chart SIZE, bench_chart line CELLS\n", stderr);
         return 2;
     }
-    const std::string text = grafverif::bench::ring(static_cast<std::size_t>(size));
+    const auto wanted = static_cast<std::size_t>(size);
+    const std::string text = line ? grafverif::bench::production_line(wanted) : grafverif::bench::ring(wanted);
     return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? 0 : 2;
 }

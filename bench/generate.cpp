@@ -82,4 +82,58 @@ std::string assembly_stations(std::size_t count) {
     return text + "}\n";
 }
 
+namespace {
+
+constexpr const char* supervisor = R"(    partial supervisor {{
+        initial step 0;
+        step 1 {{ RUN := true on activation; }}
+        step 2 {{ force cell1 := {{*}}; }}
+        step 3 {{ RUN := false on activation; ALARM := true on activation;{0} }}
+        step 4;
+        step 5;
+        transition s0: 0 -> 1 when START && !STOP;
+        transition s1: 1 -> 2 when STOP && START;
+        transition s2: 1 -> 3 when STOP && !START;
+        transition s3: 2 -> 1 when !STOP;
+        transition s4: 3 -> 4 when !STOP && START;
+        transition s5: 4 -> 5 when !START;
+        transition s6: 5 -> 0 when STOP;
+    }}
+)";
+
+constexpr const char* cell = R"(    partial cell{0} {{
+        initial step {0}0;
+        step {0}1 {{ CLAMP{0} := true on activation; }}
+        step {0}2 {{ DRILL{0} := true on activation; }}
+        step {0}3 {{ DRILL{0} := false on activation; }}
+        step {0}4 {{ LAMP{0} := true on activation; }}
+        step {0}5 {{ BELT{0}; }}
+        step {0}6;
+        step {0}7 {{ CLAMP{0} := false on activation; }}
+        step {0}8 {{ BELT{0} if FREE{0}; }}
+        transition c{0}0: {0}0 -> {0}1 when PART{0} && supervisor.X1;
+        transition c{0}1: {0}1 -> {0}2 when !UP{0};
+        transition c{0}2: {0}2 -> {0}3 when DOWN{0};
+        transition c{0}3: {0}3 -> {0}4 when UP{0} && GOOD{0};
+        transition c{0}4: {0}3 -> {0}5 when UP{0} && !GOOD{0};
+        transition c{0}5: {0}4 -> {0}6 when 2s/X{0}4;
+        transition c{0}6: {0}5 -> {0}6 when LEFT{0};
+        transition c{0}7: {0}6 -> {0}7 when FREE{0};
+        transition c{0}8: {0}7 -> {0}8 when !PART{0};
+        transition c{0}9: {0}8 -> {0}0 when LEFT{0} && !FREE{0};
+    }}
+)";
+
+}  // namespace
+
+std::string production_line(std::size_t count) {
+    std::string text = "grafcet production_line {\n    input START, STOP;\n    output RUN, ALARM;\n", orders, cells;
+    for (std::size_t k = 1; k <= count; ++k) {
+        text += fmt::format("    input PART{0}, DOWN{0}, UP{0}, GOOD{0}, LEFT{0}, FREE{0};\n    output CLAMP{0}, DRILL{0}, BELT{0}, LAMP{0};\n", k);
+        orders += fmt::format(" force cell{} := {{INIT}};", k);
+        cells += fmt::format(fmt::runtime(cell), k);
+    }
+    return text + fmt::format(fmt::runtime(supervisor), orders) + cells + "}\n";
+}
+
 }  // namespace grafverif::bench

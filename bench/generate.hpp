@@ -14,4 +14,8 @@ std::string ring(std::size_t steps);
 /// A chart of `count` assembly stations (DESDES06 Fig. 2) that have nothing to do with each other.
 std::string assembly_stations(std::size_t count);
 
+/// A supervisor that forces and holds `count` cells, each of nine steps with six inputs and five stored actions. Six cells
+/// make 60 steps, 67 transitions, 7 partial charts, 7 forcing orders, 33 stored actions and 38 inputs.
+std::string production_line(std::size_t count);
+
 }  // namespace grafverif::bench

@@ -44,11 +44,7 @@ public:
         if (search) begin_search();
         cycle();
         if (search) end_search();
-        line("IF {} = 0 THEN", names_.fault);
-        ++depth_;
         write_outputs();
-        --depth_;
-        line("END_IF;");
         if (!equations_.timers.empty()) heading("timers start and stop with what they watch");
         for (std::size_t k = 0; k < equations_.timers.size(); ++k) tell(k);
         return std::move(result_);
@@ -232,13 +228,21 @@ private:
 
     // -- outputs --
 
+    /// Nothing where there are none: compilers refuse an `IF` without statements.
     void write_outputs() {
-        heading("outputs");
+        std::vector<std::string> lines;
         for (const Equations::Output& output : equations_.outputs)
-            line("{} := {};", names_.variables[output.variable.index], text(output.value));
+            lines.push_back(names_.variables[output.variable.index] + " := " + text(output.value));
         for (const Equations::Stored& stored : equations_.stored)
             if (equations_.variables[stored.variable].role == Equations::Role::Output)
-                line("{} := {};", names_.variables[stored.variable.index], stored_in(stored.variable));
+                lines.push_back(names_.variables[stored.variable.index] + " := " + stored_in(stored.variable));
+        if (lines.empty()) return;
+        line("IF {} = 0 THEN", names_.fault);
+        ++depth_;
+        heading("outputs");
+        for (const std::string& one : lines) line("{};", one);
+        --depth_;
+        line("END_IF;");
     }
 
     const Equations& equations_;

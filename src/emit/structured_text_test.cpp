@@ -133,7 +133,7 @@ private:
             wrong += fmt::format("{}({}.{} <> {})", k == 0 ? "" : " OR ", controller,
                                  names_.interface.variables[test_.inputs.size() + k], names_.expected[k]);
         line("{}{}({});", label, controller, arguments);
-        line("{} := {};", names_.wrong, wrong);
+        line("{} := {};", names_.wrong, wrong.empty() ? "FALSE" : wrong);
     }
 
     void judge() {

@@ -51,6 +51,17 @@ TEST(StructuredTextForm, TheXmlHasTheElementsOfTheSchemaInItsOrder) {
     EXPECT_EQ(names_of_children(pou.child("body").child("ST")), "xhtml");
 }
 
+TEST(StructuredTextForm, AChartWithoutOutputsHasNoEmptyBranch) {
+    for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
+        const std::string text = controller("input go; initial step 0; step 1; transition 0 -> 1 when go;", Form::Text, mode);
+        EXPECT_EQ(text.find("FAULT = 0 THEN\n"), std::string::npos) << text;
+        SmallPlc plc({text}, "chart");
+        plc.set("go", 1);
+        plc.call(0);
+        EXPECT_EQ(plc.value("FAULT"), 0);
+    }
+}
+
 TEST(StructuredTextForm, BothFormsAreTheSameProgram) {
     for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
         SmallPlc text({controller(lamp, Form::Text, mode)}, "chart");
