@@ -217,7 +217,7 @@ private:
                     output.origin, situation_text(automaton_, result.situation) + " with " + inputs_words(undefined)));
                 unsound_ = true;
             }
-            if (!value.is_false()) result.emissions.push_back({output_of(output.variable), conditions_.term(value)});
+            if (!(value & space_.assumed()).is_false()) result.emissions.push_back({output_of(output.variable), conditions_.term(value)});
         }
         std::ranges::sort(result.emissions, {}, &Automaton::Emission::output);
         return result;

@@ -280,7 +280,7 @@ private:
         for (const Automaton::Emission& emission : automaton_.locations[place.location].emissions) {
             const Expr& value = automaton_.exprs[emission.value];
             if (is_constant(value.op)) {
-                for (Part& part : parts) part.values[emission.output.index] = value.op == Op::Integer ? value.value : 1;
+                for (Part& part : parts) part.values[emission.output.index] = value.op == Op::Integer ? value.value : value.op == Op::True ? 1 : 0;
                 continue;
             }
             Bdd holds = condition(emission.value);

@@ -76,6 +76,7 @@ struct Check {
             for (const LocationAutomaton::Emission& emission : location.emissions) {
                 if (!automaton.outputs.contains(emission.output)) fault("an emission has no output");
                 term(emission.value, "an emission");
+                if (automaton.exprs.contains(emission.value) && is_false(automaton.exprs, emission.value)) fault("an emission never holds");
             }
         }
     }

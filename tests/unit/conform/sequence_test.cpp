@@ -198,6 +198,15 @@ TEST(TestSequence, OfALeastMachineHoldsInputsOnlyWhereTheAnswerStaysTheSame) {
     EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
 }
 
+TEST(TestSequence, ExpectsNoOutputWhoseInputsAConstraintExcludes) {
+    const std::string text = "input a, b; output O, P; constraint !a || !b; initial step 1 { O if a && b; P if !a || !b; }";
+    const LocationAutomaton found = automaton(text);
+    for (const LocationAutomaton::Location& location : found.locations) EXPECT_LE(location.emissions.size(), 1U);
+    const TestSequence test = test_of(machine(found));
+    EXPECT_EQ(test.covered, 3U);
+    EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
+}
+
 TEST(TestSequence, ThatExpectsSomethingElseDoesNotPassOnTheInterpreter) {
     TestSequence test = test_of(machine(automaton(tanks())));
     test.sequences[0].steps[17].outputs[1] ^= 1;
