@@ -150,13 +150,16 @@ void Machine::add_steps() {
     }
 }
 
+/// Where two orders cannot be obeyed together the evolution means nothing, so nothing else is said of it.
 void Machine::add_stored() {
+    Bdd obeyed = Bdd::constant(true);
+    for (const Bdd& conflict : conflicts_) obeyed &= ~conflict;
     for (const Equations::Stored& stored : equations_.stored) {
         const Type type = equations_.variables[stored.variable].type;
         const BddTerm &next = (*terms_)(stored.next), &race = (*terms_)(stored.race);
         const BddTerm &first = (*first_terms_)(stored.first), &first_race = (*first_terms_)(stored.first_race);
         Break found{stored.variable};
-        found.race = race.bits.front() & ~race.undefined;
+        found.race = race.bits.front() & ~race.undefined & obeyed;
         found.first_race = first_race.bits.front() & ~first_race.undefined;
         found.no_value = race.undefined;
         found.first_no_value = first.undefined | first_race.undefined;
@@ -170,7 +173,7 @@ void Machine::add_stored() {
             const BddTerm& value = (*terms_)(write.value);
             const Bdd trigger = holds(write.trigger);
             found.no_value |= trigger & value.undefined;
-            found.out_of_range |= trigger & outside(value, type);
+            found.out_of_range |= trigger & outside(value, type) & obeyed;
         }
         add_break(std::move(found));
         if (!matters_[stored.variable.index]) continue;

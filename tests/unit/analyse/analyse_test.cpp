@@ -200,6 +200,20 @@ TEST(Analyse, TwoOrdersThatExcludeEachOtherAreShownTogether) {
     EXPECT_EQ(find(analysed(exclusive), "forced-twice"), nullptr);
 }
 
+TEST(Analyse, ARaceInAnEvolutionWhoseOrdersExcludeEachOtherIsNotToldBesides) {
+    const Analysis found = analysed(R"(
+        internal count: int 0..5 = 3;
+        initial step 0 { force G1 := {INIT}; }
+        enclosing step 1 encloses G1 { force G1 := {}; }
+        transition t0: 0 -> 1 when !X1;
+        transition t2: 0 -> 0 when count != 0;
+        partial G1 { initial enclosing step 2 encloses G2 { count := 3 on activation; } }
+        partial G2 { linked step 20 { count := 1 on activation; } }
+    )");
+    EXPECT_NE(find(found, "forced-twice"), nullptr);
+    EXPECT_EQ(find(found, "action-race"), nullptr);
+}
+
 TEST(Analyse, AChartThatIsForcedWhileItsEnclosingStepGovernsItIsFound) {
     const std::string_view body = R"(
         partial A { initial step 0; enclosing step 1 encloses P; transition a0: 0 -> 1 when a; transition a1: 1 -> 0 when !a; }
