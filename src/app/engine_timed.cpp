@@ -54,6 +54,7 @@ public:
         for (ModelError& error : result.errors) {
             if (!replays(error.run, fmt::format("the way to `{}`", word(error.kind)))) error.run = {};
             report.breakdowns.push_back(breakdown_of(network_, error, detail_));
+            if (error.kind == ModelError::Kind::ActionRace) name_race(report.breakdowns.back(), error.run);
         }
         for (Verdict& verdict : result.verdicts) {
             if (verdict.outcome == Outcome::Holds && !witnesses_) verdict.run.reset();
@@ -67,6 +68,15 @@ public:
     std::vector<std::string> failures() && { return std::move(failures_); }
 
 private:
+    void name_race(Breakdown& breakdown, const Run& run) const {
+        const std::optional<Clash> found = clash(network_, charts_, run);
+        if (!found) return;
+        const std::string what = found->variable.empty()
+                                     ? "forcing orders contradict each other"
+                                     : fmt::format("two stored actions give `{}` different values", found->variable);
+        breakdown.message = fmt::format("{}, in an evolution of `{}`", what, found->controller);
+    }
+
     bool replays(const Run& run, const std::string& what) {
         if (cures_left_out_) return true;   // not the runs of a chart: that is their point
         const std::optional<Disagreement> found = disagreement(network_, charts_, run);

@@ -166,13 +166,14 @@ std::string Simulation::set(std::string_view name, std::int64_t value) {
                        (found->role == Network::Role::Input || found->role == Network::Role::Plant);
     if (!known) return fmt::format("there is no input `{}`", name);
     const auto index = static_cast<std::size_t>(found - network_.variables.begin());
-    if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, value);
+    const std::string wish = !found->type.boolean ? std::to_string(value) : value != 0 ? "true" : "false";
+    if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, wish);
     for (const Fire& fire : choices()) {
         NetworkState after = state_;
         if (perform(network_, after, fire).result == Step::Result::Done && after.variables[index] == value)
             return choose(fire);
     }
-    return fmt::format("nothing can make `{}` {} now", name, value);
+    return fmt::format("nothing can make `{}` {} now", name, wish);
 }
 
 std::string Simulation::act(std::string_view instance, std::string_view location) {

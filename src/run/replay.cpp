@@ -49,6 +49,7 @@ public:
     std::size_t evolutions() const { return evolutions_; }
     /// Both have met a race: nothing is to be compared behind it.
     bool raced() const { return raced_; }
+    const std::string& racing() const { return racing_; }
     const std::string& name() const { return controller_.name; }
 
 private:
@@ -146,6 +147,7 @@ private:
         const bool flagged = network_.race.valid() && after.variables[network_.race.index] != 0;
         // Which of several faults of one evolution is met first is left open.
         raced_ = flagged && (result.race || result.fault);
+        if (result.race) racing_ = variable_name(result.race->variable);
         if (raced_) return {};
         if (result.race) return "no race, by the rules two actions race for " + variable_name(result.race->variable);
         if (flagged) return "two actions race, by the rules none do";
@@ -206,12 +208,12 @@ private:
     std::vector<const Network::TimerVariables*> timers_ = {};  ///< per element; null: nothing waits for it
     std::size_t evolutions_ = 0;
     bool raced_ = false;
+    std::string racing_ = {};                                  ///< the variable
 };
 
-}  // namespace
-
-std::optional<Disagreement> disagreement(const Network& network, std::span<const Chart* const> charts, const Run& run) {
-    std::vector<Twin> twins;
+/// Replays the run on `twins`, one per controller, up to the first disagreement or race.
+std::optional<Disagreement> replay(const Network& network, std::span<const Chart* const> charts, const Run& run,
+                                   std::vector<Twin>& twins) {
     std::vector<Twin*> of_process(network.processes.size(), nullptr);
     twins.reserve(charts.size());
     for (const Id<Network::Controller> id : network.controllers.ids()) {
@@ -238,6 +240,21 @@ std::optional<Disagreement> disagreement(const Network& network, std::span<const
                                 std::move(what)};
     }
     return {};
+}
+
+}  // namespace
+
+std::optional<Disagreement> disagreement(const Network& network, std::span<const Chart* const> charts, const Run& run) {
+    std::vector<Twin> twins;
+    return replay(network, charts, run, twins);
+}
+
+std::optional<Clash> clash(const Network& network, std::span<const Chart* const> charts, const Run& run) {
+    std::vector<Twin> twins;
+    if (replay(network, charts, run, twins)) return {};
+    const auto raced = std::ranges::find_if(twins, &Twin::raced);
+    if (raced == twins.end()) return {};
+    return Clash{raced->name(), raced->racing()};
 }
 
 }  // namespace grafverif

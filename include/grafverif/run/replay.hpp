@@ -32,4 +32,12 @@ struct Disagreement {
 /// accepts.
 std::optional<Disagreement> disagreement(const Network& network, std::span<const Chart* const> charts, const Run& run);
 
+/// What cannot be done together in one evolution.
+struct Clash {
+    std::string controller = {};
+    std::string variable = {};   ///< two stored actions give it different values; empty: forcing orders contradict each other
+};
+/// Of a run that ends in a race; nothing where by the rules none is.
+std::optional<Clash> clash(const Network& network, std::span<const Chart* const> charts, const Run& run);
+
 }  // namespace grafverif

@@ -78,8 +78,8 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
         const char* complaint;
     };
     for (const Case& c : std::vector<Case>{
-             {"BUTTON = true\n", ":1: error: nothing can make `BUTTON` 1 now\n"},
-             {"wait 1s\n\nBUTTON = false\n", ":3: error: `BUTTON` is 0 already\n"},
+             {"BUTTON = true\n", ":1: error: nothing can make `BUTTON` true now\n"},
+             {"wait 1s\n\nBUTTON = false\n", ":3: error: `BUTTON` is false already\n"},
              {"LAMP = true\n", ":1: error: there is no input `LAMP`\n"},
              {"wait 500ms\n", ":1: error: the time unit of this loop is 1 s; wait a multiple of it\n"},
              {"do Nobody\n", ":1: error: `Nobody` cannot happen now\n"},
