@@ -98,19 +98,20 @@ private:
         return range.low <= bounds.low && bounds.high <= range.high;
     }
 
-    /// `value`, or `kept` where it does not exist or leaves the range; the fault is noted.
+    /// `value`, or `kept` where it does not exist or leaves the range; the fault is noted unless the guard excludes it. The
+    /// range is written out even then: a model checker evaluates what no run does.
     Id<Expr> guarded(EdgeTerms& edge, Place target, Id<Expr> value, Id<Expr> kept) {
         const Type type = slots_.network.variables[target].type;
-        const Id<Expr> undefined = divides_by_zero(exprs_, value, types());
+        const Id<Expr> undefined = with_safe_divisors(exprs_, divides_by_zero(exprs_, value, types()), types());
         const Id<Expr> safe = with_safe_divisors(exprs_, value, types());
-        const bool inside = type.boolean || kept_by_guard(edge.guard, safe, type);
-        const Id<Expr> outside =
-            inside ? exprs_.constant(false) : leaves_range(exprs_, safe, type, types());
-        const Id<Expr> fault = exprs_.disjunction(with_safe_divisors(exprs_, undefined, types()), outside);
-        if (is_false(exprs_, fault)) return safe;
-        edge.fault = exprs_.disjunction(edge.fault, fault);
+        const Id<Expr> outside = type.boolean ? exprs_.constant(false) : leaves_range(exprs_, safe, type, types());
+        const bool excluded = type.boolean || kept_by_guard(edge.guard, safe, type);
+        edge.fault = exprs_.disjunction(edge.fault, undefined);
+        if (!excluded) edge.fault = exprs_.disjunction(edge.fault, outside);
+        const Id<Expr> lost = exprs_.disjunction(undefined, outside);
+        if (is_false(exprs_, lost)) return safe;
         if (!kept.valid()) kept = type.boolean ? exprs_.constant(false) : exprs_.integer(type.low);
-        return exprs_.conditional(fault, kept, safe);
+        return exprs_.conditional(lost, kept, safe);
     }
 
     const Slots& slots_;

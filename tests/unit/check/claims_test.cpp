@@ -125,7 +125,7 @@ TEST(Watchdogs, MissAFaultInTheInstantOfArrivalAndNoOther) {
     EXPECT_EQ(told(result, "P16"), "violated") << "published as holding; see the sample's README";
     for (const char* property : {"P15", "P16_settled", "P16_under_way", "P16_or_rest", "no_false_alarm", "no_deadlock", "no_timelock"})
         EXPECT_EQ(told(result, property), "holds") << property;
-    const Verdict& escaped = verdict(result, "P16");
+    const Verdict escaped = verdict(result, "P16");
     ASSERT_TRUE(escaped.run->loop);
 }
 
