@@ -86,7 +86,7 @@ Network beside(Network left, const Network& right) {
 
 std::string sample(const std::string& path) { return content(root / "samples" / path); }
 
-Network loop(const std::string& text, Grain grain) {
+LoopParts parts(const std::string& text) {
     std::vector<LibraryFile> files;
     for (const auto& entry : std::filesystem::directory_iterator(root / "templates"))
         files.push_back({entry.path().stem().string(), content(entry.path())});
@@ -95,13 +95,19 @@ Network loop(const std::string& text, Grain grain) {
     Sources sources;
     Diagnostics diagnostics;
     const ReadContext context{[](const std::string&, std::string&) { return std::nullopt; }, entries};
-    const Model model = required(read_text(sources.add({"loop.grafcet", text}), sources, context, diagnostics), diagnostics, sources);
-    const ClosedLoop& first = model.loops[{0}];
-    std::vector<Equations> equations;
+    LoopParts made;
+    made.model = required(read_text(sources.add({"loop.grafcet", text}), sources, context, diagnostics), diagnostics, sources);
+    const ClosedLoop& first = made.model.loops[{0}];
     for (const ClosedLoop::Controller& controller : first.controllers)
-        equations.push_back(required(derive(model.charts[controller.chart], diagnostics), diagnostics, sources));
-    const Network plant_alone = required(plant(model, first, diagnostics), diagnostics, sources);
-    return required(compose(plant_alone, model, first, equations, {.grain = grain}, diagnostics), diagnostics, sources);
+        made.equations.push_back(required(derive(made.model.charts[controller.chart], diagnostics), diagnostics, sources));
+    made.plant = required(plant(made.model, first, diagnostics), diagnostics, sources);
+    return made;
+}
+
+Network loop(const std::string& text, Grain grain) {
+    const LoopParts of = parts(text);
+    Diagnostics diagnostics;
+    return required(compose(of.plant, of.model, of.model.loops[{0}], of.equations, {.grain = grain}, diagnostics), diagnostics, {});
 }
 
 Network two_stations(Grain grain) {

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/network.hpp"
 
 namespace grafverif::bench {
@@ -11,8 +14,17 @@ namespace grafverif::bench {
 /// The text of `samples/PATH`.
 std::string sample(const std::string& path);
 
-/// The first loop of `text`, composed; `folder` is the sample that its includes are relative to. Throws
-/// std::invalid_argument with the first errors where it does not read.
+/// The first loop of a model: its controllers' equations, in order, and its plant alone.
+struct LoopParts {
+    Model model = {};
+    std::vector<Equations> equations = {};
+    Network plant = {};
+};
+
+/// Those of `text`. Throws std::invalid_argument with the first errors where it does not read.
+LoopParts parts(const std::string& text);
+
+/// The first loop of `text`, composed. Throws likewise.
 Network loop(const std::string& text, Grain grain = Grain::Phased);
 
 /// Two testing stations side by side in one network, which share nothing but time.

@@ -1,21 +1,35 @@
 // SPDX-License-Identifier: MIT
-// bench_symbolic stations N: N assembly stations (DESDES06) side by side in one chart, with free inputs, checked by the
-// symbolic engine: the growth with the number of steps and inputs.
+// The symbolic engine. bench_symbolic stations N: N assembly stations (DESDES06) side by side in one chart, with free
+// inputs, the growth with the number of steps and inputs. bench_symbolic PATH APPROACH [SCHEDULE]: the closed loop of
+// samples/PATH with all its properties; none, constraints or automata; interleaved, synchronous or sequenced.
 #include <cstdlib>
+#include <map>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include "engine_loops.hpp"
 #include "generate.hpp"
 #include "grafverif/check/symbolic.hpp"
+#include "grafverif/compose/compose.hpp"
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/read/text.hpp"
 #include "grafverif/schedule/controller.hpp"
+#include "grafverif/schedule/network.hpp"
+#include "grafverif/schedule/together.hpp"
 
 namespace {
 
 using namespace grafverif;
+
+[[noreturn]] void give_up(const Diagnostics& diagnostics, const Sources& sources) {
+    std::ostringstream text;
+    render_text(diagnostics.all(), sources, Colour::Plain, text);
+    throw std::invalid_argument(text.str());
+}
 
 /// The chart with a property of every kind on its last steps.
 TransitionSystem stations(std::size_t count) {
@@ -24,12 +38,7 @@ TransitionSystem stations(std::size_t count) {
     const Id<Source> file = sources.add({"stations.grafcet", bench::assembly_stations(count)});
     const auto model = read_text(file, sources, {}, diagnostics);
     const auto equations = model ? derive(*model->charts.begin(), diagnostics) : std::nullopt;
-    if (!equations) {
-        std::ostringstream text;
-        render_text(diagnostics.all(), sources, Colour::Plain, text);
-        fmt::print(stderr, "{}", text.str());
-        std::exit(2);
-    }
+    if (!equations) give_up(diagnostics, sources);
     TransitionSystem system = schedule_controller(*equations, ExecutionMode::EveryCycle);
     const TransitionSystem::Controller& controller = system.controllers.front();
     const auto step = [&](const std::string& name) {
@@ -49,21 +58,61 @@ TransitionSystem stations(std::size_t count) {
     return system;
 }
 
-}  // namespace
+TransitionSystem sample(const std::string& path, const ScheduleOptions& options) {
+    const bench::LoopParts parts = bench::parts(bench::sample(path));
+    const ClosedLoop& loop = parts.model.loops[{0}];
+    if (options.plant != PlantApproach::Automata) return schedule_controllers(parts.model, loop, parts.equations, options);
+    Diagnostics diagnostics;
+    const bool interleaved = options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
+    std::optional<TransitionSystem> made;
+    if (!interleaved) made = schedule_together(parts.model, loop, parts.equations, parts.plant, options, diagnostics);
+    else if (const auto network = compose(parts.plant, parts.model, loop, parts.equations, {.grain = loop.grain}, diagnostics))
+        made = schedule_network(*network, options, diagnostics);
+    if (!made) give_up(diagnostics, {});
+    return std::move(*made);
+}
 
-int main(int count, char** values) {
-    if (count != 3 || std::string(values[1]) != "stations") {
-        fmt::print(stderr, "usage: bench_symbolic stations N\n");
-        return 2;
-    }
+/// The value that `table` has for `word`.
+template <class Value>
+Value meant(const std::map<std::string, Value>& table, const std::string& word) {
+    const auto found = table.find(word);
+    if (found == table.end()) throw std::invalid_argument("usage: bench_symbolic stations N | PATH APPROACH [SCHEDULE]");
+    return found->second;
+}
+
+TransitionSystem system_of(const std::vector<std::string>& words) {
+    if (words.size() == 2 && words[0] == "stations") return stations(static_cast<std::size_t>(std::atoi(words[1].c_str())));
+    using enum PlantApproach;
+    using enum Schedule;
+    ScheduleOptions options;
+    options.plant = meant<PlantApproach>({{"none", None}, {"constraints", Constraints}, {"automata", Automata}},
+                                         words.size() > 1 ? words[1] : "");
+    if (words.size() > 2)
+        options.schedule = meant<Schedule>(
+            {{"interleaved", Interleaved}, {"synchronous", Synchronous}, {"sequenced", Sequenced}}, words[2]);
+    return sample(words[0], options);
+}
+
+void measure(const TransitionSystem& system) {
     const auto progress = [](const SymbolicProgress& now) {
         fmt::print(stderr, "\r{} steps deep, {} MiB, {:.1f} s ", now.depth, now.bytes >> 20U, now.seconds);
     };
-    const TransitionSystem system = stations(static_cast<std::size_t>(std::atoi(values[2])));
-    const SymbolicResult result = check_symbolic(
-        system, {.progress = std::getenv("ENGINE_PROGRESS") != nullptr ? progress : std::function<void(const SymbolicProgress&)>{}});
+    SymbolicOptions options;
+    if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
+    const SymbolicResult result = check_symbolic(system, options);
     fmt::print("{} steps, {} inputs: {} states, {} steps deep, {} MiB, {:.2f} s\n", system.controllers.front().steps.size(),
                system.controllers.front().inputs.size(), result.states, result.depth, result.bytes >> 20U, result.seconds);
     for (const Verdict& verdict : result.verdicts)
         fmt::print("  {}: {} {}\n", verdict.property, word(verdict.outcome), verdict.reason);
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+    try {
+        measure(system_of({values + 1, values + count}));
+    } catch (const std::invalid_argument& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 2;
+    }
 }

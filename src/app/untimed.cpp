@@ -50,9 +50,8 @@ Abstraction abstraction_of(const Options& options, const ClosedLoop* loop) {
     }
     const std::string grain = options.grain.value_or(loop->grain) == Grain::Phased ? "phased" : "atomic";
     if (untimed.time == TimeModel::Discrete)
-        return {"plant automata, integer time" + fair, grain, fair.empty() ? Carries::ExactInIntegerTime : Carries::Nowhere,
-                false};
-    return {"plant automata, interleaved" + fair, grain, fair.empty() ? Carries::ToTimedLoop : Carries::Nowhere, false};
+        return {"plant automata, integer time" + fair, grain, Carries::ExactInIntegerTime, false, untimed.fairness};
+    return {"plant automata, interleaved" + fair, grain, Carries::ToTimedLoop, false, untimed.fairness};
 }
 
 bool is_of_a_chart(const Model& model, const Options& options) {
@@ -72,6 +71,8 @@ std::string carries_words(const SystemToCheck& check, const Property& property, 
     if (verdict.outcome == Outcome::Unknown) return {};
     const bool holds = verdict.outcome == Outcome::Holds;
     const bool all_runs = is_about_all_states(property.pattern) || is_liveness(property.pattern);
+    const bool about_states = is_about_all_states(property.pattern) || property.pattern == Pattern::Reachable;
+    if (check.abstraction.fair && !about_states) return "it says nothing beyond this model";
     switch (check.abstraction.carries) {
     case Abstraction::Carries::ToEveryPlant: {
         if (!speaks_of_every_plant(check, property, verdict.outcome))
@@ -85,9 +86,10 @@ std::string carries_words(const SystemToCheck& check, const Property& property, 
         if ((holds && all_runs) || (!holds && property.pattern == Pattern::Reachable)) return "so in the timed loop";
         return all_runs ? "it may yet hold in the timed loop" : "it says nothing of the timed loop";
     case Abstraction::Carries::ExactInIntegerTime:
-        return is_about_all_states(property.pattern) || property.pattern == Pattern::Reachable
-                   ? "the states of the timed engine"
-                   : "integer time only";
+        if (!about_states) return "integer time only";
+        return holds == (property.pattern == Pattern::Reachable)
+                   ? "so in the timed loop"   // a run shows it, and one of integer time is one of dense time
+                   : "the states of the timed engine: integer time only, if a clock constraint is strict";
     case Abstraction::Carries::Nowhere: return "it says nothing beyond this model";
     }
     return {};

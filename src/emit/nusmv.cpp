@@ -4,7 +4,9 @@
 
 #include <ostream>
 #include <sstream>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include "emit/nusmv_text.hpp"
 #include "emit/wrapped_text.hpp"
@@ -117,6 +119,28 @@ void print_choices(const ModulePrinter& printer) {
     }
 }
 
+/// Under which heading main lists each of its instances.
+std::vector<std::string_view> headings(const System& system) {
+    std::vector<std::string_view> found(system.instances.size(), "the observers");
+    const auto& symbols = system.modules[system.main].symbols;
+    const auto note = [&](Id<System::Symbol> symbol, std::string_view heading) {
+        if (!symbol.valid()) return;
+        if (const auto* member = std::get_if<System::MemberSymbol>(&symbols[symbol].kind))
+            found[member->instance.index] = heading;
+    };
+    for (const System::Component& component : system.components) {
+        const bool timer = component.kind == System::Component::Kind::Timer;
+        const std::string_view heading = timer ? "the timers" : "the plant and its environment";
+        note(component.location, heading);
+        for (const auto* named : {&component.variables, &component.inputs})
+            for (const System::Named& variable : *named) note(variable.symbol, heading);
+    }
+    const char* heading = system.controllers.size() == 1 ? "the controller" : "the controllers";
+    for (const System::Controller& controller : system.controllers)
+        for (const System::Named& step : controller.steps) note(step.symbol, heading);
+    return found;
+}
+
 void print_variables(const ModulePrinter& printer) {
     Part part{printer.out, "VAR"};
     for (const Id<System::Symbol> id : printer.module().symbols.ids()) {
@@ -126,9 +150,9 @@ void print_variables(const ModulePrinter& printer) {
         print_declaration(printer, id);
     }
     if (printer.id != printer.system.main) return;
-    const char* section = printer.system.instances.size() == 1 ? "the controller" : "the controllers";
+    const std::vector<std::string_view> sections = headings(printer.system);
     for (const Id<System::Instance> id : printer.system.instances.ids()) {
-        part.entry(section);
+        part.entry(sections[id.index]);
         print_instance(printer, id);
     }
 }

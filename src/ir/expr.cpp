@@ -195,6 +195,10 @@ Id<Expr> Exprs::apply(Op op, std::span<const Id<Expr>> operands) {
         const auto value = left && right ? combine(op, *left, *right) : std::nullopt;
         if (value) return is_comparison(op) ? constant(*value != 0) : integer(*value);
     }
+    if (op == Op::Equal || op == Op::NotEqual)
+        for (const auto& [truth, other] : {std::pair(operands[1], operands[0]), std::pair(operands[0], operands[1])})
+            if (is_true(*this, truth) || is_false(*this, truth))
+                return is_true(*this, truth) == (op == Op::Equal) ? other : negation(other);
     return intern(op, 0, operands);
 }
 

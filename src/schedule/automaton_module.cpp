@@ -296,9 +296,9 @@ private:
             any.push_back(guards_[id.index]);
             if (automaton().edges[id].urgent) urgent.push_back(guards_[id.index]);
         }
-        result_.can_move = define("can_move", exprs_.disjunction(any), "whether an edge, an urgent edge can be taken");
-        result_.must_move =
-            define("must_move", exprs_.disjunction(urgent), "whether an edge, an urgent edge can be taken");
+        if (is_discrete())
+            result_.can_move = define("can_move", exprs_.disjunction(any), "whether an edge can be taken");
+        result_.must_move = define("must_move", exprs_.disjunction(urgent), "whether an urgent edge can be taken");
         result_.stays = define("stays", exprs_.apply(Op::Equal, leaf(result_.edge), exprs_.integer(0)), "");
     }
 

@@ -33,8 +33,9 @@ TransitionSystem::Component PlantInstances::component(std::size_t process) const
     if (automata[process].location.valid()) made.location = member(members, instances[process], automata[process].location);
     for (const auto& [variable, symbol] : automata[process].owned) {
         const Network::Variable& owned = context.network.variables[variable];
-        if (owned.role == Network::Role::Plant)
-            made.variables.push_back({owned.name, member(members, instances[process], symbol)});
+        const TransitionSystem::Named named{owned.name, member(members, instances[process], symbol)};
+        if (owned.role == Network::Role::Plant) made.variables.push_back(named);
+        if (owned.role == Network::Role::Input) made.inputs.push_back(named);
     }
     return made;
 }

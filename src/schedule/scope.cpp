@@ -70,15 +70,16 @@ std::string network_scope(const Network& network, const ScheduleOptions& options
         text += ", or time passes by one unit. Clocks count units of time: the states are those of the timed closed loop "
                 "in integer time. ";
         if (options.fairness) text += fair_runs;
-        return text + "Verdicts on always, never, exactly one of and reachable hold of the timed loop in this grain where "
-                      "its clock constraints are closed; other verdicts are for integer time only.";
+        return text + "Verdicts on always, never, exactly one of" + (options.fairness ? "" : " and reachable") +
+               " hold of the timed loop in this grain where its clock constraints are closed; other verdicts are for "
+               "integer time only.";
     }
     text += "; where no urgent edge can be taken, perhaps none does. Time is left out: a timed edge may be taken at any "
             "moment. ";
     if (options.fairness)
         return text + fair_runs +
                "An always, never or exactly one of that holds here holds in the timed closed loop of this mode and "
-               "grain; so does a reachable that is violated. All other verdicts are about this model, under fairness.";
+               "grain. All other verdicts are about this model, under fairness: EF asks for a fair run.";
     return text + "It has every run of the timed closed loop of this mode and grain, and more: an always, never, exactly "
                   "one of, inevitable or leads to that holds here holds there, and so does a reachable that is "
                   "violated. Nothing else carries over: what fails here may yet hold in the timed loop.";

@@ -39,10 +39,6 @@ Id<Expr> Sequencer::moves(std::size_t process) {
     return exprs.apply(Op::Equal, plant_.leaf(move_), exprs.integer(static_cast<std::int64_t>(process)));
 }
 
-Id<Expr> Sequencer::round_over() {
-    return assembly_.system.exprs.conjunction(plant_.each(&AutomatonModule::done));
-}
-
 Signals Sequencer::signals() {
     Exprs& exprs = assembly_.system.exprs;
     Signals found;
@@ -50,8 +46,10 @@ Signals Sequencer::signals() {
         found.turns.push_back(define(
             plant_, plant_.context.network.processes[{static_cast<std::uint32_t>(process)}].name + "_moves",
             moves(process), "turns"));
+    round_over_ = define(plant_, "round_over", exprs.conjunction(plant_.each(&AutomatonModule::done)), "turns");
+    in_round_ = define(plant_, "in_round", exprs.conjunction(is(Treatment), exprs.negation(plant_.leaf(round_over_))), "turns");
     found.first = first_;
-    found.round = define(plant_, "in_round", exprs.conjunction(is(Treatment), exprs.negation(round_over())), "turns");
+    found.round = in_round_;
     return found;
 }
 
@@ -65,8 +63,7 @@ void Sequencer::run(Id<Expr> controllers_settled) {
     for (std::size_t process = 0; process < processes_; ++process)
         acts.push_back(exprs.conjunction(moves(process),
                                          exprs.negation(plant_.inner(process, plant_.automata[process].stays))));
-    const Id<Expr> over = round_over();
-    const Id<Expr> in_round = exprs.conjunction(is(Treatment), exprs.negation(over));
+    const Id<Expr> over = plant_.leaf(round_over_), in_round = plant_.leaf(in_round_);
     const Id<Expr> off = exprs.constant(false), on = exprs.constant(true);
 
     const auto state = [&](State value) { return exprs.integer(value); };

@@ -28,13 +28,12 @@ public:
 
 private:
     Id<Expr> moves(std::size_t process);
-    Id<Expr> round_over();
     void set(Id<Symbol> symbol, Id<Expr> initial, Id<Expr> next);
 
     Assembly& assembly_;
     PlantInstances& plant_;
     std::size_t processes_ = 0;
-    Id<Symbol> state_ = {}, first_ = {}, changed_ = {}, move_ = {};
+    Id<Symbol> state_ = {}, first_ = {}, changed_ = {}, move_ = {}, round_over_ = {}, in_round_ = {};
 };
 
 }  // namespace grafverif::schedule

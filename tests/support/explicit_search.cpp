@@ -14,39 +14,6 @@ namespace {
 
 using System = TransitionSystem;
 
-/// Each combination of values of the variables that `visit` asks for, by counting.
-template <class Visit>
-void each_way(const Visit& visit) {
-    std::vector<std::int64_t> picks, sizes;
-    while (true) {
-        std::size_t at = 0;
-        visit([&](std::string_view, Type type) {
-            if (at == picks.size()) {
-                picks.push_back(0);
-                sizes.push_back(type.high - type.low + 1);
-            }
-            return type.low + picks[at++];
-        });
-        std::size_t digit = 0;
-        while (digit < picks.size() && ++picks[digit] == sizes[digit]) picks[digit++] = 0;
-        if (digit == picks.size()) return;
-    }
-}
-
-std::int64_t ways(const System& system) {
-    std::int64_t ways = 1;
-    const auto multiply = [&](const System::Module& module) {
-        for (const System::Symbol& symbol : module.symbols) {
-            const auto* state = std::get_if<System::StateSymbol>(&symbol.kind);
-            const bool free = (state != nullptr && !state->next) || std::holds_alternative<System::ChoiceSymbol>(symbol.kind);
-            if (free && ways < 1'000'000) ways *= symbol.type.high - symbol.type.low + 1;
-        }
-    };
-    multiply(system.modules[system.main]);
-    for (const System::Instance& instance : system.instances) multiply(system.modules[instance.module]);
-    return ways;
-}
-
 StateSet intersection(StateSet left, const StateSet& right) {
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = left[i] && right[i];
     return left;
@@ -116,28 +83,26 @@ std::vector<std::size_t> SystemGraph::distances() const {
     return result;
 }
 
-std::optional<SystemGraph> explored(const System& system, std::size_t limit, std::int64_t most_ways) {
-    if (ways(system) > most_ways) return {};
+std::optional<SystemGraph> explored(const System& system, std::size_t limit, std::size_t most_ways) {
     SystemGraph graph;
     std::map<SystemState, std::size_t> known;
-    const auto number = [&](SystemState state) {
-        const auto [at, added] = known.emplace(std::move(state), graph.states.size());
-        if (added) graph.states.push_back(at->first);
+    const auto number = [&](const SystemState& state) {
+        const auto [at, added] = known.emplace(state, graph.states.size());
+        if (added) graph.states.push_back(state);
         return at->second;
     };
-    each_way([&](const Choose& choose) {
-        if (SystemState state = first_state(system, choose); is_allowed(system, state)) number(std::move(state));
-    });
+    const auto first = first_states(system, most_ways);
+    if (!first) return {};
+    for (const SystemState& state : *first) number(state);
     graph.initial = graph.states.size();
     for (std::size_t at = 0; at < graph.states.size(); ++at) {
         if (graph.states.size() > limit) return {};
-        const SystemState from = graph.states[at];
-        std::set<std::size_t> next;
-        each_way([&](const Choose& choose) {
-            if (auto state = taken_step(system, from, choose)) next.insert(number(std::move(*state)));
-        });
-        graph.total = graph.total && !next.empty();
-        graph.successors.emplace_back(next.begin(), next.end());
+        const auto next = successors(system, SystemState(graph.states[at]), most_ways);
+        if (!next) return {};
+        std::set<std::size_t> numbers;
+        for (const SystemState& state : *next) numbers.insert(number(state));
+        graph.total = graph.total && !numbers.empty();
+        graph.successors.emplace_back(numbers.begin(), numbers.end());
     }
     return graph;
 }

@@ -21,8 +21,8 @@ struct SystemGraph {
     std::vector<std::size_t> distances() const;   ///< per state, in steps from the initial ones
 };
 
-/// Every state that can be reached; empty optional: more than `limit`, or more than `most_ways` ways to choose in a step.
-std::optional<SystemGraph> explored(const TransitionSystem& system, std::size_t limit, std::int64_t most_ways = 64);
+/// Every state that can be reached; empty optional: more than `limit`, or more than `most_ways` ways to go on from one.
+std::optional<SystemGraph> explored(const TransitionSystem& system, std::size_t limit, std::size_t most_ways = 256);
 
 /// One entry per state of a graph.
 using StateSet = std::vector<bool>;

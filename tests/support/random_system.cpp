@@ -123,13 +123,31 @@ TransitionSystem random_system(Random& random) {
     return system;
 }
 
+namespace {
+
+bool offers_choices(const System::Module& module) {
+    return std::ranges::any_of(module.symbols, [](const System::Symbol& symbol) {
+        return std::holds_alternative<System::ChoiceSymbol>(symbol.kind);
+    });
+}
+
+/// Whether a symbol of main holds in states, as properties want it, and not in steps. Definitions of modules that offer
+/// choices may read them.
+bool holds_in_states(const System& system, const System::Symbol& symbol) {
+    if (const auto* member = std::get_if<System::MemberSymbol>(&symbol.kind)) {
+        const System::Module& module = system.modules[system.instances[member->instance].module];
+        return std::holds_alternative<System::StateSymbol>(module.symbols[member->symbol].kind) || !offers_choices(module);
+    }
+    return std::holds_alternative<System::StateSymbol>(symbol.kind);
+}
+
+}  // namespace
+
 void ask_more(System& system, Random& random) {
     Terms terms{system.exprs, random};
     for (const Id<System::Symbol> id : system.modules[system.main].symbols.ids()) {
         const System::Symbol& symbol = system.modules[system.main].symbols[id];
-        const bool state = std::holds_alternative<System::StateSymbol>(symbol.kind) ||
-                           std::holds_alternative<System::MemberSymbol>(symbol.kind);
-        if (state && symbol.type.boolean) terms.add(id, symbol.type);
+        if (symbol.type.boolean && holds_in_states(system, symbol)) terms.add(id, symbol.type);
     }
     for (const Pattern pattern : {Pattern::Always, Pattern::Never, Pattern::Reachable, Pattern::Inevitable,
                                   Pattern::LeadsTo, Pattern::AlwaysPossible, Pattern::ExactlyOneOf}) {

@@ -26,7 +26,9 @@ namespace {
 std::optional<TransitionSystem> scheduled(const Model& model, const ScheduleOptions& options, Grain grain,
                                           Diagnostics& diagnostics) {
     const ClosedLoop& loop = model.loops[{0}];
-    const std::vector<Equations> equations = derived(model, diagnostics).value();
+    const auto derivation = derived(model, diagnostics);
+    if (!derivation) return {};
+    const std::vector<Equations>& equations = *derivation;
     if (options.plant != PlantApproach::Automata) {
         if (options.plant == PlantApproach::Constraints && !constraints_agree(loop, diagnostics)) return {};
         return schedule_controllers(model, loop, equations, options);
@@ -48,6 +50,30 @@ TransitionSystem untimed_loop(const Model& model, const ScheduleOptions& options
     if (!system) give_up(diagnostics);
     EXPECT_EQ(verify(*system), std::vector<std::string>{});
     return std::move(*system);
+}
+
+std::vector<TransitionSystem> untimed_models(const Model& model, bool fairness) {
+    struct Kind {
+        ScheduleOptions options = {};
+        Grain grain = Grain::Phased;
+    };
+    using enum PlantApproach;
+    using enum Schedule;
+    std::vector<Kind> kinds{{{.plant = None}}, {{.plant = Constraints}}};
+    for (const Schedule schedule : {Synchronous, Sequenced}) kinds.push_back({{.plant = Automata, .schedule = schedule}});
+    for (const Grain grain : {Grain::Atomic, Grain::Phased})
+        for (const TimeModel time : {TimeModel::Abstract, TimeModel::Discrete})
+            kinds.push_back({{.plant = Automata, .schedule = Interleaved, .time = time}, grain});
+    std::vector<TransitionSystem> made;
+    for (Kind& kind : kinds) {
+        kind.options.fairness = fairness && kind.options.plant == Automata;
+        Diagnostics diagnostics;
+        auto system = scheduled(model, kind.options, kind.grain, diagnostics);
+        if (!system) continue;
+        EXPECT_EQ(verify(*system), std::vector<std::string>{}) << system->scope;
+        made.push_back(std::move(*system));
+    }
+    return made;
 }
 
 TransitionSystem untimed_text(const std::string& text, const ScheduleOptions& options, Grain grain) {
