@@ -175,7 +175,7 @@ TransitionSystem asked_of_nusmv(const TransitionSystem& system) {
 std::string nusmv_commands(const std::string& model, const SystemSpelling& spelling,
                            const std::vector<std::size_t>& properties) {
     const auto section = [](std::string_view name) { return "echo " + std::string(mark) + std::string(name) + "\n"; };
-    std::string text = "set on_failure_script_quits\nread_model -i " + model +
+    std::string text = "set on_failure_script_quits\nset dynamic_reorder 1\nread_model -i " + model +
                        "\nflatten_hierarchy\nencode_variables\nbuild_model\n";
     text += section("fsm") + "check_fsm\n" + section("states") + "print_reachable_states\n";
     for (const std::size_t property : properties)

@@ -59,7 +59,8 @@ struct AutomatonModule {
     /// Firing conditions that live within a step only, as definitions.
     std::vector<std::pair<Id<Network::Variable>, Id<Symbol>>> within = {};
     Id<Symbol> edge = {};                                       ///< the choice: 0 for none, else one more than the edge's index
-    Id<Symbol> can_move = {}, must_move = {};                   ///< definitions: some edge, some urgent edge can be taken
+    Id<Symbol> must_move = {};                                  ///< definition: some urgent edge can be taken
+    Id<Symbol> can_move = {};                                   ///< likewise any edge; only where clocks count
     Id<Symbol> may_wait = {};                                   ///< definition: its clocks let a unit of time pass; not valid: always
     Id<Symbol> stays = {};                                      ///< definition: it takes no edge in this step
     Id<Symbol> out_of_range = {};                               ///< not valid: no assignment can leave its range

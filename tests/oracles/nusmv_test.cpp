@@ -57,30 +57,30 @@ struct Compared {
     std::size_t systems = 0, states = 0, verdicts = 0;
 };
 
-/// What is as large as this is looked at by NuSMV alone.
+/// What is larger is left out: NuSMV may take minutes for it.
 constexpr std::size_t most_states = 1500;
 
 void compare(const System& system, Compared& compared) {
     const std::string model = emitted(system);
     const std::optional<SystemGraph> graph = explored(system, most_states);
+    if (!graph) return;
     std::vector<std::string> names;
     for (const Property& property : system.properties) names.push_back(property.name);
-    std::string commands = "flatten_hierarchy\nencode_variables\nbuild_model\ncheck_fsm\n";
-    if (graph) commands += "print_reachable_states\n";
+    std::string commands = "set dynamic_reorder 1\nflatten_hierarchy\nencode_variables\nbuild_model\ncheck_fsm\n";
+    commands += "print_reachable_states\n";
     std::vector<bool> expected;
     const std::vector<std::string> legal = legal_names(Target::Nusmv, names);
     const bool just = !system.modules[system.main].justice.empty();
     for (const Id<Property> id : system.properties.ids()) {
         const Pattern pattern = system.properties[id].pattern;
         const bool asks_for_a_fair_run = just && pattern == Pattern::Reachable;   // EF does, a reachable state does not
-        if (!graph || asks_for_a_fair_run || pattern == Pattern::RawCtl || pattern == Pattern::RawLtl) continue;
+        if (asks_for_a_fair_run || pattern == Pattern::RawCtl || pattern == Pattern::RawLtl) continue;
         commands += "check_property -P \"" + legal[id.index] + "\"\n";
         expected.push_back(explicit_verdict(system, *graph, system.properties[id]));
     }
     const std::string said = nusmv_says(model, commands);
     ASSERT_NE(said.find("The transition relation is total"), std::string::npos) << said << model;
     ++compared.systems;
-    if (!graph) return;
     ASSERT_NE(said.find("reachable states: " + std::to_string(graph->states.size()) + " ("), std::string::npos)
         << graph->states.size() << " states expected\n" << said << model;
     std::vector<bool> found;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/random_system.hpp"
 
+#include <algorithm>
+
 namespace grafverif {
 
 namespace {
@@ -131,8 +133,8 @@ bool offers_choices(const System::Module& module) {
     });
 }
 
-/// Whether a symbol of main holds in states, as properties want it, and not in steps. Definitions of modules that offer
-/// choices may read them.
+}  // namespace
+
 bool holds_in_states(const System& system, const System::Symbol& symbol) {
     if (const auto* member = std::get_if<System::MemberSymbol>(&symbol.kind)) {
         const System::Module& module = system.modules[system.instances[member->instance].module];
@@ -140,8 +142,6 @@ bool holds_in_states(const System& system, const System::Symbol& symbol) {
     }
     return std::holds_alternative<System::StateSymbol>(symbol.kind);
 }
-
-}  // namespace
 
 void ask_more(System& system, Random& random) {
     Terms terms{system.exprs, random};

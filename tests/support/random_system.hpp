@@ -11,6 +11,10 @@ namespace grafverif {
 
 TransitionSystem random_system(Random& random);
 
+/// Whether a symbol of main holds in states, as properties want it, and not in steps: definitions of modules that offer
+/// choices may read them.
+bool holds_in_states(const TransitionSystem& system, const TransitionSystem::Symbol& symbol);
+
 /// A property per pattern over the Boolean symbols of main, beside those there are.
 void ask_more(TransitionSystem& system, Random& random);
 

@@ -1,8 +1,20 @@
 /*
-stable_s2: the cup over chute 2 is seen there
+P8_P11_P17
 expected: satisfied
 */
-A[] not (L1C.in && L2C.out && !s2)
+E<> L1C.moving_in && L2C.out && !s2
+
+/*
+P5_P11_P17: the cup over chute 2 before s2 tells
+expected: not satisfied
+*/
+E<> L1C.in && L2C.out && !s2
+
+/*
+P5_P11_P18
+expected: satisfied
+*/
+E<> L1C.in && L2C.out && s2
 
 /*
 all_steps.X0: every step can be reached

@@ -35,6 +35,37 @@ TEST(CheckUntimed, SaysUnderEachVerdictWhatItRestsOn) {
         EXPECT_NE(result.out.find(line), std::string::npos) << line << '\n' << result.out;
 }
 
+TEST(CheckUntimed, SaysWhatCarriesOverFromAPlantUnderEachScheduleAndUnderFairness) {
+    struct Case {
+        std::vector<std::string> options;
+        std::string apart, lit, quick;   ///< never L && M; never L; inevitable X1
+    };
+    const std::string nothing = "it says nothing beyond this model", so = "so in the timed loop";
+    const std::string states = "the states of the timed engine: integer time only, if a clock constraint is strict";
+    const Case cases[] = {
+        {{"--plant", "automata"}, so, "it may yet hold in the timed loop", "it may yet hold in the timed loop"},
+        {{"--plant", "automata", "--fairness"}, so, "it may yet hold in the timed loop", nothing},
+        {{"--plant", "automata", "--schedule", "synchronous"}, nothing, nothing, nothing},
+        {{"--plant", "automata", "--schedule", "sequenced"}, nothing, nothing, nothing},
+        {{"--time", "discrete"}, states, so, "integer time only"},
+    };
+    const Folder folder;
+    const std::string file = folder.write(
+        "lamp.grafcet", lamp("property apart: never L && M; property lit: never L; property quick: inevitable X1;"));
+    for (const Case& one : cases) {
+        std::vector<std::string> words{"check", file, "--untimed"};
+        words.insert(words.end(), one.options.begin(), one.options.end());
+        const std::string out = grafverif(words).out;
+        for (const auto& [verdict, carries] : {std::pair("apart: holds\n", one.apart), std::pair("lit: violated\n", one.lit),
+                                               std::pair("quick: violated\n", one.quick)}) {
+            const std::size_t at = out.find(verdict);
+            ASSERT_NE(at, std::string::npos) << out;
+            const std::size_t basis = out.find('\n', at) + 1;
+            EXPECT_TRUE(out.substr(0, out.find('\n', basis)).ends_with(" states; " + carries)) << verdict << out;
+        }
+    }
+}
+
 TEST(CheckUntimed, TellsItsTracesInStepsAndInTheWordsOfTheChart) {
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp("property dark: never M;"));
