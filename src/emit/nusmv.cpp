@@ -121,7 +121,8 @@ void print_choices(const ModulePrinter& printer) {
 
 /// Under which heading main lists each of its instances.
 std::vector<std::string_view> headings(const System& system) {
-    std::vector<std::string_view> found(system.instances.size(), "the observers");
+    const char* of_charts = system.controllers.size() > 1 ? "the controllers" : "the controller";
+    std::vector<std::string_view> found(system.instances.size(), system.controllers.empty() ? of_charts : "the observers");
     const auto& symbols = system.modules[system.main].symbols;
     const auto note = [&](Id<System::Symbol> symbol, std::string_view heading) {
         if (!symbol.valid()) return;
@@ -135,9 +136,8 @@ std::vector<std::string_view> headings(const System& system) {
         for (const auto* named : {&component.variables, &component.inputs})
             for (const System::Named& variable : *named) note(variable.symbol, heading);
     }
-    const char* heading = system.controllers.size() == 1 ? "the controller" : "the controllers";
     for (const System::Controller& controller : system.controllers)
-        for (const System::Named& step : controller.steps) note(step.symbol, heading);
+        for (const System::Named& step : controller.steps) note(step.symbol, of_charts);
     return found;
 }
 

@@ -103,7 +103,7 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
         const Model model = random_loop(random);
         const std::vector<const Chart*> charts = charts_of(model);
         for (const TransitionSystem& system : untimed_models(model)) {
-            if (!explored(system, 1500)) continue;   // NuSMV may take minutes for it
+            if (!explored(system, 1500, 256)) continue;   // NuSMV may take minutes for it
             SCOPED_TRACE(system.scope);
             for (const auto& run : asked_nusmv(system, program->string()).result.runs) {
                 if (!run) continue;

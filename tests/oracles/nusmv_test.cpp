@@ -62,7 +62,7 @@ constexpr std::size_t most_states = 1500;
 
 void compare(const System& system, Compared& compared) {
     const std::string model = emitted(system);
-    const std::optional<SystemGraph> graph = explored(system, most_states);
+    const std::optional<SystemGraph> graph = explored(system, most_states, 256);
     if (!graph) return;
     std::vector<std::string> names;
     for (const Property& property : system.properties) names.push_back(property.name);

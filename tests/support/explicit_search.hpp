@@ -22,7 +22,7 @@ struct SystemGraph {
 };
 
 /// Every state that can be reached; empty optional: more than `limit`, or more than `most_ways` ways to go on from one.
-std::optional<SystemGraph> explored(const TransitionSystem& system, std::size_t limit, std::size_t most_ways = 256);
+std::optional<SystemGraph> explored(const TransitionSystem& system, std::size_t limit, std::size_t most_ways = 64);
 
 /// One entry per state of a graph.
 using StateSet = std::vector<bool>;
