@@ -180,7 +180,8 @@ struct Ways {
 
     std::size_t count() const {
         std::size_t ways = 1;
-        for (const Type& type : types) ways *= static_cast<std::size_t>(type.high - type.low + 1);
+        for (const Type& type : types)
+            if (ways < 1'000'000'000) ways *= static_cast<std::size_t>(type.high - type.low + 1);
         return ways;
     }
     void put(std::size_t way, SystemState& state) const {
@@ -220,10 +221,12 @@ bool offers(const System& system, const SystemState& state, std::optional<std::s
     return true;
 }
 
-/// Every combination of choices that is on offer, main's first, as states that hold them.
-std::vector<SystemState> offered_choices(const System& system, const SystemState& state) {
+/// Every combination of choices that is on offer, main's first, as states that hold them; nothing where more than `limit`
+/// would have to be looked at at once.
+std::optional<std::vector<SystemState>> offered_choices(const System& system, const SystemState& state, std::size_t limit) {
     std::vector<SystemState> found;
     const Ways main = choices_of(system, {});
+    if (main.count() > limit) return {};
     for (std::size_t way = 0; way < main.count(); ++way) {
         std::vector<SystemState> open{state};
         main.put(way, open.front());
@@ -231,15 +234,17 @@ std::vector<SystemState> offered_choices(const System& system, const SystemState
             const Ways own = choices_of(system, instance);
             std::vector<SystemState> further;
             for (const SystemState& so_far : open)
-                for (std::size_t one = 0; one < own.count(); ++one) {
+                for (std::size_t one = 0; one < own.count() && further.size() <= limit; ++one) {
                     SystemState next = so_far;
                     own.put(one, next);
                     if (offers(system, next, instance)) further.push_back(std::move(next));
                 }
+            if (further.size() > limit) return {};
             open = std::move(further);
         }
         for (SystemState& whole : open)
             if (offers(system, whole, {})) found.push_back(std::move(whole));
+        if (found.size() > limit) return {};
     }
     return found;
 }
@@ -253,10 +258,10 @@ void make_unique(std::vector<SystemState>& states) {
 
 std::optional<std::vector<SystemState>> successors(const System& system, const SystemState& state, std::size_t limit) {
     const Ways free = free_variables(system, false);
-    const std::vector<SystemState> choices = offered_choices(system, state);
-    if (free.count() * choices.size() > limit) return {};
+    const auto choices = offered_choices(system, state, limit);
+    if (!choices || free.count() * choices->size() > limit) return {};
     std::vector<SystemState> found;
-    for (const SystemState& chosen : choices) {
+    for (const SystemState& chosen : *choices) {
         SystemState next = blank(system);
         const Evaluator evaluator = in_state(system, chosen);
         each_state_symbol(system, [&](Site place, const System::Symbol& symbol, const System::StateSymbol& kind) {
