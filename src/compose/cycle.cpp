@@ -85,7 +85,8 @@ public:
         const Equations& equations = *parts_.equations;
         for (const Id<Equations::Variable> id : equations.variables.ids())
             if (const auto role = symbol_role(equations.variables[id].role))
-                words.symbols.push_back({*role, parts_.variable[id.index], parts_.image[id.index]});
+                words.symbols.push_back(
+                    {*role, parts_.variable[id.index], parts_.image[id.index], equations.variables[id].name});
         for (const Equations::StepActivity& step : equations.steps)
             words.steps.push_back({step.step, parts_.variable[step.variable.index]});
         for (const Equations::Firing& firing : equations.firings)

@@ -89,7 +89,7 @@ void Teller::make_signals() {
             steps_.push_back(step.variable);
             trace_.steps_of_charts.push_back(prefix + step.name);
         }
-        for (const auto& [role, variable, image] : controller.symbols) {
+        for (const auto& [role, variable, image, name] : controller.symbols) {
             if (role == Network::Role::Input && !written.contains(variable.index))
                 signal(variable, inputs_, trace_.inputs);
             if (role == Network::Role::Output) signal(variable, outputs_, trace_.outputs);
@@ -256,7 +256,7 @@ void Teller::tell_controller(const Fire& fire, const NetworkState& before, const
         open.sampled = false;
         open.written = false;
     }
-    for (const auto& [role, variable, image] : controller.symbols)
+    for (const auto& [role, variable, image, name] : controller.symbols)
         if (role != Network::Role::Input &&
             (differ(before, after, variable) || (image.valid() && differ(before, after, image))))
             open.changed = true;

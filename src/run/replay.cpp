@@ -170,7 +170,7 @@ private:
 
     std::string stored_fault(const NetworkState& now) const {
         for (const Id<Chart::Variable> id : chart_.variables.ids()) {
-            const auto& [role, variable, image] = controller_.symbols[id.index];
+            const auto& [role, variable, image, name] = controller_.symbols[id.index];
             if (role == Network::Role::Input || (role == Network::Role::Output && !image.valid())) continue;
             const std::int64_t value = now.variables[(image.valid() ? image : variable).index];
             if (value != state_.values[id.index])

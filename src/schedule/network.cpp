@@ -218,10 +218,10 @@ private:
         for (const Network::Named& transition : controller.transitions)
             made.transitions.push_back({transition.name, firing(controller, transition.variable)});
         for (const Network::Symbol& symbol : controller.symbols) {
-            const std::string& name = network_.variables[symbol.variable].name;
-            if (symbol.role == Network::Role::Input) made.inputs.push_back({name, in_main(symbol.variable), {}});
-            if (symbol.role == Network::Role::Output) made.outputs.push_back({name, in_main(symbol.variable)});
-            if (symbol.role == Network::Role::Internal) made.internals.push_back({name, in_main(symbol.variable)});
+            if (symbol.role == Network::Role::Input) made.inputs.push_back({symbol.name, in_main(symbol.variable), {}});
+            if (symbol.role == Network::Role::Output) made.outputs.push_back({symbol.name, in_main(symbol.variable)});
+            if (symbol.role == Network::Role::Internal)
+                made.internals.push_back({symbol.name, in_main(symbol.variable)});
         }
         for (const Network::TimerVariables& timer : controller.timing) {
             const auto step = std::ranges::find(controller.steps, timer.watched, &Network::Named::variable);

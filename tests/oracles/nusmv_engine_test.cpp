@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -23,6 +24,9 @@
 namespace grafverif {
 namespace {
 
+/// Some small models take NuSMV minutes.
+constexpr std::chrono::seconds patience(2);
+
 /// What NuSMV answers, and the model and its words for the message of a failure.
 struct Asked {
     NusmvResult result = {};
@@ -40,12 +44,14 @@ Asked asked_nusmv(const TransitionSystem& system, const std::string& program) {
     nusmv::emit(asked, text);
     std::ofstream(model) << text.str();
     std::ofstream(commands) << nusmv_commands(model, spelling, all);
-    const ProgramResult said = app::run_program({program, "-source", commands}, "", {});
+    const ProgramResult said =
+        app::run_program({program, "-source", commands}, "", {.deadline = std::chrono::steady_clock::now() + patience});
+    if (said.end != ProgramResult::End::Exited) return {};
     return {read_nusmv(system, spelling, all, said), text.str() + said.out + said.err};
 }
 
 struct Agreement {
-    std::size_t verdicts = 0, runs = 0;
+    std::size_t verdicts = 0, runs = 0, given_up = 0;
 };
 
 /// Whether a run of NuSMV's shows what it should is asked of our own reading of the property.
@@ -53,6 +59,10 @@ void expect_agreement(const TransitionSystem& system, const std::string& program
     const SymbolicResult ours = check_symbolic(system);
     if (ours.fault) return;
     const auto [theirs, conversation] = asked_nusmv(system, program);
+    if (conversation.empty()) {
+        ++agreement.given_up;
+        return;
+    }
     ASSERT_TRUE(theirs.total) << conversation;
     ASSERT_EQ(theirs.states, ours.states);
     ASSERT_EQ(theirs.verdicts.size(), ours.verdicts.size());
@@ -103,7 +113,7 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
         const Model model = random_loop(random);
         const std::vector<const Chart*> charts = charts_of(model);
         for (const TransitionSystem& system : untimed_models(model)) {
-            if (!explored(system, 1500, 256)) continue;   // NuSMV may take minutes for it
+            if (!explored(system, 300, 256)) continue;   // NuSMV may take minutes for it
             SCOPED_TRACE(system.scope);
             for (const auto& run : asked_nusmv(system, program->string()).result.runs) {
                 if (!run) continue;
@@ -128,7 +138,8 @@ TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnTheSamples) {
                 SCOPED_TRACE(std::string(sample) + ": " + system.scope);
                 ASSERT_NO_FATAL_FAILURE(expect_agreement(system, program->string(), agreement));
             }
-    std::cout << agreement.verdicts << " verdicts, " << agreement.runs << " runs\n";
+    std::cout << agreement.verdicts << " verdicts, " << agreement.runs << " runs, " << agreement.given_up << " models given up\n";
+    EXPECT_GT(agreement.verdicts, 200u);
 }
 
 TEST(NusmvEngine, AProgramThatSaysNothingGivesNoVerdict) {

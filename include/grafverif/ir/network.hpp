@@ -136,6 +136,7 @@ struct Network {
         Role role = Role::Input;
         Id<Variable> variable = {};
         Id<Variable> image = {};             ///< of an output with stored actions: what holds it until it is written
+        std::string name = {};               ///< in its chart
         bool operator==(const Symbol&) const = default;
     };
     struct TimerVariables {

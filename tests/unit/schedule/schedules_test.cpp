@@ -173,5 +173,39 @@ closed_loop line {
     }
 }
 
+/// Both charts have an internal variable `n`; replay looks each up in its own chart.
+TEST(Schedules, VariablesOfSeveralControllersGoByTheNamesOfTheirCharts) {
+    const std::string text = R"(
+grafcet first {
+    input go;
+    internal n: int 0..3 = 0;
+    initial step 0;
+    step 1 { n := n + 1 on activation; }
+    transition t0: 0 -> 1 when go && n < 3;
+    transition t1: 1 -> 0 when !go;
+}
+grafcet second {
+    input go;
+    internal n: int 0..3 = 3;
+    initial step 0 { n := 2 on deactivation; }
+    step 1;
+    transition t0: 0 -> 1 when go;
+}
+closed_loop pair {
+    controller first;
+    controller second;
+    environment Go = push_button(OUT = go);
+}
+)";
+    for (const Schedule schedule : {Schedule::Interleaved, Schedule::Synchronous, Schedule::Sequenced}) {
+        const TransitionSystem system = untimed_text(text, with(schedule));
+        ASSERT_EQ(system.controllers.size(), 2u);
+        for (const TransitionSystem::Controller& controller : system.controllers) {
+            ASSERT_EQ(controller.internals.size(), 1u);
+            EXPECT_EQ(controller.internals.front().name, "n");
+        }
+    }
+}
+
 }  // namespace
 }  // namespace grafverif
