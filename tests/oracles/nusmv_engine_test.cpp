@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <utility>
 
 #include "app/process.hpp"
 #include "grafverif/check/nusmv.hpp"
@@ -126,18 +127,18 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
     std::cout << replayed << " runs replayed\n";
 }
 
-/// Every model that we write of a sample, without and with fairness.
+/// Every model that we write of a sample, of one with fairness too.
 TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnTheSamples) {
     const auto program = app::find_program("NuSMV");
     if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
     Agreement agreement;
-    for (const char* sample : {"blinker/blinker.grafcet", "tanks/tanks.grafcet", "oven_door/oven_door.grafcet",
-                               "assembly_station/assembly_station.grafcet"})
-        for (const bool fairness : {false, true})
-            for (const TransitionSystem& system : untimed_models(read_sample(sample).model, fairness)) {
-                SCOPED_TRACE(std::string(sample) + ": " + system.scope);
-                ASSERT_NO_FATAL_FAILURE(expect_agreement(system, program->string(), agreement));
-            }
+    for (const auto& [sample, fairness] : {std::pair("blinker/blinker.grafcet", false), {"tanks/tanks.grafcet", false},
+                                           {"assembly_station/assembly_station.grafcet", false},
+                                           {"assembly_station/assembly_station.grafcet", true}})
+        for (const TransitionSystem& system : untimed_models(read_sample(sample).model, fairness)) {
+            SCOPED_TRACE(std::string(sample) + ": " + system.scope);
+            ASSERT_NO_FATAL_FAILURE(expect_agreement(system, program->string(), agreement));
+        }
     std::cout << agreement.verdicts << " verdicts, " << agreement.runs << " runs, " << agreement.given_up << " models given up\n";
     EXPECT_GT(agreement.verdicts, 200u);
 }
