@@ -8,8 +8,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
     # g++ 12 sees overlapping copies in std::string's operator+ where there are none (GCC bug 105651)
     target_compile_options(grafverif_warnings INTERFACE -Wno-restrict)
 endif()
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND (GRAFVERIF_SANITIZE OR CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13))
-    # the inside of a std::variant that is moved, and instrumented that of std::regex (GCC bug 105562), looks uninitialised
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # the inside of a std::variant or std::optional, and instrumented that of std::regex (GCC bug 105562), looks uninitialised
     target_compile_options(grafverif_warnings INTERFACE -Wno-maybe-uninitialized)
 endif()
 if(GRAFVERIF_SANITIZE)
