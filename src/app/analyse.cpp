@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/interrupt.hpp"
+#include "app/stop_words.hpp"
 #include "app/verbs.hpp"
 #include "grafverif/read/exclusions.hpp"
 #include "grafverif/report/findings.hpp"
@@ -32,7 +33,7 @@ std::optional<std::vector<Exclusion>> exclusions_of(const Chart& chart, Job& job
     if (!job.options.exclusions) return std::vector<Exclusion>{};
     const auto table = read_source(*job.options.exclusions, job);
     if (!table) return {};
-    const auto pairs = read_exclusions(job.sources[*table], *table, chart, job.diagnostics);
+    const auto pairs = read_exclusions(*table, job.sources, chart, job.diagnostics);
     if (!pairs) return {};
     std::vector<Exclusion> exclusions;
     for (const ExclusionRow& row : *pairs) exclusions.push_back({row.first, row.second, row.reason, row.origin});
@@ -64,7 +65,8 @@ ExitCode analyse(Job& job, const Streams& streams) {
     if (job.options.timeout_ms)
         options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*job.options.timeout_ms);
     options.stop = &interrupt.asked();
-    const Analysis analysis = grafverif::analyse(model->charts[*chart], *equations, options);
+    Analysis analysis = grafverif::analyse(model->charts[*chart], *equations, options);
+    analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), interrupt.asked(), job.options);
     deliver(printed(analysis, job), job, streams);
     for (const std::string& failure : analysis.failures) streams.err << "grafverif: internal failure: " << failure << '\n';
     return exit_code(analysis);

@@ -8,6 +8,7 @@
 
 #include "app/engines.hpp"
 #include "app/files.hpp"
+#include "app/stop_words.hpp"
 #include "app/traces.hpp"
 #include "app/untimed.hpp"
 #include "app/verbs.hpp"
@@ -103,6 +104,20 @@ void write_reports(const Report& report, const Options& options, const Streams& 
     if (!options.quiet) streams.err << "note: no verdict has a trace; none was written\n";
 }
 
+void say_who_stopped(Report& report, bool by_user, const Options& options) {
+    for (Answer& answer : report.answers)
+        if (answer.verdict.obstacle == Obstacle::Stopped)
+            answer.verdict.reason = with_who_stopped(std::move(answer.verdict.reason), by_user, options);
+}
+
+/// What a loop expects may be about the schedule that it names, which timed models do not have.
+void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& streams) {
+    if (!loop.schedule || job.options.quiet) return;
+    streams.err << fmt::format("note: `{}` names a `schedule`, which untimed models alone obey; `grafverif check {} --untimed "
+                               "--plant automata` checks that one\n",
+                               loop.name, job.options.operands[0]);
+}
+
 ExitCode exit_code(const Report& report, bool failed, bool stopped) {
     const Tally count = tally(report);
     if (failed) return ExitCode::Failure;
@@ -117,6 +132,7 @@ ExitCode check(Job& job, const Streams& streams) {
     if (!model) return ExitCode::Input;
     const Interrupt interrupt;
     std::optional<Findings> found;
+    std::optional<Id<ClosedLoop>> timed_loop;
     const bool timed = job.options.engine == Engine::Timed || job.options.engine == Engine::Verifyta;
     if (job.options.check_untimed || (is_of_a_chart(*model, job.options) && !timed)) {
         found = untimed_findings(*model, job, streams, interrupt);
@@ -125,9 +141,11 @@ ExitCode check(Job& job, const Streams& streams) {
         const auto network = loop ? network_of(*model, *loop, job) : std::nullopt;
         if (network && knows_properties(property_names(network->properties), job))
             found = findings({*network, charts_of(*model, model->loops[*loop])}, job, streams, interrupt);
+        timed_loop = loop;
     }
     if (!found) return ExitCode::Input;
-    const Report& report = found->report;
+    Report& report = found->report;
+    say_who_stopped(report, interrupt.asked(), job.options);
     if (job.options.format == Format::Json) print_json(report, streams.out);
     else
         print_report(report,
@@ -136,7 +154,9 @@ ExitCode check(Job& job, const Streams& streams) {
     for (const std::string& failure : found->failures)
         streams.err << "grafverif: internal failure: " << failure << '\n';
     write_reports(report, job.options, streams);
-    return exit_code(report, !found->failures.empty(), interrupt.asked());
+    const ExitCode code = exit_code(report, !found->failures.empty(), interrupt.asked());
+    if (code != ExitCode::Done && timed_loop) point_to_schedule(model->loops[*timed_loop], job, streams);
+    return code;
 }
 
 Verb check_usage() {

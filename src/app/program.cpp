@@ -11,6 +11,7 @@
 #include "app/files.hpp"
 #include "app/verbs.hpp"
 #include "grafverif/support/messages.hpp"
+#include "syntax/nearest.hpp"
 
 namespace grafverif::app {
 
@@ -44,7 +45,7 @@ void print_overview(std::ostream& out) {
     out << "grafverif: GRAFCET charts (IEC 60848) and their plants as models that model checkers prove\n\n"
            "Usage: grafverif VERB [FILE] [options]\n\nVerbs:\n";
     for (const Entry& entry : entries) out << fmt::format("  {:<12}{}\n", entry.usage().name, entry.usage().summary);
-    out << "\n`grafverif VERB --help` tells the options of a verb, with examples; `grafverif --version` the version.\n"
+    out << "\n`grafverif help VERB` tells the options of a verb, with examples; `grafverif --version` the version.\n"
            "Exit codes: 0 done; 1 a verdict against expectation; 2 input or usage wrong; 3 a verdict unknown; 4 our failure.\n";
 }
 
@@ -93,7 +94,8 @@ ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, co
 ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
     if (arguments.empty()) return usage_error(streams, "no verb given", "");
     const std::string& name = arguments.front();
-    if (name == "--help" || name == "-h" || name == "help") {
+    const bool asks = name == "--help" || name == "-h" || name == "help";
+    if (asks && arguments.size() == 1) {
         print_overview(streams.out);
         return ExitCode::Done;
     }
@@ -101,9 +103,16 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
         streams.out << "grafverif " GRAFVERIF_VERSION "\n";
         return ExitCode::Done;
     }
-    for (const Entry& entry : entries)
-        if (entry.usage().name == name) return run_verb(entry, arguments.subspan(1), streams);
-    return usage_error(streams, fmt::format("there is no verb `{}`", name), "");
+    const std::string& verb = asks ? arguments[1] : name;   // `help check` and `--help check` too
+    Nearest nearest(verb);
+    for (const Entry& entry : entries) {
+        if (entry.usage().name == verb && asks) return print_help(entry.usage(), streams.out), ExitCode::Done;
+        if (entry.usage().name == verb) return run_verb(entry, arguments.subspan(1), streams);
+        nearest.offer(entry.usage().name);
+    }
+    if (verb.starts_with('-')) return usage_error(streams, fmt::format("a verb comes first, options behind it; not `{}`", verb), "");
+    const std::string meant = nearest.best().empty() ? "" : fmt::format("; did you mean `{}`?", nearest.best());
+    return usage_error(streams, fmt::format("there is no verb `{}`{}", verb, meant), "");
 }
 
 void deliver(const std::string& content, const Job& job, const Streams& streams) {

@@ -85,6 +85,7 @@ private:
 
     std::string obey_choice(const ChooseCommand& choice) {
         const std::vector<Fire> choices = simulation_.choices();
+        if (choices.empty()) return "there is no choice now; let time pass with `wait`";
         if (choice.number > choices.size()) return fmt::format("there are {} choices", choices.size());
         return simulation_.choose(choices[choice.number - 1]);
     }

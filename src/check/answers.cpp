@@ -184,7 +184,7 @@ void Questions::answer_possible(Question& question, Graph& graph, const Limits& 
     if (!lost->empty()) return violated(question.verdict, graph.run_to(lost->front()));
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (question.verdict.outcome == Outcome::Holds && machine_.timed())
-        unknown(question.verdict, Obstacle::Inexact, "integer time says nothing of the states between two ticks; ask an untimed engine");
+        unknown(question.verdict, Obstacle::Inexact, "integer time says nothing of the states between two ticks; `--untimed` decides it of a model without time");
 }
 
 void Questions::holds_if_dense(Question& question, Graph& graph, const std::optional<GapAt>& gap) const {

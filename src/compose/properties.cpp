@@ -6,6 +6,7 @@
 
 #include "compose/controller.hpp"
 #include "grafverif/support/overloaded.hpp"
+#include "grafverif/syntax/print_model.hpp"
 
 namespace grafverif {
 
@@ -138,7 +139,7 @@ void add_properties(Composition& composition, const Model& model, const ClosedLo
     }
     for (const ClosedLoop::Constraint& constraint : loop.constraints)
         network.properties.add({.name = taken.fresh(constraint.name),
-                                .text = "the constraint holds of this plant",
+                                .text = sentence(loop, constraint),
                                 .pattern = Pattern::Always,
                                 .operands = {translated(constraint.condition)},
                                 .origin = constraint.origin});

@@ -343,9 +343,9 @@ Id<Expr> assumed_term(const Equations& equations, const std::vector<std::optiona
     return exprs.conjunction(terms);
 }
 
-Diagnostic exhausted(const Equations& equations, const BddExhausted& exhausted) {
+Diagnostic exhausted(const Equations& equations, const BddExhausted& exhausted, bool by_user) {
     return exhausted.cause() == BddExhausted::Cause::Memory ? messages::automaton_too_large(equations.origin)
-                                                            : messages::stopped(equations.origin);
+                                                            : messages::stopped(equations.origin, by_user);
 }
 
 }  // namespace
@@ -368,7 +368,7 @@ std::optional<LocationAutomaton> location_automaton(const Equations& equations, 
         Search search(equations, options, inputs, space, automaton, diagnostics);
         if (!search.run() || search.unsound()) return {};
     } catch (const BddExhausted& failure) {
-        diagnostics.add(exhausted(equations, failure));
+        diagnostics.add(exhausted(equations, failure, options.stop != nullptr && options.stop->load()));
         return {};
     }
     return automaton;

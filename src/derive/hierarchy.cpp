@@ -179,17 +179,26 @@ private:
         for (const Id<Partial> id : chart_.partial_charts.ids()) {
             const std::vector<Id<Chart::ForcingOrder>>& orders = result_.orders[id.index];
             for (std::size_t k = 0; k < orders.size(); ++k)
-                for (std::size_t i = 0; i < k; ++i) check_pair(orders[i], orders[k]);
+                for (std::size_t i = 0; i < k; ++i) check_pair(id, orders[i], orders[k]);
         }
     }
 
-    void check_pair(Id<Chart::ForcingOrder> one, Id<Chart::ForcingOrder> other) {
+    /// Both concern `forced`; told once, of the chart that one of them names and that is not outside the other's.
+    void check_pair(Id<Partial> forced, Id<Chart::ForcingOrder> one, Id<Chart::ForcingOrder> other) {
         const Chart::ForcingOrder& first = chart_.forcing[one];
         const Chart::ForcingOrder& second = chart_.forcing[other];
+        if (first.forced != forced && second.forced != forced) return;
         const bool together = first.step == second.step ||
                               (result_.initial[first.step.index] && result_.initial[second.step.index]);
-        if (together && conflict(chart_, result_, one, other))
-            diagnostics_.add(messages::forced_twice(second.origin, partial(second.forced).name, first.origin));
+        if (!together || !conflict(chart_, result_, one, other)) return;
+        if (first.forced == second.forced) {
+            diagnostics_.add(messages::forced_twice(second.origin, partial(forced).name, first.origin));
+            return;
+        }
+        const bool own = second.forced == forced;   // the order of the expansion, rather than that of what it expands
+        const Chart::ForcingOrder& inner = own ? second : first;
+        const Chart::ForcingOrder& whole = own ? first : second;
+        diagnostics_.add(messages::forced_beside(inner.origin, partial(forced).name, partial(whole.forced).name, whole.origin));
     }
 
     const Chart& chart_;

@@ -13,6 +13,7 @@
 #include "read/sfc.hpp"
 #include "read/sfc_text.hpp"
 #include "read/xml.hpp"
+#include "syntax/readable.hpp"
 
 namespace grafverif {
 
@@ -21,6 +22,8 @@ namespace {
 /// What a file of IEC 61131-3 can begin with, and one of ours cannot.
 constexpr std::array first_words = {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION", "VAR_GLOBAL", "TYPE", "CONFIGURATION",
                                     "VAR", "VAR_INPUT", "VAR_OUTPUT", "INITIAL_STEP"};
+
+constexpr std::array our_first_words = {"grafcet", "component", "closed_loop", "include"};
 
 /// Behind blanks, comments of either language and pragmas.
 std::string_view without_comments(std::string_view text) {
@@ -68,19 +71,25 @@ tree::File read_xml(Id<Source> source, Sources& sources, const ReadOptions& opti
 }  // namespace
 
 FileFormat format_of(std::string_view text) {
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return FileFormat::Xml;
+    if (is_utf16(text)) {   // XML comes so; text is told to come in UTF-8 by whoever reads it
+        text.remove_prefix(std::min(text.find_first_not_of(std::string_view("\xFF\xFE\0 \t\r\n", 7)), text.size()));
+        return text.starts_with('<') ? FileFormat::Xml : FileFormat::Unknown;
+    }
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     const std::string_view first = without_comments(text);
     if (first.starts_with('<')) return FileFormat::Xml;
     if (first.starts_with("(*")) return FileFormat::StructuredText;
     std::size_t length = 0;
     while (length < first.size() && (first[length] == '_' || std::isalpha(static_cast<unsigned char>(first[length])) != 0)) ++length;
-    const std::string word = st::capitals(first.substr(0, length));
-    return std::ranges::find(first_words, word) != first_words.end() ? FileFormat::StructuredText : FileFormat::Grafcet;
+    const std::string_view word = first.substr(0, length);
+    if (std::ranges::find(our_first_words, word) != our_first_words.end()) return FileFormat::Grafcet;
+    const bool structured = std::ranges::find(first_words, st::capitals(word)) != first_words.end();
+    return structured ? FileFormat::StructuredText : FileFormat::Unknown;
 }
 
 tree::File read_any(Id<Source> source, Sources& sources, const ReadOptions& options, Diagnostics& diagnostics) {
     switch (format_of(sources[source].text)) {
+    case FileFormat::Unknown:
     case FileFormat::Grafcet:        return parse_file(source, sources, diagnostics);
     case FileFormat::Xml:            return read_xml(source, sources, options, diagnostics);
     case FileFormat::StructuredText: return read_sfc_text(source, sources, options.lossy, diagnostics);

@@ -12,61 +12,11 @@
 #include "grafverif/support/messages.hpp"
 #include "grafverif/syntax/dialect.hpp"
 #include "grafverif/syntax/scan_line.hpp"
+#include "read/csv.hpp"
 
 namespace grafverif {
 
 namespace {
-
-struct CsvField {
-    std::string text = {};
-    Span where = {};
-};
-using CsvRow = std::vector<CsvField>;
-
-/// The rows of a text, one after the other; empty lines are none.
-class CsvRows {
-public:
-    CsvRows(Id<Source> source, std::string_view text) : source_(source), text_(text) {
-        if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;   // byte order mark: spreadsheets write one
-    }
-
-    /// False at the end.
-    bool next(CsvRow& row) {
-        row.clear();
-        while (at_ < text_.size() && (text_[at_] == '\n' || text_[at_] == '\r')) ++at_;
-        if (at_ >= text_.size()) return false;
-        for (;;) {
-            row.push_back(field());
-            if (at_ >= text_.size() || text_[at_] != ',') return true;
-            ++at_;
-        }
-    }
-
-    Span here() const { return {source_, static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_)}; }
-
-private:
-    CsvField field() {
-        const std::size_t begin = at_;
-        std::string text;
-        if (at_ < text_.size() && text_[at_] == '"') {
-            for (++at_; at_ < text_.size(); ++at_) {
-                if (text_[at_] == '"' && !text_.substr(at_ + 1).starts_with('"')) break;
-                if (text_[at_] == '"') ++at_;
-                text += text_[at_];
-            }
-            at_ = std::min(at_ + 1, text_.size());
-        }
-        while (at_ < text_.size() && text_[at_] != ',' && text_[at_] != '\n' && text_[at_] != '\r') text += text_[at_++];
-        const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
-        const std::size_t last = text.find_last_not_of(" \t");
-        text = last == std::string::npos ? "" : text.substr(first, last - first + 1);
-        return {std::move(text), {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)}};
-    }
-
-    Id<Source> source_;
-    std::string_view text_;
-    std::size_t at_ = 0;
-};
 
 enum class TestWord : std::uint8_t { Sequence, Step, Wait, Cycles, Situation, Input, Output };
 
@@ -228,7 +178,7 @@ std::optional<TestSequence> read_test_csv(Id<Source> file, const Sources& source
     const std::size_t errors = diagnostics.errors();
     TestSequence test = test_without_steps(chart, mode);
     TestTable reader(test, diagnostics);
-    CsvRows rows(file, sources[file].text);
+    CsvRows rows(file, sources, '\0', diagnostics);
     CsvRow row;
     if (rows.next(row)) reader.header(row);
     if (diagnostics.errors() != errors) return {};

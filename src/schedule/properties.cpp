@@ -5,6 +5,7 @@
 
 #include "grafverif/ir/step_names.hpp"
 #include "grafverif/support/overloaded.hpp"
+#include "grafverif/syntax/print_model.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif::schedule {
@@ -138,7 +139,7 @@ void add_constraint_properties(TransitionSystem& system, const ClosedLoop& loop,
         const Id<Expr> term = term_of(system, loop, meaning, constraint.condition, reason);
         if (!term.valid()) continue;
         system.properties.add({.name = names.fresh(constraint.name),
-                               .text = "the constraint holds of this plant",
+                               .text = sentence(loop, constraint),
                                .pattern = Pattern::Always,
                                .operands = {term},
                                .at_stable = meaning.judged_when_settled,

@@ -39,8 +39,8 @@ Diagnostic missing_program(std::string_view program, std::string_view instead) {
 
 Diagnostic no_closed_loop() {
     return error("no-closed-loop", {},
-                 "the file has no closed loop; declare `closed_loop NAME { controller CHART; ... }`, or use `grafverif nusmv` "
-                 "for a chart alone");
+                 "the file has no closed loop; declare `closed_loop NAME { controller CHART; ... }`. A chart alone is run by "
+                 "`grafverif plc`, checked by `grafverif check`, and written as a model by `grafverif nusmv`");
 }
 
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known) {
@@ -51,7 +51,7 @@ Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::spa
 
 Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std::span<const std::string> known) {
     if (known.empty()) return error("no-such-choice", {}, fmt::format("the file has no {}", kind));
-    return error("ambiguous-choice", {}, fmt::format("the file has several of a {}: {}; choose with `{}`", kind, listed(known), option));
+    return error("ambiguous-choice", {}, fmt::format("the file has several {}s: {}; choose with `{}`", kind, listed(known), option));
 }
 
 Diagnostic not_expressible(Span property, std::string_view name, std::string_view target, std::string_view reason) {

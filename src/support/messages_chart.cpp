@@ -94,6 +94,15 @@ Diagnostic forced_twice(Span where, std::string_view chart, Span first) {
     return diagnostic;
 }
 
+Diagnostic forced_beside(Span where, std::string_view expansion, std::string_view with, Span first) {
+    Diagnostic diagnostic = error(
+        "forced-twice", where,
+        fmt::format("`{0}` has an order of its own and is forced with `{1}`, of which it expands a macro-step; keep one order",
+                    clipped(expansion), clipped(with)));
+    diagnostic.notes.push_back(note(first, "the other order is here"));
+    return diagnostic;
+}
+
 Diagnostic edge_under_time(Span where) {
     return error("edge-under-time", where,
                  "an edge lasts for one evolution and has no duration; write the variable itself under the time");

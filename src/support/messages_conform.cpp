@@ -63,8 +63,10 @@ Diagnostic automaton_too_large(Span where) {
     return error("too-large", where, "the conditions of the location automaton need more memory than allowed; raise `--max-memory`");
 }
 
-Diagnostic stopped(Span where) {
-    return error("stopped", where, "stopped before the end, as asked for by the time limit or by Ctrl-C; nothing was written");
+Diagnostic stopped(Span where, bool by_user) {
+    return error("stopped", where,
+                 fmt::format("stopped before the end {}; nothing was written",
+                             by_user ? "by Ctrl-C or another signal" : "by the time limit, which `--timeout` sets"));
 }
 
 Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit) {

@@ -26,9 +26,9 @@ Diagnostic unknown_encoding(Span where, std::string_view encoding) {
 
 Diagnostic unknown_format(Span where, std::string_view root) {
     return error("unknown-format", where,
-                 fmt::format("`{}` begins no chart that is known here; read are AGRAFE GRAFCET (`grafcet:Grafcet`) and "
-                             "PLCopen TC6 XML (`project`)",
-                             clipped(root)));
+                 fmt::format("{} that is known here; read are AGRAFE GRAFCET (XML, `<grafcet:Grafcet>`), PLCopen TC6 XML "
+                             "(`<project>`) and textual Sequential Function Charts (`PROGRAM`, `FUNCTION_BLOCK`)",
+                             root.empty() ? "the file begins with no chart" : fmt::format("`{}` begins no chart", clipped(root))));
 }
 
 Diagnostic dangling_reference(Span where, std::string_view reference, std::string_view kind) {
@@ -92,6 +92,10 @@ Diagnostic explicit_priority(Span where, std::string_view step, std::size_t bran
 
 Diagnostic differs_from_sfc(Span where, std::string_view what) {
     return warning("differs-from-sfc", where, std::string(what));
+}
+
+Diagnostic ours_already(Span where) {
+    return error("nothing-to-import", where, "the file is in our own language, which every verb reads; `grafverif fmt` prints it");
 }
 
 Diagnostic nothing_to_import(Span where, std::string_view what) {

@@ -15,6 +15,10 @@ Diagnostic invalid_utf8(Span where, unsigned char byte) {
     return error("invalid-utf8", where, fmt::format("byte 0x{:02X} is not UTF-8; save the file as UTF-8 text", byte));
 }
 
+Diagnostic utf16(Span where) {
+    return error("invalid-utf8", where, "this text is UTF-16; save the file as UTF-8 text");
+}
+
 Diagnostic unexpected_character(Span where, std::string_view character) {
     const auto byte = static_cast<unsigned char>(character.front());
     const bool printable = byte > 0x20 && byte != 0x7F;

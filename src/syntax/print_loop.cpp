@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "grafverif/support/overloaded.hpp"
+#include "grafverif/syntax/dialect.hpp"
+#include "grafverif/syntax/print_model.hpp"
 #include "syntax/print_model.hpp"
 
 namespace grafverif {
@@ -180,6 +182,16 @@ private:
 };
 
 }  // namespace
+
+std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& constraint) {
+    constexpr std::size_t longest = 400;
+    const std::string text =
+        expr_text(loop.exprs, constraint.condition, chart_spelling, [&loop](std::ostream& out, const Expr& leaf) {
+            const ClosedLoop::Symbol& symbol = loop.symbols[{static_cast<std::uint32_t>(leaf.value)}];
+            out << loop.shared[std::get<ClosedLoop::SharedSymbol>(symbol).shared].name;   // it reads inputs only
+        });
+    return text.size() > longest ? "a long constraint holds of this plant" : text + " holds of this plant";
+}
 
 tree::ClosedLoop tree_of(const ClosedLoop& loop, const Model& model, tree::File&, Trees& trees) {
     return LoopPrinter(loop, model, trees).print();

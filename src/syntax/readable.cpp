@@ -35,10 +35,19 @@ std::size_t character_at(std::string_view text, std::size_t at) {
 
 }  // namespace
 
+bool is_utf16(std::string_view text) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
+    return text.size() >= 2 && (text[0] == '\0') != (text[1] == '\0');
+}
+
 bool is_readable(Span part, const Sources& sources, Diagnostics& diagnostics) {
     const std::string_view text = std::string_view(sources[part.source].text).substr(0, part.end);
     if (text.size() - part.begin > largest_text) {
         diagnostics.add(messages::file_too_large({part.source, part.begin, part.begin}, largest_text >> 20U));
+        return false;
+    }
+    if (is_utf16(text.substr(part.begin))) {
+        diagnostics.add(messages::utf16({part.source, part.begin, part.begin}));
         return false;
     }
     for (std::size_t at = part.begin; at < text.size();) {

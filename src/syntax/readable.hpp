@@ -2,6 +2,8 @@
 // Whether bytes are text at all.
 #pragma once
 
+#include <string_view>
+
 #include "grafverif/support/diagnostic.hpp"
 #include "grafverif/support/source.hpp"
 
@@ -9,7 +11,10 @@ namespace grafverif {
 
 inline constexpr std::size_t largest_text = std::size_t{256} << 20U;   ///< bytes
 
-/// Reports the first byte of `part` that is not UTF-8, and parts above `largest_text`.
+/// Whether `text` has the byte order mark of UTF-16, or begins with a character of two bytes one of which is 0.
+bool is_utf16(std::string_view text);
+
+/// Reports text in UTF-16, the first byte of `part` that is not UTF-8, and parts above `largest_text`.
 bool is_readable(Span part, const Sources& sources, Diagnostics& diagnostics);
 
 /// `part` without a byte order mark at its beginning.

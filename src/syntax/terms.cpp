@@ -7,6 +7,7 @@
 
 #include "grafverif/support/messages.hpp"
 #include "grafverif/support/overloaded.hpp"
+#include "grafverif/syntax/dialect.hpp"
 
 namespace grafverif {
 
@@ -154,7 +155,13 @@ Term Terms::boolean_operand(const tree::Expr& written, Op op) {
         return {};
     }
     const Term operand = resolve(written.first);
-    if (!is(node(written.first), operand, Kind::Boolean, quoted(written.op))) return {};
+    const tree::Expr& below = node(written.first);
+    if (operand.kind == Kind::Duration) {
+        const std::string text = below.op == tree::Op::Duration ? duration_text(below.value) : "3s";
+        diagnostics_->add(messages::duration_below(below.where, spelling(written.op), text));
+        return {};
+    }
+    if (!is(below, operand, Kind::Boolean, quoted(written.op))) return {};
     const std::array operands = {operand.expr};
     return {exprs_->apply(op, operands), Kind::Boolean};
 }

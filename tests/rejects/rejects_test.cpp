@@ -103,7 +103,7 @@ void exclude(const std::string& name, const std::optional<Model>& model, Sources
     const auto table = content(root / "tests/rejects" / path);
     if (!table || !model) return;
     const Id<Source> id = sources.add({path.string(), *table});
-    read_exclusions(sources[id], id, *model->charts.begin(), diagnostics);
+    read_exclusions(id, sources, *model->charts.begin(), diagnostics);
 }
 
 std::string said_about(const std::string& name, const std::string& text) {

@@ -4,8 +4,8 @@
 //   variable1,variable2,reason
 //   V_IN,V_OUT,"one cylinder, two ends"
 //
-// CSV by RFC 4180: fields in quotes where they hold a comma or a quote, which is doubled. The first row is the header;
-// empty rows and rows that begin with `#` are left out.
+// CSV by RFC 4180, with commas or semicolons. The first row is the header; empty rows and rows that begin with `#` are
+// left out.
 #pragma once
 
 #include <optional>
@@ -26,8 +26,8 @@ struct ExclusionRow {
     bool operator==(const ExclusionRow&) const = default;
 };
 
-/// The rows of `source`, whose id is `id`, or nothing after adding at least one error to `diagnostics`.
-std::optional<std::vector<ExclusionRow>> read_exclusions(const Source& source, Id<Source> id, const Chart& chart,
+/// The rows of `file`, or nothing after adding at least one error to `diagnostics`.
+std::optional<std::vector<ExclusionRow>> read_exclusions(Id<Source> file, const Sources& sources, const Chart& chart,
                                                          Diagnostics& diagnostics);
 
 }  // namespace grafverif

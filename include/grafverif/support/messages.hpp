@@ -27,6 +27,7 @@ Diagnostic not_expressible(Span property, std::string_view name, std::string_vie
 // -- reading ---------------------------------------------------------------------------------------------------------
 // (src/support/messages_language.cpp)
 Diagnostic file_too_large(Span where, std::size_t mebibytes);
+Diagnostic utf16(Span where);
 Diagnostic invalid_utf8(Span where, unsigned char byte);
 Diagnostic unexpected_character(Span where, std::string_view character);
 Diagnostic unterminated(Span where, std::string_view what, std::string_view end);
@@ -54,6 +55,8 @@ Diagnostic cannot_include(Span where, std::string_view path, std::string_view wh
 Diagnostic not_yet(Span where, std::string_view what);
 
 // (src/support/messages_types.cpp)
+/// `written`: the duration, as in `3s`.
+Diagnostic duration_below(Span where, std::string_view op, std::string_view written);
 Diagnostic type_mismatch(Span where, std::string_view user, std::string_view expected, std::string_view found);
 Diagnostic missing_unit(Span where, std::string_view what);
 Diagnostic division_by_zero(Span where);
@@ -154,6 +157,7 @@ Diagnostic chosen_kind(Span where, std::string_view variable, std::string_view k
 Diagnostic mixed_actions(Span where, std::string_view output, std::string_view stored);
 Diagnostic explicit_priority(Span where, std::string_view step, std::size_t branches);
 Diagnostic differs_from_sfc(Span where, std::string_view what);
+Diagnostic ours_already(Span where);
 Diagnostic nothing_to_import(Span where, std::string_view what);
 // (src/support/messages_findings.cpp)
 Diagnostic bad_exclusion_header(Span where);
@@ -165,6 +169,8 @@ Diagnostic unknown_finding(Span where, std::string_view code);
 // -- derive ----------------------------------------------------------------------------------------------------------
 Diagnostic enclosing_cycle(Span where, std::string_view chart);
 Diagnostic forcing_cycle(Span where, std::string_view chart);
+/// An order for an expansion beside one for `with`, which is forced with all that it expands.
+Diagnostic forced_beside(Span where, std::string_view expansion, std::string_view with, Span first);
 Diagnostic forced_twice(Span where, std::string_view chart, Span first);
 Diagnostic edge_under_time(Span where);
 Diagnostic edge_of_edge(Span where);
@@ -205,7 +211,8 @@ Diagnostic too_many_pairs(Span where, std::size_t states, std::uint64_t limit);
 Diagnostic too_many_nodes(std::size_t nodes, std::size_t limit);
 Diagnostic too_many_states(Span where, std::uint64_t limit);
 Diagnostic automaton_too_large(Span where);
-Diagnostic stopped(Span where);
+/// `by_user`: else by the time limit.
+Diagnostic stopped(Span where, bool by_user);
 /// More combinations of inputs, 2^`bits`, than a tour of all of them can take.
 Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit);
 

@@ -187,13 +187,13 @@ expected: satisfied
 A[] !D_V_C || (h_c_l && !h_c_r && !R_H_C) || (!h_c_l && h_c_r && !L_H_C)
 
 /*
-H_Cyl_constraint_1: the constraint holds of this plant
+H_Cyl_constraint_1: !(h_c_r && h_c_l) holds of this plant
 expected: satisfied
 */
 A[] !(h_c_r && h_c_l)
 
 /*
-V_Cyl_constraint_1: the constraint holds of this plant
+V_Cyl_constraint_1: !(v_c_u && v_c_d) holds of this plant
 expected: satisfied
 */
 A[] !(v_c_u && v_c_d)

@@ -111,25 +111,25 @@ serves_again: the machine can always come back to rest: left out; UPPAAL has no 
 */
 
 /*
-constraint_1: the constraint holds of this plant
+constraint_1: !(s0 && s1) && !(s0 && s2) && !(s0 && s3) && !(s1 && s2) && !(s1 && s3) && !(s2 && s3) holds of this plant
 expected: satisfied
 */
 A[] !(s0 && s1) && !(s0 && s2) && !(s0 && s3) && !(s1 && s2) && !(s1 && s3) && !(s2 && s3)
 
 /*
-L1C_constraint_1: the constraint holds of this plant
+L1C_constraint_1: !(L1C_in && L1C_out) holds of this plant
 expected: satisfied
 */
 A[] !(L1C_in && L1C_out)
 
 /*
-L2C_constraint_1: the constraint holds of this plant
+L2C_constraint_1: !(L2C_in && L2C_out) holds of this plant
 expected: satisfied
 */
 A[] !(L2C_in && L2C_out)
 
 /*
-VC_constraint_1: the constraint holds of this plant
+VC_constraint_1: !(vc_in && vc_out) holds of this plant
 expected: satisfied
 */
 A[] !(vc_in && vc_out)

@@ -126,12 +126,34 @@ TEST(Exclusions, AreReadWithQuotesCommentsAndLineEndsOfAllKinds) {
     Diagnostics diagnostics;
     const Id<Source> id = made.sources.add(
         {"wiring.csv", "\xEF\xBB\xBFvariable1, variable2 ,reason\r\n# the panel\r\n\r\na,b,\"one \"\"switch\"\", two positions\"\r\n"});
-    const auto rows = read_exclusions(made.sources[id], id, made.chart, diagnostics);
+    const auto rows = read_exclusions(id, made.sources, made.chart, diagnostics);
     ASSERT_TRUE(rows.has_value());
     ASSERT_EQ(rows->size(), 1U);
     EXPECT_EQ(rows->front().reason, "one \"switch\", two positions");
     EXPECT_EQ(rows->front().first.index, 0U);
     EXPECT_EQ(rows->front().second.index, 1U);
+}
+
+TEST(Exclusions, AreReadWithSemicolonsAsSpreadsheetsWriteThemWhereTheCommaIsTheDecimalSign) {
+    Analysed made = analysed(std::string(two_buttons));
+    for (const char* head : {"", "sep=;\r\n", "# the panel, as wired\r\n"}) {
+        SCOPED_TRACE(head);
+        Diagnostics diagnostics;
+        const Id<Source> id = made.sources.add({"wiring.csv", std::string(head) + "variable1;variable2;reason\r\na;b;one switch, two positions\r\n;;\r\n"});
+        const auto rows = read_exclusions(id, made.sources, made.chart, diagnostics);
+        ASSERT_TRUE(rows.has_value());
+        ASSERT_EQ(rows->size(), 1U);
+        EXPECT_EQ(rows->front().reason, "one switch, two positions");
+    }
+}
+
+TEST(Exclusions, InAnotherEncodingAreOneError) {
+    Analysed made = analysed(std::string(two_buttons));
+    Diagnostics diagnostics;
+    const Id<Source> id = made.sources.add({"wiring.csv", "variable1;variable2;reason\r\na;b;T\xFCr zu\r\na;b;T\xFCr auf\r\n"});
+    EXPECT_FALSE(read_exclusions(id, made.sources, made.chart, diagnostics).has_value());
+    EXPECT_EQ(diagnostics.errors(), 1U);
+    EXPECT_EQ(diagnostics.all().front().code, "invalid-utf8");
 }
 
 }  // namespace

@@ -203,6 +203,16 @@ TEST(Bench, ReadsTablesAsSpreadsheetsWriteThem) {
     EXPECT_EQ(Json::parse(result.out)["steps"][0]["situation"], "{1} \"rest\"");
 }
 
+TEST(Bench, ReadsTablesWithSemicolons) {
+    const Folder folder;
+    const std::string table =
+        folder.write("t.csv", "W2;s;h1;h2;l1;l2;situation;V1;V2;W1\r\n0;0;0;0;1;1;{1};0;0;0\r\n0;1;1;0;1;1;{3,5};0;1;1\r\n;;;;;;;;;\r\n");
+    const Result result = grafverif({"test", tanks_chart, "--sequence", table, "--format", "json", "--against",
+                                     this_program + " plc " + tanks_chart});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
+    EXPECT_EQ(Json::parse(result.out)["steps"][1]["situation"], "{3,5}");
+}
+
 TEST(Bench, NeedsAControllerAndOneWayToGoOn) {
     EXPECT_NE(grafverif({"test", tanks_chart, "--sequence", table2}).err.find("`--against PROGRAM` is missing"), std::string::npos);
     EXPECT_NE(tested("x", {"--go-on", "--stop-on-failure"}).err.find("exclude each other"), std::string::npos);

@@ -84,7 +84,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
              {"wait 500ms\n", ":1: error: the time unit of this loop is 1 s; wait a multiple of it\n"},
              {"do Nobody\n", ":1: error: `Nobody` cannot happen now\n"},
              {"do Lamp lit\n", ":1: error: `Lamp` to `lit` cannot happen now\n"},
-             {"7\n", ":1: error: there are 0 choices\n"},
+             {"7\n", ":1: error: there is no choice now; let time pass with `wait`\n"},
              {"wait 1s\nback\nback\n", ":3: error: there is nothing to undo\n"},
              {"wait\nwait\n", ":2: error: nothing will happen by itself; say how long to wait\n"},
          }) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Engines know that they were stopped; whoever asked them to knows by what.
+#pragma once
+
+#include <string>
+
+#include "app/options.hpp"
+#include "grafverif/ir/trace.hpp"
+
+namespace grafverif::app {
+
+/// `reason` with what stopped the engine behind its word `stopped`: `by_user`, or else the time limit.
+inline std::string with_who_stopped(std::string reason, bool by_user, const Options& options) {
+    constexpr std::string_view word = "stopped", limit = " at the time limit";
+    const std::size_t at = reason.find(word);
+    if (at == std::string::npos) return reason;
+    const std::size_t behind = at + word.size();
+    if (by_user) return reason.insert(behind, " by Ctrl-C or another signal");
+    if (!options.timeout_ms) return reason;
+    if (reason.compare(behind, limit.size(), limit) != 0) reason.insert(behind, limit);
+    return reason.insert(behind + limit.size(), " of " + seconds_text(static_cast<std::int64_t>(*options.timeout_ms)));
+}
+
+}  // namespace grafverif::app
