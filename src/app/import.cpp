@@ -2,24 +2,26 @@
 // `import`: a chart of another format as our text.
 #include "app/files.hpp"
 #include "app/verbs.hpp"
+#include "grafverif/derive/derive.hpp"
 #include "grafverif/read/formats.hpp"
+#include "grafverif/read/text.hpp"
 #include "grafverif/support/messages.hpp"
 #include "grafverif/syntax/format.hpp"
-#include "grafverif/syntax/resolve.hpp"
 
 namespace grafverif::app {
 
 ExitCode import_chart(Job& job, const Streams& streams) {
     const auto source = read_source(job.options.operands[0], job);
     if (!source) return ExitCode::Input;
-    if (format_of(job.sources[*source].text) == FileFormat::Grafcet) {
-        job.diagnostics.add(messages::nothing_to_import({*source, 0, 0}, "chart in another language; `grafverif fmt` prints it"));
-        return ExitCode::Input;
-    }
+    const std::string_view text = job.sources[*source].text;
+    if (format_of(text) == FileFormat::Grafcet) job.diagnostics.add(messages::ours_already({*source, 0, 0}));
+    if (format_of(text) == FileFormat::Unknown) job.diagnostics.add(messages::unknown_format({*source, 0, 0}, ""));
+    if (job.diagnostics.has_errors()) return ExitCode::Input;
     tree::File file = read_any(*source, job.sources, {job.options.lossy}, job.diagnostics);
-    for (const tree::Declaration& declaration : file.declarations)
-        if (const auto* chart = std::get_if<tree::Chart>(&declaration); chart != nullptr && !file.broken)
-            resolve_chart(file, *chart, job.diagnostics);
+    // What is written, every verb reads: what they would refuse of the text is refused here, with its place in the file.
+    const auto model = file.broken ? std::nullopt : model_of({&file, 1}, false, job.sources, {}, job.diagnostics);
+    if (model)
+        for (const Chart& chart : model->charts) derive(chart, job.diagnostics);
     if (job.diagnostics.has_errors()) return ExitCode::Input;
     deliver(formatted(laid_out(std::move(file))), job, streams);
     return ExitCode::Done;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <string>
+#include <unordered_set>
 
 #include "grafverif/ir/type.hpp"
 #include "grafverif/support/messages.hpp"
@@ -156,6 +157,7 @@ std::vector<tree::ChartItem> declarations(AgrafeReader& reader) {
         tree::Variable variable;
         variable.name = reader.draft.name(one.name, where);
         variable.where = where;
+        if (!attribute(one.node, "variableDeclarationType")) reader.without_kind.insert(variable.name.word);
         if (type == "Integer") {
             variable.type = tree::TypeWord::Int;
             reader.integers.push_back({variable.name.word, written.kind == tree::VariableKind::Input, 0, least_integer, greatest_integer});
@@ -264,6 +266,25 @@ void keep_comments(AgrafeReader& reader, pugi::xml_node root) {
     }
 }
 
+/// A Boolean that continuous actions drive is an output, also where the file calls it internal, or nothing at all. It means
+/// the same: conditions read the steps that drive it.
+void drive_outputs(AgrafeReader& reader, const tree::File& file, tree::Chart& chart,
+                   const std::vector<std::vector<tree::Action>>& actions) {
+    std::unordered_set<Id<tree::Word>> driven;
+    for (const std::vector<tree::Action>& of_step : actions)
+        for (const tree::Action& action : of_step)
+            if (const auto* one = std::get_if<tree::ContinuousAction>(&action)) driven.insert(one->output.word);
+    for (tree::ChartItem& item : chart.items) {
+        auto& variables = std::get<tree::Variables>(item);
+        const tree::Variable& variable = variables.variables.front();
+        const bool open = variables.kind == tree::VariableKind::Internal || reader.without_kind.contains(variable.name.word);
+        if (!open || variable.type != tree::TypeWord::None || !driven.contains(variable.name.word)) continue;
+        variables.kind = tree::VariableKind::Output;
+        reader.diagnostics().add(messages::chosen_kind(variable.where, file.text(variable.name), "output",
+                                                       "continuous actions drive it, and conditions read the steps that do"));
+    }
+}
+
 void fill_ranges(AgrafeReader& reader, const tree::File& file, tree::Chart& chart) {
     const std::vector<FoundRange> found = ranges_of(file, chart, reader.integers);
     std::size_t next = 0;
@@ -305,6 +326,7 @@ tree::File read_agrafe(const Xml& xml, std::string_view name, bool lossy, Diagno
     chart.where = xml.where(xml.root());
     chart.items = declarations(reader);
     std::vector<std::vector<tree::Action>> actions = agrafe_actions(reader);
+    drive_outputs(reader, draft.file(), chart, actions);
     std::vector<std::vector<tree::ChartItem>> contents(actions.size());
     for (std::size_t i = 0; i < actions.size(); ++i) {
         const AgrafeEntity& one = reader.index[i];

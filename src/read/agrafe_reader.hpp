@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "read/agrafe_index.hpp"
@@ -22,6 +23,7 @@ struct AgrafeReader {
     std::string chart = {};
     std::unordered_map<std::string, std::size_t> namesakes = {};   ///< steps of a name, over all partial charts
     std::vector<OpenInteger> integers = {};
+    std::unordered_set<Id<tree::Word>> without_kind = {};   ///< variables of no declared kind: inputs by default
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
 

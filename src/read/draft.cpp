@@ -12,7 +12,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t deepest_expression = 1000;
-constexpr std::size_t longest_name = 1000;
+constexpr std::size_t longest_name = 900;   // of the 1000 bytes there are, with room for a prefix and a number
 
 /// The words that a name may not be: see grammars/grafcet.yy.
 constexpr std::array reserved = {"grafcet", "component", "closed_loop", "include", "input", "output", "internal",

@@ -119,9 +119,17 @@ void read_loops(Reading& reading, const tree::File& file, const LoopContext& con
 std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context,
                                Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
-    Reading reading{sources, context, diagnostics};
     bool files_missing = false;
     const std::vector<tree::File> files = parse_with_includes(file, sources, context, files_missing, diagnostics);
+    auto model = model_of(files, files_missing, sources, context, diagnostics);
+    if (diagnostics.errors() != errors) return {};
+    return model;
+}
+
+std::optional<Model> model_of(std::span<const tree::File> files, bool files_missing, Sources& sources,
+                              const ReadContext& context, Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    Reading reading{sources, context, diagnostics};
     for (const tree::File& parsed : files) read_parts(reading, parsed);
     for (const tree::File& parsed : files) take_components(reading, parsed);
     // What loops lack could be in a declaration that was lost to an error.

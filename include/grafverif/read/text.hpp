@@ -12,6 +12,7 @@
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "grafverif/support/source.hpp"
+#include "grafverif/syntax/tree.hpp"
 
 namespace grafverif {
 
@@ -32,5 +33,9 @@ struct ReadContext {
 /// Charts, components and loops of `file` and what it includes, in order; empty after at least one error.
 /// Guarantees verify(model).empty().
 std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context, Diagnostics& diagnostics);
+
+/// The same of files that are parsed already, whatever they include; `files_missing`: some could not be read.
+std::optional<Model> model_of(std::span<const tree::File> files, bool files_missing, Sources& sources,
+                              const ReadContext& context, Diagnostics& diagnostics);
 
 }  // namespace grafverif

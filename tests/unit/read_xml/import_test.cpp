@@ -51,13 +51,65 @@ TEST(Import, TellsFormatsFromTheirContent) {
     EXPECT_EQ(format_of("\xEF\xBB\xBF  <?xml version='1.0'?><a/>"), FileFormat::Xml);
     EXPECT_EQ(format_of("(* x *) program p"), FileFormat::StructuredText);
     EXPECT_EQ(format_of("/* x */ Function_Block f"), FileFormat::StructuredText);
-    EXPECT_EQ(format_of("programme"), FileFormat::Grafcet);
-    EXPECT_EQ(format_of(""), FileFormat::Grafcet);
+    EXPECT_EQ(format_of("/* x */ closed_loop w {"), FileFormat::Grafcet);
+    EXPECT_EQ(format_of("programme"), FileFormat::Unknown);
+    EXPECT_EQ(format_of(""), FileFormat::Unknown);
+}
+
+std::string utf16(const std::string& text) {
+    std::string wide = "\xFF\xFE";
+    for (const char c : text) (wide += c) += '\0';
+    return wide;
+}
+
+TEST(Import, TakesUtf16ForXmlOnlyWhereThereIsXml) {
+    EXPECT_EQ(format_of(utf16(" <project/>")), FileFormat::Xml);
+    EXPECT_EQ(format_of(utf16("grafcet g {}")), FileFormat::Unknown);
+    for (const std::string& text : {utf16("grafcet g { initial step 0; }"), utf16("PROGRAM p END_PROGRAM").substr(2)})
+        EXPECT_NE(imported(text).said.find("this text is UTF-16; save the file as UTF-8 text [invalid-utf8]"), std::string::npos)
+            << imported(text).said;
 }
 
 TEST(Import, TakesOverTheWholeMetaModelOfAgrafe) {
     const Imported result = imported(fixtures::agrafe);
     EXPECT_EQ(result.text, fixtures::agrafe_text) << result.said;
+}
+
+TEST(Import, TakesOverInternalVariablesThatContinuousActionsDriveAsOutputs) {
+    std::string driven = fixtures::agrafe;
+    const std::string output = "name=\"M\" variableDeclarationType=\"output\"";
+    driven.replace(driven.find(output), output.size(), "name=\"M\" variableDeclarationType=\"internal\"");
+    const std::string edge = "<transitions id=\"2\"><term xsi:type=\"t:FallingEdge\"><subterm xsi:type=\"t:Variable\" variableDeclaration=\"//@variableDeclarationContainer/@variableDeclarations.3\"/>";
+    const std::size_t at = driven.find(edge) + edge.size() - 4;
+    driven[at] = '1';   // the transition reads M
+    const Imported result = imported(driven);
+    std::string wanted = fixtures::agrafe_text;
+    wanted.replace(wanted.find("fall(G1.X1)"), 11, "fall(M)");
+    EXPECT_EQ(result.text, wanted) << result.said;
+    EXPECT_NE(result.said.find("`M` becomes an output: continuous actions drive it"), std::string::npos) << result.said;
+}
+
+TEST(Import, TakesOverVariablesWithoutAKindAsOutputsWhereActionsDriveThem) {
+    std::string driven = fixtures::agrafe, refused = fixtures::agrafe;
+    const std::string kind = " variableDeclarationType=\"output\"";
+    driven.erase(driven.find(kind), kind.size());
+    EXPECT_EQ(imported(driven).text, fixtures::agrafe_text);
+    refused.replace(refused.find(kind), kind.size(), " variableDeclarationType=\"input\"");
+    Sources sources;
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_text(sources.add({"chart.xml", refused}), sources, {}, diagnostics));
+    EXPECT_EQ(diagnostics.errors(), 1U);
+    EXPECT_EQ(diagnostics.all().back().code, "not-an-output") << "what is called an input stays one";
+}
+
+TEST(Import, CutsNamesSoThatTheirNumbersAndPrefixesFit) {
+    const std::string longest(1000, 'n');
+    std::string text = fixtures::agrafe;
+    for (const char* name : {"name=\"a\"", "name=\"M\"", "name=\"G1\"", "name=\"G2\""})
+        text.replace(text.find(name), std::string(name).size(), "name=\"" + longest + '"');
+    for (const char* id : {"id=\"1\" initial", "id=\"2\"/>"})
+        text.replace(text.find(id), std::string(id).size(), std::string(id).replace(4, 1, longest + id[4]));
+    EXPECT_NE(imported(text).text, "") << imported(text).said;
 }
 
 TEST(Import, TakesOverPlcopenWithPrioritiesInTheConditions) {
@@ -163,9 +215,7 @@ TEST(Import, RefusesStatementsUnderTheQualifiersThatOutliveTheirStep) {
 TEST(Import, ReadsOtherEncodings) {
     std::string latin = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<!-- Gr\xFC\xDF" "e -->\n" + fixtures::agrafe.substr(fixtures::agrafe.find("<g:"));
     EXPECT_FALSE(imported(latin).text.empty());
-    std::string wide = "\xFF\xFE";
-    for (const char c : fixtures::plcopen.substr(fixtures::plcopen.find("<project"))) (wide += c) += '\0';
-    EXPECT_EQ(imported(wide).text, fixtures::plcopen_text);
+    EXPECT_EQ(imported(utf16(fixtures::plcopen.substr(fixtures::plcopen.find("<project")))).text, fixtures::plcopen_text);
 }
 
 TEST(Import, LeavesOutOnlyWhenAskedTo) {
