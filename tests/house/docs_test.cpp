@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the documents show is what the program does: each `$ grafverif ...` of a console block is run and its output
-// compared (a line `...` stands for any lines), and each grafcet block parses.
+// What the documents show is what the program does: each `$ ...` of a console block is run and its output compared (a line
+// `...` stands for any lines); each grafcet block is canonical text, and what it shows of a closed loop is as `check` finds it:
+// a property holds, or says `expected violated`. Commands find the grafcet blocks of their page as files, named after
+// the last chart, component or loop in them.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -9,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -30,7 +33,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 struct Block {
-    std::string language = {};
+    std::string language = {};   ///< what stands behind the opening fence
     std::vector<std::string> lines = {};
     std::size_t line = 0;   ///< of the opening fence, from 1
 };
@@ -60,6 +63,21 @@ std::vector<fs::path> documents() {
     return found;
 }
 
+std::string written(const Block& block) {
+    std::string text;
+    for (const std::string& line : block.lines) text += line + '\n';
+    return text;
+}
+
+/// The last thing that the block declares.
+std::string name_of(const Block& block) {
+    static const std::regex pattern("(?:^|\n)(?:grafcet|component|closed_loop) (\\w+)");
+    const std::string text = written(block);
+    std::string name = "block";
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) name = (*match)[1];
+    return name;
+}
+
 /// A folder where the documents' commands run: the samples beside it, as in the repository's root.
 class Workplace {
 public:
@@ -71,6 +89,8 @@ public:
     Workplace(const Workplace&) = delete;
     Workplace& operator=(const Workplace&) = delete;
     ~Workplace() { fs::remove_all(folder_); }
+
+    void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
 
     /// Both streams of `command`, run by a shell in the folder.
     std::string output_of(const std::string& command) const {
@@ -102,14 +122,17 @@ bool matches(const std::vector<std::string>& expected, std::size_t e, const std:
 TEST(Documents, ShowTheRealOutputOfTheirCommands) {
     std::size_t commands = 0;
     for (const fs::path& document : documents()) {
-        for (const Block& block : blocks_of(document)) {
+        const std::vector<Block> blocks = blocks_of(document);
+        for (const Block& block : blocks) {
             if (block.language != "console") continue;
             const Workplace workplace;
+            for (const Block& shown : blocks)
+                if (shown.language == "grafcet") workplace.write(name_of(shown) + ".grafcet", written(shown));
             for (std::size_t i = 0; i < block.lines.size();) {
                 const std::string command = block.lines[i].starts_with("$ ") ? block.lines[i].substr(2) : "";
                 std::vector<std::string> expected;
                 for (++i; i < block.lines.size() && !block.lines[i].starts_with("$ "); ++i) expected.push_back(block.lines[i]);
-                if (!command.starts_with("grafverif ")) continue;
+                ASSERT_NE(command, "") << document << ':' << block.line << ": a console block begins with `$ `";
                 ++commands;
                 const std::string output = workplace.output_of(command);
                 EXPECT_TRUE(matches(expected, 0, lines_of(output), 0))
@@ -117,26 +140,49 @@ TEST(Documents, ShowTheRealOutputOfTheirCommands) {
             }
         }
     }
-    EXPECT_GT(commands, 3u);
+    EXPECT_GT(commands, 30u);
 }
 
-TEST(Documents, ShowChartsThatParse) {
+TEST(Documents, ShowCanonicalText) {
     std::size_t charts = 0;
     for (const fs::path& document : documents()) {
         for (const Block& block : blocks_of(document)) {
-            if (block.language != "grafcet") continue;
+            if (!block.language.starts_with("grafcet")) continue;
             ++charts;
+            std::string text = written(block);
+            if (block.language != "grafcet") {   // `grafcet closed_loop`: what stands in one
+                text = "closed_loop page {\n";
+                for (const std::string& line : block.lines) text += (line.empty() ? "" : "    ") + line + '\n';
+                text += "}\n";
+            }
             const Workplace workplace;
-            const std::string here = workplace.output_of("pwd");
-            const fs::path file = fs::path(here.substr(0, here.size() - 1)) / "block.grafcet";
-            std::ofstream out(file);
-            for (const std::string& line : block.lines) out << line << '\n';
-            out.close();
-            EXPECT_EQ(workplace.output_of("grafverif fmt block.grafcet >/dev/null"), "")
-                << document << ':' << block.line;
+            workplace.write("block.grafcet", text);
+            EXPECT_EQ(workplace.output_of("grafverif fmt block.grafcet"), text) << document << ':' << block.line;
         }
     }
-    EXPECT_GT(charts, 5u);
+    EXPECT_GT(charts, 15u);
+}
+
+TEST(Documents, ClaimVerdictsOfTheirLoopsThatCheckFinds) {
+    std::size_t loops = 0;
+    for (const fs::path& document : documents()) {
+        for (const Block& block : blocks_of(document)) {
+            const std::string text = written(block);
+            if (block.language != "grafcet" || text.find("closed_loop ") == std::string::npos) continue;
+            ++loops;
+            const Workplace workplace;
+            workplace.write("block.grafcet", text);
+            const std::string said = workplace.output_of("grafverif check block.grafcet && echo as claimed");
+            EXPECT_TRUE(said.ends_with("as claimed\n")) << document << ':' << block.line << '\n' << said;
+        }
+    }
+    EXPECT_GE(loops, 4u);
+}
+
+TEST(Documents, HaveTheirCommandsInConsoleBlocks) {
+    for (const fs::path& document : documents())
+        for (const std::string& line : lines_of(text_of(document)))
+            EXPECT_FALSE(line.starts_with("    $ ")) << document << ": `" << line << "` stands in no console block";
 }
 
 TEST(Documents, NameOnlyFilesThatExist) {
