@@ -3,6 +3,7 @@
 // property holds needs all of them: a search that came to its end, a model that breaks off nowhere, and integer time
 // that tells the truth about dense time.
 #include <algorithm>
+#include <new>
 
 #include "check/questions.hpp"
 #include "grafverif/support/overloaded.hpp"
@@ -22,10 +23,11 @@ void unknown(Verdict& verdict, Obstacle obstacle, std::string reason) {
     verdict.reason = std::move(reason);
 }
 
-std::string text_of(Obstacle ended, const Graph& graph, const TimedOptions& options) {
+std::string text_of(Obstacle ended, const Graph& graph, const Limits& limits) {
     const std::string states = std::to_string(graph.states()) + " states";
     if (ended == Obstacle::Bound) return "the bound is reached: " + states;
-    if (ended == Obstacle::Memory) return "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up after " + states;
+    if (ended == Obstacle::Memory && !limits.allowed_used()) return "there is no more memory after " + states;
+    if (ended == Obstacle::Memory) return "the memory allowed, " + std::to_string(limits.max_memory() >> 20U) + " MiB, is used up after " + states;
     return "stopped after " + states;
 }
 
@@ -58,14 +60,21 @@ Lasso without_time(Graph& graph, std::uint32_t state) {
 
 }  // namespace
 
-std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors, const Limits& limits,
-                                        const TimedOptions& options) {
-    if (ended != Obstacle::None) outcomes_ = {ended, text_of(ended, graph, options)};
+std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors, const Limits& limits) {
+    if (ended == Obstacle::Unsupported) outcomes_ = {ended, "a state of this model takes more memory than the timed engine can address"};
+    else if (ended != Obstacle::None) outcomes_ = {ended, text_of(ended, graph, limits)};
     else if (!errors.empty()) outcomes_ = {Obstacle::Faulty, text_of(errors.front(), network_)};
     else if (inexact_) outcomes_ = {Obstacle::Inexact, inexact_reason()};
     std::vector<Verdict> verdicts;
     for (Question& question : questions_) {
-        if (question.verdict.obstacle == Obstacle::None) answer(question, graph, limits);
+        try {
+            if (question.verdict.obstacle == Obstacle::None && graph.states() == 0) unknown(question.verdict, ended, outcomes_.reason);
+            if (question.verdict.obstacle == Obstacle::None) answer(question, graph, limits);
+        } catch (const Limits::Stop&) {
+            unknown(question.verdict, Obstacle::Stopped, "stopped");
+        } catch (const std::bad_alloc&) {
+            unknown(question.verdict, Obstacle::Memory, "no memory is left to judge what was searched");
+        }
         if (question.verdict.outcome == Outcome::Holds) mark_vacuous(question, graph);
         verdicts.push_back(std::move(question.verdict));
     }
@@ -79,7 +88,7 @@ void Questions::answer(Question& question, Graph& graph, const Limits& limits) {
     case Pattern::Always: case Pattern::Never: case Pattern::ExactlyOneOf:
     case Pattern::Reachable: case Pattern::ReachableAllSteps: return answer_state(question, graph);
     case Pattern::Inevitable: case Pattern::LeadsTo: return answer_liveness(question, graph, limits);
-    case Pattern::NoDeadlock: return answer_deadlock(question, graph);
+    case Pattern::NoDeadlock: return answer_deadlock(question, graph, limits);
     case Pattern::NoTimelock: return answer_timelock(question, graph, limits);
     case Pattern::AlwaysPossible: return answer_possible(question, graph, limits);
     case Pattern::RawUppaal: case Pattern::RawCtl: case Pattern::RawLtl: break;
@@ -107,9 +116,10 @@ void Questions::answer_state(Question& question, Graph& graph) const {
 }
 
 /// The states where `predicate` holds; nothing, and the verdict unknown, where it has no value in some state.
-std::optional<StateSet> Questions::states_where(Question& question, Graph& graph, std::uint32_t predicate) const {
+std::optional<StateSet> Questions::states_where(Question& question, Graph& graph, std::uint32_t predicate, const Limits& limits) const {
     StateSet set(graph.states());
     for (std::uint32_t state = 0; state < graph.states(); ++state) {
+        limits.poll();
         const End end = graph.holds(predicate, state);
         if (end == End::Yes) set.add(state);
         if (end != End::NoValue) continue;
@@ -121,13 +131,13 @@ std::optional<StateSet> Questions::states_where(Question& question, Graph& graph
 
 void Questions::answer_liveness(Question& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
-    std::optional<StateSet> met = states_where(question, graph, question.q);
+    std::optional<StateSet> met = states_where(question, graph, question.q, limits);
     if (!met) return;
     std::vector<std::uint32_t> roots;
     if (question.property->pattern == Pattern::Inevitable) {
         if (!met->has(0)) roots.push_back(0);
     } else {
-        const std::optional<StateSet> asked = states_where(question, graph, question.p);
+        const std::optional<StateSet> asked = states_where(question, graph, question.p, limits);
         if (!asked) return;
         for (std::uint32_t state = 0; state < graph.states(); ++state)
             if (!met->has(state) && asked->has(state)) roots.push_back(state);
@@ -142,9 +152,9 @@ void Questions::answer_liveness(Question& question, Graph& graph, const Limits& 
     violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
 }
 
-void Questions::answer_deadlock(Question& question, Graph& graph) {
+void Questions::answer_deadlock(Question& question, Graph& graph, const Limits& limits) {
     const auto judged = [&](std::uint32_t state) { return graph.holds(question.p, state) == End::Yes; };
-    const std::optional<std::uint32_t> state = first_deadlock(graph, judged);
+    const std::optional<std::uint32_t> state = first_deadlock(graph, judged, limits);
     if (state && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     if (state) return violated(question.verdict, graph.run_to(*state));
     holds_if_dense(question, graph, graph.stuck_gap);
@@ -153,8 +163,10 @@ void Questions::answer_deadlock(Question& question, Graph& graph) {
 void Questions::answer_timelock(Question& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
     StateSet passes(graph.states());
-    for (std::uint32_t state = 0; state < graph.looked_at; ++state)
+    for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
+        limits.poll();
         if (graph.passes(state)) passes.add(state);
+    }
     auto locked = out_of_reach(graph, passes, Ways::Edges, limits);
     if (!locked) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     std::erase_if(*locked, [&](std::uint32_t state) { return graph.holds(question.p, state) != End::Yes; });
@@ -166,8 +178,10 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
     holds_if_dense(question, graph, graph.time_gap);
     if (question.verdict.outcome != Outcome::Holds) return;
     StateSet calm(graph.states());
-    for (std::uint32_t state = 0; state < graph.looked_at; ++state)
+    for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
+        limits.poll();
         if (graph.way(state) != Way::Urgent) calm.add(state);
+    }
     const auto restless = out_of_reach(graph, calm, Ways::UrgentEdges, limits);
     if (!restless) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (!restless->empty())
@@ -176,7 +190,7 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
 
 void Questions::answer_possible(Question& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
-    std::optional<StateSet> goal = states_where(question, graph, question.p);
+    std::optional<StateSet> goal = states_where(question, graph, question.p, limits);
     if (!goal) return;
     const auto lost = out_of_reach(graph, *goal, Ways::All, limits);
     if (!lost) return unknown(question.verdict, Obstacle::Stopped, "stopped");

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 namespace grafverif::timed {
 
@@ -21,11 +22,11 @@ bool Limits::stopped() const {
     return options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline;
 }
 
-Obstacle Limits::judge(const Graph& graph, std::uint32_t state) {
+Obstacle Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more) {
     if (stopped()) return Obstacle::Stopped;
     // Links let the index go before properties are judged; without them judging comes on top.
-    const std::size_t bytes = graph.bytes() + (graph.linked ? 0 : 16 * graph.states());
-    if (bytes > options_.max_memory) return Obstacle::Memory;
+    const std::size_t bytes = graph.bytes() + more + (graph.linked ? 0 : 16 * graph.states());
+    if (allowed_used_ = bytes > options_.max_memory; allowed_used_) return Obstacle::Memory;
     if (!options_.progress) return Obstacle::None;
     const double now = seconds();
     if (now - shown_ < 0.2) return Obstacle::None;
@@ -38,6 +39,9 @@ namespace {
 
 constexpr std::uint32_t ahead = 16;             // states whose moves are computed before they are looked up
 constexpr std::uint32_t judge_every = 1024;     // states between two looks at the limits
+constexpr std::size_t judge_after = 1U << 21U;  // words of states computed between them, at most
+constexpr std::size_t ahead_words = 1U << 22U;  // in the moves computed ahead, beyond which one state ahead must do
+constexpr std::size_t kept_words = 1U << 20U;   // of the moves of one state, for those of another
 constexpr std::size_t link_bytes = 24;          // per state; above it links are dropped
 constexpr std::size_t link_grace = 1U << 18U;   // but not before they take so many in all
 
@@ -50,8 +54,10 @@ public:
         discover(initial.data(), graph_.machine.hash(initial.data()), 0);
         for (std::uint32_t state = 0; state < graph_.states(); ++state) {
             if (limits.too_many(graph_.states())) return Obstacle::Bound;
-            if (state % judge_every == 0)
-                if (const Obstacle obstacle = limits.judge(graph_, state); obstacle != Obstacle::None) return obstacle;
+            if (state % judge_every == 0 || computed_words_ > judge_after) {
+                computed_words_ = 0;
+                if (const Obstacle obstacle = limits.judge(graph_, state, held()); obstacle != Obstacle::None) return obstacle;
+            }
             if (state == level_end_ || state == 0) {
                 graph_.levels.push_back(state);
                 level_end_ = static_cast<std::uint32_t>(graph_.states());
@@ -59,6 +65,7 @@ public:
             look_ahead(state);
             visit(state);
             graph_.looked_at = state + 1;
+            if (Moves& done = ring_[state % ahead]; done.words.size() > kept_words) done.words = {};
             drop_links_if_many();
         }
         return Obstacle::None;
@@ -69,8 +76,17 @@ private:
         return std::ranges::any_of(races_, [&](const Field& race) { return race.raw(words) != 0; });
     }
 
-    /// The number of the state; a new one is watched and gets its parent.
+    /// Bytes of the moves ahead.
+    std::size_t held() const {
+        std::size_t words = 0;
+        for (const Moves& moves : ring_) words += moves.words.capacity();
+        return words * sizeof(Word);
+    }
+
+    /// The number of the state; a new one is watched and gets its parent: all of it, or nothing where memory ends.
     std::uint32_t discover(const Word* words, std::uint64_t hash, std::uint32_t parent) {
+        graph_.parent.make_room();
+        graph_.ways.make_room();
         const Store::Interned interned = graph_.store.intern(words, hash);
         if (!interned.fresh) return interned.state;
         graph_.parent.push_back(parent);
@@ -80,12 +96,15 @@ private:
     }
 
     void look_ahead(std::uint32_t state) {
-        const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(graph_.states(), state + ahead));
+        const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(graph_.states(), state + depth_));
         for (; computed_ < end; ++computed_) {
             Moves& moves = ring_[computed_ % ahead];
             const Word* const words = graph_.load(computed_);
             if (races(words)) { moves.successors.clear(); continue; }
             graph_.machine.expand(words, moves);
+            const std::size_t computed = moves.successors.size() * graph_.machine.layout().words;
+            computed_words_ += computed;
+            if (depth_ > 1 && computed > ahead_words / ahead) depth_ = 1;
             for (const Successor& successor : moves.successors) graph_.store.prefetch(successor.hash);
         }
     }
@@ -154,6 +173,8 @@ private:
     Watch& watch_;
     const std::vector<Field>& races_;
     std::array<Moves, ahead> ring_ = {};
+    std::uint32_t depth_ = ahead;          // of the look ahead
+    std::size_t computed_words_ = 0;       // since the last look at the limits
     std::uint32_t computed_ = 0;    // the states below have their moves in the ring, or are done
     std::uint32_t level_end_ = 0;
     std::vector<Word> time_ = {};
@@ -162,7 +183,11 @@ private:
 }  // namespace
 
 Obstacle explore(Graph& graph, Watch& watch, const std::vector<Field>& races, Limits& limits) {
-    return Search(graph, watch, races).run(limits);
+    try {
+        return Search(graph, watch, races).run(limits);
+    } catch (const std::bad_alloc&) {
+        return Obstacle::Memory;   // the states found are whole, those looked at have their links
+    }
 }
 
 }  // namespace grafverif::timed

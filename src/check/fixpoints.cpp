@@ -16,6 +16,7 @@ bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, c
         if (limits.stopped()) return false;
         before = open.size();
         std::erase_if(open, [&](std::uint32_t state) {
+            limits.poll();
             if (!decided(state)) return false;
             set.add(state);
             return true;
@@ -105,12 +106,13 @@ std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<s
     return true;
 }
 
-std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged) {
+std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged, const Limits& limits) {
     StateSet alive(graph.states());
     const auto goes_on = [&](std::uint32_t state) {
         return !graph.open(state) && !alive.has(state) && graph.way(state) == Way::Passes && graph.target(state) != state;
     };
     for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
+        limits.poll();
         std::uint32_t end = state;
         while (goes_on(end)) end = graph.target(end);
         const bool dead = !graph.open(end) && !alive.has(end) && (graph.way(end) == Way::Stuck || graph.way(end) == Way::Passes);

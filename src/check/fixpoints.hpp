@@ -36,6 +36,7 @@ struct Lasso {
 Lasso avoiding(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots, bool endless);
 
 /// The first state that is `judged` and from which no edge can fire, now or after any delay.
-std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged);
+std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged,
+                                            const Limits& limits);
 
 }  // namespace grafverif::timed

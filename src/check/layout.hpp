@@ -33,6 +33,9 @@ struct Field {
 };
 
 struct Layout {
+    static constexpr std::size_t most_words = std::size_t{1} << 16U;   ///< that a field can name; for more, `fits` is false
+    bool fits() const { return words <= most_words; }
+
     std::vector<Field> locations = {};             ///< per process
     std::vector<Field> variables = {};             ///< per variable
     std::vector<std::vector<Field>> clocks = {};   ///< per process and clock

@@ -8,7 +8,6 @@
 namespace grafverif::timed {
 
 void Machine::expand(const Word* words, Moves& moves) {
-    if (moves.words.size() < most_ * layout_.words) moves.words.resize(most_ * layout_.words);
     moves.successors.clear();
     moves.urgent = false;
     moves.fault.reset();
@@ -42,6 +41,7 @@ void Machine::expand(const Word* words, Moves& moves) {
 }
 
 void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) {
+    if (const std::size_t room = (moves.successors.size() + 1) * layout_.words; moves.words.size() < room) moves.words.resize(2 * room);
     Word* const next = moves.words.data() + moves.successors.size() * layout_.words;
     for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
     const Ran ran = run(program_, edges_[edge].effect, next, registers_.data());

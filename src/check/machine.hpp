@@ -121,7 +121,6 @@ private:
     std::vector<Row> rows_ = {};
     std::vector<Place> places_ = {};
     std::vector<std::int64_t> registers_ = {};
-    std::size_t most_ = 0;   // successors of one state
     bool timed_ = false;
 };
 

@@ -36,7 +36,6 @@ void Machine::compile(Id<Network::Process> process) {
     places_.push_back({field.mask(), static_cast<std::uint32_t>(rows_.size()), field.word, field.shift});
     std::vector<std::vector<Id<Network::Edge>>> leaving(automaton.locations.size());
     for (const Id<Network::Edge> edge : automaton.edges.ids()) leaving[automaton.edges[edge].from.index].push_back(edge);
-    std::size_t most = 0;
     for (const Id<Network::Location> location : automaton.locations.ids()) {
         Row row;
         compile_ticks(process, location, row);
@@ -45,9 +44,7 @@ void Machine::compile(Id<Network::Process> process) {
             if (!is_false(network_.exprs, automaton.edges[edge].guard)) edges_.push_back(compile_edge(process, edge));
         row.last = static_cast<std::uint32_t>(edges_.size());
         rows_.push_back(row);
-        most = std::max<std::size_t>(most, row.last - row.first);
     }
-    most_ += most;
 }
 
 void Machine::compile_ticks(Id<Network::Process> process, Id<Network::Location> location, Row& row) {

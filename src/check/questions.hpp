@@ -18,8 +18,7 @@ public:
 
     void ask(const Property& property, bool declared);
     /// The verdicts, after a search that `ended`.
-    std::vector<Verdict> answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors, const Limits& limits,
-                                 const TimedOptions& options);
+    std::vector<Verdict> answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors, const Limits& limits);
 
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -47,13 +46,13 @@ private:
     void answer(Question& question, Graph& graph, const Limits& limits);
     void answer_state(Question& question, Graph& graph) const;
     void answer_liveness(Question& question, Graph& graph, const Limits& limits);
-    void answer_deadlock(Question& question, Graph& graph);
+    void answer_deadlock(Question& question, Graph& graph, const Limits& limits);
     void answer_timelock(Question& question, Graph& graph, const Limits& limits);
     void answer_possible(Question& question, Graph& graph, const Limits& limits);
     void holds_unless(Question& question, Obstacle obstacle, const std::string& reason) const;
     void holds_if_dense(Question& question, Graph& graph, const std::optional<GapAt>& gap) const;
     void mark_vacuous(Question& question, const Graph& graph) const;
-    std::optional<StateSet> states_where(Question& question, Graph& graph, std::uint32_t predicate) const;
+    std::optional<StateSet> states_where(Question& question, Graph& graph, std::uint32_t predicate, const Limits& limits) const;
     std::string place_of(Graph& graph, const GapAt& gap) const;
     std::string inexact_reason() const;
 

@@ -23,8 +23,12 @@ public:
     T& operator[](std::size_t i) { return chunks_[i >> shift][i & (chunk - 1)]; }
     const T& operator[](std::size_t i) const { return chunks_[i >> shift][i & (chunk - 1)]; }
     void push_back(T value) {
-        if ((size_ & (chunk - 1)) == 0 && (size_ >> shift) == chunks_.size()) chunks_.push_back(std::make_unique_for_overwrite<T[]>(chunk));
+        make_room();
         (*this)[size_++] = value;
+    }
+    /// The next `push_back` needs no memory.
+    void make_room() {
+        if ((size_ & (chunk - 1)) == 0 && (size_ >> shift) == chunks_.size()) chunks_.push_back(std::make_unique_for_overwrite<T[]>(chunk));
     }
     void pop_back() { --size_; }
     T& back() { return (*this)[size_ - 1]; }

@@ -2,6 +2,9 @@
 #include "grafverif/check/symbolic.hpp"
 
 #include <algorithm>
+#include <new>
+#include <string_view>
+#include <unordered_set>
 
 #include "check/symbolic_questions.hpp"
 
@@ -11,10 +14,6 @@ namespace symbolic {
 
 namespace {
 
-bool is_asked(const SymbolicOptions& options, const Property& property) {
-    return options.properties.empty() || std::ranges::find(options.properties, property.name) != options.properties.end();
-}
-
 /// One check, from the space of diagrams to the verdicts.
 class Check {
 public:
@@ -23,8 +22,9 @@ public:
           flat_(flattened(system)),
           space_({options.max_memory, options.deadline, options.stop}),
           questions_(system, flat_) {
+        const std::unordered_set<std::string_view> asked(options.properties.begin(), options.properties.end());
         for (const Property& property : system.properties)
-            if (is_asked(options, property)) questions_.ask(property);
+            if (asked.empty() || asked.contains(property.name)) questions_.ask(property);
     }
 
     SymbolicResult result() {
@@ -35,6 +35,8 @@ public:
             result_.fault = fault(*model);
         } catch (const BddExhausted& exhausted) {
             note(exhausted);
+        } catch (const std::bad_alloc&) {
+            note(BddExhausted(BddExhausted::Cause::Memory));
         }
         if (!result_.fault && search_.obstacle == Obstacle::None)
             result_.states = count(search_.reached, model->state_bits());

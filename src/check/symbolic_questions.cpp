@@ -2,6 +2,8 @@
 #include "check/symbolic_questions.hpp"
 
 #include <algorithm>
+#include <new>
+#include <utility>
 
 #include "grafverif/support/overloaded.hpp"
 
@@ -69,16 +71,25 @@ void Questions::ask(const Property& property) {
 
 std::vector<Found> Questions::answers(const StateSpace* model, const Search& search, const SymbolicOptions& options) {
     std::vector<Found> all;
+    Obstacle obstacle = model == nullptr ? search.obstacle : Obstacle::None;   // met by every question to come
+    std::string reason = search.reason;
     for (const Question& question : questions_) {
         Found found;
+        const auto exhausted = [&](Obstacle what, std::string why) {
+            unknown(found.verdict, what, why);
+            if (what != Obstacle::Stopped) return;   // with less to do, the memory may do
+            obstacle = what;
+            reason = std::move(why);
+        };
+        const auto no_memory = [&] { return "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up"; };
         try {
-            if (model != nullptr) found = answer(question, *model, search);
-            else unknown(found.verdict, search.obstacle, search.reason);
-        } catch (const BddExhausted& exhausted) {
-            const bool memory = exhausted.cause() == BddExhausted::Cause::Memory;
-            unknown(found.verdict, memory ? Obstacle::Memory : Obstacle::Stopped,
-                    memory ? "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up"
-                           : "stopped");
+            if (obstacle == Obstacle::None) found = answer(question, *model, search);
+            else unknown(found.verdict, obstacle, reason);
+        } catch (const BddExhausted& failure) {
+            if (failure.cause() == BddExhausted::Cause::Memory) exhausted(Obstacle::Memory, no_memory());
+            else exhausted(Obstacle::Stopped, "stopped");
+        } catch (const std::bad_alloc&) {
+            exhausted(Obstacle::Memory, no_memory());
         }
         const Property& property = *question.property;
         found.verdict.property = property.name;

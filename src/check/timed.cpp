@@ -65,14 +65,14 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     graph.linked = options.keep_links;
     std::vector<timed::Field> races;
     if (flat.race.valid()) races.push_back(machine.layout().variables[flat.race.index]);
-    const Obstacle ended = timed::explore(graph, watch, races, limits);
+    const Obstacle ended = machine.layout().fits() ? timed::explore(graph, watch, races, limits) : Obstacle::Unsupported;
 
     TimedResult result;
     result.bytes = graph.bytes();
     result.state_bytes = graph.store.state_bytes();
     if (graph.linked) graph.store.drop_index();
     result.errors = errors_of(graph);
-    result.verdicts = questions.answers(graph, ended, result.errors, limits, options);
+    result.verdicts = questions.answers(graph, ended, result.errors, limits);
     result.states = graph.states();
     result.transitions = graph.transitions;
     result.complete = ended == Obstacle::None;

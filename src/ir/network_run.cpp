@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "grafverif/support/overloaded.hpp"
 
@@ -61,18 +62,29 @@ Step assign(const Network& network, NetworkState& state, const Network::Process&
     return {};
 }
 
-Step fire(const Network& network, NetworkState& state, const Fire& move) {
+/// Whether the edge may begin to fire; then `clocks` are those of its process, after the resets.
+Step begin(const Network& network, const NetworkState& state, const Fire& move, std::vector<std::int64_t>& clocks) {
     const Network::Process& process = network.processes[move.process];
     const Network::Template& shape = automaton(network, move.process);
     const Network::Edge& edge = shape.edges[move.edge];
-    std::vector<std::int64_t>& clocks = state.clocks[move.process.index];
     if (state.locations[move.process.index] != edge.from) return {Step::Result::Blocked, {}};
     const auto guard = evaluate(network.exprs, edge.guard, meaning(state, process));
     if (!guard) return {Step::Result::NoValue, {}};
+    clocks = state.clocks[move.process.index];
     if (*guard == 0 || !satisfied(network, move.process, edge.constraint, clocks)) return {Step::Result::Blocked, {}};
 
     for (const Id<Network::Clock> clock : edge.resets) clocks[clock.index] = 0;
-    if (!satisfied(network, move.process, shape.locations[edge.to].invariant, clocks)) return {Step::Result::Blocked, {}};
+    const bool allowed = satisfied(network, move.process, shape.locations[edge.to].invariant, clocks);
+    return {allowed ? Step::Result::Done : Step::Result::Blocked, {}};
+}
+
+Step fire(const Network& network, NetworkState& state, const Fire& move) {
+    std::vector<std::int64_t> clocks;
+    if (const Step step = begin(network, state, move, clocks); step.result != Step::Result::Done) return step;
+    const Network::Process& process = network.processes[move.process];
+    const Network::Template& shape = automaton(network, move.process);
+    const Network::Edge& edge = shape.edges[move.edge];
+    state.clocks[move.process.index] = std::move(clocks);
     if (const Step step = assign(network, state, process, edge.assignments); step.result != Step::Result::Done) return step;
     for (const Id<Network::Procedure> call : edge.calls) {
         const Step step = assign(network, state, process, shape.procedures[call].assignments);
@@ -122,12 +134,12 @@ Step perform(const Network& network, NetworkState& state, const Move& move) {
 
 std::vector<Fire> enabled(const Network& network, const NetworkState& state) {
     std::vector<Fire> moves;
+    std::vector<std::int64_t> clocks;
     for (const Id<Network::Process> process : network.processes.ids()) {
         const Network::Template& shape = automaton(network, process);
         for (const Id<Network::Edge> edge : shape.edges.ids()) {
-            if (shape.edges[edge].from != state.locations[process.index]) continue;
-            NetworkState next = state;
-            if (perform(network, next, Fire{process, edge}).result != Step::Result::Blocked) moves.push_back({process, edge});
+            const Fire move{process, edge};
+            if (begin(network, state, move, clocks).result != Step::Result::Blocked) moves.push_back(move);
         }
     }
     return moves;
