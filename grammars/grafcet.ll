@@ -5,6 +5,8 @@
 %option prefix="grafcet_"
 
 %{
+#include <new>
+
 #include "syntax/lexer.hpp"
 
 using Kind = grafverif::tree::Parser::token;
@@ -12,7 +14,7 @@ using Kind = grafverif::tree::Parser::token;
 // NOLINTBEGIN
 #define YY_DECL grafverif::tree::Parser::symbol_type grafcet_scan(grafverif::tree::Lexer& lexer, yyscan_t yyscanner)
 #define YY_USER_ACTION lexer.advance({yytext, static_cast<std::size_t>(yyleng)});
-#define YY_FATAL_ERROR(message) grafverif::unreachable()
+#define YY_FATAL_ERROR(message) throw std::bad_alloc()   /* the one that can happen: memory is refused */
 // NOLINTEND
 %}
 
@@ -158,7 +160,7 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 namespace grafverif::tree {
 
 Scanner::Scanner(std::string_view text) {
-    grafcet_lex_init(&state_);
+    if (grafcet_lex_init(&state_) != 0) throw std::bad_alloc();
     grafcet__scan_bytes(text.data(), static_cast<int>(text.size()), state_);
 }
 

@@ -5,6 +5,8 @@
 %option prefix="st_"
 
 %{
+#include <new>
+
 #include "syntax/st_lexer.hpp"
 
 using Kind = grafverif::st::Parser::token;
@@ -13,7 +15,7 @@ using Section = grafverif::st::Section;
 // NOLINTBEGIN
 #define YY_DECL grafverif::st::Parser::symbol_type st_scan(grafverif::st::Lexer& lexer, yyscan_t yyscanner)
 #define YY_USER_ACTION lexer.advance(static_cast<std::size_t>(yyleng));
-#define YY_FATAL_ERROR(message) grafverif::unreachable()
+#define YY_FATAL_ERROR(message) throw std::bad_alloc()   /* the one that can happen: memory is refused */
 // NOLINTEND
 #define MATCH std::string_view(yytext, static_cast<std::size_t>(yyleng))
 %}
@@ -140,7 +142,7 @@ NAME        [A-Z_][A-Z0-9_]*
 namespace grafverif::st {
 
 Scanner::Scanner(std::string_view text) {
-    st_lex_init(&state_);
+    if (st_lex_init(&state_) != 0) throw std::bad_alloc();
     st__scan_bytes(text.data(), static_cast<int>(text.size()), state_);
 }
 

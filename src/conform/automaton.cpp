@@ -98,7 +98,8 @@ private:
             return false;
         }
         if (next % 4096 == 0) {
-            if (options_.stop != nullptr && options_.stop->load()) throw BddExhausted(BddExhausted::Cause::Stopped);
+            const bool late = options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline;
+            if (late || (options_.stop != nullptr && options_.stop->load())) throw BddExhausted(BddExhausted::Cause::Stopped);
             if (options_.progress) options_.progress({automaton_.locations.size(), next, automaton_.evolutions.size()});
         }
         return true;

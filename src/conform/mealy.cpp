@@ -49,7 +49,7 @@ class Builder {
 public:
     Builder(const Automaton& automaton, const MealyOptions& options, Diagnostics& diagnostics)
         : automaton_(automaton), options_(options), diagnostics_(diagnostics),
-          space_(types(automaton), {options.max_memory, {}, nullptr}),
+          space_(types(automaton), {options.max_memory, options.deadline, options.stop}),
           terms_(automaton.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }),
           conditions_(space_, machine_.exprs) {
         space_.assume(condition(automaton.assumed));
@@ -79,12 +79,17 @@ public:
                 diagnostics_.add(messages::too_many_states(automaton_.origin, options_.max_states));
                 return {};
             }
+            if (next % 4096 == 0 && over()) throw BddExhausted(BddExhausted::Cause::Stopped);
             add_transitions(next);
         }
         return std::move(machine_);
     }
 
 private:
+    bool over() const {
+        return (options_.stop != nullptr && options_.stop->load()) || (options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline);
+    }
+
     static std::vector<Type> types(const Automaton& automaton) {
         std::vector<Type> all;
         for (const Automaton::Input& input : automaton.inputs) all.push_back(input.type);
@@ -328,8 +333,9 @@ std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, co
                                           Diagnostics& diagnostics) {
     try {
         return Builder(automaton, options, diagnostics).machine();
-    } catch (const BddExhausted&) {
-        diagnostics.add(messages::automaton_too_large(automaton.origin));
+    } catch (const BddExhausted& exhausted) {
+        diagnostics.add(exhausted.cause() == BddExhausted::Cause::Memory ? messages::automaton_too_large(automaton.origin)
+                                                                         : messages::stopped(automaton.origin));
         return {};
     }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <unordered_set>
 
 #include "grafverif/support/messages.hpp"
@@ -63,6 +64,7 @@ std::optional<Xml> Xml::read(Id<Source> source, Sources& sources, Diagnostics& d
     const unsigned flags = pugi::parse_cdata | pugi::parse_comments | pugi::parse_doctype;
     const pugi::xml_parse_result result =
         xml.document_.load_buffer_inplace(xml.buffer_.data(), xml.buffer_.size(), flags, pugi::encoding_utf8);
+    if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
     if (!result) {
         diagnostics.add(messages::broken_xml(place(static_cast<std::size_t>(result.offset)), described(result.status)));
         return {};

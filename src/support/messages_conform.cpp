@@ -41,7 +41,7 @@ Diagnostic out_of_range_in_location(Span where, std::string_view variable, std::
 }
 
 Diagnostic too_many_locations(Span where, std::uint64_t limit) {
-    return error("too-large", where, fmt::format("the location automaton has more than {} locations; raise `--max-states`", limit));
+    return error("bound-reached", where, fmt::format("the location automaton has more than {} locations; raise `--max-states`", limit));
 }
 
 Diagnostic too_many_pairs(Span where, std::size_t states, std::uint64_t limit) {
@@ -56,17 +56,30 @@ Diagnostic too_many_nodes(std::size_t nodes, std::size_t limit) {
 }
 
 Diagnostic too_many_states(Span where, std::uint64_t limit) {
-    return error("too-large", where, fmt::format("the Mealy machine has more than {} states, as its timers run; raise `--max-states`", limit));
+    return error("bound-reached", where, fmt::format("the Mealy machine has more than {} states, as its timers run; raise `--max-states`", limit));
 }
 
 Diagnostic automaton_too_large(Span where) {
-    return error("too-large", where, "the conditions of the location automaton need more memory than allowed; raise `--max-memory`");
+    return error("bound-reached", where, "the conditions of the location automaton need more memory than allowed; raise `--max-memory`");
 }
 
 Diagnostic stopped(Span where, bool by_user) {
     return error("stopped", where,
                  fmt::format("stopped before the end {}; nothing was written",
                              by_user ? "by Ctrl-C or another signal" : "by the time limit, which `--timeout` sets"));
+}
+
+Diagnostic timed_out(std::uint64_t milliseconds) {
+    const std::string time = milliseconds % 1000 == 0 ? fmt::format("{} s", milliseconds / 1000) : fmt::format("{} ms", milliseconds);
+    return error("stopped", {}, fmt::format("stopped before the end: the time allowed, {}, is over; raise `--timeout`", time));
+}
+
+Diagnostic interrupted() { return error("stopped", {}, "stopped before the end, as asked for by Ctrl-C"); }
+
+Diagnostic out_of_memory(std::optional<std::uint64_t> allowed) {
+    return error("out-of-memory", {},
+                 allowed ? fmt::format("stopped before the end: the memory allowed, {} MiB, is used up; raise `--max-memory`", *allowed >> 20U)
+                         : std::string("stopped before the end: the system gives no more memory"));
 }
 
 Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit) {

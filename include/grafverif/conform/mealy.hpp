@@ -7,6 +7,8 @@
 // the inputs held. The cycles of the controller take no time.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 
@@ -19,6 +21,8 @@ namespace grafverif {
 struct MealyOptions {
     std::uint64_t max_states = 20'000'000;
     std::uint64_t max_memory = std::uint64_t{2} << 30U;   ///< bytes of decision diagrams
+    std::optional<std::chrono::steady_clock::time_point> deadline = {};
+    const std::atomic<bool>* stop = nullptr;              ///< set by somebody else
 };
 
 /// The machine of the automaton, or nothing after an error: a limit. Requires verify(automaton).empty().

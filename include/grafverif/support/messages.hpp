@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -213,6 +214,10 @@ Diagnostic too_many_states(Span where, std::uint64_t limit);
 Diagnostic automaton_too_large(Span where);
 /// `by_user`: else by the time limit.
 Diagnostic stopped(Span where, bool by_user);
+// What ended a run before its end, none of which says anything of the input; exit code 3.
+Diagnostic timed_out(std::uint64_t milliseconds);
+Diagnostic interrupted();
+Diagnostic out_of_memory(std::optional<std::uint64_t> allowed);
 /// More combinations of inputs, 2^`bits`, than a tour of all of them can take.
 Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit);
 
