@@ -62,8 +62,7 @@ ExitCode analyse(Job& job, const Streams& streams) {
     options.mode = execution_mode(*model, *chart, job);
     options.exclusions = std::move(*exclusions);
     options.max_memory = job.options.max_memory.value_or(options.max_memory);
-    if (job.options.timeout_ms)
-        options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*job.options.timeout_ms);
+    options.deadline = job.options.deadline;
     options.stop = &interrupt.asked();
     Analysis analysis = grafverif::analyse(model->charts[*chart], *equations, options);
     analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), interrupt.asked(), job.options);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files.hpp"
+#include "app/guard.hpp"
 #include "app/verbs.hpp"
 
 namespace grafverif::app {
@@ -63,6 +64,7 @@ ExitCode build(Job& job, const Streams&) {
 
     std::vector<OutputFile> files;
     for (const Product& product : made) files.push_back(product.file);
+    work_is_done();
     write_files(files);
     if (!job.options.quiet) job.closing = listed(made, job.options.format);
     return ExitCode::Done;

@@ -8,6 +8,7 @@
 
 #include "app/engines.hpp"
 #include "app/files.hpp"
+#include "app/guard.hpp"
 #include "app/stop_words.hpp"
 #include "app/traces.hpp"
 #include "app/untimed.hpp"
@@ -146,6 +147,7 @@ ExitCode check(Job& job, const Streams& streams) {
     if (!found) return ExitCode::Input;
     Report& report = found->report;
     say_who_stopped(report, interrupt.asked(), job.options);
+    work_is_done();
     if (job.options.format == Format::Json) print_json(report, streams.out);
     else
         print_report(report,

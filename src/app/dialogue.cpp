@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "app/guard.hpp"
 #include "grafverif/syntax/scan_line.hpp"
 
 namespace grafverif::app {
@@ -37,6 +38,7 @@ constexpr int shell_found_nothing = 127, shell_could_not_run = 126;
 }  // namespace
 
 Dialogue::Dialogue(const std::string& command, const DialogueLimits& limits) : limits_(limits) {
+    const MemoryUnbounded unbounded;   // the bound of our memory is none of the program's
     Pipe in = make_pipe(), out = make_pipe(), err = make_pipe();
     program_ = spawn({"/bin/sh", "-c", command}, in.read.number(), out.write.number(), err.write.number());
     to_ = std::move(in.write);

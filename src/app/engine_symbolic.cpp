@@ -6,6 +6,8 @@
 #include <ostream>
 #include <ranges>
 #include <sstream>
+#include <string_view>
+#include <unordered_map>
 
 #include "app/files.hpp"
 #include "app/process.hpp"
@@ -32,13 +34,13 @@ public:
         findings_.report = {check.system.name,
                             basis_of(check.system, std::move(engine), check.abstraction.words), {}, {}};
         findings_.report.basis.grain = check.abstraction.grain;
+        for (const Id<Property> id : check.system.properties.ids()) named_.try_emplace(check.system.properties[id].name, id);
     }
 
     void add(Verdict verdict, std::optional<SystemRun> run) {
         if (verdict.outcome == Outcome::Holds && !witnesses_) run.reset();
         if (run && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) run.reset();
-        const auto property = std::ranges::find(check_.system.properties, verdict.property, &Property::name);
-        std::string carries = carries_words(check_, *property, verdict);
+        std::string carries = carries_words(check_, check_.system.properties[named_.at(verdict.property)], verdict);
         Answer answer = answer_of(check_.system, std::move(verdict), run, detail_);
         answer.carries = std::move(carries);
         findings_.report.answers.push_back(std::move(answer));
@@ -79,13 +81,9 @@ private:
     const SystemToCheck& check_;
     Detail detail_;
     bool witnesses_;   ///< whether anybody looks at them
+    std::unordered_map<std::string_view, Id<Property>> named_ = {};
     Findings findings_ = {};
 };
-
-std::optional<std::chrono::steady_clock::time_point> deadline_of(const Options& options) {
-    if (!options.timeout_ms) return {};
-    return std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
-}
 
 std::vector<std::size_t> asked_properties(const TransitionSystem& system, const Options& options) {
     std::vector<std::size_t> asked;
@@ -110,7 +108,7 @@ Findings check_symbolically(const SystemToCheck& check, const Options& options, 
     for (const std::size_t index : asked_properties(check.system, options))
         symbolic.properties.push_back(check.system.properties[{static_cast<std::uint32_t>(index)}].name);
     symbolic.max_memory = options.max_memory.value_or(symbolic.max_memory);
-    symbolic.deadline = deadline_of(options);
+    symbolic.deadline = options.deadline;
     symbolic.stop = &interrupt.asked();
     SymbolicResult result;
     if (options.properties.empty() || !symbolic.properties.empty()) {   // no names would ask for all
@@ -148,7 +146,7 @@ std::optional<Findings> check_by_nusmv(const SystemToCheck& check, const std::st
 
     const auto start = std::chrono::steady_clock::now();
     const ProgramResult said = run_program({path->string(), "-source", commands}, "",
-                                           {.deadline = deadline_of(job.options), .stop = &interrupt.asked()});
+                                           {.deadline = job.options.deadline, .stop = &interrupt.asked()});
     NusmvResult result = read_nusmv(check.system, spelling, properties, said);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     SystemReporter reporter(check, program, job.options);

@@ -32,8 +32,7 @@ TimedResult search(const Network& network, const Options& options, const Streams
     timed.properties = options.properties;
     timed.max_states = options.max_states.value_or(timed.max_states);
     timed.max_memory = options.max_memory.value_or(timed.max_memory);
-    if (options.timeout_ms)
-        timed.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
+    timed.deadline = options.deadline;
     timed.stop = &interrupt.asked();
     timed.progress = [&line](const TimedProgress& now) { line.show([&] { return progress_text(now); }); };
     return check_timed(network, timed);

@@ -15,9 +15,7 @@ std::optional<Findings> check_by_verifyta(const LoopToCheck& loop, Job& job, con
         job.diagnostics.add(messages::missing_program("verifyta", "--engine timed"));
         return {};
     }
-    ProgramLimits limits{.stop = &interrupt.asked()};
-    if (job.options.timeout_ms)
-        limits.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*job.options.timeout_ms);
+    const ProgramLimits limits{.deadline = job.options.deadline, .stop = &interrupt.asked()};
     const UppaalQuestions uppaal = uppaal_questions(loop.network);
     const TemporaryFolder folder;
     const std::string model = (folder.path() / "model.xml").string(), query = (folder.path() / "query.q").string();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `fmt`: canonical text.
 #include "app/files.hpp"
+#include "app/guard.hpp"
 #include "app/verbs.hpp"
 #include "grafverif/syntax/format.hpp"
 #include "grafverif/syntax/parse.hpp"
@@ -20,7 +21,10 @@ ExitCode fmt(Job& job, const Streams& streams) {
         return canonical ? ExitCode::Done : ExitCode::Verdict;
     }
     if (!job.options.in_place) deliver(text, job, streams);
-    else if (!canonical) write_files({{path, text}});
+    else if (!canonical) {
+        work_is_done();
+        write_files({{path, text}});
+    }
     return ExitCode::Done;
 }
 

@@ -3,17 +3,20 @@
 
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
+#include "app/guard.hpp"
 #include "app/program.hpp"
 
 int main(int count, char** values) {
     using namespace grafverif::app;
+    expect_memory_to_end();
     std::ios::sync_with_stdio(false);
     try {
         const std::vector<std::string> arguments(values + 1, values + count);
-        const ExitCode code = run(arguments, {std::cin, std::cout, std::cerr, ::isatty(STDERR_FILENO) == 1});
+        const ExitCode code = run(arguments, {std::cin, std::cout, std::cerr, ::isatty(STDERR_FILENO) == 1, true});
         std::cout.flush();
         if (!std::cout) {
             std::cerr << "grafverif: error: cannot write to standard output\n";
@@ -21,8 +24,8 @@ int main(int count, char** values) {
         }
         return static_cast<int>(code);
     } catch (const std::bad_alloc&) {
-        std::cerr << "grafverif: error: out of memory [too-large]\n";
-        return static_cast<int>(ExitCode::Input);
+        std::cerr << "error: the system gives no more memory [out-of-memory]\n";
+        return static_cast<int>(ExitCode::Unknown);
     } catch (const std::exception& failure) {
         std::cerr << "grafverif: internal failure: " << failure.what() << '\n';
         return static_cast<int>(ExitCode::Failure);

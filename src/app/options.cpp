@@ -30,8 +30,6 @@ void add_checking_options(const Verb& verb, po::options_description& options) {
             "the engine that proves (default: auto, an embedded one)");
         add("untimed", po::bool_switch(), "check the untimed model, with the symbolic engine or NuSMV");
         add("max-states", text("N"), "give up after N states (default: 500000000)");
-        add("max-memory", text("SIZE"), "give up above SIZE, such as 500M or 2G (default: 4G)");
-        add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
         add("junit", text("FILE"), "write a JUnit report to FILE");
     }
     if (accepts(verb, Accepts::Sequence)) add("sequence", text("FILE"), "the test sequence, as CSV (`test`: without it, one is made of the chart)");
@@ -45,8 +43,6 @@ void add_checking_options(const Verb& verb, po::options_description& options) {
     if (accepts(verb, Accepts::Analysis)) {
         add("format", text("text|json|sarif"), "form of the output (default: text)");
         add("exclusions", text("FILE"), "pairs of inputs that are never true together, in CSV");
-        add("max-memory", text("SIZE"), "give up above SIZE, such as 500M or 2G (default: 2G)");
-        add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
     }
     if (accepts(verb, Accepts::Traces)) {
         add("trace-vcd", text("FILE"), "write the first trace as a waveform for GTKWave to FILE");
@@ -96,11 +92,8 @@ po::options_description visible_options(const Verb& verb) {
         add("hold", text("stable|one"), "cycles of a step: two where the controller stays, or one each (default: stable)");
     }
     if (accepts(verb, Accepts::Minimise)) add("minimise", po::bool_switch(), "merge states that nobody can tell apart");
-    if (accepts(verb, Accepts::Limits)) {
+    if (accepts(verb, Accepts::Limits))
         add("max-states", text("N"), "give up after N locations or states (default: 20000000)");
-        add("max-memory", text("SIZE"), "give up above SIZE of conditions, such as 500M or 2G (default: 2G)");
-        add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
-    }
     if (accepts(verb, Accepts::Clock))
         add("clock", text("simulated|real"), "how time passes: by `wait` lines, or by itself (default: simulated)");
     if (accepts(verb, Accepts::FormatXml)) add("format", text("xml|text"), "PLCopen XML or a textual unit (default: xml)");
@@ -113,6 +106,9 @@ po::options_description visible_options(const Verb& verb) {
     }
     if (verb.operand == "FILE")
         add("lossy", po::bool_switch(), "leave out what cannot be taken over from another format, with a warning");
+    add("max-memory", text("SIZE"),
+        "give up above SIZE, such as 500M or 2G (default: 4G of states, 2G of decision diagrams, and what the machine has)");
+    if (!accepts(verb, Accepts::Bench)) add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
     add("diagnostics", text("text|json"), "form of errors and warnings on standard error (default: text)");
     add("color", text("auto|always|never"), "colours in errors and warnings (default: auto)");
     add("quiet,q", po::bool_switch(), "no warnings, no list of files");
@@ -243,6 +239,9 @@ std::string read_numbers(const po::variables_map& values, Options& options) {
     if (*evolutions == 0 || *evolutions > std::numeric_limits<std::uint32_t>::max())
         return "`--max-evolutions` takes a number from 1 to 4294967295";
     options.max_evolutions = static_cast<std::uint32_t>(*evolutions);
+    constexpr std::uint64_t hundred_years = std::uint64_t{100} * 365 * 24 * 3'600'000;   // clocks count nanoseconds in 63 bits
+    static_assert(2 * hundred_years < std::numeric_limits<std::int64_t>::max() / 1'000'000);
+    if (options.timeout_ms) options.timeout_ms = std::min(*options.timeout_ms, hundred_years);
     return {};
 }
 

@@ -2,6 +2,7 @@
 // The command line of every verb: one set of options, each verb naming those it takes.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
@@ -55,7 +56,8 @@ struct Options {
     std::vector<std::string> cures_left_out = {};    ///< the same by name
     std::optional<std::uint64_t> max_states = {};
     std::optional<std::uint64_t> max_memory = {};    ///< bytes
-    std::optional<std::uint64_t> timeout_ms = {};
+    std::optional<std::uint64_t> timeout_ms = {};    ///< a hundred years at most
+    std::optional<std::chrono::steady_clock::time_point> deadline = {};   ///< the same from the start of the run on
     std::optional<std::string> junit = {};
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
     std::string against = {};                        ///< of `test`: the command that runs the controller

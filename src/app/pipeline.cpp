@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <sstream>
 #include <vector>
@@ -140,8 +139,7 @@ std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> char
     options.mode = execution_mode(model, chart, job);
     options.max_locations = job.options.max_states.value_or(options.max_locations);
     options.max_memory = job.options.max_memory.value_or(options.max_memory);
-    if (job.options.timeout_ms)
-        options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*job.options.timeout_ms);
+    options.deadline = job.options.deadline;
     options.stop = &interrupt.asked();
     options.progress = [&line](const ConformProgress& now) {
         line.show([&] {
@@ -159,6 +157,8 @@ std::optional<MealyMachine> mealy_of(const Model& model, Id<Chart> chart, Job& j
     MealyOptions options;
     options.max_states = job.options.max_states.value_or(options.max_states);
     options.max_memory = job.options.max_memory.value_or(options.max_memory);
+    options.deadline = job.options.deadline;
+    options.stop = &interrupt.asked();
     auto machine = mealy_machine(*automaton, options, job.diagnostics);
     if (machine && job.options.minimise) return minimised(*machine);
     return machine;

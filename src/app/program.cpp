@@ -3,12 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <exception>
+#include <chrono>
+#include <new>
+#include <optional>
 #include <ostream>
+#include <sstream>
 #include <system_error>
 
 #include "app/files.hpp"
+#include "app/guard.hpp"
 #include "app/verbs.hpp"
 #include "grafverif/support/messages.hpp"
 #include "syntax/nearest.hpp"
@@ -46,7 +51,7 @@ void print_overview(std::ostream& out) {
            "Usage: grafverif VERB [FILE] [options]\n\nVerbs:\n";
     for (const Entry& entry : entries) out << fmt::format("  {:<12}{}\n", entry.usage().name, entry.usage().summary);
     out << "\n`grafverif help VERB` tells the options of a verb, with examples; `grafverif --version` the version.\n"
-           "Exit codes: 0 done; 1 a verdict against expectation; 2 input or usage wrong; 3 a verdict unknown; 4 our failure.\n";
+           "Exit codes: 0 done; 1 a verdict against expectation; 2 input or usage wrong; 3 a verdict unknown, or stopped; 4 our failure.\n";
 }
 
 ExitCode usage_error(const Streams& streams, const std::string& complaint, const std::string& help) {
@@ -54,19 +59,51 @@ ExitCode usage_error(const Streams& streams, const std::string& complaint, const
     return ExitCode::Input;
 }
 
+void render(const std::vector<Diagnostic>& shown, const Job& job, const Streams& streams, std::ostream& out) {
+    const bool coloured = job.options.colour == ColourChoice::Always ||
+                          (job.options.colour == ColourChoice::Auto && streams.err_is_terminal);
+    if (job.options.diagnostics == DiagnosticFormat::Text)
+        render_text(shown, job.sources, coloured ? Colour::Ansi : Colour::Plain, out);
+    else if (!shown.empty()) render_json(shown, job.sources, out);
+}
+
 void render_diagnostics(const Job& job, const Streams& streams) {
     std::vector<Diagnostic> shown;
     for (const Diagnostic& diagnostic : job.diagnostics.all())
         if (!job.options.quiet || diagnostic.severity == Severity::Error) shown.push_back(diagnostic);
-    if (job.options.diagnostics == DiagnosticFormat::Json) {
-        if (!shown.empty()) render_json(shown, job.sources, streams.err);
-        return;
-    }
-    const bool coloured = job.options.colour == ColourChoice::Always ||
-                          (job.options.colour == ColourChoice::Auto && streams.err_is_terminal);
-    render_text(shown, job.sources, coloured ? Colour::Ansi : Colour::Plain, streams.err);
-    if (job.diagnostics.errors() > Diagnostics::limit)
+    render(shown, job, streams, streams.err);
+    if (job.options.diagnostics == DiagnosticFormat::Text && job.diagnostics.errors() > Diagnostics::limit)
         streams.err << fmt::format("and {} more errors\n", job.diagnostics.errors() - Diagnostics::limit);
+}
+
+GuardOrders orders(const Job& job, const Streams& streams) {
+    const auto rendered = [&](const Diagnostic& diagnostic) {
+        std::ostringstream text;
+        render({diagnostic}, job, streams, text);
+        return std::move(text).str();
+    };
+    const Options& options = job.options;
+    GuardOrders orders{.max_memory = options.max_memory};
+    if (options.timeout_ms) orders.timeout = std::chrono::milliseconds(*options.timeout_ms);
+    orders.timed_out = rendered(messages::timed_out(options.timeout_ms.value_or(0)));
+    orders.interrupted = rendered(messages::interrupted());
+    orders.out_of_memory = rendered(messages::out_of_memory(options.max_memory));
+    return orders;
+}
+
+/// Errors that say nothing of the input: a bound of this run was met, and with another one there may be none.
+bool about_bounds(const Diagnostic& diagnostic) {
+    return diagnostic.code == "stopped" || diagnostic.code == "out-of-memory" || diagnostic.code == "bound-reached";
+}
+
+/// The code of the verb and that of its errors as one.
+ExitCode exit_code(const Job& job, ExitCode code) {
+    if (!job.diagnostics.has_errors() || code == ExitCode::Failure) return code;
+    const bool only_bounds = std::ranges::all_of(job.diagnostics.all(), [](const Diagnostic& diagnostic) {
+        return diagnostic.severity != Severity::Error || about_bounds(diagnostic);
+    });
+    if (!only_bounds) return ExitCode::Input;
+    return code == ExitCode::Verdict ? code : ExitCode::Unknown;
 }
 
 ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, const Streams& streams) {
@@ -78,15 +115,22 @@ ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, co
         return ExitCode::Done;
     }
     Job job{*parsed.options, {}, {}, {}};
+    if (job.options.timeout_ms)
+        job.options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*job.options.timeout_ms);
     ExitCode code = ExitCode::Done;
+    std::optional<Guard> guard;
     try {
+        if (streams.alone) guard.emplace(orders(job, streams));
         code = entry.run(job, streams);
+    } catch (const std::bad_alloc&) {
+        job.diagnostics.add(messages::out_of_memory(job.options.max_memory));
     } catch (const std::system_error& failure) {
-        job.diagnostics.add(messages::world_failed(failure.what()));
+        const bool memory = failure.code() == std::errc::not_enough_memory;
+        job.diagnostics.add(memory ? messages::out_of_memory(job.options.max_memory) : messages::world_failed(failure.what()));
     }
     render_diagnostics(job, streams);
-    streams.out << job.closing;
-    return job.diagnostics.has_errors() && code != ExitCode::Failure ? ExitCode::Input : code;
+    streams.out << job.closing << std::flush;
+    return exit_code(job, code);
 }
 
 }  // namespace
@@ -116,6 +160,7 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
 }
 
 void deliver(const std::string& content, const Job& job, const Streams& streams) {
+    work_is_done();
     if (job.options.output) write_files({{*job.options.output, content}});
     else streams.out << content;
 }

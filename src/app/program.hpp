@@ -13,16 +13,17 @@ enum class ExitCode {
     Done = 0,      ///< done, every verdict as expected
     Verdict = 1,   ///< a verdict against expectation
     Input = 2,     ///< input or usage wrong
-    Unknown = 3,   ///< a verdict unknown, or stopped
+    Unknown = 3,   ///< a verdict unknown, or stopped: by a bound of time or memory, or by Ctrl-C
     Failure = 4,   ///< a failure on our side
 };
 
-/// The standard streams, and whether err is a terminal (colours, progress).
+/// The standard streams, whether err is a terminal (colours, progress), and whether nobody else runs in this process.
 struct Streams {
     std::istream& in;
     std::ostream& out;
     std::ostream& err;
     bool err_is_terminal = false;
+    bool alone = false;   ///< the process is ours: it may be bounded, and ended
 };
 
 /// Runs `grafverif ARGUMENTS`, the program's name left out.

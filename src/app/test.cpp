@@ -8,6 +8,7 @@
 
 #include "app/bench.hpp"
 #include "app/files.hpp"
+#include "app/guard.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress_line.hpp"
 #include "app/verbs.hpp"
@@ -27,6 +28,7 @@ std::optional<TestSequence> sequence_to_run(const Model& model, Id<Chart> chart,
 }
 
 void write_test_report(const TestReport& report, const Options& options, const Streams& streams) {
+    work_is_done();
     if (options.format == Format::Json) print_json(report, streams.out);
     else print_text(report, options.quiet, streams.out);
     if (!options.junit) return;

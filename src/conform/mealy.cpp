@@ -335,7 +335,7 @@ std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, co
         return Builder(automaton, options, diagnostics).machine();
     } catch (const BddExhausted& exhausted) {
         diagnostics.add(exhausted.cause() == BddExhausted::Cause::Memory ? messages::automaton_too_large(automaton.origin)
-                                                                         : messages::stopped(automaton.origin));
+                                                                         : messages::stopped(automaton.origin, options.stop != nullptr && options.stop->load()));
         return {};
     }
 }

@@ -30,7 +30,7 @@ std::set<std::string> codes() {
 /// programs that are not installed, and what one target cannot say (see unit_app).
 const std::set<std::string> of_the_world = {
     "cannot-read", "cannot-write", "too-large", "no-closed-loop", "no-such-choice", "ambiguous-choice",
-    "not-expressible", "bad-sequence", "not-in-structured-text", "cannot-run", "nothing-to-test", "stopped",
+    "not-expressible", "bad-sequence", "not-in-structured-text", "cannot-run", "nothing-to-test", "stopped", "out-of-memory", "bound-reached",
     "nothing-to-import", "left-out", "missing-program", "cure-left-out"};
 
 TEST(House, EveryDiagnosticHasAReject) {

@@ -208,7 +208,7 @@ TEST(LocationAutomaton, OfTwoValuesStoredAtOnceBothMustExist) {
 TEST(LocationAutomaton, EndsAtItsLimits) {
     AutomatonOptions options;
     options.max_locations = 5;
-    EXPECT_EQ(refusal(tanks(), options), "[too-large] the location automaton has more than 5 locations; raise `--max-states`");
+    EXPECT_EQ(refusal(tanks(), options), "[bound-reached] the location automaton has more than 5 locations; raise `--max-states`");
 }
 
 TEST(LocationAutomaton, ForgetsNoInstabilityThatStartsLate) {

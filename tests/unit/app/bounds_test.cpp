@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// The bounds of a run, kept by every verb on input that is too much for them: `--timeout`, `--max-memory`, Ctrl-C, and
+// memory that the system refuses. Judged by the processor time of the program, which a loaded machine does not stretch.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/law_size.hpp"
+#include "unit/app/run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+using Json = nlohmann::json;
+using namespace std::chrono_literals;
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;   // takes memory and time of its own
+#else
+constexpr bool sanitized = false;
+#endif
+
+struct Ended {
+    int code = -1, signal = 0;
+    double seconds = 0;        ///< of the processor
+    std::size_t mebibytes = 0; ///< most that was resident
+    std::string out = {}, err = {};
+};
+
+struct Setting {
+    std::optional<std::size_t> address_space = {};   ///< bytes, as `ulimit -v` sets it
+    std::optional<double> interrupt_after = {};      ///< seconds of the processor
+};
+
+double processor_seconds(pid_t child) {
+    std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
+    std::string text((std::istreambuf_iterator<char>(stat)), {});
+    std::istringstream fields(text.substr(std::min(text.size(), text.rfind(')') + 1)));
+    std::string skipped;
+    for (int i = 0; i < 11; ++i) fields >> skipped;
+    double user = 0, system = 0;
+    fields >> user >> system;
+    return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+/// The program on its own, as a user starts it; standard input never ends.
+Ended run_bounded(const Folder& folder, std::vector<std::string> arguments, const Setting& setting) {
+    arguments.insert(arguments.begin(), GRAFVERIF_PROGRAM);
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    const std::string out = folder.file("out"), err = folder.file("err");
+    int silent[2] = {};
+    if (::pipe2(silent, O_CLOEXEC) != 0) return {};
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const int to_out = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), to_err = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        ::dup2(silent[0], STDIN_FILENO);
+        ::dup2(to_out, STDOUT_FILENO);
+        ::dup2(to_err, STDERR_FILENO);
+        if (setting.address_space) {
+            const rlimit limit{*setting.address_space, *setting.address_space};
+            ::setrlimit(RLIMIT_AS, &limit);
+        }
+        ::execv(pointers[0], pointers.data());
+        ::_exit(127);
+    }
+    int status = 0;
+    rusage used = {};
+    bool asked = false;
+    const auto patience = std::chrono::steady_clock::now() + 120s;
+    while (::wait4(child, &status, WNOHANG, &used) == 0) {
+        if (setting.interrupt_after && !asked && processor_seconds(child) >= *setting.interrupt_after) asked = ::kill(child, SIGINT) == 0;
+        if (std::chrono::steady_clock::now() > patience) ::kill(child, SIGKILL);
+        std::this_thread::sleep_for(5ms);
+    }
+    ::close(silent[0]);
+    ::close(silent[1]);
+    const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6; };
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+            seconds(used.ru_utime) + seconds(used.ru_stime), static_cast<std::size_t>(used.ru_maxrss) / 1024, folder.read("out"),
+            folder.read("err")};
+}
+
+/// A loop whose chart is one ring; the first of its properties is violated by the second scan.
+std::string ring(std::size_t steps) {
+    std::string text = "grafcet ring {\n    input a, b;\n    output O;\n";
+    for (std::size_t i = 0; i < steps; ++i) text += (i == 0 ? "    initial step " : "    step ") + std::to_string(i) + " { O; }\n";
+    for (std::size_t i = 0; i < steps; ++i)
+        text += "    transition t" + std::to_string(i) + ": " + std::to_string(i) + " -> " + std::to_string((i + 1) % steps) + (i % 2 == 0 ? " when a;\n" : " when b;\n");
+    return text + "}\n\nclosed_loop l {\n    controller ring;\n    environment A = push_button(OUT = a);\n"
+                  "    environment B = push_button(OUT = b);\n    property early: never X1;\n    property late: never X" +
+           std::to_string(steps - 1) + ";\n}\n";
+}
+
+/// The same as a sequential function chart.
+std::string sequence(std::size_t steps) {
+    std::string text = "PROGRAM p\nVAR_INPUT\n a : BOOL;\nEND_VAR\nVAR_OUTPUT\n O : BOOL;\nEND_VAR\nINITIAL_STEP S0:\n O(N);\nEND_STEP\n";
+    for (std::size_t i = 1; i < steps; ++i) text += "STEP S" + std::to_string(i) + ":\n O(N);\nEND_STEP\n";
+    for (std::size_t i = 0; i < steps; ++i)
+        text += "TRANSITION FROM S" + std::to_string(i) + " TO S" + std::to_string((i + 1) % steps) + " := a;\nEND_TRANSITION\n";
+    return text + "END_PROGRAM\n";
+}
+
+/// Inputs that no verb is through with in a second.
+struct Inputs {
+    Folder folder = {};
+    std::string chart = folder.write("ring.grafcet", ring(300'000));
+    std::string foreign = folder.write("sequence.txt", sequence(200'000));
+
+    std::vector<std::vector<std::string>> commands() const {
+        return {{"fmt", chart}, {"equations", chart}, {"st", chart}, {"import", foreign}, {"check", chart}, {"check", chart, "--untimed"},
+                {"analyse", chart}, {"automaton", chart}, {"mealy", chart}, {"testgen", chart}, {"nusmv", chart}, {"uppaal", chart},
+                {"build", chart, "-o", folder.file("build")}, {"simulate", chart}, {"plc", chart}, {"test", chart, "--against", "cat"}};
+    }
+    /// Every `nth` command, all of them where laws are asked to be larger.
+    std::vector<std::vector<std::string>> some_commands(std::size_t nth, std::size_t from) const {
+        std::vector<std::vector<std::string>> some, all = commands();
+        for (std::size_t i = law_size(1) > 1 ? 0 : from; i < all.size(); i += law_size(1) > 1 ? 1 : nth) some.push_back(all[i]);
+        return some;
+    }
+};
+
+std::vector<std::string> with(std::vector<std::string> command, const std::vector<std::string>& more) {
+    command.insert(command.end(), more.begin(), more.end());
+    return command;
+}
+
+/// Ended by a bound: told in a line, by the right code, nothing left half written.
+void expect_bounded(const Ended& ended, const std::string& why) {
+    EXPECT_EQ(ended.signal, 0);
+    EXPECT_EQ(ended.code, 3) << ended.err;
+    EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+    EXPECT_EQ(ended.out, "");
+}
+
+TEST(Bounds, EveryVerbKeepsTheTimeLimit) {
+    const Inputs inputs;
+    for (const std::vector<std::string>& command : inputs.commands()) {
+        if (command.front() == "test") continue;   // its limit is that of one answer
+        SCOPED_TRACE(command.front());
+        const Ended ended = run_bounded(inputs.folder, with(command, {"--timeout", "100ms"}), {});
+        expect_bounded(ended, "[stopped]");
+        EXPECT_LT(ended.seconds, 0.1 * 1.1 + 0.5 + 0.3);
+        EXPECT_FALSE(fs::exists(inputs.folder.file("build")));
+    }
+}
+
+TEST(Bounds, EveryVerbEndsOnInterrupt) {
+    const Inputs inputs;
+    for (const std::vector<std::string>& command : inputs.some_commands(3, 1)) {
+        SCOPED_TRACE(command.front());
+        const Ended ended = run_bounded(inputs.folder, command, {.interrupt_after = 0.1});
+        expect_bounded(ended, "[stopped]");
+        EXPECT_NE(ended.err.find("Ctrl-C"), std::string::npos) << ended.err;
+        EXPECT_LT(ended.seconds, 0.1 + 0.5 + 0.4);
+    }
+}
+
+TEST(Bounds, EveryVerbKeepsTheMemoryLimit) {
+    const Inputs inputs;
+    for (const std::vector<std::string>& command : inputs.some_commands(2, 0)) {
+        SCOPED_TRACE(command.front());
+        const Ended ended = run_bounded(inputs.folder, with(command, {"--max-memory", "20M"}), {});
+        expect_bounded(ended, "[out-of-memory]");
+        if (!sanitized) { EXPECT_LT(ended.mebibytes, 22 + 32 + 16); }
+    }
+}
+
+TEST(Bounds, MemoryThatTheSystemRefusesIsNoSignal) {
+    if (sanitized) GTEST_SKIP() << "the sanitizer reserves more address space than that";
+    const Inputs inputs;
+    for (const std::vector<std::string>& command : inputs.some_commands(2, 1)) {
+        SCOPED_TRACE(command.front());
+        expect_bounded(run_bounded(inputs.folder, command, {.address_space = std::size_t{80} << 20U}), "[out-of-memory]");
+    }
+}
+
+/// Of `check`, by name.
+Json property(const Ended& ended, const std::string& name) {
+    const Json report = Json::parse(ended.out, nullptr, false);
+    if (report.is_discarded()) ADD_FAILURE() << "no JSON: " << ended.out << ended.err;
+    else
+        for (const Json& each : report["properties"])
+            if (each["name"] == name) return each;
+    return {};
+}
+
+TEST(Bounds, WhatIsKnownByThenIsTold) {
+    const Folder folder;
+    // Many timers and buttons: more states than anybody has time or room for.
+    std::string text = "grafcet g {\n    input a";
+    for (int i = 0; i < 60; ++i) text += ", b" + std::to_string(i);
+    text += ";\n    output O;\n    initial step 0 { O; }\n    step 1;\n    transition t: 0 -> 1 when a;\n    transition u: 1 -> 0 when 1000s/X1;\n}\n"
+            "closed_loop l {\n    controller g;\n    environment A = push_button(OUT = a);\n";
+    for (int i = 0; i < 60; ++i) text += "    environment B" + std::to_string(i) + " = push_button(OUT = b" + std::to_string(i) + ");\n";
+    const std::string chart = folder.write("g.grafcet", text + "    property early: never X1;\n    property late: never X0 && X1;\n}\n");
+    const std::vector<std::string> command = {"check", chart, "--format", "json", "--junit", folder.file("report.xml")};
+    const auto expect_partial = [&](const Ended& ended, const std::string& why) {
+        SCOPED_TRACE(why);
+        EXPECT_EQ(ended.code, 1) << ended.err;   // a verdict against expectation is one, whatever is unknown
+        EXPECT_EQ(property(ended, "early")["verdict"], "violated") << ended.err;
+        EXPECT_EQ(property(ended, "late")["verdict"], "unknown");
+        EXPECT_NE(property(ended, "late")["reason"].dump().find(why), std::string::npos) << ended.out;
+        EXPECT_NE(folder.read("report.xml").find("</testsuites>"), std::string::npos);
+    };
+    const Ended late = run_bounded(folder, with(command, {"--timeout", "2s"}), {});
+    expect_partial(late, "stopped");
+    EXPECT_LT(late.seconds, 2 * 1.1 + 0.5 + 0.3);
+    expect_partial(run_bounded(folder, command, {.interrupt_after = 0.5}), "stopped");
+    expect_partial(run_bounded(folder, with(command, {"--max-memory", "50M"}), {}), "memory");
+    if (!sanitized) expect_partial(run_bounded(folder, command, {.address_space = std::size_t{100} << 20U}), "memory");
+}
+
+TEST(Bounds, ALimitBeyondEveryClockIsNone) {
+    const Folder folder;
+    const std::string chart = folder.write("g.grafcet", ring(2));
+    for (const char* time : {"106751991167h", "2562047788015h", "18446744073709551615ms"}) {
+        const Ended ended = run_bounded(folder, {"check", chart, "--timeout", time, "--max-memory", "17179869183G"}, {});
+        EXPECT_EQ(ended.code, 1) << time << ended.out << ended.err;
+        EXPECT_NE(ended.out.find("violated"), std::string::npos) << ended.out;
+    }
+    EXPECT_EQ(grafverif({"check", chart, "--timeout", "99999999999999999999h"}).code, ExitCode::Input);
+}
+
+TEST(Bounds, WorkGrowsInStepWithTheInput) {
+    // Twice the input takes about twice the time; four times would be a square.
+    const Folder folder;
+    const auto seconds = [&](const std::string& text, const std::vector<std::string>& command, std::size_t at) {
+        std::vector<std::string> whole = command;
+        whole.insert(whole.begin() + 1, folder.write("c" + std::to_string(at) + ".grafcet", text));
+        return run_bounded(folder, whole, {}).seconds;
+    };
+    const auto lone = [](std::size_t steps) { return ring(steps).substr(0, ring(steps).find("closed_loop")); };
+    const auto many = [](std::size_t buttons) {
+        std::string text = "grafcet v {\n", loop = "}\nclosed_loop l {\n    controller v;\n";
+        for (std::size_t i = 0; i < buttons; ++i) {
+            const std::string n = std::to_string(i);
+            text += "    input a" + n + ";\n";
+            loop += "    environment A" + n + " = push_button(OUT = a" + n + ");\n";
+        }
+        return text + "    output O;\n    initial step 0 { O; }\n" + loop + "}\n";
+    };
+    struct Case {
+        std::string small = {}, large = {};
+        std::vector<std::string> command = {};
+    };
+    for (const Case& c : {Case{lone(4'000), lone(16'000), {"check", "--timeout", "0"}},
+                          Case{many(1'000), many(4'000), {"simulate", "--random", "1", "--steps", "2"}}}) {
+        SCOPED_TRACE(c.command.front());
+        const double small = seconds(c.small, c.command, 1), large = seconds(c.large, c.command, 2);
+        EXPECT_LT(large, 10 * (small + 0.05)) << small;
+    }
+}
+
+}  // namespace
+}  // namespace grafverif::app
