@@ -2,19 +2,20 @@
 #include "grafverif/analyse/analyse.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
 #include "analyse/analyst.hpp"
+#include "analyse/cones.hpp"
+#include "analyse/counters.hpp"
 #include "analyse/structure.hpp"
 
 namespace grafverif {
 
 namespace {
 
-using analysis::Analyst;
-using analysis::Machine;
-using analysis::Search;
+using namespace analysis;
 
 std::size_t place(const Finding& finding) {
     return static_cast<std::size_t>(std::ranges::find(finding_kinds(), finding.code, &FindingKind::code) -
@@ -47,33 +48,201 @@ void add_structural(const Chart& chart, const Equations& equations, Analysis& re
     }
 }
 
+/// Whether a finding tells of an evolution that is the end of its run.
+bool is_break(std::string_view code) {
+    return code == "action-race" || code == "out-of-range" || code == "no-value" || code == "forced-twice";
+}
+
 std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& options) {
     if (exhausted.cause() == BddExhausted::Cause::Stopped) return "stopped before the end";
     return "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up";
 }
 
-void search(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Analysis& result) {
-    BddSpace space({options.max_memory, options.deadline, options.stop});
-    try {
-        Machine machine(equations, options, space);
-        if (machine.possible().is_false()) {
-            result.findings.push_back({"contradictory-constraints", Finding::Level::Error, "",
-                                       "no combination of inputs meets all constraints and exclusions", chart.origin});
-            return;
+/// The parts of a chart, each searched in turns until nothing is open or no part can go on.
+class Course {
+public:
+    Course(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Analysis& result)
+        : chart_(chart), equations_(equations), options_(options), result_(result),
+          questions_(chart, equations, options.mode) {
+        for (Cone& cone : cones(equations)) parts_.push_back({std::move(cone), options});
+        if (counts_on()) {
+            parts_.push_back({parts_.back().cone, options});
+            parts_.back().options.longest_count = std::numeric_limits<std::int64_t>::max();
         }
-        Search found(machine, options.mode);
-        try {
-            found.run();
-        } catch (const BddExhausted& exhausted) {
-            result.obstacle = obstacle_text(exhausted, options);
-        }
-        result.instants = found.instants().size();
-        Analyst(chart, equations, options, machine, found, result.obstacle.empty(), result).ask();
-        result.bytes = space.bytes();
-    } catch (const BddExhausted& exhausted) {
-        result.obstacle = obstacle_text(exhausted, options);
     }
-}
+
+    void run() {
+        for (auto slice = options_.first_slice; questions_.any_open() && turns(slice); slice *= 4) {}
+        result_.questions = questions_.all().size();
+        for (const Question& question : questions_.all())
+            if (!question.decided)
+                result_.open.push_back({std::string(question.code), question.subject, question.instants, question.evolutions});
+        if (result_.open.empty()) obstacle_.clear();
+        else if (obstacle_.empty()) obstacle_ = "counters are followed up to their thresholds, not to the ends of their ranges";
+        result_.obstacle = obstacle_;
+    }
+
+private:
+    struct Part {
+        Cone cone = {};
+        AnalyseOptions options = {};
+        bool loosely = false;   ///< it was looked at with inputs that change before every evolution
+        bool complete = false, given_up = false, doubtful = false;
+    };
+
+    bool counts_on() const {
+        return std::ranges::any_of(counters(equations_), [&](const std::optional<Counter>& counter) {
+            return counter && counter->safe >= options_.longest_count && counter->most > 0;
+        });
+    }
+
+    bool is_last(const Part& part) const { return part.options.longest_count != options_.longest_count; }
+
+    /// One turn of each part; false where there is none that can go on.
+    bool turns(std::chrono::milliseconds slice) {
+        bool any = false;
+        for (std::size_t k = 0; k < parts_.size() && questions_.any_open(); ++k) {
+            Part& part = parts_[k];
+            if (part.complete || part.given_up) continue;
+            if (is_last(part) && !parts_[k - 1].complete && !parts_[k - 1].given_up) continue;
+            if (stopped_) return false;
+            any = true;
+            turn(k, slice);
+            if (contradictory_) return false;
+            add_up();
+        }
+        return any && !stopped_;
+    }
+
+    /// What follows once all parts are done, if nothing is in the whole alone: whatever goes on for ever goes on in one of them.
+    void add_up() {
+        for (const Part& part : parts_)
+            if (!whole(part) && (!part.complete || part.doubtful)) return;
+        if (!all_in_parts()) return;
+        questions_.decide("total-instability");
+        if (std::ranges::none_of(result_.findings, ends_runs) && !any_break_open()) questions_.trust_parts();
+    }
+
+    bool is_over() const {
+        return (options_.stop != nullptr && options_.stop->load()) ||
+               (options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline);
+    }
+
+    bool all_in_parts() const {
+        const auto in_parts = [this](Id<Equations::Variable> variable) {
+            return std::ranges::any_of(parts_, [&](const Part& part) -> bool { return !whole(part) && part.cone[variable.index]; });
+        };
+        return std::ranges::all_of(equations_.firings, in_parts, &Equations::Firing::variable) &&
+               std::ranges::all_of(equations_.stored, in_parts, &Equations::Stored::variable) &&
+               std::ranges::all_of(equations_.previous, in_parts, &Equations::Previous::variable);
+    }
+
+    static bool whole(const Part& part) { return std::ranges::find(part.cone, false) == part.cone.end(); }
+
+    static bool ends_runs(const Finding& finding) { return finding.code == "total-instability" || is_break(finding.code); }
+
+    bool any_break_open() const {
+        return std::ranges::any_of(questions_.all(), [](const Question& question) { return !question.decided && is_break(question.code); });
+    }
+
+    /// Under stability search first a look at more than what the part does, which costs less: inputs change before every
+    /// evolution. What does not happen then never does.
+    void turn(std::size_t k, std::chrono::milliseconds slice) {
+        Part& part = parts_[k];
+        if (options_.mode == ExecutionMode::StabilitySearch && !part.loosely && !is_last(part)) {
+            part.loosely = spend(part, slice, [&](BddSpace& space) { look_loosely(k, space); });
+            if (stopped_ || contradictory_ || !questions_.any_open()) return;
+            part.given_up = false;
+        }
+        part.complete = spend(part, slice, [&](BddSpace& space) { look_at(k, space); });
+    }
+
+    /// Whether `look` came to its end.
+    template <class Look>
+    bool spend(Part& part, std::chrono::milliseconds slice, const Look& look) {
+        if (is_over()) {
+            stopped_ = true;
+            obstacle_ = obstacle_text(BddExhausted(BddExhausted::Cause::Stopped), options_);
+            return false;
+        }
+        const auto end = std::chrono::steady_clock::now() + slice;
+        const bool shortened = !options_.deadline || end < *options_.deadline;
+        BddSpace space({options_.max_memory, shortened ? end : *options_.deadline, options_.stop});
+        try {
+            look(space);
+            result_.bytes = std::max(result_.bytes, space.bytes());
+            return true;
+        } catch (const BddExhausted& exhausted) {
+            const bool asked = options_.stop != nullptr && options_.stop->load();
+            const bool in_time = exhausted.cause() == BddExhausted::Cause::Stopped && shortened && !asked;
+            part.given_up = !in_time || (is_last(part) && !options_.deadline);
+            stopped_ = !in_time && exhausted.cause() == BddExhausted::Cause::Stopped;
+            if (!in_time) obstacle_ = obstacle_text(exhausted, options_);
+        }
+        result_.bytes = std::max(result_.bytes, space.bytes());
+        return false;
+    }
+
+    void look_loosely(std::size_t k, BddSpace& space) {
+        Machine machine(equations_, parts_[k].options, parts_[k].cone, space);
+        if (is_contradictory(machine)) return;
+        Search search(machine, ExecutionMode::EveryCycle, false);
+        Analyst analyst(chart_, equations_, options_, machine, search, questions_, result_);
+        while (!search.done()) {
+            search.next();
+            analyst.look_loosely();
+            show_progress(k, search.instants().size());
+        }
+        analyst.conclude_loosely();
+    }
+
+    bool is_contradictory(const Machine& machine) {
+        if (!machine.possible().is_false()) return false;
+        result_.findings.push_back({"contradictory-constraints", Finding::Level::Error, "",
+                                    "no combination of inputs meets all constraints and exclusions", chart_.origin});
+        contradictory_ = true;
+        questions_.drop();
+        return true;
+    }
+
+    void look_at(std::size_t k, BddSpace& space) {
+        Part& part = parts_[k];
+        Machine machine(equations_, part.options, part.cone, space);
+        if (is_contradictory(machine)) return;
+        Search search(machine, options_.mode);
+        Analyst analyst(chart_, equations_, options_, machine, search, questions_, result_);
+        try {
+            while (!search.done()) {
+                search.next();
+                result_.instants = std::max(result_.instants, search.instants().size());
+                analyst.look();
+                show_progress(k, search.instants().size());
+            }
+            analyst.conclude();
+        } catch (const BddExhausted&) {
+            analyst.leave();
+            throw;
+        }
+        part.doubtful = analyst.doubtful();
+        if (whole(part) && !part.doubtful) questions_.decide("total-instability");
+        analyst.leave();
+    }
+
+    void show_progress(std::size_t part, std::size_t instant) const {
+        if (!options_.progress) return;
+        const auto open = std::ranges::count_if(questions_.all(), [](const Question& question) { return !question.decided; });
+        options_.progress({questions_.all().size(), static_cast<std::size_t>(open), result_.findings.size(), part + 1, parts_.size(), instant});
+    }
+
+    const Chart& chart_;
+    const Equations& equations_;
+    const AnalyseOptions& options_;
+    Analysis& result_;
+    Questions questions_;
+    std::vector<Part> parts_ = {};
+    std::string obstacle_ = {};
+    bool stopped_ = false, contradictory_ = false;
+};
 
 void accept(const Chart& chart, Analysis& result) {
     for (const Chart::Acceptance& acceptance : chart.accepted) {
@@ -94,11 +263,7 @@ void add_notes(const Equations& equations, const AnalyseOptions& options, Analys
     result.notes.emplace_back(options.mode == ExecutionMode::StabilitySearch
                                   ? "inputs change between stable situations only (IEC 60848); cycle time is zero"
                                   : "one evolution per cycle, inputs sampled in each");
-    const auto is_break = [](const Finding& finding) {
-        return finding.code == "action-race" || finding.code == "out-of-range" || finding.code == "no-value" ||
-               finding.code == "forced-twice";
-    };
-    if (std::ranges::any_of(result.findings, is_break))
+    if (std::ranges::any_of(result.findings, is_break, &Finding::code))
         result.notes.emplace_back("nothing is looked at beyond a race, orders that exclude each other or a value that does not fit; what is said never to "
                                   "happen does not happen without them");
     if (!equations.assumptions.empty() || !options.exclusions.empty())
@@ -114,7 +279,7 @@ Analysis analyse(const Chart& chart, const Equations& equations, const AnalyseOp
     result.chart = chart.name;
     result.mode = options.mode;
     add_structural(chart, equations, result);
-    search(chart, equations, options, result);
+    Course(chart, equations, options, result).run();
     sort(result.findings);
     add_notes(equations, options, result);
     accept(chart, result);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Analyst: asks the questions of an analysis, one function per code. What can happen is found in whatever part of the
-// points was reached; what never happens is told only if all were.
+// Analyst: asks the open questions of an analysis about the points of one machine, instant by instant as the search goes
+// on, so that what is found is there at once. What comes about is decided by a run that the rules confirm; that something
+// never does is decided when the search is done. What a cone shows and the chart does not confirm stays open.
 #pragma once
 
 #include <functional>
@@ -9,53 +10,102 @@
 
 #include "analyse/evidence.hpp"
 #include "analyse/machine.hpp"
+#include "analyse/questions.hpp"
 #include "analyse/search.hpp"
 
 namespace grafverif::analysis {
 
 class Analyst {
 public:
+    /// Everything outlives the analyst.
     Analyst(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Machine& machine,
-            const Search& search, bool complete, Analysis& result)
-        : chart_(chart), equations_(equations), options_(options), machine_(machine), search_(search),
-          complete_(complete), result_(result) {}
+            const Search& search, Questions& questions, Analysis& result);
 
-    void ask();
+    /// Looks at the points of the last instant.
+    void look();
+    /// Tells what never happens. Requires that the search is done and every instant was looked at.
+    void conclude();
+    /// Tells what never happens even where inputs change before every evolution. Requires that the search was of that kind, though
+    /// the chart is executed with stability search: what was seen in it means nothing.
+    void conclude_loosely();
+    /// Looks at the last instant of such a search.
+    void look_loosely();
+    /// Notes on the questions that are still open how far they were looked into; never ends with BddExhausted.
+    void leave() noexcept;
+    /// Whether something went on for ever and the chart did not confirm it.
+    bool doubtful() const;
 
 private:
     using Step = Id<Chart::Step>;
     using Transition = Id<Chart::Transition>;
 
-    // What can happen (analyst.cpp).
+    /// Something that comes about in some points: a finding.
+    struct Event {
+        Question* question = nullptr;
+        Bdd goal = {};
+        bool seen = false;
+        std::function<bool(const Bdd& seen)> tell = {};   ///< whether it is shown; `seen`: the fresh points of the goal
+    };
+    /// Something whose absence is a finding. `goal` is over points, stable points, or points right after an evolution.
+    enum class Among { Points, Stable, Landings };
+    struct Sign {
+        Question* question = nullptr;
+        Among among = Among::Points;
+        Bdd goal = {};
+        bool seen = false;
+    };
+
+    // What can happen (analyst_events.cpp).
+    void expect_breaks();
+    void expect_break(const Machine::Break& each);
+    void expect(std::string_view code, std::size_t index, const Bdd& goal, std::function<bool(const Bdd&)> tell);
+    void expect_branches();
+    void expect_reactivated_steps();
+    void expect_forcing();
     void instability();
-    void broken_off();
-    void broken_off(const Machine::Break& each);
     void lost_values();
     void lost_value(const Equations::Stored& stored, bool value);
-    void branches_together();
-    void reactivated_steps();
-    void forcing();
+    bool tell_break(std::string_view code, const Machine::Break& each, const Bdd& points, const Bdd& early);
+    bool tell_reactivated(Step step, const Bdd& seen);
+
     // What never happens (analyst_never.cpp).
+    void watch_signs();
+    void watch(std::string_view code, std::size_t index, Among among, const Bdd& goal);
+    void watch_outputs();
+    void look_for_signs();
+    bool sign_seen(const Sign& sign);
+    bool confirmed(const Bdd& points);
+    void confirm_others(const Way& way);
+    bool unseen(std::string_view code, std::size_t index);
     void dead_steps();
     void dead_transitions();
+    void dead_transition(Transition id);
     void immediate_transitions();
     void transient_steps();
     void silent_outputs();
 
     bool searching() const { return options_.mode == ExecutionMode::StabilitySearch; }
     bool seen(const Bdd& points) const { return !(search_.reached() & points).is_false(); }
+    /// Whether the runs so far are runs of the chart without more ado.
+    bool certain() const { return machine_.whole() && search_.evolutions() <= machine_.exact_evolutions(); }
+    bool is_uncertain(const Question* question) const;
     bool ever_active(Step step) const;
     Bdd enabled(Transition transition) const;
     Bdd all_active(const std::vector<Step>& steps) const;
+    bool covers(const std::vector<Step>& steps) const;
     std::string step_name(Step step) const { return step_variable(chart_, step); }
     std::string steps_text(const std::vector<Step>& steps) const;
     const std::string& name(Transition transition) const { return chart_.transitions[transition].name; }
 
     Finding finding(std::string_view code, std::string subject, std::string message, Span origin) const;
-    /// Shows the finding by a shortest way to `goal`, and keeps it; what the rules do not confirm is a failure.
-    Evidence& show(Finding& finding, const Bdd& goal, const Demand& demand, std::string shows);
-    Evidence& show(Finding& finding, const std::optional<Way>& way, const Demand& demand, std::string shows);
-    void keep(Finding finding) { result_.findings.push_back(std::move(finding)); }
+    /// Shows the finding by a way; false where the rules do not confirm it, which is a failure of ours if they should.
+    bool show(Finding& finding, const std::optional<Way>& way, const Demand& demand, std::string shows, bool certain);
+    bool show(Finding& finding, const Bdd& goal, const Demand& demand, std::string shows) {
+        return show(finding, search_.way(goal), demand, std::move(shows), certain());
+    }
+    /// `points`, or those of them whose evolution does not break off, if there are any.
+    Bdd rather_unbroken(const Bdd& points) const;
+    bool keep(Finding finding);
 
     /// The way to the first of `points`, and on along them.
     std::optional<Way> way_along(const std::vector<Point>& points) const;
@@ -65,9 +115,14 @@ private:
     const AnalyseOptions& options_;
     Machine& machine_;
     const Search& search_;
-    bool complete_;
+    Questions& questions_;
     Analysis& result_;
     Evidence last_ = {};   ///< what the last finding was shown by
+    std::vector<Event> events_ = {};
+    std::vector<Sign> signs_ = {};
+    std::vector<Question*> uncertain_ = {};   ///< events that were seen and not shown
+    Bdd stable_ = {}, landings_seen_ = {};
+    std::size_t looked_ = 0;
 };
 
 }  // namespace grafverif::analysis

@@ -1,97 +1,182 @@
 // SPDX-License-Identifier: MIT
-// What never happens, in all points there are.
+// What never happens: a sign that it does is looked for while the search goes on; none in all points there are is a finding.
 #include <algorithm>
 
 #include "analyse/analyst.hpp"
 
 namespace grafverif::analysis {
 
-/// A step that is active at power-on is, even where no evolution follows.
+void Analyst::watch(std::string_view code, std::size_t index, Among among, const Bdd& goal) {
+    if (Question* const question = questions_.open(code, index)) signs_.push_back({question, among, goal});
+}
+
+void Analyst::watch_signs() {
+    for (const Step step : chart_.steps.ids()) {
+        if (!machine_.covers_step(step.index)) continue;
+        // A step that is active at power-on is, even where no evolution follows.
+        const bool initial = equations_.variables[equations_.steps[step.index].variable].initial != 0;
+        if (initial) questions_.decide("step-never-active", step.index);
+        watch("step-never-active", step.index, Among::Points, machine_.active(step.index));
+        watch("step-never-stable", step.index, Among::Stable, machine_.active(step.index));
+    }
+    for (const Transition id : chart_.transitions.ids()) {
+        if (!machine_.covers_firing(id.index) || !covers(chart_.transitions[id].from)) continue;
+        watch("transition-never-fired", id.index, Among::Points, machine_.fires(id.index));
+        watch("transition-always-fired", id.index, Among::Points, enabled(id) & ~machine_.fires(id.index));
+    }
+    watch_outputs();
+}
+
+void Analyst::watch_outputs() {
+    for (const Equations::Output& output : equations_.outputs) {
+        if (!machine_.covers(output.value)) continue;
+        const std::int64_t initial = equations_.variables[output.variable].initial;
+        watch("output-never-set", output.variable.index, searching() ? Among::Stable : Among::Landings,
+              machine_.differs(output.value, initial));
+    }
+    for (const Equations::Stored& stored : equations_.stored) {
+        const Equations::Variable& variable = equations_.variables[stored.variable];
+        if (variable.role != Equations::Role::Output || !machine_.covers(stored.variable)) continue;
+        if (!(machine_.possible() & machine_.differs_at_first(stored.first, variable.initial)).is_false())
+            questions_.decide("output-never-set", stored.variable.index);
+        Bdd stores;
+        for (const Equations::Write& write : stored.writes)
+            stores |= machine_.holds(write.trigger) & machine_.differs(write.value, variable.initial);
+        watch("output-never-set", stored.variable.index, Among::Points, stores);
+    }
+}
+
+// -- while the search goes on --------------------------------------------------------------------------------------------
+
+void Analyst::look_for_signs() {
+    stable_ = searching() ? machine_.stable(machine_.unbroken(search_.fresh())) : Bdd();
+    if (!searching()) landings_seen_ = machine_.without_ends(search_.landings());
+    for (Sign& sign : signs_) {
+        if (sign.question->decided || sign.seen || !sign_seen(sign)) continue;
+        sign.seen = true;
+        if (certain() || (sign.among != Among::Landings && confirmed((sign.among == Among::Stable ? stable_ : search_.fresh()) & sign.goal)))
+            sign.question->decided = true;
+        else
+            sign.question->seen_in_part = true;
+    }
+}
+
+bool Analyst::sign_seen(const Sign& sign) {
+    switch (sign.among) {
+    case Among::Points:   return !(search_.fresh() & sign.goal).is_false();
+    case Among::Stable:   return !(stable_ & sign.goal).is_false();
+    case Among::Landings: return !(landings_seen_ & sign.goal).is_false();
+    }
+    return false;
+}
+
+/// Whether the chart has a run to one of `points`, and not this cone alone.
+bool Analyst::confirmed(const Bdd& points) {
+    const std::optional<Way> way = search_.way(points);
+    if (!way || !evidence(chart_, equations_, machine_, options_.mode, *way, {.ends = false}).failure.empty()) return false;
+    confirm_others(*way);
+    return true;
+}
+
+/// A run of the chart shows more than what it was looked for.
+void Analyst::confirm_others(const Way& way) {
+    for (const Sign& sign : signs_) {
+        if (sign.question->decided || sign.among != Among::Points) continue;
+        for (const std::vector<Point>& instant : way.instants)
+            for (const Point& point : instant)
+                if (evaluate(sign.goal, point)) sign.question->decided = true;
+    }
+}
+
+// -- when it is done -----------------------------------------------------------------------------------------------------
+
+bool Analyst::unseen(std::string_view code, std::size_t index) {
+    const Question* const question = questions_.open(code, index);
+    return question != nullptr &&
+           std::ranges::any_of(signs_, [&](const Sign& sign) { return sign.question == question && !sign.seen; });
+}
+
 bool Analyst::ever_active(Step step) const {
     return equations_.variables[equations_.steps[step.index].variable].initial != 0 || seen(machine_.active(step.index));
 }
 
 void Analyst::dead_steps() {
     for (const Step step : chart_.steps.ids()) {
-        if (ever_active(step)) continue;
+        if (!unseen("step-never-active", step.index)) continue;
         keep(finding("step-never-active", step_name(step),
                      "`" + step_name(step) + "` is never active; no sequence of inputs leads to it",
                      chart_.steps[step].origin));
+        questions_.decide("step-never-active", step.index);
     }
 }
 
 void Analyst::dead_transitions() {
-    for (const Transition id : chart_.transitions.ids()) {
-        if (seen(machine_.fires(id.index))) continue;
-        const Chart::Transition& transition = chart_.transitions[id];
-        std::vector<Step> dead;
-        for (const Step step : transition.from)
-            if (!ever_active(step)) dead.push_back(step);
-        const bool ready = seen(enabled(id));
-        std::string why = "; its condition is never true then";
-        if (!dead.empty()) why = "; " + steps_text(dead) + (dead.size() == 1 ? " is never active" : " are never active");
-        else if (!ready) why = "; " + steps_text(transition.from) + " are never active together";
-        Finding made =
-            finding("transition-never-fired", name(id), "`" + name(id) + "` is never cleared" + why, transition.origin);
-        if (ready) {
-            made.message = "`" + name(id) + "` is never cleared; its condition is never true while it is enabled";
-            show(made, enabled(id), {.ends = false}, "`" + name(id) + "` is enabled");
-        }
-        keep(std::move(made));
-    }
+    for (const Transition id : chart_.transitions.ids()) dead_transition(id);
 }
 
+void Analyst::dead_transition(Transition id) {
+    if (!unseen("transition-never-fired", id.index)) return;
+    const Chart::Transition& transition = chart_.transitions[id];
+    std::vector<Step> dead;
+    for (const Step step : transition.from)
+        if (!ever_active(step)) dead.push_back(step);
+    const bool ready = seen(enabled(id));
+    std::string why = "; its condition is never true then";
+    if (!dead.empty()) why = "; " + steps_text(dead) + (dead.size() == 1 ? " is never active" : " are never active");
+    else if (!ready) why = "; " + steps_text(transition.from) + " are never active together";
+    Finding made =
+        finding("transition-never-fired", name(id), "`" + name(id) + "` is never cleared" + why, transition.origin);
+    if (ready) {
+        made.message = "`" + name(id) + "` is never cleared; its condition is never true while it is enabled";
+        show(made, enabled(id), {.ends = false}, "`" + name(id) + "` is enabled");
+    }
+    keep(std::move(made));
+    questions_.decide("transition-never-fired", id.index);
+}
+
+/// Of transitions that are cleared at all.
 void Analyst::immediate_transitions() {
     for (const Transition id : chart_.transitions.ids()) {
-        const Bdd fires = machine_.fires(id.index);
-        if (seen(enabled(id) & ~fires) || !seen(fires)) continue;
-        Finding made = finding("transition-always-fired", name(id),
-                               "`" + name(id) + "` is cleared as soon as it is enabled, whatever the inputs are",
-                               chart_.transitions[id].origin);
-        const Bdd good = fires & ~machine_.breaks();
-        show(made, seen(good) ? good : fires, {.fired = {id}}, "`" + name(id) + "` is cleared in the last instant");
-        keep(std::move(made));
+        if (!unseen("transition-always-fired", id.index)) continue;
+        const Bdd& fires = machine_.fires(id.index);
+        if (seen(fires)) {
+            Finding made = finding("transition-always-fired", name(id),
+                                   "`" + name(id) + "` is cleared as soon as it is enabled, whatever the inputs are",
+                                   chart_.transitions[id].origin);
+            if (!show(made, rather_unbroken(fires), {.fired = {id}}, "`" + name(id) + "` is cleared in the last instant")) continue;
+            keep(std::move(made));
+        }
+        questions_.decide("transition-always-fired", id.index);
     }
 }
 
 void Analyst::transient_steps() {
-    if (!searching()) return;
     for (const Step step : chart_.steps.ids()) {
-        const Bdd active = machine_.active(step.index);
-        if (!seen(active) || seen(active & machine_.stable() & ~machine_.breaks())) continue;
-        const bool acts = std::ranges::any_of(chart_.continuous,
-                                              [&](const Chart::ContinuousAction& action) { return action.step == step; });
-        Finding made = finding("step-never-stable", step_name(step),
-                               "`" + step_name(step) + "` is left in the very instant it becomes active" +
-                                   (acts ? "; its continuous actions never give an output" : ""),
-                               chart_.steps[step].origin);
-        if (acts) made.level = Finding::Level::Warning;
-        show(made, active, {.ends = false}, "`" + step_name(step) + "` is active, and about to be left");
-        keep(std::move(made));
+        if (!unseen("step-never-stable", step.index)) continue;
+        const Bdd& active = machine_.active(step.index);
+        if (seen(active)) {
+            const bool acts = std::ranges::any_of(
+                chart_.continuous, [&](const Chart::ContinuousAction& action) { return action.step == step; });
+            Finding made = finding("step-never-stable", step_name(step),
+                                   "`" + step_name(step) + "` is left in the very instant it becomes active" +
+                                       (acts ? "; its continuous actions never give an output" : ""),
+                                   chart_.steps[step].origin);
+            if (acts) made.level = Finding::Level::Warning;
+            if (!show(made, active, {.ends = false}, "`" + step_name(step) + "` is active, and about to be left")) continue;
+            keep(std::move(made));
+        }
+        questions_.decide("step-never-stable", step.index);
     }
 }
 
 void Analyst::silent_outputs() {
-    const Bdd written = searching() ? search_.reached() & machine_.stable()
-                                   : machine_.without_ends(search_.landings());
-    const auto silent = [&](Id<Equations::Variable> id) {
+    for (const Id<Equations::Variable> id : equations_.variables.ids()) {
         const Equations::Variable& variable = equations_.variables[id];
+        if (!unseen("output-never-set", id.index)) continue;
         keep(finding("output-never-set", variable.name,
                      "`" + variable.name + "` always has its initial value; no action that is ever active gives it another",
                      variable.origin));
-    };
-    for (const Equations::Output& output : equations_.outputs) {
-        const std::int64_t initial = equations_.variables[output.variable].initial;
-        if ((written & machine_.differs(output.value, initial)).is_false()) silent(output.variable);
-    }
-    for (const Equations::Stored& stored : equations_.stored) {
-        const Equations::Variable& variable = equations_.variables[stored.variable];
-        if (variable.role != Equations::Role::Output) continue;
-        const auto stores = [&](const Equations::Write& write) {
-            return seen(machine_.holds(write.trigger) & machine_.differs(write.value, variable.initial));
-        };
-        const Bdd first = machine_.possible() & machine_.differs_at_first(stored.first, variable.initial);
-        if (first.is_false() && std::ranges::none_of(stored.writes, stores)) silent(stored.variable);
+        questions_.decide("output-never-set", id.index);
     }
 }
 

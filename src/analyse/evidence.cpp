@@ -152,7 +152,7 @@ private:
 
     bool is_at(const Point& point) const {
         for (const Id<Chart::Step> id : chart_.steps.ids())
-            if (state_.situation[id.index] != (machine_.value(point, equations_.steps[id.index].variable) != 0)) return false;
+            if (machine_.covers_step(id.index) && state_.situation[id.index] != (machine_.value(point, equations_.steps[id.index].variable) != 0)) return false;
         return true;
     }
 

@@ -2,6 +2,7 @@
 #include "analyse/machine.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -33,10 +34,20 @@ Bdd unequal(const BddTerm& term, std::int64_t value) {
     return ~equal(term, term.boolean ? bdd_boolean(Bdd::constant(value != 0)) : bdd_integer(value)) & ~term.undefined;
 }
 
+/// `term`, and `most` where it is more.
+BddTerm at_most(const BddTerm& term, std::int64_t most) {
+    const Bdd more = ~within(term, std::numeric_limits<std::int64_t>::min(), most) & ~term.undefined;
+    return conditional(bdd_boolean(more), bdd_integer(most), term);
+}
+
 }  // namespace
 
-Machine::Machine(const Equations& equations, const AnalyseOptions& options, BddSpace& space)
-    : equations_(equations), space_(space), clocks_(analysis::clocks(equations)) {
+Machine::Machine(const Equations& equations, const AnalyseOptions& options, const Cone& cone, BddSpace& space)
+    : equations_(equations), space_(space), cone_(cone), whole_(std::ranges::find(cone, false) == cone.end()),
+      clocks_(analysis::clocks(equations)) {
+    std::erase_if(clocks_, [&](const Clock& clock) { return !cone_[clock.end.index]; });
+    look_inside();
+    choose_counters(options);
     add_words(options);
     terms_.emplace(equations.exprs, [this](const Expr& leaf) { return before(leaf); });
     first_terms_.emplace(equations.exprs, [this](const Expr& leaf) { return initially(leaf); });
@@ -46,40 +57,85 @@ Machine::Machine(const Equations& equations, const AnalyseOptions& options, BddS
     add_stored();
     add_remembered();
     add_timers();
-    stable_ = holds(equations.stable);
+    add_stability();
     add_parts();
     start();
+}
+
+// -- the cone ----------------------------------------------------------------------------------------------------------
+
+/// Firing conditions read no firing condition, so a second pass knows those of the first.
+void Machine::look_inside() {
+    std::vector<bool> known(cone_);
+    for (const Equations::Firing& firing : equations_.firings) known[firing.variable.index] = false;
+    for (int pass = 0; pass < 2; ++pass) {
+        inside_.assign(equations_.exprs.size(), true);
+        for (std::uint32_t term = 0; term < inside_.size(); ++term) {
+            const Expr& node = equations_.exprs[Id<Expr>{term}];
+            if (node.op == Op::Variable) inside_[term] = known[static_cast<std::size_t>(node.value)];
+            for (const Id<Expr> operand : equations_.exprs.operands(node))
+                if (!inside_[operand.index]) inside_[term] = false;
+        }
+        for (const Equations::Firing& firing : equations_.firings)
+            known[firing.variable.index] = inside_[firing.condition.index];
+    }
+}
+
+void Machine::choose_counters(const AnalyseOptions& options) {
+    counters_ = counters(equations_);
+    exact_evolutions_ = std::numeric_limits<std::int64_t>::max();
+    for (std::size_t variable = 0; variable < counters_.size(); ++variable) {
+        std::optional<Counter>& counter = counters_[variable];
+        if (!counter || !cone_[variable]) continue;
+        if (counter->safe < options.longest_count) counter.reset();
+        else exact_evolutions_ = std::min(exact_evolutions_, counter->safe);
+    }
 }
 
 // -- variables ---------------------------------------------------------------------------------------------------------
 
 void Machine::add_words(const AnalyseOptions& options) {
     matters_ = variables_that_matter(equations_);
+    for (std::size_t variable = 0; variable < matters_.size(); ++variable)
+        if (!cone_[variable]) matters_[variable] = false;
     for (const Exclusion& exclusion : options.exclusions)
         for (const Id<Chart::Variable> input : {exclusion.first, exclusion.second}) matters_[input.index] = true;
     for (const Equations::Assumption& assumption : equations_.assumptions)
         for (const Id<Expr> leaf : leaves(equations_.exprs, assumption.condition))
             matters_[static_cast<std::size_t>(equations_.exprs[leaf].value)] = true;
+    for (const Equations::Watch& watch : equations_.watches) watches_ = watches_ || matters_[watch.variable.index];
     words_.resize(equations_.variables.size());
     firing_of_.resize(equations_.variables.size());
-    std::vector<std::uint32_t> inputs, kept;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    const std::vector<std::uint32_t> group = integer_groups(equations_);
+    std::vector<Id<Variable>> together;
     for (const Id<Variable> id : variable_order(equations_, matters_)) {
-        const Variable& variable = equations_.variables[id];
-        const bool input = variable.role == Role::Input;
-        const std::size_t bits = bit_count(variable.type);
-        const std::uint32_t first = space_.add_variables(input ? bits : 2 * bits);
-        words_[id.index].type = variable.type;
-        for (std::uint32_t bit = 0; bit < bits; ++bit) {
-            const std::uint32_t place = input ? first + bit : first + 2 * bit;
-            words_[id.index].bits.push_back(place);
-            (input ? inputs : kept).push_back(place);
-            if (!input) pairs.emplace_back(place + 1, place);
-        }
+        if (!together.empty() && group[together.front().index] != group[id.index]) add_word_bits(std::exchange(together, {}));
+        together.push_back(id);
     }
-    inputs_ = variable_set(inputs);
-    kept_set_ = variable_set(kept);
+    add_word_bits(together);
+    if (space_.variables() == 0) space_.add_variables(1);   // a cone that keeps and reads nothing is a space all the same
+    inputs_ = variable_set(input_bits_);
+    kept_set_ = variable_set(kept_bits_);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const std::uint32_t bit : kept_bits_) pairs.emplace_back(bit + 1, bit);
     to_before_.emplace(pairs);
+}
+
+/// Their bits by turns, so that those which are compared or added are neighbours.
+void Machine::add_word_bits(const std::vector<Id<Variable>>& together) {
+    std::size_t most = 0;
+    for (const Id<Variable> id : together) {
+        words_[id.index].type = counters_[id.index] ? counters_[id.index]->type : equations_.variables[id].type;
+        most = std::max(most, bit_count(words_[id.index].type));
+    }
+    for (std::size_t bit = 0; bit < most; ++bit)
+        for (const Id<Variable> id : together) {
+            if (bit >= bit_count(words_[id.index].type)) continue;
+            const bool input = equations_.variables[id].role == Role::Input;
+            const std::uint32_t place = space_.add_variables(input ? 1 : 2);
+            words_[id.index].bits.push_back(place);
+            (input ? input_bits_ : kept_bits_).push_back(place);
+        }
 }
 
 BddTerm Machine::word_term(Id<Variable> variable) const { return term_of(space_, words_[variable.index]); }
@@ -113,9 +169,11 @@ void Machine::restrict_inputs(const AnalyseOptions& options) {
 // -- one evolution -----------------------------------------------------------------------------------------------------
 
 void Machine::add_break(Break found) {
-    breaks_ |= found.race | found.out_of_range | found.no_value;
-    breaks_at_first_ |= found.first_race | found.first_out_of_range | found.first_no_value;
-    all_breaks_.push_back(std::move(found));
+    const Bdd later = found.race | found.out_of_range | found.no_value;
+    const Bdd first = found.first_race | found.first_out_of_range | found.first_no_value;
+    if (!later.is_false()) sound_.push_back(~later);
+    breaks_at_first_ |= first;
+    if (!later.is_false() || !first.is_false() || !found.beyond.is_false()) all_breaks_.push_back(std::move(found));
 }
 
 void Machine::keep(Next next) {
@@ -130,9 +188,11 @@ void Machine::add_firings() {
     Break found;
     for (std::size_t k = 0; k < equations_.firings.size(); ++k) {
         const Equations::Firing& firing = equations_.firings[k];
+        fires_.emplace_back();
+        if (!covers_firing(k)) continue;
         const BddTerm& term = (*terms_)(firing.condition);
         found.no_value |= term.undefined;
-        fires_.push_back(term.bits.front() & ~term.undefined);
+        fires_.back() = term.bits.front() & ~term.undefined;
         firing_of_[firing.variable.index] = k;
     }
     add_break(std::move(found));
@@ -140,13 +200,17 @@ void Machine::add_firings() {
 
 void Machine::add_steps() {
     for (const Equations::StepActivity& step : equations_.steps) {
-        value_of_step_.push_back(word_term(step.variable).bits.front());
+        value_of_step_.emplace_back();
+        if (!covers(step.variable)) continue;
+        value_of_step_.back() = word_term(step.variable).bits.front();
         const BddTerm initial = constant_term({}, equations_.variables[step.variable].initial);
         keep({step.variable, (*terms_)(step.next), initial});
     }
     for (const Equations::Conflict& conflict : equations_.conflicts) {
-        conflicts_.push_back(holds(conflict.condition));
-        breaks_ |= conflicts_.back();
+        conflicts_.emplace_back();
+        if (!covers(conflict.condition)) continue;
+        conflicts_.back() = holds(conflict.condition);
+        if (!conflicts_.back().is_false()) sound_.push_back(~conflicts_.back());
     }
 }
 
@@ -155,7 +219,9 @@ void Machine::add_stored() {
     Bdd obeyed = Bdd::constant(true);
     for (const Bdd& conflict : conflicts_) obeyed &= ~conflict;
     for (const Equations::Stored& stored : equations_.stored) {
+        if (!covers(stored.variable)) continue;
         const Type type = equations_.variables[stored.variable].type;
+        const std::optional<Counter>& counter = counters_[stored.variable.index];
         const BddTerm &next = (*terms_)(stored.next), &race = (*terms_)(stored.race);
         const BddTerm &first = (*first_terms_)(stored.first), &first_race = (*first_terms_)(stored.first_race);
         Break found{stored.variable};
@@ -174,10 +240,12 @@ void Machine::add_stored() {
             const Bdd trigger = holds(write.trigger);
             found.no_value |= trigger & value.undefined;
             found.out_of_range |= trigger & outside(value, type) & obeyed;
+            if (counter) found.beyond |= trigger & outside(value, counter->type) & ~outside(value, type) & obeyed;
         }
+        if (counter) found.safe = counter->safe;
         add_break(std::move(found));
         if (!matters_[stored.variable.index]) continue;
-        keep({stored.variable, next, first});
+        keep({stored.variable, counter ? at_most(next, counter->type.high) : next, first});
     }
     for (const Id<Variable> id : equations_.variables.ids()) {
         const Variable& variable = equations_.variables[id];
@@ -203,7 +271,7 @@ void Machine::add_remembered() {
     BddTerms later(equations_.exprs, after(false)), at_first(equations_.exprs, after(true));
     std::vector<Next> found;
     for (const Remembered& each : remembered(equations_)) {
-        if (!matters_[each.variable.index]) continue;
+        if (!matters_[each.variable.index] || !covers(each.value)) continue;
         BddTerms& terms = each.after ? later : *terms_;
         BddTerms& firsts = each.after ? at_first : *first_terms_;
         const BddTerm &value = terms(each.value), &first = firsts(each.value);
@@ -232,6 +300,17 @@ void Machine::add_timers() {
     }
 }
 
+/// As derive has it: no transition is cleared, and what is remembered for edges is as before.
+void Machine::add_stability() {
+    for (std::size_t k = 0; k < fires_.size(); ++k)
+        if (!fires_[k].is_false()) calm_.push_back(~fires_[k]);
+    for (const Equations::Previous& previous : equations_.previous) {
+        if (!covers(previous.variable)) continue;
+        const BddTerm& value = (*terms_)(previous.value);
+        calm_.push_back(iff(word_term(previous.variable).bits.front(), value.bits.front()) & ~value.undefined);
+    }
+}
+
 void Machine::add_parts() {
     std::ranges::sort(kept_, {}, &KeptBit::before);
     std::vector<Bdd> relations;
@@ -244,16 +323,20 @@ void Machine::add_parts() {
     std::map<std::uint32_t, std::size_t> last;   // per kept variable before: the last part that reads it
     for (std::size_t part = 0; part < relations.size(); ++part)
         for (const std::uint32_t variable : support(relations[part])) last[variable] = part;
-    std::vector<std::vector<std::uint32_t>> ended(relations.size());
-    std::vector<std::uint32_t> unread;
-    for (const KeptBit& bit : kept_) {
-        const auto found = last.find(bit.before);
-        if (found == last.end()) unread.push_back(bit.before);
-        else ended[found->second].push_back(bit.before);
-    }
+    const auto endings = [&](const std::vector<std::uint32_t>& bits, std::vector<std::uint32_t>& unread) {
+        std::vector<std::vector<std::uint32_t>> ended(relations.size());
+        for (const std::uint32_t bit : bits) {
+            const auto found = last.find(bit);
+            (found == last.end() ? unread : ended[found->second]).push_back(bit);
+        }
+        return ended;
+    };
+    std::vector<std::uint32_t> unread, unread_inputs;
+    const auto ended = endings(kept_bits_, unread), ended_inputs = endings(input_bits_, unread_inputs);
     for (std::size_t part = 0; part < relations.size(); ++part)
-        parts_.push_back({relations[part], variable_set(ended[part])});
+        parts_.push_back({relations[part], variable_set(ended[part]), variable_set(ended[part]) & variable_set(ended_inputs[part])});
     unread_ = variable_set(unread);
+    unread_inputs_ = variable_set(unread_inputs);
 }
 
 void Machine::start() {
@@ -262,9 +345,39 @@ void Machine::start() {
     for (const KeptBit& bit : kept_) started_ &= iff(space_.variable(bit.before), bit.first);
 }
 
+Bdd Machine::stable(const Bdd& points) const {
+    Bdd result = points;
+    for (const Bdd& each : calm_) result &= each;
+    return result;
+}
+
+Bdd Machine::unbroken(const Bdd& points) const {
+    Bdd result = points;
+    for (const Bdd& each : sound_) result &= each;
+    return result;
+}
+
+Bdd Machine::going_on(const Bdd& points) const {
+    const Bdd good = unbroken(points);
+    return good & ~stable(good);
+}
+
+Bdd Machine::followed(const Bdd& points) const {
+    Bdd result = points;
+    for (const Break& each : all_breaks_)
+        if (!each.beyond.is_false()) result &= ~each.beyond;
+    return result;
+}
+
 Bdd Machine::evolved(const Bdd& points) const {
     Bdd result = exists(points, unread_);
     for (const Part& part : parts_) result = and_exists(result, part.relation, part.ended);
+    return (*to_before_)(result);
+}
+
+Bdd Machine::evolved_rest(const Bdd& points) const {
+    Bdd result = exists(points, unread_ & unread_inputs_);
+    for (const Part& part : parts_) result = and_exists(result, part.relation, part.ended_inputs);
     return (*to_before_)(result);
 }
 

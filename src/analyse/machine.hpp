@@ -2,6 +2,9 @@
 // Machine: the evolutions of equations as Boolean functions. A point is an assignment to the variables that matter:
 // what an evolution keeps (steps, stored variables, what is remembered, the ends of timers) and the inputs, which it
 // reads. A set of points is a Bdd over the bits `before` an evolution; a rest is a set over the kept ones alone.
+//
+// A machine is of one cone (see cones.hpp); what is asked about anything outside of it means nothing. A counter may be kept
+// up to its thresholds only (see counters.hpp).
 #pragma once
 
 #include <cstdint>
@@ -9,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "analyse/cones.hpp"
+#include "analyse/counters.hpp"
 #include "analyse/memory.hpp"
 #include "grafverif/analyse/analyse.hpp"
 #include "grafverif/bdd/terms.hpp"
@@ -21,7 +26,18 @@ using Point = std::vector<bool>;
 class Machine {
 public:
     /// Everything outlives the machine.
-    Machine(const Equations& equations, const AnalyseOptions& options, BddSpace& space);
+    Machine(const Equations& equations, const AnalyseOptions& options, const Cone& cone, BddSpace& space);
+
+    // -- what it knows of --
+
+    bool covers(Id<Equations::Variable> variable) const { return cone_[variable.index]; }
+    bool covers(Id<Expr> term) const { return !term.valid() || inside_[term.index]; }
+    bool covers_step(std::size_t step) const { return covers(equations_.steps[step].variable); }
+    bool covers_firing(std::size_t firing) const { return covers(equations_.firings[firing].condition); }
+    /// Whether it is all of the chart.
+    bool whole() const { return whole_; }
+    /// Runs of at most so many evolutions count as the chart does.
+    std::int64_t exact_evolutions() const { return exact_evolutions_; }
 
     // -- sets of points --
 
@@ -31,13 +47,22 @@ public:
     const Bdd& breaks_at_first() const { return breaks_at_first_; }
     /// The inputs that are possible.
     const Bdd& possible() const { return possible_; }
-    /// Points whose evolution changes nothing.
-    const Bdd& stable() const { return stable_; }
-    /// Points whose evolution breaks off: a race, a value that does not exist or fit.
-    const Bdd& breaks() const { return breaks_; }
+    /// Those of `points` whose evolution changes nothing but levels that timers watch.
+    Bdd stable(const Bdd& points) const;
+    /// Those whose evolution does not break off: no race, no value that does not exist or fit.
+    Bdd unbroken(const Bdd& points) const;
+    /// The sound ones that are not stable.
+    Bdd going_on(const Bdd& points) const;
+    /// Those at which no counter goes on above what is kept of it: nothing is lost there.
+    Bdd followed(const Bdd& points) const;
+    /// What `points`, stable and sound, keep when their instant ends: watched levels are those of its end.
+    Bdd settled(const Bdd& points) const { return watches_ ? rest(evolved(points)) : rest(points); }
+    bool watches() const { return watches_; }
 
     /// Where the evolutions of `points` lead, inputs kept. None of them breaks off.
     Bdd evolved(const Bdd& points) const;
+    /// What they keep there: rest(evolved(points)), at less cost.
+    Bdd evolved_rest(const Bdd& points) const;
     /// The points of `points` whose evolution leads to what `next` keeps.
     Bdd origins(const Bdd& points, const Point& next) const;
     Bdd with_inputs_of(const Bdd& points, const Point& other) const;
@@ -51,13 +76,15 @@ public:
     // -- conditions on points, over the variables before their evolution --
 
     Bdd holds(Id<Expr> term);
-    Bdd active(std::size_t step) const { return value_of_step_[step]; }
-    Bdd fires(std::size_t firing) const { return fires_[firing]; }
+    const Bdd& active(std::size_t step) const { return value_of_step_[step]; }
+    const Bdd& fires(std::size_t firing) const { return fires_[firing]; }
     Bdd fires(Id<Equations::Variable> firing) const;
     struct Break {
         Id<Equations::Variable> variable = {};   ///< not valid: of conditions
         Bdd race = {}, out_of_range = {}, no_value = {};
         Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};   ///< in the first evolution, over inputs
+        Bdd beyond = {};                         ///< where a counter goes on above what is kept apart
+        std::int64_t safe = 0;                   ///< in so many evolutions it stays in its range all the same
     };
     const std::vector<Break>& all_breaks() const { return all_breaks_; }
     /// Per Equations::conflicts: where it breaks the evolution off.
@@ -81,6 +108,7 @@ private:
     struct Part {
         Bdd relation = {};
         Bdd ended = {};   ///< kept variables that no later part reads
+        Bdd ended_inputs = {};   ///< and inputs
     };
     struct KeptBit {
         std::uint32_t before = 0;
@@ -92,7 +120,10 @@ private:
         BddTerm value = {}, first = {};
     };
 
+    void look_inside();
+    void choose_counters(const AnalyseOptions& options);
     void add_words(const AnalyseOptions& options);
+    void add_word_bits(const std::vector<Id<Equations::Variable>>& together);
     void restrict_inputs(const AnalyseOptions& options);
     void add_firings();
     void add_steps();
@@ -100,6 +131,8 @@ private:
     void add_remembered();
     void add_timers();
     void add_break(Break found);
+    void add_overflow(const Equations::Write& write, Break& found);
+    void add_stability();
     void keep(Next next);
     void add_parts();
     void start();
@@ -110,8 +143,13 @@ private:
 
     const Equations& equations_;
     BddSpace& space_;
+    Cone cone_;
+    bool whole_ = true, watches_ = false;
+    std::vector<bool> inside_ = {};                         ///< per term: whether it reads the cone alone
     std::vector<Clock> clocks_;
     std::vector<bool> matters_ = {};
+    std::vector<std::optional<Counter>> counters_ = {};
+    std::int64_t exact_evolutions_ = 0;
     std::vector<BddWord> words_ = {};                       ///< per variable that matters
     std::vector<std::optional<std::size_t>> firing_of_ = {};   ///< per variable: index of the firing condition
     std::vector<Bdd> fires_ = {}, value_of_step_ = {};
@@ -120,8 +158,10 @@ private:
     std::vector<Part> parts_ = {};
     std::vector<Break> all_breaks_ = {};
     std::vector<Bdd> conflicts_ = {};
-    Bdd inputs_ = {}, kept_set_ = {}, unread_ = {};         ///< sets of variables; unread: kept ones that no part reads
-    Bdd possible_ = {}, stable_ = {}, breaks_ = {}, started_ = {}, breaks_at_first_ = {};
+    std::vector<Bdd> calm_ = {}, sound_ = {};               ///< conjuncts of what is stable, and of what does not break off
+    std::vector<std::uint32_t> input_bits_ = {}, kept_bits_ = {};
+    Bdd inputs_ = {}, kept_set_ = {}, unread_ = {}, unread_inputs_ = {};   ///< sets of variables; unread: kept ones that no part reads
+    Bdd possible_ = {}, started_ = {}, breaks_at_first_ = {};
     std::optional<BddTerms> terms_ = {};
     std::optional<BddTerms> first_terms_ = {};   ///< over initial values: of the first evolution
     std::optional<BddRenaming> to_before_ = {};

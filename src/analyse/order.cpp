@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "analyse/order.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <numeric>
 #include <utility>
 
+#include "analyse/cones.hpp"
 #include "analyse/memory.hpp"
+#include "support/force.hpp"
 
 namespace grafverif::analysis {
 
@@ -119,10 +124,71 @@ private:
     std::vector<std::uint32_t> pending_ = {};
 };
 
+/// `order`, drawn together: what a variable becomes and all that this reads is an edge.
+std::vector<Id<Variable>> drawn_together(const Equations& equations, const std::vector<Id<Variable>>& order) {
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    const Dependencies reads(equations);
+    std::vector<std::uint32_t> vertex(equations.variables.size(), none);
+    for (std::uint32_t k = 0; k < order.size(); ++k) vertex[order[k].index] = k;
+    std::vector<ForceEdge> edges;
+    for (const Id<Variable> id : order) {
+        ForceEdge edge{id.index};
+        for (const std::uint32_t read : reads.of(id.index)) {
+            if (equations.variables[Id<Variable>{read}].role != Equations::Role::FiringCondition) edge.push_back(read);
+            else edge.insert(edge.end(), reads.of(read).begin(), reads.of(read).end());
+        }
+        for (std::uint32_t& member : edge) member = vertex[member];
+        std::erase(edge, none);
+        std::ranges::sort(edge);
+        const auto rest = std::ranges::unique(edge);
+        edge.erase(rest.begin(), rest.end());
+        if (edge.size() > 1) edges.push_back(std::move(edge));
+    }
+    const std::vector<double> places = force_places(order.size(), edges);
+    std::vector<Id<Variable>> result(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) result[static_cast<std::size_t>(places[k])] = order[k];
+    return result;
+}
+
 }  // namespace
 
+std::vector<std::uint32_t> integer_groups(const Equations& equations) {
+    std::vector<std::uint32_t> first(equations.variables.size());
+    std::iota(first.begin(), first.end(), 0U);
+    const auto root = [&](std::uint32_t variable) {
+        while (first[variable] != variable) variable = first[variable] = first[first[variable]];
+        return variable;
+    };
+    // Per term: some integer that its value is made of.
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> made_of(equations.exprs.size(), none);
+    for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {
+        const Expr& node = equations.exprs[Id<Expr>{term}];
+        if (node.op == Op::Variable && !equations.variables[Id<Variable>{static_cast<std::uint32_t>(node.value)}].type.boolean)
+            made_of[term] = static_cast<std::uint32_t>(node.value);
+        if (!is_comparison(node.op) && !is_arithmetic(node.op) && node.op != Op::Conditional) continue;
+        for (const Id<Expr> operand : equations.exprs.operands(Id<Expr>{term})) {
+            const std::uint32_t integer = made_of[operand.index];
+            if (integer == none) continue;
+            if (made_of[term] != none) first[root(integer)] = root(made_of[term]);
+            made_of[term] = integer;
+        }
+        if (is_comparison(node.op)) made_of[term] = none;
+    }
+    for (std::uint32_t variable = 0; variable < first.size(); ++variable) first[variable] = root(variable);
+    return first;
+}
+
 std::vector<Id<Variable>> variable_order(const Equations& equations, const std::vector<bool>& wanted) {
-    return Order(equations, wanted).all();
+    const std::vector<Id<Variable>> written = Order(equations, wanted).all();
+    const std::vector<Id<Variable>> drawn = drawn_together(equations, written);
+    const std::vector<std::uint32_t> group = integer_groups(equations);
+    std::vector<std::vector<Id<Variable>>> members(equations.variables.size());
+    for (const Id<Variable> id : drawn) members[group[id.index]].push_back(id);
+    std::vector<Id<Variable>> result;
+    for (const Id<Variable> id : drawn)
+        for (const Id<Variable> member : std::exchange(members[group[id.index]], {})) result.push_back(member);
+    return result;
 }
 
 std::vector<bool> variables_that_matter(const Equations& equations) {

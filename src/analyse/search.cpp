@@ -17,60 +17,62 @@ Bdd widened(const Bdd& fresh, const Bdd& known) {
 
 }  // namespace
 
-void Search::run() {
-    first_instant();
-    while (!instants_.back().rest.is_false()) next_instant();
-    if (mode_ == ExecutionMode::StabilitySearch) find_endless();
+void Search::next() {
+    if (instants_.empty()) return first_instant();
+    const Bdd rest = instants_.back().rest;
+    make_instant(machine_.sampled(widened(rest, rested_ & ~rest)) & ~reached_);
 }
 
 void Search::first_instant() {
+    evolutions_ = 1;
     if (mode_ == ExecutionMode::StabilitySearch) return make_instant(machine_.started());
     landings_ = machine_.started();
     rested_ = machine_.rest(landings_);
     instants_.push_back({{}, rested_});
 }
 
-void Search::next_instant() {
-    const Bdd& rest = instants_.back().rest;
-    make_instant(machine_.sampled(widened(rest, rested_ & ~rest)) & ~reached_);
-}
-
 /// Under stability search the instant goes on through the points that are not stable, in every_cycle mode it is over.
 void Search::make_instant(Bdd points) {
-    Instant& instant = instants_.emplace_back();
-    Bdd ended;
+    Instant made;
+    Bdd ended, fresh;
     while (!points.is_false()) {
-        instant.points.push_back(points);
-        const Bdd good = widened(points, reached_) & ~machine_.breaks();
+        made.points.push_back(points);
+        const Bdd good = machine_.unbroken(widened(points, reached_));
         reached_ |= points;
+        fresh |= points;
         if (mode_ == ExecutionMode::EveryCycle) {
-            ended = machine_.evolved(good);
-            landings_ |= ended;
+            ended = lands_ ? machine_.evolved(good) : machine_.evolved_rest(good);
+            if (lands_) landings_ |= ended;
+            if (lands_) ended = machine_.rest(ended);
             break;
         }
-        ended |= good & machine_.stable();
-        points = machine_.evolved(good & ~machine_.stable()) & ~reached_;
+        const Bdd stable = machine_.stable(good);
+        ended |= machine_.settled(stable);
+        points = machine_.evolved(good & ~stable) & ~reached_;
     }
-    instant.rest = machine_.rest(ended) & ~rested_;
-    rested_ |= instant.rest;
+    made.rest = ended & ~rested_;
+    rested_ |= made.rest;
+    fresh_ = fresh;
+    evolutions_ += static_cast<std::int64_t>(made.points.size());
+    instants_.push_back(std::move(made));
 }
 
 /// Evolutions with constant inputs are a function, and a function on finitely many points leads each that has endless
-/// histories round a cycle.
-void Search::find_endless() {
-    const Bdd going_on = reached_ & ~machine_.stable() & ~machine_.breaks();
-    Bdd now = going_on;
+/// histories round a cycle. The points of a cycle are reached in one instant.
+Bdd Search::endless(const Bdd& within) const {
+    if (mode_ == ExecutionMode::EveryCycle) return {};
+    Bdd now = within;
     for (Bdd before; !(now == before);) {
         before = now;
-        now = machine_.evolved(now) & going_on;
+        now = machine_.evolved(now) & within;
     }
-    endless_ = now;
+    return now;
 }
 
 std::vector<Point> Search::back_through(const Instant& instant, std::size_t ring, const Point& last) const {
     std::vector<Point> points{last};
     while (ring-- > 0) {
-        const Bdd going_on = instant.points[ring] & ~machine_.breaks() & ~machine_.stable();
+        const Bdd going_on = machine_.going_on(instant.points[ring]);
         points.push_back(machine_.pick(machine_.with_inputs_of(machine_.origins(going_on, points.back()), last)));
     }
     std::ranges::reverse(points);
@@ -82,10 +84,11 @@ std::optional<std::pair<std::size_t, Point>> Search::end_of(const Instant& insta
     if (rest.is_false()) return {};
     if (instant.points.empty()) return std::pair{std::size_t{0}, machine_.pick(machine_.started() & rest)};
     for (std::size_t ring = 0; ring < instant.points.size(); ++ring) {
-        const Bdd good = instant.points[ring] & ~machine_.breaks();
+        const Bdd good = machine_.unbroken(instant.points[ring]);
         if (mode_ == ExecutionMode::EveryCycle)
             return std::pair{ring, machine_.pick(machine_.origins(good, machine_.pick(rest)))};
-        const Bdd found = good & machine_.stable() & rest;
+        const Bdd stable = machine_.stable(good);
+        const Bdd found = machine_.watches() ? machine_.origins(stable, machine_.pick(rest)) : stable & rest;
         if (!found.is_false()) return std::pair{ring, machine_.pick(found)};
     }
     return {};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,26 +31,30 @@ struct Way {
 
 class Search {
 public:
-    Search(const Machine& machine, ExecutionMode mode) : machine_(machine), mode_(mode) {}
+    /// `landings`: whether they are asked for.
+    Search(const Machine& machine, ExecutionMode mode, bool landings = true) : machine_(machine), mode_(mode), lands_(landings) {}
 
-    /// Finds all points. May end with BddExhausted; what was found until then remains.
-    void run();
+    /// Whether all points are found.
+    bool done() const { return !instants_.empty() && instants_.back().rest.is_false(); }
+    /// Finds the points of one more instant. May end with BddExhausted; what was found until then remains.
+    void next();
 
     const std::vector<Instant>& instants() const { return instants_; }
+    /// The points that the last instant added.
+    const Bdd& fresh() const { return fresh_; }
+    /// Those of `within`, fresh points that go on, that do so for ever in it; under stability search only.
+    Bdd endless(const Bdd& within) const;
+    /// No run to the end of the last instant has more evolutions.
+    std::int64_t evolutions() const { return evolutions_; }
     /// All points, and in every_cycle mode all points right after an evolution, inputs kept.
     const Bdd& reached() const { return reached_; }
     const Bdd& landings() const { return landings_; }
-    /// All points that go on for ever within their instant; under stability search only.
-    const Bdd& endless() const { return endless_; }
-
     /// A shortest way to a point of `goal`; empty: there is none.
     std::optional<Way> way(const Bdd& goal) const;
 
 private:
     void first_instant();
-    void next_instant();
     void make_instant(Bdd points);
-    void find_endless();
     bool meets(const Bdd& goal, std::size_t& instant, std::size_t& ring) const;
     std::vector<Point> back_through(const Instant& instant, std::size_t ring, const Point& last) const;
     /// The last point of `instant`, with its ring, after which it ends in the state of `next`.
@@ -57,8 +62,10 @@ private:
 
     const Machine& machine_;
     ExecutionMode mode_;
+    bool lands_ = true;
     std::vector<Instant> instants_ = {};
-    Bdd reached_ = {}, landings_ = {}, rested_ = {}, endless_ = {};
+    Bdd reached_ = {}, landings_ = {}, rested_ = {}, fresh_ = {};
+    std::int64_t evolutions_ = 0;
 };
 
 }  // namespace grafverif::analysis

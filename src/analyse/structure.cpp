@@ -88,6 +88,13 @@ std::vector<std::pair<OrderId, Id<Chart::Step>>> orders_on_enclosed(const Chart&
     return found;
 }
 
+std::string conflict_subject(const Chart& chart, const Equations::Conflict& conflict) {
+    const auto order = std::ranges::find_if(chart.forcing, [&](const Chart::ForcingOrder& other) {
+        return other.origin.source == conflict.origin.source && other.origin.begin == conflict.origin.begin;
+    });
+    return order == chart.forcing.end() ? "" : chart.partial_charts[order->forced].name;
+}
+
 std::vector<std::pair<Id<Chart::Transition>, Id<Chart::Transition>>> branches(const Chart& chart) {
     std::vector<std::vector<Id<Chart::Transition>>> leaving(chart.steps.size());
     for (const Id<Chart::Transition> id : chart.transitions.ids())

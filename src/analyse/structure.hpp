@@ -21,6 +21,9 @@ std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_cycles(const Chart& ch
 /// around it.
 std::vector<std::pair<Id<Chart::ForcingOrder>, Id<Chart::Step>>> orders_on_enclosed(const Chart& chart);
 
+/// The partial chart that an order of the conflict forces; empty where its order is not found.
+std::string conflict_subject(const Chart& chart, const Equations::Conflict& conflict);
+
 /// Transitions that share a step upstream, the first before the second.
 std::vector<std::pair<Id<Chart::Transition>, Id<Chart::Transition>>> branches(const Chart& chart);
 

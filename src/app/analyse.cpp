@@ -2,10 +2,13 @@
 // `analyse`: what can go wrong in a chart and what never happens in it, whatever the inputs do.
 #include "grafverif/analyse/analyse.hpp"
 
+#include <fmt/format.h>
+
 #include <ostream>
 #include <sstream>
 
 #include "app/interrupt.hpp"
+#include "app/progress_line.hpp"
 #include "app/stop_words.hpp"
 #include "app/verbs.hpp"
 #include "grafverif/read/exclusions.hpp"
@@ -44,7 +47,7 @@ ExitCode exit_code(const Analysis& analysis) {
     if (!analysis.failures.empty()) return ExitCode::Failure;
     for (const Finding& finding : analysis.findings)
         if (is_open(finding)) return ExitCode::Verdict;
-    return analysis.obstacle.empty() ? ExitCode::Done : ExitCode::Unknown;
+    return analysis.open.empty() ? ExitCode::Done : ExitCode::Unknown;
 }
 
 }  // namespace
@@ -64,6 +67,13 @@ ExitCode analyse(Job& job, const Streams& streams) {
     options.max_memory = job.options.max_memory.value_or(options.max_memory);
     options.deadline = job.options.deadline;
     options.stop = &interrupt.asked();
+    ProgressLine line(streams.err, streams.err_is_terminal && !job.options.quiet);
+    options.progress = [&line](const AnalyseProgress& now) {
+        line.show([&] {
+            return fmt::format("part {} of {}, {} instants; {} of {} questions decided, {} findings", now.part, now.parts,
+                               now.instant, now.questions - now.open, now.questions, now.findings);
+        });
+    };
     Analysis analysis = grafverif::analyse(model->charts[*chart], *equations, options);
     analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), interrupt.asked(), job.options);
     deliver(printed(analysis, job), job, streams);
@@ -82,7 +92,8 @@ Verb analyse_usage() {
             "while active, partial charts forced twice or forced while enclosed; steps that are never active, transitions\n"
             "never or always cleared, outputs never set, inputs never read. `constraint` in the chart and a table of pairs\n"
             "of inputs that are never true together (`variable1,variable2,reason`) rule out impossible inputs;\n"
-            "`accept CODE \"reason\";` in the chart accepts findings. Exit code 1: a finding that nobody accepted.",
+            "`accept CODE \"reason\";` in the chart accepts findings. Exit code 1: a finding that nobody accepted; 3: none, and\n"
+            "something is not decided (--timeout, --max-memory, Ctrl-C); what is known is told, and how far the rest was looked into.",
             {"grafverif analyse samples/oven_door/oven_door.grafcet",
              "grafverif analyse station.grafcet --chart press --exclusions wiring.csv",
              "grafverif analyse station.grafcet --format sarif -o findings.sarif"},

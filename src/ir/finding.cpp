@@ -64,6 +64,10 @@ std::vector<std::string> verify(const Analysis& analysis) {
         for (const std::string& fault : verify(*finding.evidence))
             faults.push_back("evidence of `" + finding.code + "`: " + fault);
     }
+    for (const OpenQuestion& question : analysis.open)
+        if (std::ranges::find(kinds, question.code, &FindingKind::code) == kinds.end())
+            faults.push_back("nothing asks for `" + question.code + "`");
+    if (analysis.open.empty() != analysis.obstacle.empty()) faults.push_back("questions are open without a reason, or the other way round");
     return faults;
 }
 

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <ostream>
+#include <utility>
 
 #include "grafverif/report/terminal.hpp"
 #include "report/table.hpp"
@@ -43,6 +45,27 @@ void print_accepted(const Analysis& analysis, std::ostream& out) {
             out << fmt::format("accepted: {} [{}]: {}\n", finding.message, finding.code, *finding.accepted);
 }
 
+/// `X4`, `X5`; what is beyond eight is counted.
+std::string subjects_text(const std::vector<std::string>& subjects) {
+    constexpr std::size_t most = 8;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(most, subjects.size()); ++k) text += fmt::format("{}`{}`", k == 0 ? "" : ", ", subjects[k]);
+    return subjects.size() > most ? fmt::format("{} and {} more", text, subjects.size() - most) : text;
+}
+
+/// What is not known, a line for each code and for how far it was looked into.
+void print_open(const Analysis& analysis, std::ostream& out) {
+    if (analysis.open.empty()) return;
+    out << fmt::format("not decided: {} of {} questions; {}\n", analysis.open.size(), analysis.questions, analysis.obstacle);
+    std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines;
+    for (const OpenQuestion& question : analysis.open) {
+        std::vector<std::string>& subjects = lines[{question.code, open_text(question)}];
+        if (!question.subject.empty() && std::ranges::find(subjects, question.subject) == subjects.end()) subjects.push_back(question.subject);
+    }
+    for (const auto& [line, subjects] : lines)
+        out << "    " << line.first << (subjects.empty() ? "" : " of " + subjects_text(subjects)) << ": " << line.second << '\n';
+}
+
 void print_tally(const Analysis& analysis, std::ostream& out) {
     std::string line;
     const auto add = [&line](std::ptrdiff_t count, std::string_view one, std::string_view many) {
@@ -70,10 +93,17 @@ void print_findings(const Analysis& analysis, const Sources& sources, Colour col
         out << '\n';
     }
     print_accepted(analysis, out);
-    if (!analysis.obstacle.empty())
-        out << "not everything was looked at: " << analysis.obstacle << "; what never happens is not known\n";
+    print_open(analysis, out);
     for (const std::string& note : analysis.notes) out << "note: " << note << '\n';
     print_tally(analysis, out);
+}
+
+std::string open_text(const OpenQuestion& question) {
+    const bool never = question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
+    const std::string least = question.evolutions == 0 ? "" : fmt::format("none in {} evolutions", question.evolutions);
+    if (question.instants == 0) return least.empty() ? "nothing is known" : least;
+    const std::string first = question.instants == 1 ? "the first instant" : fmt::format("the first {} instants", question.instants);
+    return (never ? "so it is in " : "none in ") + first + (least.empty() ? "" : ", " + least);
 }
 
 std::string inputs_text(const Trace& trace) {

@@ -25,6 +25,13 @@ void add_place(FindingJson& object, Span where, const Sources& sources) {
     object["column"] = at.column;
 }
 
+FindingJson open_json(const OpenQuestion& question) {
+    return {{"code", question.code},
+            {"subject", text_or_none(question.subject)},
+            {"instants", question.instants},
+            {"evolutions", question.evolutions == 0 ? FindingJson(nullptr) : FindingJson(question.evolutions)}};
+}
+
 FindingJson timing(const Finding& finding) {
     switch (finding.timing) {
     case Finding::Timing::Untimed:     return nullptr;
@@ -133,12 +140,15 @@ void print_findings_json(const Analysis& analysis, const Sources& sources, std::
     FindingJson object = {
         {"chart", analysis.chart},
         {"mode", analysis.mode == ExecutionMode::StabilitySearch ? "stability-search" : "every-cycle"},
-        {"complete", analysis.obstacle.empty()},
+        {"complete", analysis.open.empty()},
         {"obstacle", text_or_none(analysis.obstacle)},
         {"instants", analysis.instants},
         {"seconds", analysis.seconds},
+        {"questions", analysis.questions},
+        {"open", FindingJson::array()},
         {"notes", analysis.notes},
         {"findings", FindingJson::array()}};
+    for (const OpenQuestion& question : analysis.open) object["open"].push_back(open_json(question));
     for (const Finding& finding : analysis.findings) object["findings"].push_back(as_json(finding, sources));
     dump(object, out);
 }
@@ -147,10 +157,15 @@ void print_findings_sarif(const Analysis& analysis, const Sources& sources, cons
                           std::ostream& out) {
     FindingJson results = FindingJson::array();
     for (const Finding& finding : analysis.findings) results.push_back(result(finding, sources));
-    FindingJson invocation = {{"executionSuccessful", analysis.obstacle.empty() && analysis.failures.empty()}};
-    if (!analysis.obstacle.empty())
-        invocation["toolExecutionNotifications"] = {
-            {{"level", "warning"}, {"message", {{"text", "not everything was looked at: " + analysis.obstacle}}}}};
+    FindingJson invocation = {{"executionSuccessful", analysis.open.empty() && analysis.failures.empty()}};
+    for (const OpenQuestion& question : analysis.open) {
+        const std::string subject = question.subject.empty() ? "" : " of `" + question.subject + "`";
+        const std::string text = "not decided (" + analysis.obstacle + "): " + question.code + subject + ": " +
+                                 open_text(question);
+        invocation["toolExecutionNotifications"].push_back({{"level", "warning"},
+                                                            {"message", {{"text", text}}},
+                                                            {"associatedRule", {{"id", question.code}}}});
+    }
     dump({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
           {"version", "2.1.0"},
           {"runs",

@@ -9,6 +9,12 @@
 // points it goes on through for ever are the total instability: evolutions are functions, so they are those that have
 // endless histories.
 //
+// The chart is looked at part by part: each part depends on nothing outside of it (analyse/cones.hpp), so what never happens in
+// it never happens; what comes about in it is shown by a run that the whole chart confirms. What the parts leave open is asked
+// of the whole. Parts take turns, the time of a turn growing fourfold from round to round, so that none waits for another;
+// counters are followed up to their thresholds only (analyse/counters.hpp). A question that is not decided when the time or
+// the memory is used up is open, and the analysis tells how many instants were looked at for it.
+//
 // An evolution with a race, or with a value that does not exist or fit, has no successor (see run/interpreter.hpp);
 // what would come after it is not looked at, and the notes of the analysis say so.
 //
@@ -20,6 +26,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,12 +46,24 @@ struct Exclusion {
     bool operator==(const Exclusion&) const = default;
 };
 
+/// How far an analysis is.
+struct AnalyseProgress {
+    std::size_t questions = 0, open = 0, findings = 0;
+    std::size_t part = 0, parts = 0;   ///< which part of the chart is looked at, of how many
+    std::size_t instant = 0;
+};
+
 struct AnalyseOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::vector<Exclusion> exclusions = {};
+    /// Counters that stay in their range for so many evolutions at least are followed up to their thresholds only.
+    std::int64_t longest_count = 256;
     std::uint64_t max_memory = std::uint64_t{2} << 30U;   ///< bytes, for decision diagrams
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;              ///< set by somebody else: end with what is known
+    std::function<void(const Finding&)> found = {};       ///< called as soon as there is a finding
+    std::function<void(const AnalyseProgress&)> progress = {};   ///< called now and then
+    std::chrono::milliseconds first_slice{1000};          ///< how long each part is looked at in the first round
 };
 
 /// Requires that `equations` are those that derive gives for `chart`.

@@ -52,14 +52,26 @@ struct Finding {
     bool operator==(const Finding&) const = default;
 };
 
+/// What an analysis asked and did not come to decide.
+struct OpenQuestion {
+    std::string code = {};                    ///< of the finding that there may be
+    std::string subject = {};
+    std::size_t instants = 0;                 ///< in the first so many instants nothing speaks for it
+    std::int64_t evolutions = 0;              ///< a counter: nor in so many evolutions, however they are divided; 0: not known
+
+    bool operator==(const OpenQuestion&) const = default;
+};
+
 struct Analysis {
     std::string chart = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::vector<Finding> findings = {};       ///< errors first, then by code and place
     std::vector<std::string> notes = {};      ///< what all findings rest on
-    /// Why not everything was looked at; empty: it was. What never happens is then not known.
+    std::size_t questions = 0;                ///< how many were asked
+    std::vector<OpenQuestion> open = {};      ///< those that were not decided; all others are: there is what was found, and no more
+    /// Why questions are open; empty: none is.
     std::string obstacle = {};
-    std::size_t instants = 0;                 ///< changes of the inputs to the farthest situation
+    std::size_t instants = 0;                 ///< changes of the inputs to the farthest situation looked at
     double seconds = 0;
     std::uint64_t bytes = 0;
     std::vector<std::string> failures = {};   ///< evidence that the rules do not confirm: faults of ours

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 
 #include "grafverif/report/findings.hpp"
 #include "support/play.hpp"
@@ -246,7 +248,7 @@ TEST(Analyse, TotalInstabilityEndsInALoopOfSituations) {
     const Trace& trace = *endless->evidence;
     ASSERT_TRUE(trace.loop_from.has_value());
     EXPECT_EQ(trace.steps.size() - *trace.loop_from, 2U);
-    EXPECT_EQ(endless->related.size(), 3U) << "t1, t2 and, where b is false, t3 too";
+    EXPECT_EQ(endless->related.size(), 2U) << "t1 and t2, of the loops that are nearest";
     EXPECT_EQ(find(analysed(sound), "total-instability"), nullptr);
 }
 
@@ -364,6 +366,105 @@ TEST(Analyse, WhatOnlyTheTimesRuleOutIsSaidToBeUnconfirmed) {
     EXPECT_EQ(early, nullptr) << "the search knows the order of ends on one step only";
 }
 
+TEST(Analyse, ATimerOnAnInputThatRisesWhileNothingElseHappensRuns) {
+    const Analysis found = analysed(R"(
+        input a, b; output o;
+        initial step 0;
+        step 1 { o; }
+        step 2;
+        transition t0: 0 -> 1 when !a;
+        transition t1: 1 -> 2 when 3s/a;
+        transition t2: 2 -> 0 when b;
+    )");
+    EXPECT_EQ(find(found, "step-never-active", "X2"), nullptr) << "a is true for 3 s while step 1 is active";
+    EXPECT_EQ(find(found, "transition-never-fired", "t1"), nullptr);
+}
+
+// -- parts, and counters -----------------------------------------------------------------------------------------------
+
+/// Two cells that a supervisor forces, each with a counter that nobody ever sets back while it runs.
+constexpr std::string_view two_cells = R"(
+    input go, halt, p1, q1, p2, q2;
+    output m1, m2;
+    internal k1: int 0..30000;
+    internal k2: int 0..30000;
+    partial supervisor {
+        initial step rest { force cell1 := {INIT}; force cell2 := {INIT}; }
+        step work;
+        transition s0: rest -> work when go && !halt;
+        transition s1: work -> rest when halt;
+    }
+    partial cell1 {
+        initial step a1;
+        step b1 { m1; k1 := k1 + 1 on activation; }
+        step c1;
+        transition c10: a1 -> b1 when p1 && k1 < 3;
+        transition c11: b1 -> a1 when q1 && !p1;
+        transition c12: a1 -> c1 when k1 > 4;
+    }
+    partial cell2 {
+        initial step a2;
+        step b2 { m2; k2 := k2 + 1 on activation; }
+        transition c20: a2 -> b2 when p2;
+        transition c21: b2 -> a2 when q2 && !p2;
+    }
+)";
+
+Analysis looked_at(std::string_view text, AnalyseOptions options) {
+    const Chart subject = chart(text);
+    Analysis result = analyse(subject, equations(text), options);
+    EXPECT_EQ(verify(result), std::vector<std::string>{}) << text;
+    EXPECT_EQ(result.failures, std::vector<std::string>{}) << text;
+    return result;
+}
+
+TEST(Analyse, ACounterThatStopsAtItsThresholdIsDecidedWithoutCountingToItsEnd) {
+    AnalyseOptions options;
+    options.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+    options.first_slice = std::chrono::milliseconds(400);
+    const Analysis found = looked_at(two_cells, options);
+    EXPECT_NE(find(found, "step-never-active", "cell1.Xc1"), nullptr) << "k1 stops at 3";
+    EXPECT_EQ(find(found, "out-of-range", "k1"), nullptr);
+    const auto open = [&](std::string_view code, std::string_view subject) {
+        return std::ranges::any_of(found.open, [&](const OpenQuestion& question) { return question.code == code && question.subject == subject; });
+    };
+    EXPECT_FALSE(open("out-of-range", "k1")) << "it is not counted beyond 3";
+    for (const OpenQuestion& question : found.open) {
+        EXPECT_EQ(question.code + " " + question.subject, "out-of-range k2") << "nothing else depends on its end";
+        EXPECT_GE(question.evolutions, 29'000) << "it takes that many rounds";
+    }
+}
+
+TEST(Analyse, WhatOnePartDecidesDoesNotWaitForTheOthers) {
+    AnalyseOptions options;
+    options.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+    options.first_slice = std::chrono::milliseconds(400);
+    std::vector<std::string> order;
+    std::size_t parts = 0;
+    options.found = [&](const Finding& finding) { order.push_back(finding.code); };
+    options.progress = [&](const AnalyseProgress& now) { parts = std::max(parts, now.parts); };
+    const Analysis found = looked_at(two_cells, options);
+    EXPECT_GE(parts, 4U) << "the supervisor, each cell with it, and all";
+    EXPECT_GE(order.size(), 1U) << "findings are told as they are found";
+}
+
+TEST(Analyse, WhatARunThatBreaksOffRulesOutIsNotTakenFromAPart) {
+    // Part b alone reaches b1 in its second instant; the other part races in the first one, whatever the inputs are.
+    const Analysis found = analysed(R"(
+        input x; output o, p;
+        partial a {
+            initial step a0 { o := true on activation; o := false on activation; }
+        }
+        partial b {
+            initial step b0;
+            step b1 { p; }
+            transition t: b0 -> b1 when x;
+        }
+    )");
+    EXPECT_NE(find(found, "action-race", "o"), nullptr);
+    EXPECT_NE(find(found, "transition-never-fired", "t"), nullptr) << "no run goes on";
+}
+
 TEST(Analyse, AnExhaustedSearchClaimsNothingThatNeverHappens) {
     std::atomic<bool> stop{true};
     const std::string text(sound);
@@ -373,6 +474,8 @@ TEST(Analyse, AnExhaustedSearchClaimsNothingThatNeverHappens) {
     const Analysis found = analyse(subject, equations(text), options);
     EXPECT_NE(found.obstacle, "");
     EXPECT_EQ(find(found, "step-never-active"), nullptr);
+    EXPECT_EQ(found.open.size(), found.questions);
+    for (const OpenQuestion& question : found.open) EXPECT_EQ(question.instants, 0U) << question.code;
 }
 
 }  // namespace

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "analyse/counters.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "grafverif/bdd/terms.hpp"
+
+namespace grafverif::analysis {
+
+namespace {
+
+using Variable = Equations::Variable;
+
+constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max();
+
+/// Whether one variable is a counter. In one pass over all terms: those that are values of the variable, or the variable
+/// and a constant more, may stand where only their order to constants counts.
+class Reader {
+public:
+    Reader(const Equations& equations, const Equations::Stored& stored)
+        : equations_(equations), exprs_(equations.exprs), stored_(stored), of_it_(equations.exprs.size()), added_(equations.exprs.size()) {}
+
+    std::optional<Counter> read() {
+        const Variable& variable = equations_.variables[stored_.variable];
+        meet(variable.initial);
+        for (std::uint32_t term = 0; term < exprs_.size() && good_; ++term) look(Id<Expr>{term});
+        for (const Id<Expr> term : {stored_.next, stored_.first}) assign(term);
+        for (const Equations::Write& write : stored_.writes) assign(write.value);
+        look_elsewhere();
+        const Type kept = integer_type(least_, greatest_ + (most_ > 0 ? 1 : 0));
+        if (!good_ || kept.low < variable.type.low || kept.high > variable.type.high ||
+            bit_count(kept) >= bit_count(variable.type))
+            return {};
+        return Counter{kept, most_, most_ == 0 ? endless : (variable.type.high - greatest_) / most_};
+    }
+
+private:
+    bool is_number(Id<Expr> term) const { return exprs_[term].op == Op::Integer; }
+
+    void meet(std::int64_t value) {
+        least_ = met_ ? std::min(least_, value) : value;
+        greatest_ = met_ ? std::max(greatest_, value) : value;
+        met_ = true;
+    }
+
+    void compare(Id<Expr> term) {
+        if (is_number(term)) greatest_ = std::max(greatest_, exprs_[term].value);
+        else good_ = good_ && of_it_[term.index];
+    }
+
+    void look(Id<Expr> id) {
+        const Expr& node = exprs_[id];
+        const auto operands = exprs_.operands(id);
+        if (node.op == Op::Variable) {
+            of_it_[id.index] = node.value == static_cast<std::int64_t>(stored_.variable.index);
+            return;
+        }
+        if (std::ranges::none_of(operands, [&](Id<Expr> operand) -> bool { return of_it_[operand.index]; })) return;
+        if (is_comparison(node.op)) {
+            for (const Id<Expr> operand : operands) compare(operand);
+        } else if (node.op == Op::Plus && operands.size() == 2) {
+            const bool first = of_it_[operands[0].index];
+            add(id, operands[first ? 0 : 1], operands[first ? 1 : 0]);
+        } else if (node.op == Op::Conditional && !of_it_[operands[0].index]) {
+            of_it_[id.index] = true;
+            for (const Id<Expr> operand : operands.subspan(1)) {
+                assign(operand);
+                added_[id.index] = std::max(added_[id.index], added_[operand.index]);
+            }
+        } else {
+            good_ = false;
+        }
+    }
+
+    void add(Id<Expr> id, Id<Expr> term, Id<Expr> what) {
+        good_ = good_ && is_number(what) && exprs_[what].value >= 0 && exprs_[what].value <= greatest_integer;
+        of_it_[id.index] = true;
+        if (good_) added_[id.index] = added_[term.index] + exprs_[what].value;
+        most_ = std::max(most_, added_[id.index]);
+    }
+
+    void assign(Id<Expr> term) {
+        if (!term.valid()) return;
+        if (is_number(term)) meet(exprs_[term].value);
+        else good_ = good_ && of_it_[term.index];
+    }
+
+    /// Its values go nowhere else.
+    void look_elsewhere() {
+        const auto refuse = [&](Id<Expr> term) { good_ = good_ && !(term.valid() && of_it_[term.index]); };
+        for (const Equations::Output& output : equations_.outputs) refuse(output.value);
+        for (const Equations::Stored& other : equations_.stored) {
+            if (other.variable == stored_.variable) continue;
+            refuse(other.next);
+            refuse(other.first);
+            for (const Equations::Write& write : other.writes) refuse(write.value);
+        }
+    }
+
+    const Equations& equations_;
+    const Exprs& exprs_;
+    const Equations::Stored& stored_;
+    std::vector<bool> of_it_;    ///< per term: a value of the variable, or that and a constant
+    std::vector<std::int64_t> added_;   ///< that constant, at most
+    std::int64_t least_ = 0, greatest_ = 0, most_ = 0;
+    bool met_ = false, good_ = true;
+};
+
+}  // namespace
+
+std::vector<std::optional<Counter>> counters(const Equations& equations) {
+    std::vector<std::optional<Counter>> result(equations.variables.size());
+    for (const Equations::Stored& stored : equations.stored)
+        if (!equations.variables[stored.variable].type.boolean) result[stored.variable.index] = Reader(equations, stored).read();
+    return result;
+}
+
+}  // namespace grafverif::analysis

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "analyse/questions.hpp"
+
+#include <algorithm>
+
+#include "analyse/memory.hpp"
+#include "analyse/structure.hpp"
+
+namespace grafverif::analysis {
+
+namespace {
+
+/// Whether some term of the table may have no value.
+bool any_arithmetic(const Exprs& exprs) {
+    for (std::uint32_t term = 0; term < exprs.size(); ++term)
+        if (is_arithmetic(exprs[Id<Expr>{term}].op)) return true;
+    return false;
+}
+
+}  // namespace
+
+Questions::Questions(const Chart& chart, const Equations& equations, ExecutionMode mode) {
+    const bool searching = mode == ExecutionMode::StabilitySearch;
+    const bool computes = any_arithmetic(equations.exprs);
+    if (searching) add("total-instability", 0, "");
+    if (computes) add("no-value", no_variable, "");
+    for (const Equations::Stored& stored : equations.stored) {
+        const Equations::Variable& variable = equations.variables[stored.variable];
+        if (!is_false(equations.exprs, stored.race) || !is_false(equations.exprs, stored.first_race))
+            add("action-race", stored.variable.index, variable.name);
+        if (!variable.type.boolean) add("out-of-range", stored.variable.index, variable.name);
+        if (computes) add("no-value", stored.variable.index, variable.name);
+        if (variable.role != Equations::Role::Output) continue;
+        add("output-never-set", stored.variable.index, variable.name);
+        for (const std::size_t value : {0U, 1U})
+            if (searching && variable.type.boolean) add("action-conflict", 2 * stored.variable.index + value, variable.name);
+    }
+    for (const Equations::Output& output : equations.outputs)
+        add("output-never-set", output.variable.index, equations.variables[output.variable].name);
+    const auto pairs = branches(chart);
+    for (std::size_t k = 0; k < pairs.size(); ++k) add("branches-together", k, chart.transitions[pairs[k].first].name);
+    for (const Id<Chart::Step> step : chart.steps.ids()) {
+        const std::string name = step_variable(chart, step);
+        add("step-reactivated", step.index, name);
+        add("step-never-active", step.index, name);
+        if (searching) add("step-never-stable", step.index, name);
+    }
+    for (const Id<Chart::Transition> id : chart.transitions.ids())
+        for (const char* code : {"transition-never-fired", "transition-always-fired"}) add(code, id.index, chart.transitions[id].name);
+    for (std::size_t k = 0; k < equations.conflicts.size(); ++k) add("forced-twice", k, conflict_subject(chart, equations.conflicts[k]));
+    const auto governed = orders_on_enclosed(chart);
+    for (std::size_t k = 0; k < governed.size(); ++k)
+        add("forced-and-enclosed", k, chart.partial_charts[chart.forcing[governed[k].first].forced].name);
+}
+
+void Questions::add(std::string_view code, std::size_t index, std::string subject) {
+    if (places_.try_emplace({code, index}, all_.size()).second) all_.push_back({code, index, std::move(subject), false, false, 0, 0});
+}
+
+Question* Questions::open(std::string_view code, std::size_t index) {
+    const auto found = places_.find({code, index});
+    if (found == places_.end() || all_[found->second].decided) return nullptr;
+    return &all_[found->second];
+}
+
+void Questions::trust_parts() {
+    for (Question& question : all_) question.decided = question.decided || question.seen_in_part;
+}
+
+bool Questions::any_open() const {
+    return std::ranges::any_of(all_, [](const Question& question) { return !question.decided; });
+}
+
+void Questions::decide(std::string_view code, std::size_t index) {
+    if (Question* const question = open(code, index)) question->decided = true;
+}
+
+}  // namespace grafverif::analysis
