@@ -42,14 +42,15 @@ ExitCode automaton(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
     const Interrupt interrupt;
-    const auto found = chart ? automaton_of(*model, *chart, job, streams, interrupt) : std::nullopt;
+    const bool partial = job.options.counts && !is_drawing(job.options.format);
+    const auto found = chart ? automaton_of(*model, *chart, job, streams, interrupt, partial) : std::nullopt;
     if (!found) return interrupt.asked() ? ExitCode::Unknown : ExitCode::Input;
     if (is_drawing(job.options.format)) return draw(diagram(*found), job, streams) ? ExitCode::Done : ExitCode::Input;
     print_to_output(job, streams, [&](std::ostream& out) {
         if (job.options.format == Format::Json) print_automaton_json(out, *found, !job.options.counts);
         else print_automaton(out, *found, !job.options.counts);
     });
-    return ExitCode::Done;
+    return found->complete ? ExitCode::Done : ExitCode::Unknown;
 }
 
 ExitCode mealy(Job& job, const Streams& streams) {

@@ -131,12 +131,13 @@ std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, J
 }
 
 std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> chart, Job& job, const Streams& streams,
-                                              const Interrupt& interrupt) {
+                                              const Interrupt& interrupt, bool partial) {
     const auto equations = equations_of(model, chart, job);
     if (!equations) return {};
     ProgressLine line(streams.err, streams.err_is_terminal && !job.options.quiet);
     AutomatonOptions options;
     options.mode = execution_mode(model, chart, job);
+    options.partial = partial;
     options.max_locations = job.options.max_states.value_or(options.max_locations);
     options.max_memory = job.options.max_memory.value_or(options.max_memory);
     options.deadline = job.options.deadline;

@@ -47,9 +47,10 @@ std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Job& 
 
 /// The test of the chart in the table of `--sequence`.
 std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, Job& job);
-/// Equations -> LocationAutomaton -> MealyMachine -> TestSequence, with progress on a terminal.
+/// Equations -> LocationAutomaton -> MealyMachine -> TestSequence, with progress on a terminal. `partial`: what was found
+/// until a limit, the deadline or Ctrl-C ends the search will do.
 std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> chart, Job& job, const Streams& streams,
-                                              const Interrupt& interrupt);
+                                              const Interrupt& interrupt, bool partial = false);
 std::optional<MealyMachine> mealy_of(const Model& model, Id<Chart> chart, Job& job, const Streams& streams,
                                      const Interrupt& interrupt);
 std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const MealyMachine& machine, Job& job);

@@ -42,13 +42,17 @@ public:
 
     /// False after an error.
     bool run() {
+        automaton_.complete = false;
         if (!start()) return false;
         for (std::size_t next = 1; next < states_.size(); ++next) {
+            automaton_.looked_at = next;
             if (moves_.failed() || !in_bounds(next)) return false;
             const Id<Location> from{static_cast<std::uint32_t>(next)};
             if (options_.mode == ExecutionMode::EveryCycle) step_from(from);
             else search_from(from);
         }
+        automaton_.looked_at = automaton_.locations.size();
+        automaton_.complete = true;
         return !moves_.failed();
     }
 
@@ -94,6 +98,7 @@ private:
 
     bool in_bounds(std::size_t next) {
         if (automaton_.locations.size() > options_.max_locations) {
+            if (options_.partial) throw BddExhausted(BddExhausted::Cause::Memory);
             diagnostics_.add(messages::too_many_locations(equations_.origin, options_.max_locations));
             return false;
         }
@@ -369,6 +374,7 @@ std::optional<LocationAutomaton> location_automaton(const Equations& equations, 
         Search search(equations, options, inputs, space, automaton, diagnostics);
         if (!search.run() || search.unsound()) return {};
     } catch (const BddExhausted& failure) {
+        if (options.partial && !automaton.locations.empty()) return automaton;
         diagnostics.add(exhausted(equations, failure, options.stop != nullptr && options.stop->load()));
         return {};
     }

@@ -120,10 +120,15 @@ std::string condition_text(const Automaton& automaton, Id<Expr> condition) {
 
 void print_automaton(std::ostream& out, const Automaton& automaton, bool details) {
     const AutomatonCounts count = counts(automaton);
-    out << fmt::format("Location automaton of {}, {}\n{} locations, INIT included\n{} evolutions, {} of them from INIT\n", automaton.name,
-                       mode_text(automaton.mode), count.locations, count.evolutions, count.evolutions_from_init);
+    const char* const least = automaton.complete ? "" : "at least ";
+    out << fmt::format("Location automaton of {}, {}\n", automaton.name, mode_text(automaton.mode));
+    if (!automaton.complete)
+        out << fmt::format("not searched to its end: the evolutions of {} locations are known, {} were found and not looked at\n",
+                           automaton.looked_at, count.locations - automaton.looked_at);
+    out << fmt::format("{0}{1} locations, INIT included\n{0}{2} evolutions, {3} of them from INIT\n", least, count.locations,
+                       count.evolutions, count.evolutions_from_init);
     if (automaton.mode == ExecutionMode::StabilitySearch)
-        out << fmt::format("{} pairs of a location and inputs never stabilise{}\n", count_text(count.unstable),
+        out << least << fmt::format("{} pairs of a location and inputs never stabilise{}\n", count_text(count.unstable),
                            count.unstable_from_init == 0 ? "" : ", and " + count_text(count.unstable_from_init) + " of INIT");
     if (!is_true(automaton.exprs, automaton.assumed)) out << "assumed: " << condition_text(automaton, automaton.assumed) << '\n';
     for (const Automaton::Input& input : automaton.inputs)
@@ -151,6 +156,8 @@ void print_automaton_json(std::ostream& out, const Automaton& automaton, bool de
     const AutomatonCounts count = counts(automaton);
     Json head = {{"name", automaton.name},
                  {"mode", mode_text(automaton.mode)},
+                 {"complete", automaton.complete},
+                 {"looked_at", automaton.looked_at},
                  {"locations", count.locations},
                  {"evolutions", count.evolutions},
                  {"evolutions_from_init", count.evolutions_from_init},

@@ -34,6 +34,7 @@ struct AutomatonOptions {
     std::uint64_t max_memory = std::uint64_t{2} << 30U;   ///< bytes of decision diagrams
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;              ///< set by somebody else
+    bool partial = false;   ///< where a limit, the deadline or `stop` ends the search: what was found, not `complete`
     std::function<void(const ConformProgress&)> progress = {};   ///< called now and then
 };
 

@@ -113,6 +113,8 @@ struct LocationAutomaton {
     Id<Location> init = {};
     std::vector<Evolution> evolutions = {};
     std::vector<Instability> instabilities = {};
+    bool complete = true;         ///< else there may be more locations and evolutions than those found
+    std::size_t looked_at = 0;    ///< of how many locations all evolutions are known; the first so many
     Id<Expr> assumed = {};
     Span origin = {};
 

@@ -31,6 +31,30 @@ TEST(LocationAutomatonOfTanks, HasTheCountsOfThePaper) {
     EXPECT_EQ(assumed.unstable, 0U);
 }
 
+TEST(LocationAutomaton, WhatALimitLeavesOfItAreLeastCountsOfWhatThereIs) {
+    for (const ExecutionMode mode : {search, every_cycle}) {
+        const LocationAutomaton all = automaton(tanks(), mode);
+        for (std::uint64_t limit = 1; limit <= all.locations.size(); ++limit) {
+            Diagnostics diagnostics;
+            AutomatonOptions options;
+            options.mode = mode;
+            options.max_locations = limit;
+            options.partial = true;
+            const auto part = location_automaton(equations(tanks()), options, diagnostics);
+            ASSERT_TRUE(part.has_value());
+            EXPECT_EQ(verify(*part), std::vector<std::string>{});
+            EXPECT_EQ(part->complete, limit >= all.locations.size());
+            EXPECT_LE(part->looked_at, part->locations.size());
+            EXPECT_LE(part->locations.size(), all.locations.size());
+            EXPECT_LE(part->evolutions.size(), all.evolutions.size());
+            for (const auto& location : part->locations) EXPECT_NE(std::ranges::find(all.locations, location), all.locations.end());
+            std::ostringstream out;
+            print_automaton(out, *part, false);
+            EXPECT_EQ(out.str().find("at least") != std::string::npos, !part->complete) << out.str();
+        }
+    }
+}
+
 TEST(LocationAutomaton, TellsTheCycleOfATotalInstability) {
     const LocationAutomaton found = automaton(tanks());
     ASSERT_EQ(found.instabilities.size(), 10U);
