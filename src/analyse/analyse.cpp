@@ -211,11 +211,17 @@ private:
         if (is_contradictory(machine)) return;
         Search search(machine, options_.mode);
         Analyst analyst(chart_, equations_, options_, machine, search, questions_, result_);
+        using Steady = std::chrono::steady_clock;
+        Steady::duration searching{}, looking{};   // deep searches of small sets are looked at now and then
         try {
             while (!search.done()) {
+                const auto start = Steady::now();
                 search.next();
                 result_.instants = std::max(result_.instants, search.instants().size());
-                analyst.look();
+                const auto found = Steady::now();
+                searching += found - start;
+                if (looking <= searching || search.done()) analyst.look();
+                looking += Steady::now() - found;
                 show_progress(k, search.instants().size());
             }
             analyst.conclude();

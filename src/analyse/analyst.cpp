@@ -9,7 +9,7 @@
 namespace grafverif::analysis {
 
 Analyst::Analyst(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Machine& machine,
-                 const Search& search, Questions& questions, Analysis& result)
+                 Search& search, Questions& questions, Analysis& result)
     : chart_(chart), equations_(equations), options_(options), machine_(machine), search_(search), questions_(questions),
       result_(result) {
     expect_breaks();
@@ -32,9 +32,11 @@ void Analyst::look() {
     lost_values();
     look_for_signs();
     looked_ = search_.instants().size();
+    search_.forget_fresh();
 }
 
 void Analyst::conclude() {
+    gather_unseen();
     dead_steps();
     dead_transitions();
     immediate_transitions();
@@ -57,9 +59,11 @@ void Analyst::look_loosely() {
     for (Event& event : events_) event.seen = event.seen || !(search_.fresh() & event.goal).is_false();
     const Bdd stable = machine_.stable(machine_.unbroken(search_.fresh()));
     for (Sign& sign : signs_) sign.seen = sign.seen || !((sign.among == Among::Stable ? stable : search_.fresh()) & sign.goal).is_false();
+    search_.forget_fresh();
 }
 
 void Analyst::conclude_loosely() {
+    gather_unseen();
     dead_steps();
     silent_outputs();
     for (const Transition id : chart_.transitions.ids())

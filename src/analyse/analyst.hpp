@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,9 @@ class Analyst {
 public:
     /// Everything outlives the analyst.
     Analyst(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Machine& machine,
-            const Search& search, Questions& questions, Analysis& result);
+            Search& search, Questions& questions, Analysis& result);
 
-    /// Looks at the points of the last instant.
+    /// Looks at the points that were found since it looked last.
     void look();
     /// Tells what never happens. Requires that the search is done and every instant was looked at.
     void conclude();
@@ -76,6 +77,7 @@ private:
     bool sign_seen(const Sign& sign);
     bool confirmed(const Bdd& points);
     void confirm_others(const Way& way);
+    void gather_unseen();
     bool unseen(std::string_view code, std::size_t index);
     void dead_steps();
     void dead_transitions();
@@ -114,7 +116,7 @@ private:
     const Equations& equations_;
     const AnalyseOptions& options_;
     Machine& machine_;
-    const Search& search_;
+    Search& search_;
     Questions& questions_;
     Analysis& result_;
     Evidence last_ = {};   ///< what the last finding was shown by
@@ -123,6 +125,7 @@ private:
     std::vector<Question*> uncertain_ = {};   ///< events that were seen and not shown
     Bdd stable_ = {}, landings_seen_ = {};
     std::size_t looked_ = 0;
+    std::set<const Question*> unseen_ = {};   ///< when the search is done: no sign of them was seen
 };
 
 }  // namespace grafverif::analysis

@@ -90,11 +90,12 @@ void Analyst::confirm_others(const Way& way) {
 
 // -- when it is done -----------------------------------------------------------------------------------------------------
 
-bool Analyst::unseen(std::string_view code, std::size_t index) {
-    const Question* const question = questions_.open(code, index);
-    return question != nullptr &&
-           std::ranges::any_of(signs_, [&](const Sign& sign) { return sign.question == question && !sign.seen; });
+void Analyst::gather_unseen() {
+    for (const Sign& sign : signs_)
+        if (!sign.seen) unseen_.insert(sign.question);
 }
+
+bool Analyst::unseen(std::string_view code, std::size_t index) { return unseen_.contains(questions_.open(code, index)); }
 
 bool Analyst::ever_active(Step step) const {
     return equations_.variables[equations_.steps[step.index].variable].initial != 0 || seen(machine_.active(step.index));

@@ -110,7 +110,9 @@ private:
 }  // namespace
 
 std::vector<std::optional<Counter>> counters(const Equations& equations) {
+    constexpr std::size_t most_terms = 20'000'000;   // looked at in all
     std::vector<std::optional<Counter>> result(equations.variables.size());
+    if (equations.stored.size() * equations.exprs.size() > most_terms) return result;
     for (const Equations::Stored& stored : equations.stored)
         if (!equations.variables[stored.variable].type.boolean) result[stored.variable.index] = Reader(equations, stored).read();
     return result;

@@ -126,6 +126,8 @@ private:
 
 /// `order`, drawn together: what a variable becomes and all that this reads is an edge.
 std::vector<Id<Variable>> drawn_together(const Equations& equations, const std::vector<Id<Variable>>& order) {
+    constexpr std::size_t most_variables = 5000;   // more take longer to order than a search of them could ever last
+    if (order.size() > most_variables) return order;
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     const Dependencies reads(equations);
     std::vector<std::uint32_t> vertex(equations.variables.size(), none);

@@ -52,7 +52,7 @@ void Search::make_instant(Bdd points) {
     }
     made.rest = ended & ~rested_;
     rested_ |= made.rest;
-    fresh_ = fresh;
+    fresh_ |= fresh;
     evolutions_ += static_cast<std::int64_t>(made.points.size());
     instants_.push_back(std::move(made));
 }

@@ -40,8 +40,9 @@ public:
     void next();
 
     const std::vector<Instant>& instants() const { return instants_; }
-    /// The points that the last instant added.
+    /// The points found since they were forgotten last.
     const Bdd& fresh() const { return fresh_; }
+    void forget_fresh() { fresh_ = {}; }
     /// Those of `within`, fresh points that go on, that do so for ever in it; under stability search only.
     Bdd endless(const Bdd& within) const;
     /// No run to the end of the last instant has more evolutions.
