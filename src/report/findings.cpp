@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <map>
 #include <ostream>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "grafverif/report/terminal.hpp"
@@ -58,9 +60,10 @@ void print_open(const Analysis& analysis, std::ostream& out) {
     if (analysis.open.empty()) return;
     out << fmt::format("not decided: {} of {} questions; {}\n", analysis.open.size(), analysis.questions, analysis.obstacle);
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines;
+    std::set<std::pair<const void*, std::string_view>> told;   // several questions may be about one subject
     for (const OpenQuestion& question : analysis.open) {
         std::vector<std::string>& subjects = lines[{question.code, open_text(question)}];
-        if (!question.subject.empty() && std::ranges::find(subjects, question.subject) == subjects.end()) subjects.push_back(question.subject);
+        if (!question.subject.empty() && told.emplace(&subjects, question.subject).second) subjects.push_back(question.subject);
     }
     for (const auto& [line, subjects] : lines)
         out << "    " << line.first << (subjects.empty() ? "" : " of " + subjects_text(subjects)) << ": " << line.second << '\n';
