@@ -114,8 +114,8 @@ void Machine::add_words(const AnalyseOptions& options) {
     }
     add_word_bits(together);
     if (space_.variables() == 0) space_.add_variables(1);   // a cone that keeps and reads nothing is a space all the same
-    inputs_ = variable_set(input_bits_);
-    kept_set_ = variable_set(kept_bits_);
+    inputs_ = variable_set(space_, input_bits_);
+    kept_set_ = variable_set(space_, kept_bits_);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const std::uint32_t bit : kept_bits_) pairs.emplace_back(bit + 1, bit);
     to_before_.emplace(pairs);
@@ -334,9 +334,9 @@ void Machine::add_parts() {
     std::vector<std::uint32_t> unread, unread_inputs;
     const auto ended = endings(kept_bits_, unread), ended_inputs = endings(input_bits_, unread_inputs);
     for (std::size_t part = 0; part < relations.size(); ++part)
-        parts_.push_back({relations[part], variable_set(ended[part]), variable_set(ended[part]) & variable_set(ended_inputs[part])});
-    unread_ = variable_set(unread);
-    unread_inputs_ = variable_set(unread_inputs);
+        parts_.push_back({relations[part], variable_set(space_, ended[part]), variable_set(space_, ended[part]) & variable_set(space_, ended_inputs[part])});
+    unread_ = variable_set(space_, unread);
+    unread_inputs_ = variable_set(space_, unread_inputs);
 }
 
 void Machine::start() {
@@ -390,7 +390,7 @@ Bdd Machine::origins(const Bdd& points, const Point& next) const {
 Bdd Machine::with_inputs_of(const Bdd& points, const Point& other) const {
     std::vector<BddLiteral> inputs;
     for (const std::uint32_t bit : support(inputs_)) inputs.push_back({bit, other[bit]});
-    return points & cube(inputs);
+    return points & cube(space_, inputs);
 }
 
 // -- time --------------------------------------------------------------------------------------------------------------
@@ -427,7 +427,7 @@ Bdd Machine::without_ends(const Bdd& points) const {
     std::vector<std::uint32_t> ends;
     for (const Clock& clock : clocks_)
         if (matters_[clock.end.index]) ends.push_back(words_[clock.end.index].bits.front());
-    return exists(points, variable_set(ends));
+    return exists(points, variable_set(space_, ends));
 }
 
 Bdd Machine::origins_in_time(const Bdd& rest, const Point& next) const {
@@ -442,7 +442,7 @@ Bdd Machine::origins_in_time(const Bdd& rest, const Point& next) const {
         const Bdd may_end = clock.fall == 0 ? falsehood() : clock.rise == 0 ? ~level : Bdd::constant(true);
         result &= next[bit] ? end | level : ~end | may_end;
     }
-    return result & cube(same);
+    return result & cube(space_, same);
 }
 
 // -- conditions --------------------------------------------------------------------------------------------------------
@@ -471,7 +471,7 @@ Bdd Machine::only(const Point& point) const {
     std::vector<BddLiteral> literals;
     for (const BddWord& word : words_)
         for (const std::uint32_t bit : word.bits) literals.push_back({bit, point[bit]});
-    return cube(literals);
+    return cube(space_, literals);
 }
 
 std::int64_t Machine::value(const Point& point, Id<Variable> variable) const {

@@ -1,36 +1,111 @@
 // SPDX-License-Identifier: MIT
-// Exact counting; BuDDy's own count is a double.
+// Exact counting, from the bottom up. The numbers are as long as there are variables, so they count as memory of the
+// space, and each is dropped with the last node above that needs it.
 #include <boost/multiprecision/cpp_int.hpp>
+#include <algorithm>
 #include <cassert>
 #include <limits>
+#include <new>
 #include <unordered_map>
 
-#include "bdd/nodes.hpp"
+#include "bdd/kernel.hpp"
 
 namespace grafverif {
 
 namespace {
 
 using Number = boost::multiprecision::cpp_int;
+using bdd::Edge;
+using bdd::Kernel;
+
+class Counter {
+public:
+    /// The place of a node is that of its variable among `variables`, in the space's order; a constant stands below
+    /// them all.
+    Counter(Kernel& kernel, std::span<const std::uint32_t> variables)
+        : kernel_(kernel), places_(variables.size()), place_of_(kernel.order.size(), 0) {
+        std::vector<std::uint32_t> levels;
+        levels.reserve(places_);
+        for (const std::uint32_t variable : variables) levels.push_back(kernel.order.level_of[variable]);
+        std::ranges::sort(levels);
+        for (std::size_t place = 0; place < places_; ++place) place_of_[levels[place]] = place;
+    }
+    Counter(const Counter&) = delete;
+    Counter& operator=(const Counter&) = delete;
+    ~Counter() { kernel_.budget.used -= charged_; }
+
+    Number of(Edge root) {
+        const std::vector<std::uint32_t> nodes = bdd::nodes_of(kernel_, root);
+        counts_.reserve(nodes.size());
+        for (const std::uint32_t n : nodes) {
+            ++counts_[n].parents;   // one too many: the root's; it shall not go
+            meet(kernel_.table.nodes[n].low);
+            meet(kernel_.table.nodes[n].high);
+        }
+        for (const std::uint32_t n : nodes) {
+            const bdd::Node& node = kernel_.table.nodes[n];
+            const std::size_t next = place_of_[node.level] + 1;
+            keep(n, below(node.low, next) + below(node.high, next));
+            drop(node.low);
+            drop(node.high);
+        }
+        return below(root, 0);
+    }
+
+private:
+    struct Count {
+        Number number = 0;
+        std::uint32_t parents = 0;   ///< how many edges to the node have not been used
+    };
+
+    std::size_t place(Edge edge) const { return bdd::is_constant(edge) ? places_ : place_of_[kernel_.level(edge)]; }
+
+    void meet(Edge edge) {
+        kernel_.watch.step();
+        if (!bdd::is_constant(edge)) ++counts_[bdd::index_of(edge)].parents;
+    }
+
+    static std::uint64_t bytes(const Number& number) { return sizeof(Count) + number.backend().size() * sizeof(boost::multiprecision::limb_type); }
+
+    void keep(std::uint32_t n, Number number) {
+        const std::uint64_t more = bytes(number);
+        if (!kernel_.budget.charge(more)) throw BddExhausted(BddExhausted::Cause::Memory);
+        charged_ += more;
+        kernel_.watch.step(static_cast<std::uint32_t>(1 + number.backend().size() / 8));
+        counts_[n].number = std::move(number);
+    }
+
+    void drop(Edge edge) {
+        if (bdd::is_constant(edge)) return;
+        Count& count = counts_[bdd::index_of(edge)];
+        if (--count.parents != 1) return;   // the last is the one too many
+        const std::uint64_t less = bytes(count.number);
+        kernel_.budget.used -= less;
+        charged_ -= less;
+        count.number = Number();
+    }
+
+    /// How many assignments to the variables from place `from` on.
+    Number below(Edge edge, std::size_t from) {
+        Number number = bdd::is_constant(edge) ? Number(0) : counts_[bdd::index_of(edge)].number;
+        if (bdd::complement_bit(edge) != 0) number = (Number(1) << (places_ - place(edge))) - number;
+        return number << (place(edge) - from);
+    }
+
+    Kernel& kernel_;
+    std::size_t places_ = 0;
+    std::vector<std::size_t> place_of_ = {};
+    std::unordered_map<std::uint32_t, Count> counts_ = {};
+    std::uint64_t charged_ = 0;
+};
 
 Number counted(const Bdd& f, std::span<const std::uint32_t> variables) {
-    // The place of a node is that of its variable among `variables`; a constant stands below them all. The count of
-    // a node is over the variables from its own place on.
-    const auto place = [&](int node) {
-        if (node < 2) return variables.size();
-        const auto found = std::ranges::lower_bound(variables, static_cast<std::uint32_t>(::bdd_var(node)));
-        assert(found != variables.end() && *found == static_cast<std::uint32_t>(::bdd_var(node)));
-        return static_cast<std::size_t>(found - variables.begin());
-    };
-    std::unordered_map<int, Number> counts{{0, 0}, {1, 1}};
-    const auto below = [&](int node, std::size_t from) {   // over the variables from place `from` on
-        return Number(counts.at(node) << (place(node) - from));
-    };
-    for (const int node : bdd::nodes_of(f.node())) {
-        const std::size_t next = place(node) + 1;
-        counts.emplace(node, below(::bdd_low(node), next) + below(::bdd_high(node), next));
+    if (f.is_constant()) return f.is_true() ? Number(Number(1) << variables.size()) : Number(0);
+    try {
+        return Counter(*f.kernel(), variables).of(f.edge());
+    } catch (const std::bad_alloc&) {
+        throw BddExhausted(BddExhausted::Cause::Memory);
     }
-    return below(f.node(), 0);
 }
 
 }  // namespace

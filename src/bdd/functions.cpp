@@ -1,103 +1,116 @@
 // SPDX-License-Identifier: MIT
+// The operations as others call them. Operands that decide are looked at first, so constants need no space.
 #include <algorithm>
 #include <cassert>
 
-#include "bdd/space.hpp"
+#include "bdd/kernel.hpp"
 
 namespace grafverif {
 
-using bdd::guarded;
-
-Bdd operator~(const Bdd& f) { return guarded([&] { return ::bdd_not(f.node()); }); }
-
 namespace {
 
-Bdd apply(const Bdd& f, const Bdd& g, int operation) {
-    return guarded([&] { return ::bdd_apply(f.node(), g.node(), operation); });
+using bdd::Edge;
+using bdd::Kernel;
+
+/// The space of the operands; null: all are constants.
+Kernel* kernel_of(std::initializer_list<const Bdd*> operands) {
+    Kernel* kernel = nullptr;
+    for (const Bdd* operand : operands) {
+        assert(kernel == nullptr || operand->kernel() == nullptr || kernel == operand->kernel());
+        if (operand->kernel() != nullptr) kernel = operand->kernel();
+    }
+    return kernel;
+}
+
+/// The result of `operation`, which creates nodes.
+template <class Work>
+Bdd result_of(Kernel* kernel, const Work& work) {
+    assert(kernel != nullptr);
+    const bdd::Session session(*kernel);
+    return {*kernel, work(*kernel)};
+}
+
+Bdd conjunction_of(const Bdd& f, const Bdd& g, Edge flip_f, Edge flip_g) {
+    const Edge a = f.edge() ^ flip_f, b = g.edge() ^ flip_g;
+    Kernel* const kernel = kernel_of({&f, &g});
+    if (kernel == nullptr) return Bdd::constant((a & b) != 0);
+    return result_of(kernel, [&](Kernel& k) { return bdd::conjunction(k, a, b); });
 }
 
 }  // namespace
 
-Bdd operator&(const Bdd& f, const Bdd& g) { return apply(f, g, bddop_and); }
-Bdd operator|(const Bdd& f, const Bdd& g) { return apply(f, g, bddop_or); }
-Bdd operator^(const Bdd& f, const Bdd& g) { return apply(f, g, bddop_xor); }
-Bdd implies(const Bdd& f, const Bdd& g) { return apply(f, g, bddop_imp); }
-Bdd iff(const Bdd& f, const Bdd& g) { return apply(f, g, bddop_biimp); }
+Bdd operator~(const Bdd& f) {
+    if (f.is_constant()) return Bdd::constant(f.is_false());
+    return {*f.kernel(), f.edge() ^ 1U};
+}
+
+Bdd operator&(const Bdd& f, const Bdd& g) { return conjunction_of(f, g, 0, 0); }
+Bdd operator|(const Bdd& f, const Bdd& g) { return ~conjunction_of(f, g, 1, 1); }
+Bdd implies(const Bdd& f, const Bdd& g) { return ~conjunction_of(f, g, 0, 1); }
+Bdd iff(const Bdd& f, const Bdd& g) { return ~(f ^ g); }
+
+Bdd operator^(const Bdd& f, const Bdd& g) {
+    if (f.is_constant()) return f.is_true() ? ~g : g;
+    if (g.is_constant()) return g.is_true() ? ~f : f;
+    return result_of(kernel_of({&f, &g}), [&](Kernel& k) { return bdd::exclusive(k, f.edge(), g.edge()); });
+}
 
 Bdd ite(const Bdd& condition, const Bdd& then, const Bdd& otherwise) {
-    return guarded([&] { return ::bdd_ite(condition.node(), then.node(), otherwise.node()); });
+    if (condition.is_constant()) return condition.is_true() ? then : otherwise;
+    return result_of(kernel_of({&condition, &then, &otherwise}),
+                     [&](Kernel& k) { return bdd::if_then_else(k, condition.edge(), then.edge(), otherwise.edge()); });
 }
 
-Bdd cube(std::span<const BddLiteral> literals) {
-    std::vector<BddLiteral> sorted(literals.begin(), literals.end());
-    std::ranges::sort(sorted, std::ranges::greater{}, &BddLiteral::variable);
-    Bdd result = Bdd::constant(true);   // from the bottom up, so that each step adds one node
-    for (const BddLiteral& literal : sorted) {
-        const int variable = static_cast<int>(literal.variable);
-        const int node = literal.value ? ::bdd_ithvar(variable) : ::bdd_nithvar(variable);
-        result = guarded([&] { return ::bdd_apply(node, result.node(), bddop_and); });
+Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals) {
+    std::vector<std::pair<std::uint32_t, bool>> sorted;
+    const bdd::Order& order = space.kernel().order;
+    for (const BddLiteral& literal : literals) {
+        assert(literal.variable < order.size());
+        sorted.emplace_back(order.level_of[literal.variable], literal.value);
     }
-    return result;
+    std::ranges::sort(sorted, std::ranges::greater{});   // from the bottom up, so that each adds one node
+    sorted.erase(std::ranges::unique(sorted).begin(), sorted.end());
+    if (sorted.empty()) return Bdd::constant(true);
+    return result_of(&space.kernel(), [&](Kernel& k) {
+        Edge result = bdd::true_edge;
+        for (std::size_t i = 0; i < sorted.size(); ++i) {
+            const auto [level, value] = sorted[i];
+            if (i > 0 && sorted[i - 1].first == level) return bdd::false_edge;   // it is to be both
+            result = value ? bdd::make(k, level, bdd::false_edge, result) : bdd::make(k, level, result, bdd::false_edge);
+        }
+        return result;
+    });
 }
 
-Bdd variable_set(std::span<const std::uint32_t> variables) {
+Bdd variable_set(const BddSpace& space, std::span<const std::uint32_t> variables) {
     std::vector<BddLiteral> literals;
     literals.reserve(variables.size());
     for (const std::uint32_t variable : variables) literals.push_back({variable, true});
-    return cube(literals);
+    return cube(space, literals);
 }
 
 Bdd exists(const Bdd& f, const Bdd& variables) {
-    return guarded([&] { return ::bdd_exist(f.node(), variables.node()); });
+    if (f.is_constant() || variables.is_constant()) return f;
+    return result_of(kernel_of({&f, &variables}), [&](Kernel& k) { return bdd::quantified(k, f.edge(), variables.edge()); });
 }
 
-Bdd forall(const Bdd& f, const Bdd& variables) {
-    return guarded([&] { return ::bdd_forall(f.node(), variables.node()); });
-}
+Bdd forall(const Bdd& f, const Bdd& variables) { return ~exists(~f, variables); }
 
 Bdd and_exists(const Bdd& f, const Bdd& g, const Bdd& variables) {
-    return guarded([&] { return ::bdd_appex(f.node(), g.node(), bddop_and, variables.node()); });
+    if (f.is_constant() || g.is_constant() || variables.is_constant()) return exists(f & g, variables);
+    return result_of(kernel_of({&f, &g, &variables}),
+                     [&](Kernel& k) { return bdd::product_quantified(k, f.edge(), g.edge(), variables.edge()); });
 }
 
 Bdd cofactor(const Bdd& f, const Bdd& cube) {
-    return guarded([&] { return ::bdd_restrict(f.node(), cube.node()); });
+    if (f.is_constant() || cube.is_constant()) return f;
+    return result_of(kernel_of({&f, &cube}), [&](Kernel& k) { return bdd::restricted(k, f.edge(), cube.edge()); });
 }
 
 Bdd simplify(const Bdd& f, const Bdd& care) {
     assert(!care.is_false());
-    return guarded([&] { return ::bdd_simplify(f.node(), care.node()); });
-}
-
-namespace {
-
-bddPair* new_pairs() {
-    bddPair* const pairs = ::bdd_newpair();
-    if (pairs == nullptr) throw BddExhausted(BddExhausted::Cause::Memory);
-    return pairs;
-}
-
-}  // namespace
-
-BddRenaming::BddRenaming(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) : pairs_(new_pairs()) {
-    for (const auto& [from, to] : pairs)
-        ::bdd_setpair(bdd::pairs_of(pairs_), static_cast<int>(from), static_cast<int>(to));
-}
-
-BddRenaming::~BddRenaming() { ::bdd_freepair(bdd::pairs_of(pairs_)); }
-
-Bdd BddRenaming::operator()(const Bdd& f) const {
-    return guarded([&] { return ::bdd_replace(f.node(), bdd::pairs_of(pairs_)); });
-}
-
-BddSubstitution::BddSubstitution(std::span<const std::pair<std::uint32_t, Bdd>> values) : pairs_(new_pairs()) {
-    for (const auto& [variable, value] : values)
-        ::bdd_setbddpair(bdd::pairs_of(pairs_), static_cast<int>(variable), value.node());
-}
-
-BddSubstitution::~BddSubstitution() { ::bdd_freepair(bdd::pairs_of(pairs_)); }
-
-Bdd BddSubstitution::operator()(const Bdd& f) const {
-    return guarded([&] { return ::bdd_veccompose(f.node(), bdd::pairs_of(pairs_)); });
+    if (f.is_constant() || care.is_constant()) return f;
+    return result_of(kernel_of({&f, &care}), [&](Kernel& k) { return bdd::simplified(k, f.edge(), care.edge()); });
 }
 
 }  // namespace grafverif

@@ -33,12 +33,12 @@ Bdd in_range(const BddSpace& space, const BddWord& word) {
     return within(term_of(space, word), word.type.low, word.type.high);
 }
 
-Bdd equals(const BddWord& word, std::int64_t value) {
+Bdd equals(const BddSpace& space, const BddWord& word, std::int64_t value) {
     const auto offset = static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(word.type.boolean ? 0 : word.type.low);
     std::vector<BddLiteral> literals;
     for (std::size_t place = 0; place < word.bits.size(); ++place)
         literals.push_back({word.bits[place], ((offset >> place) & 1U) != 0});
-    return cube(literals);
+    return cube(space, literals);
 }
 
 std::int64_t value_of(const BddWord& word, const std::vector<bool>& assignment) {

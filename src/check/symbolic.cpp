@@ -38,8 +38,7 @@ public:
         } catch (const std::bad_alloc&) {
             note(BddExhausted(BddExhausted::Cause::Memory));
         }
-        if (!result_.fault && search_.obstacle == Obstacle::None)
-            result_.states = count(search_.reached, model->state_bits());
+        if (!result_.fault && search_.obstacle == Obstacle::None) count_states(*model);
         if (result_.fault) search_ = {.obstacle = Obstacle::Faulty, .reason = "the model breaks off; see its fault"};
         answer(model);
         result_.bytes = std::max(result_.bytes, space_.bytes());
@@ -63,6 +62,13 @@ private:
             search_.obstacle = Obstacle::Memory;
             search_.reason =
                 "the memory allowed, " + std::to_string(options_.max_memory >> 20U) + " MiB, is used up" + after;
+        }
+    }
+
+    void count_states(const StateSpace& model) {
+        try {
+            result_.states = count(search_.reached, model.state_bits());
+        } catch (const BddExhausted&) {   // then nobody knows
         }
     }
 

@@ -58,8 +58,8 @@ void StateSpace::add_words() {
             reversed.emplace_back(before, before + 1);
         }
     }
-    choices_ = variable_set(choices);
-    free_ = variable_set(free);
+    choices_ = variable_set(space_, choices);
+    free_ = variable_set(space_, free);
     to_before_.emplace(pairs);
     to_after_.emplace(reversed);
 }
@@ -116,11 +116,11 @@ void StateSpace::add_parts() {
     }
     for (const auto& [variable, part] : last) ended[part].push_back(variable);
     for (std::size_t part = 0; part < relations.size(); ++part)
-        parts_.push_back({relations[part], variable_set(ended[part]), variable_set(after[part])});
+        parts_.push_back({relations[part], variable_set(space_, ended[part]), variable_set(space_, after[part])});
     std::vector<std::uint32_t> unread;
     for (const std::uint32_t bit : state_bits_)
         if (!last.contains(bit)) unread.push_back(bit);
-    unread_ = variable_set(unread);
+    unread_ = variable_set(space_, unread);
 }
 
 Bdd StateSpace::image(const Bdd& states) const {
@@ -158,7 +158,7 @@ State StateSpace::pick(const Bdd& states, const State& near) const {
 Bdd StateSpace::only(const State& state) const {
     std::vector<BddLiteral> literals;
     for (const std::uint32_t bit : state_bits_) literals.push_back({bit, state[bit]});
-    return cube(literals);
+    return cube(space_, literals);
 }
 
 std::vector<std::int64_t> StateSpace::values(const State& state, const State* next) const {

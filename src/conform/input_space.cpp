@@ -60,7 +60,7 @@ Id<Expr> Conditions::by_values(const Bdd& function, std::size_t input) {
     const BddWord& word = space_.word(input);
     std::vector<Case> cases;
     for (std::int64_t value = word.type.low; value <= word.type.high; ++value) {
-        const Bdd rest = cofactor(function, equals(word, value));
+        const Bdd rest = cofactor(function, equals(space_.space(), word, value));
         const auto found = std::ranges::find(cases, rest, &Case::rest);
         if (found != cases.end()) found->values.push_back(value);
         else cases.push_back({rest, {value}});

@@ -144,7 +144,7 @@ private:
             const bool falling = timer.fall_ms > 0 && place.falls[timer.fall] >= 0;
             literals.push_back({space_.word(timer.input.index).bits.front(), risen || falling});
         }
-        return cube(literals);
+        return cube(space_.space(), literals);
     }
 
     Departures departures(const Place& place) {

@@ -61,7 +61,7 @@ private:
         struct Less {
             bool operator()(const Behaviour& a, const Behaviour& b) const {
                 return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-                    return x.first != y.first ? x.first < y.first : x.second.node() < y.second.node();
+                    return x.first != y.first ? x.first < y.first : x.second.edge() < y.second.edge();
                 });
             }
         };

@@ -328,8 +328,8 @@ std::vector<StateMove> Moves::first() {
     std::vector<BddLiteral> ends, falls;   // none holds; whose fall time has not started says so in the sets as well
     for (const Equations::Timer& timer : equations_.timers)
         (timer.fall_ms > 0 ? falls : ends).push_back({space_.word(*inputs_[timer.end.index]).bits.front(), false});
-    const Bdd known = cube(ends);
-    std::vector<Part> parts{{space_.assumed() & known & cube(falls), {}}};
+    const Bdd known = cube(space_.space(), ends);
+    std::vector<Part> parts{{space_.assumed() & known & cube(space_.space(), falls), {}}};
     for (const Equations::Stored& stored : equations_.stored)
         check_race(stored.first_race, equations_.variables[stored.variable], parts.front().set);
     std::vector<std::pair<std::uint32_t, std::int64_t>> initial;

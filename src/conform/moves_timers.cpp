@@ -47,7 +47,7 @@ Bdd Moves::known_ends(StateId state) {
         if (timer.rise_ms == 0 && (level || is_set(words, falling_bits_[k]))) known.push_back({end, true});
         if (timer.fall_ms == 0 && (!level || is_set(words, fresh_bits_[k]))) known.push_back({end, false});
     }
-    return cube(known);
+    return cube(space_.space(), known);
 }
 
 /// What is said of `moves` that happen only where `known` holds; those that cannot are dropped.

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Bdd: Boolean functions as reduced ordered binary decision diagrams (Bryant 1986), on BuDDy, which nobody else sees.
+// Bdd: Boolean functions as reduced ordered binary decision diagrams with complement edges (Bryant 1986; Brace, Rudell
+// and Bryant 1990).
 //
-// A BddSpace owns the variables and the memory; BuDDy keeps one such space per process, so a second one waits for the
-// end of the first. Variable 0 is the topmost; variables are added at the bottom and never change places: who adds
-// them decides their order, and the order decides the cost.
+// A BddSpace owns variables, nodes and memory; there may be several, each used by one thread at a time. Variables are
+// added at the bottom of the order and stay there unless the space is told to look for a better order: who adds them
+// decides their order, and the order decides the cost.
 //
-// A Bdd is a handle: equal functions are equal handles, copies are cheap. Handles, renamings and substitutions die
-// before their space and are used in the thread that made it.
+// A Bdd is a handle: equal functions are equal handles, copies are cheap. A handle knows its space; constants belong to
+// none, and go with every space. Handles, renamings and substitutions die before the space they were used with.
 //
-// Every operation may end with BddExhausted: the memory allowed is used up, or somebody asked to stop. It is the only
-// exception that crosses rooms; the entry point that made the space catches it and answers `unknown`. Afterwards all
-// handles still stand for the functions they stood for.
+// Every operation may end with BddExhausted: the memory allowed is used up or refused by the system, or somebody asked
+// to stop, which is noticed within milliseconds. It is the only exception that crosses rooms; the entry point that made
+// the space catches it and answers `unknown`. Afterwards all handles still stand for the functions they stood for.
 #pragma once
 
 #include <atomic>
@@ -29,7 +30,7 @@
 namespace grafverif {
 
 struct BddLimits {
-    std::uint64_t memory = std::uint64_t{2} << 30U;   ///< bytes, for nodes and caches
+    std::uint64_t memory = std::uint64_t{2} << 30U;   ///< bytes, for nodes, tables and cache
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;          ///< set by somebody else
 };
@@ -46,20 +47,39 @@ private:
     Cause cause_ = Cause::Memory;
 };
 
+namespace bdd {
+struct Kernel;
+}
+
 class Bdd {
 public:
     Bdd() = default;   ///< false
-    Bdd(const Bdd& other);
-    Bdd(Bdd&& other) noexcept : node_(std::exchange(other.node_, 0)) {}
-    Bdd& operator=(const Bdd& other);
-    Bdd& operator=(Bdd&& other) noexcept { std::swap(node_, other.node_); return *this; }
-    ~Bdd();
+    Bdd(const Bdd& other) : kernel_(other.kernel_), edge_(other.edge_) { hold(); }
+    Bdd(Bdd&& other) noexcept
+        : kernel_(std::exchange(other.kernel_, nullptr)), edge_(std::exchange(other.edge_, 0)) {}
+    Bdd& operator=(const Bdd& other) {
+        other.hold();
+        release();
+        kernel_ = other.kernel_;
+        edge_ = other.edge_;
+        return *this;
+    }
+    Bdd& operator=(Bdd&& other) noexcept {
+        std::swap(kernel_, other.kernel_);
+        std::swap(edge_, other.edge_);
+        return *this;
+    }
+    ~Bdd() { release(); }
 
-    static Bdd constant(bool value);
+    static Bdd constant(bool value) {
+        Bdd result;
+        result.edge_ = value ? 1 : 0;
+        return result;
+    }
 
-    bool is_true() const { return node_ == 1; }
-    bool is_false() const { return node_ == 0; }
-    bool is_constant() const { return node_ < 2; }
+    bool is_true() const { return edge_ == 1; }
+    bool is_false() const { return edge_ == 0; }
+    bool is_constant() const { return edge_ < 2; }
     /// Whether both are the same function.
     bool operator==(const Bdd& other) const = default;
 
@@ -69,14 +89,19 @@ public:
     Bdd low() const;
     Bdd high() const;
 
-    std::size_t hash() const { return static_cast<std::size_t>(node_); }
+    std::size_t hash() const { return std::size_t{edge_} * 0x9E3779B97F4A7C15U; }
 
-    /// BuDDy's number of the node; for the implementation.
-    int node() const { return node_; }
-    static Bdd of_node(int node);
+    /// For the implementation: the function in its space. Of a constant the space is null.
+    Bdd(bdd::Kernel& kernel, std::uint32_t edge);
+    bdd::Kernel* kernel() const { return kernel_; }
+    std::uint32_t edge() const { return edge_; }
 
 private:
-    int node_ = 0;
+    void hold() const;
+    void release() const;
+
+    bdd::Kernel* kernel_ = nullptr;
+    std::uint32_t edge_ = 0;
 };
 
 class BddSpace {
@@ -91,13 +116,31 @@ public:
     std::size_t variables() const;
     Bdd variable(std::uint32_t index) const;
 
-    std::uint64_t nodes() const;   ///< nodes in use
-    std::uint64_t bytes() const;   ///< memory held for nodes and caches
+    std::uint64_t nodes() const;   ///< nodes in use, those that nobody needs any more among them
+    std::uint64_t bytes() const;   ///< memory held for nodes, tables and cache
+
+    /// Frees the nodes that nobody needs; it is done without being asked when they are in the way.
+    void collect_garbage();
+
+    /// Variables from the topmost down.
+    std::vector<std::uint32_t> order() const;
+    /// From now on `count` variables from `first` on change places together. They lie side by side.
+    void keep_together(std::uint32_t first, std::size_t count);
+    /// Looks for an order with fewer nodes, as far as the memory allows. All functions stay what they are.
+    void reorder();
+    /// Does so by itself before an operation, when more than `nodes` nodes are in use; after that, when they have
+    /// doubled. 0, the default: never.
+    void reorder_above(std::uint64_t nodes);
+
+    /// For the implementation.
+    bdd::Kernel& kernel() const { return *kernel_; }
 
 private:
-    struct Kernel;
-    std::unique_ptr<Kernel> kernel_;
+    std::unique_ptr<bdd::Kernel> kernel_;
 };
+
+/// The invariants of the space that do not hold; all do unless we are wrong.
+std::vector<std::string> verify(const BddSpace& space);
 
 Bdd operator~(const Bdd& f);
 Bdd operator&(const Bdd& f, const Bdd& g);
@@ -117,9 +160,9 @@ struct BddLiteral {
 };
 
 /// The conjunction of the literals; of no literal: true.
-Bdd cube(std::span<const BddLiteral> literals);
+Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals);
 /// The conjunction of the variables: how the quantifiers take a set of variables.
-Bdd variable_set(std::span<const std::uint32_t> variables);
+Bdd variable_set(const BddSpace& space, std::span<const std::uint32_t> variables);
 
 Bdd exists(const Bdd& f, const Bdd& variables);
 Bdd forall(const Bdd& f, const Bdd& variables);
@@ -142,8 +185,10 @@ public:
     /// f renamed. A variable that f depends on and that is not renamed is nobody's new name.
     Bdd operator()(const Bdd& f) const;
 
+    struct Map;   ///< for the implementation
+
 private:
-    void* pairs_ = nullptr;
+    std::unique_ptr<Map> map_;
 };
 
 /// Puts functions in the places of variables, all at once.
@@ -156,8 +201,10 @@ public:
 
     Bdd operator()(const Bdd& f) const;
 
+    struct Map;   ///< for the implementation
+
 private:
-    void* pairs_ = nullptr;
+    std::unique_ptr<Map> map_;
 };
 
 /// The variables that f depends on, increasing.

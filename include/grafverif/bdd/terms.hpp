@@ -48,7 +48,7 @@ BddTerm term_of(const BddSpace& space, const BddWord& word);
 /// Where the word holds a value of its type.
 Bdd in_range(const BddSpace& space, const BddWord& word);
 /// Where it holds `value`, which is one of its type.
-Bdd equals(const BddWord& word, std::int64_t value);
+Bdd equals(const BddSpace& space, const BddWord& word, std::int64_t value);
 /// The value of the word under an assignment to all its bits; Booleans 0 and 1.
 std::int64_t value_of(const BddWord& word, const std::vector<bool>& assignment);
 

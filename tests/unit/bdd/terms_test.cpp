@@ -114,8 +114,8 @@ TEST(BddTerms, WordsCodeTheValuesOfTheirRange) {
     ASSERT_EQ(word.bits.size(), 3u);
     Bdd any;
     for (std::int64_t value = -3; value <= 4; ++value) {
-        EXPECT_EQ(equals(word, value), equal(term_of(world.space, word), bdd_integer(value))) << value;
-        any |= equals(word, value);
+        EXPECT_EQ(equals(world.space, word, value), equal(term_of(world.space, word), bdd_integer(value))) << value;
+        any |= equals(world.space, word, value);
     }
     EXPECT_EQ(any, in_range(world.space, word));
     EXPECT_FALSE(in_range(world.space, world.words[3]).is_true()) << "three bits hold more than 0 to 5";

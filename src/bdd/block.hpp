@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Memory that is counted and may be refused. All that grows with the diagrams of a space is kept in Blocks, so the bound
+// is exact: a block that would break it, or that the system refuses, does not grow and says so; nothing is lost.
+//
+// A block is resized in place or moved as a whole, which for large ones costs no second copy (their pages move).
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <type_traits>
+
+namespace grafverif::bdd {
+
+/// Bytes.
+struct Budget {
+    std::uint64_t limit = 0, used = 0;
+
+    bool charge(std::uint64_t bytes) {
+        if (bytes > limit - used) return false;
+        used += bytes;
+        return true;
+    }
+};
+
+template <class T>
+class Block {
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    explicit Block(Budget& budget) : budget_(budget) {}
+    Block(const Block&) = delete;
+    Block& operator=(const Block&) = delete;
+    ~Block() {
+        std::free(data_);
+        budget_.used -= size_ * sizeof(T);
+    }
+
+    T& operator[](std::size_t index) {
+        assert(index < size_);
+        return data_[index];
+    }
+    const T& operator[](std::size_t index) const {
+        assert(index < size_);
+        return data_[index];
+    }
+    T* data() { return data_; }
+    std::size_t size() const { return size_; }
+
+    /// Whether it has `size` elements now, not 0; new ones are not set. Otherwise it is as it was.
+    [[nodiscard]] bool resize(std::size_t size) {
+        if (size > size_ && !budget_.charge((size - size_) * sizeof(T))) return false;
+        void* const moved = std::realloc(data_, size * sizeof(T));
+        if (moved == nullptr && size > size_) {
+            budget_.used -= (size - size_) * sizeof(T);
+            return false;
+        }
+        if (size < size_) budget_.used -= (size_ - size) * sizeof(T);
+        if (moved != nullptr) data_ = static_cast<T*>(moved);
+        size_ = size;
+        return true;
+    }
+
+private:
+    Budget& budget_;
+    T* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+}  // namespace grafverif::bdd

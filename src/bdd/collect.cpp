@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Garbage collection: mark what handles, frames and the spared edges reach, forget what the cache knows of the rest,
+// free the rest. The nodes still to be marked form a list through `next`, so marking needs neither a stack nor memory;
+// the chains are rebuilt by the sweep.
+//
+// It may be stopped anywhere. Before the sweep nothing is lost: garbage is as good as any node. A sweep that was stopped
+// is completed before anything else, from the marks, which are kept until then.
+#include "bdd/kernel.hpp"
+
+#include <algorithm>
+
+namespace grafverif::bdd {
+
+namespace {
+
+void mark_from_roots(Kernel& kernel, std::initializer_list<Edge> spared) {
+    NodeTable& table = kernel.table;
+    std::uint32_t open = 0;
+    const auto meet = [&](Edge edge) {
+        const std::uint32_t n = index_of(edge);
+        if (n == 0 || table.marked(n)) return;
+        table.mark(n);
+        table.nodes[n].next = open;
+        open = n;
+    };
+    const auto mark_open = [&] {
+        while (open != 0) {
+            kernel.watch.step();
+            const Node& node = table.nodes[open];
+            open = node.next;
+            meet(node.low);
+            meet(node.high);
+        }
+    };
+    for (const Edge edge : spared) meet(edge);
+    for (std::size_t i = 0; i < kernel.frames.size(); ++i)
+        for (const Frame& frame = kernel.frames[i]; const Edge edge : {frame.f, frame.g, frame.h, frame.low}) meet(edge);
+    mark_open();
+    for (std::uint32_t n = 1; n < table.used; ++n) {
+        kernel.watch.step();
+        if (table.refs[n] == 0) continue;
+        meet(n << 1U);
+        mark_open();
+    }
+}
+
+void unmark_all(NodeTable& table) { std::fill_n(table.marks.data(), (std::size_t{table.used} + 63) / 64, 0); }
+
+}  // namespace
+
+void relink(Kernel& kernel) {
+    NodeTable& table = kernel.table;
+    table.stale = true;
+    for (std::size_t bucket = 0; bucket < table.buckets.size(); ++bucket) {
+        kernel.watch.step();
+        table.buckets[bucket] = 0;
+    }
+    table.free = 0;
+    std::uint32_t in_use = 1;   // the constant
+    for (std::uint32_t n = table.used; n-- > 1;) {   // backwards, so that the first free nodes are taken first
+        kernel.watch.step();
+        Node& node = table.nodes[n];
+        if (node.level == free_level || (table.sweeping && !table.marked(n))) {
+            node = {free_level, 0, 0, table.free};
+            table.free = n;
+        } else {
+            table.link(n);
+            ++in_use;
+        }
+    }
+    table.in_use = in_use;
+    table.stale = false;
+    if (table.sweeping) unmark_all(table);
+    table.sweeping = false;
+}
+
+void collect(Kernel& kernel, std::initializer_list<Edge> spared) {
+    kernel.table.stale = true;
+    try {
+        mark_from_roots(kernel, spared);
+        kernel.cache.keep_marked(kernel.table, kernel.watch);
+    } catch (...) {
+        unmark_all(kernel.table);
+        throw;
+    }
+    kernel.table.sweeping = true;
+    relink(kernel);
+}
+
+}  // namespace grafverif::bdd

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// All of a space: its order, nodes, cache and the frames of the running operation. What it does is in functions, a file
+// per idea: kernel.cpp (room for nodes), collect.cpp, connectives.cpp, quantify.cpp, restrict.cpp, compose.cpp,
+// reorder.cpp, verify.cpp; walks.cpp and count.cpp only look.
+//
+// An operation that creates nodes may collect garbage or end early at any node it makes. What it still needs lies in
+// its frames or is handed to `make`; its operands belong to handles.
+#pragma once
+
+#include <initializer_list>
+#include <vector>
+
+#include "bdd/cache.hpp"
+#include "bdd/nodes.hpp"
+#include "bdd/watch.hpp"
+
+namespace grafverif::bdd {
+
+/// A call of an operation that waits for its branches; all edges, so that collection marks them.
+struct Frame {
+    Edge f = 0, g = 0, h = 0;       ///< its operands
+    Edge low = 0;                   ///< result of the low branch, once there is one
+    std::uint32_t level = 0;        ///< where it branches
+    bool has_low = false, flip = false;   ///< flip: the result is to be complemented
+};
+
+/// The stack of frames.
+class Frames {
+public:
+    explicit Frames(Budget& budget) : frames_(budget) {}
+
+    std::size_t size() const { return size_; }
+    Frame& top() { return frames_[size_ - 1]; }
+    const Frame& operator[](std::size_t index) const { return frames_[index]; }
+    void pop() { --size_; }
+    void clear() { size_ = 0; }
+    void push(const Frame& frame) {
+        if (size_ == frames_.size()) enlarge();
+        frames_[size_++] = frame;
+    }
+
+private:
+    void enlarge();
+
+    Block<Frame> frames_;
+    std::size_t size_ = 0;
+};
+
+/// Variables and levels, each the inverse of the other, and what stays together.
+class Order {
+public:
+    explicit Order(Budget& budget) : level_of(budget), variable_at(budget), group_of(budget) {}
+
+    std::uint32_t size() const { return size_; }
+    /// False: no room.
+    bool add(std::uint32_t count);
+
+    Block<std::uint32_t> level_of, variable_at;
+    Block<std::uint32_t> group_of;   ///< per variable the first of its group, which lies side by side
+    std::uint64_t version = 0;       ///< changes with it
+
+private:
+    std::uint32_t size_ = 0;
+};
+
+struct Kernel {
+    explicit Kernel(const BddLimits& limits)
+        : budget{limits.memory, 0}, watch(limits), order(budget), table(budget), cache(budget), frames(budget) {}
+    Kernel(const Kernel&) = delete;
+    Kernel& operator=(const Kernel&) = delete;
+
+    const Node& node(Edge edge) const { return table.nodes[index_of(edge)]; }
+    std::uint32_t level(Edge edge) const { return node(edge).level; }
+    Edge low(Edge edge) const { return node(edge).low ^ complement_bit(edge); }
+    Edge high(Edge edge) const { return node(edge).high ^ complement_bit(edge); }
+    /// The same where the edge does not branch at `level`.
+    Edge low(Edge edge, std::uint32_t level) const { return node(edge).level == level ? low(edge) : edge; }
+    Edge high(Edge edge, std::uint32_t level) const { return node(edge).level == level ? high(edge) : edge; }
+
+    Budget budget;
+    Watch watch;
+    Order order;
+    NodeTable table;
+    Cache cache;
+    Frames frames;
+    std::uint32_t numbers = 0;             ///< given to renamings and substitutions
+    std::uint64_t handles = 0;             ///< the sum of `refs`
+    std::uint64_t reorder_above = 0;       ///< nodes; 0: never by itself
+};
+
+/// Room for a node, by growth or by collection, which spares `low` and `high`. Ends with BddExhausted where there is none.
+void make_room(Kernel& kernel, Edge low, Edge high);
+/// Rebuilds the chains and the list of free nodes, and completes a sweep.
+void relink(Kernel& kernel);
+/// Frees what nothing reaches.
+void collect(Kernel& kernel, std::initializer_list<Edge> spared);
+/// Twice as many nodes, or as many as the bound allows; whether that are considerably more.
+bool grow(Kernel& kernel);
+
+/// The function "if the variable of `level` then high else low", which lie below that level.
+inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
+    if (low == high) return low;
+    const Edge flip = complement_bit(low);
+    low ^= flip;
+    high ^= flip;
+    NodeTable& table = kernel.table;
+    if (!table.has_room()) [[unlikely]] {
+        if (table.capacity != 0)
+            if (const std::uint32_t n = table.find(level, low, high)) return n << 1U | flip;
+        make_room(kernel, low, high);
+    }
+    std::uint32_t& first = table.buckets[table.bucket(level, low, high)];
+    for (std::uint32_t n = first; n != 0; n = table.nodes[n].next)
+        if (const Node& node = table.nodes[n]; node.low == low && node.high == high && node.level == level) return n << 1U | flip;
+    const std::uint32_t n = table.take();
+    table.nodes[n] = {level, low, high, first};
+    first = n;
+    return n << 1U | flip;
+}
+
+/// One operation on a space from outside: before it, what was left undone is done; after it, its frames are gone.
+class Session {
+public:
+    explicit Session(Kernel& kernel);
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+    ~Session() { kernel_.frames.clear(); }
+
+private:
+    Kernel& kernel_;
+};
+
+Edge conjunction(Kernel& kernel, Edge f, Edge g);
+inline Edge disjunction(Kernel& kernel, Edge f, Edge g) { return conjunction(kernel, f ^ 1U, g ^ 1U) ^ 1U; }
+Edge exclusive(Kernel& kernel, Edge f, Edge g);
+Edge if_then_else(Kernel& kernel, Edge f, Edge g, Edge h);
+Edge quantified(Kernel& kernel, Edge f, Edge cube);
+Edge product_quantified(Kernel& kernel, Edge f, Edge g, Edge cube);
+Edge restricted(Kernel& kernel, Edge f, Edge cube);
+Edge simplified(Kernel& kernel, Edge f, Edge care);
+
+/// The better order that sifting finds, groups as they are.
+void reorder(Kernel& kernel);
+
+/// The nodes of a function, the constant apart, children before parents. They carry no marks any more.
+std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root);
+
+}  // namespace grafverif::bdd

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Quantification, and the relational product, which quantifies while it joins (Burch, Clarke and Long 1990). The
+// variables are a cube: its levels above the operands are skipped, and once none is left the operands are as they are.
+// Where the first branch of a quantified variable is true already, the other is not looked at.
+#include <algorithm>
+#include <utility>
+
+#include "bdd/steps.hpp"
+
+namespace grafverif::bdd {
+
+namespace {
+
+/// The cube without what lies above `level`.
+Edge below(const Kernel& kernel, Edge cube, std::uint32_t level) {
+    while (kernel.level(cube) < level) cube = kernel.high(cube);
+    return cube;
+}
+
+struct Some : Branching {
+    static constexpr Operation operation = Operation::Exists;
+
+    static bool settle(const Kernel& kernel, Call& call, Edge& result, bool&) {
+        auto& [f, cube, none] = call;
+        result = f;
+        if (is_constant(f)) return true;
+        cube = below(kernel, cube, kernel.level(f));
+        return is_constant(cube);
+    }
+
+    static std::uint32_t level(const Kernel& kernel, const Call& call) { return kernel.level(call.f); }
+
+    static bool enough(const Kernel& kernel, const Frame& at, Edge& low) {
+        if (kernel.level(at.g) != at.level) return false;
+        return low == true_edge || low == kernel.high(at.f);
+    }
+
+    static Edge join(Kernel& kernel, Frame at, Edge high) {
+        return kernel.level(at.g) == at.level ? disjunction(kernel, at.low, high) : make(kernel, at.level, at.low, high);
+    }
+
+    // The cube's own low branch is false: its high branch is what remains of it.
+    static Call low(const Kernel& kernel, const Frame& at) { return {kernel.low(at.f), kernel.high(at.g, at.level), 0}; }
+    static Call high(const Kernel& kernel, const Frame& at) { return {kernel.high(at.f), kernel.high(at.g, at.level), 0}; }
+};
+
+struct Product : Branching {
+    static constexpr Operation operation = Operation::AndExists;
+
+    static bool settle(Kernel& kernel, Call& call, Edge& result, bool&) {
+        auto& [f, g, cube] = call;
+        if (f > g) std::swap(f, g);
+        if (f == false_edge || (index_of(f) == index_of(g) && f != g)) return result = false_edge, true;
+        if (f == true_edge || f == g) return result = quantified(kernel, g, cube), true;
+        cube = below(kernel, cube, level(kernel, call));
+        if (is_constant(cube)) return result = conjunction(kernel, f, g), true;
+        return false;
+    }
+
+    static std::uint32_t level(const Kernel& kernel, const Call& call) {
+        return std::min(kernel.level(call.f), kernel.level(call.g));
+    }
+
+    static bool enough(const Kernel& kernel, const Frame& at, Edge& low) {
+        if (kernel.level(at.h) != at.level) return false;
+        // What the other branch gives lies within either of its operands.
+        return low == true_edge || low == kernel.high(at.f, at.level) || low == kernel.high(at.g, at.level);
+    }
+
+    static Edge join(Kernel& kernel, Frame at, Edge high) {
+        return kernel.level(at.h) == at.level ? disjunction(kernel, at.low, high) : make(kernel, at.level, at.low, high);
+    }
+
+    static Call low(const Kernel& kernel, const Frame& at) {
+        return {kernel.low(at.f, at.level), kernel.low(at.g, at.level), kernel.high(at.h, at.level)};
+    }
+};
+
+}  // namespace
+
+Edge quantified(Kernel& kernel, Edge f, Edge cube) { return run(kernel, Some{}, {f, cube, 0}); }
+
+Edge product_quantified(Kernel& kernel, Edge f, Edge g, Edge cube) { return run(kernel, Product{}, {f, g, cube}); }
+
+}  // namespace grafverif::bdd

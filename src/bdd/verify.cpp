@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// What must hold of a space between operations, looked at from scratch.
+#include <string>
+#include <unordered_set>
+
+#include "bdd/kernel.hpp"
+
+namespace grafverif {
+
+namespace bdd {
+
+namespace {
+
+class Check {
+public:
+    explicit Check(Kernel& kernel) : kernel_(kernel), table_(kernel.table) {}
+
+    std::vector<std::string> faults() {
+        look_at_order();
+        if (table_.capacity == 0) return std::move(faults_);
+        look_at_nodes();
+        if (!table_.stale) look_at_chains();
+        look_at_cache();
+        return std::move(faults_);
+    }
+
+private:
+    void demand(bool holds, const char* what, std::uint64_t where) {
+        if (!holds) faults_.push_back(std::string(what) + " " + std::to_string(where));
+    }
+
+    /// Of a sweep that was stopped, garbage is as good as free.
+    bool in_use(std::uint32_t n) const {
+        return n < table_.used && table_.nodes[n].level != free_level && (!table_.sweeping || n == 0 || table_.marked(n));
+    }
+
+    void look_at_order() {
+        const Order& order = kernel_.order;
+        for (std::uint32_t variable = 0; variable < order.size(); ++variable) {
+            const std::uint32_t level = order.level_of[variable];
+            demand(level < order.size() && order.variable_at[level] == variable, "no place in the order for variable", variable);
+        }
+    }
+
+    void look_at_nodes() {
+        std::uint64_t in_use_now = 1, handles = 0;
+        demand(table_.nodes[0].level == constant_level, "the constant is no constant: node", 0);
+        for (std::uint32_t n = 1; n < table_.used; ++n) {
+            handles += table_.refs[n];
+            demand(table_.sweeping || !table_.marked(n), "a mark was left on node", n);
+            demand(in_use(n) || table_.refs[n] == 0, "a handle on free node", n);
+            if (!in_use(n)) continue;
+            ++in_use_now;
+            const Node& node = table_.nodes[n];
+            demand(node.level < kernel_.order.size(), "no such level, at node", n);
+            demand(complement_bit(node.low) == 0, "a complement at the low edge of node", n);
+            demand(node.low != node.high, "no difference between the edges of node", n);
+            for (const Edge child : {node.low, node.high}) {
+                demand(in_use(index_of(child)), "an edge to a free node from node", n);
+                demand(kernel_.level(child) > node.level, "an edge that does not lead down from node", n);
+            }
+        }
+        demand(handles == kernel_.handles, "handles are counted wrong:", handles);
+        if (!table_.stale) demand(in_use_now == table_.in_use, "nodes are counted wrong:", in_use_now);
+    }
+
+    void look_at_chains() {
+        std::unordered_set<std::uint32_t> found;
+        std::uint64_t free = 0;
+        for (std::uint32_t bucket = 0; bucket < table_.buckets.size(); ++bucket)
+            for (std::uint32_t n = table_.buckets[bucket]; n != 0 && found.insert(n).second; n = table_.nodes[n].next) {
+                const Node& node = table_.nodes[n];
+                demand(in_use(n), "in a chain, yet free: node", n);
+                demand(table_.bucket(node.level, node.low, node.high) == bucket, "in a wrong chain: node", n);
+                demand(table_.find(node.level, node.low, node.high) == n, "stored twice: node", n);
+            }
+        demand(found.size() + 1 == table_.in_use, "nodes in chains:", found.size());
+        for (std::uint32_t n = table_.free; n != 0 && free <= table_.used; n = table_.nodes[n].next) ++free;
+        demand(free + table_.in_use == table_.used, "free nodes are counted wrong:", free);
+    }
+
+    bool value(Edge edge, std::uint64_t seed) {
+        for (; !is_constant(edge); --steps_) edge = assigned(kernel_.level(edge), seed) ? kernel_.high(edge) : kernel_.low(edge);
+        return edge == true_edge;
+    }
+
+    /// Some assignment to all levels.
+    static bool assigned(std::uint64_t level, std::uint64_t seed) {
+        const std::uint64_t mixed = (level + seed * 1000003U + 1) * 0x9E3779B97F4A7C15U;
+        return ((mixed ^ mixed >> 29U) * 0xD6E8FEB86659FD93U >> 63U) != 0;
+    }
+
+    void look_at_cache() {
+        for (std::size_t slot = 0; slot < kernel_.cache.size(); ++slot) {
+            const Cache::Known known = kernel_.cache.known(slot);
+            if (known.f == 0) continue;
+            const bool numbered = known.operation == Operation::Rename || known.operation == Operation::Substitute;
+            const Edge third = numbered ? false_edge : known.h;
+            bool live = true;
+            for (const Edge edge : {known.f, known.g, third, known.result}) live = live && in_use(index_of(edge));
+            demand(live, "the cache knows a free node, in slot", slot);
+            if (!live || steps_ < 0) continue;
+            for (std::uint64_t seed = 0; seed < 4; ++seed) {
+                const bool f = value(known.f, seed), g = value(known.g, seed), h = value(third, seed), r = value(known.result, seed);
+                switch (known.operation) {
+                case Operation::And:      demand(r == (f && g), "a false conjunction in slot", slot); break;
+                case Operation::Xor:      demand(r == (f != g), "a false exclusive or in slot", slot); break;
+                case Operation::Ite:      demand(r == (f ? g : h), "a false choice in slot", slot); break;
+                case Operation::Exists:   demand(r || !f, "a false quantification in slot", slot); break;
+                case Operation::AndExists: demand(r || !(f && g), "a false product in slot", slot); break;
+                case Operation::Cofactor: demand(r == f || !g, "a false cofactor in slot", slot); break;
+                case Operation::Simplify: demand(r == f || !g, "a false simplification in slot", slot); break;
+                case Operation::Rename: case Operation::Substitute: break;   // they are numbers here
+                }
+            }
+        }
+    }
+
+    Kernel& kernel_;
+    NodeTable& table_;
+    std::vector<std::string> faults_ = {};
+    std::int64_t steps_ = 5'000'000;   ///< for trying what the cache knows
+};
+
+}  // namespace
+
+}  // namespace bdd
+
+std::vector<std::string> verify(const BddSpace& space) { return bdd::Check(space.kernel()).faults(); }
+
+}  // namespace grafverif
