@@ -15,16 +15,16 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t most_variables = 10;
-using Table = std::bitset<std::size_t{1} << most_variables>;   // bit n: the value where variable i is bit i of n
+using Truth = std::bitset<std::size_t{1} << most_variables>;   // bit n: the value where variable i is bit i of n
 
-struct Function {
+struct Tabled {
     Bdd bdd = {};
-    Table table = {};
+    Truth table = {};
 };
 
-class World {
+class RandomSpace {
 public:
-    World(Random& random, const BddLimits& limits) : random_(random), space_(limits) {
+    RandomSpace(Random& random, const BddLimits& limits) : random_(random), space_(limits) {
         variables_ = static_cast<std::uint32_t>(random_number(random, 2, most_variables));
         space_.add_variables(variables_);
         if (chance(random, 50)) {
@@ -36,9 +36,9 @@ public:
 
     /// One operation on some functions of the pool; its result takes the place of one of them.
     void step() {
-        Function result = made();
+        Tabled result = made();
         expect_same(result);
-        Function& place = pool_[static_cast<std::size_t>(random_number(random_, 0, 11))];
+        Tabled& place = pool_[static_cast<std::size_t>(random_number(random_, 0, 11))];
         EXPECT_EQ(place.bdd == result.bdd, place.table == result.table) << "equal functions are equal handles";
         place = std::move(result);
         if (chance(random_, 3)) space_.collect_garbage();
@@ -47,13 +47,13 @@ public:
     }
 
     void expect_all() const {
-        for (const Function& each : pool_) expect_same(each);
+        for (const Tabled& each : pool_) expect_same(each);
         EXPECT_EQ(verify(space_), std::vector<std::string>());
     }
 
 private:
     std::size_t size() const { return std::size_t{1} << variables_; }
-    const Function& any() { return pool_[static_cast<std::size_t>(random_number(random_, 0, 11))]; }
+    const Tabled& any() { return pool_[static_cast<std::size_t>(random_number(random_, 0, 11))]; }
     std::uint32_t index() { return static_cast<std::uint32_t>(random_number(random_, 0, variables_ - 1)); }
     static bool bit(std::size_t n, std::uint32_t i) { return ((n >> i) & 1U) != 0; }
     static std::size_t with(std::size_t n, std::uint32_t i, bool value) {
@@ -61,8 +61,8 @@ private:
     }
 
     template <class ValueAt>
-    Table table(const ValueAt& value_at) const {
-        Table result;
+    Truth table(const ValueAt& value_at) const {
+        Truth result;
         for (std::size_t n = 0; n < size(); ++n) result[n] = value_at(n);
         return result;
     }
@@ -73,11 +73,11 @@ private:
         return values;
     }
 
-    void expect_same(const Function& f) const {
+    void expect_same(const Tabled& f) const {
         EXPECT_EQ(table([&](std::size_t n) { return evaluate(f.bdd, assignment(n)); }), f.table);
     }
 
-    Function variable() {
+    Tabled variable() {
         const std::uint32_t i = index();
         return {space_.variable(i), table([&](std::size_t n) { return bit(n, i); })};
     }
@@ -89,14 +89,14 @@ private:
         return chosen;
     }
 
-    Table quantified(Table t, const std::vector<std::uint32_t>& variables) const {
+    Truth quantified(Truth t, const std::vector<std::uint32_t>& variables) const {
         for (const std::uint32_t i : variables)
             t = table([&](std::size_t n) { return t[with(n, i, false)] || t[with(n, i, true)]; });
         return t;
     }
 
-    Function made() {
-        const Function f = any(), g = any(), h = any();
+    Tabled made() {
+        const Tabled f = any(), g = any(), h = any();
         switch (random_number(random_, 0, 15)) {
         case 0:  return {f.bdd & g.bdd, f.table & g.table};
         case 1:  return {f.bdd | g.bdd, f.table | g.table};
@@ -117,23 +117,23 @@ private:
         }
     }
 
-    Function some(const Function& f) {
+    Tabled some(const Tabled& f) {
         const std::vector<std::uint32_t> v = some_variables();
         return {exists(f.bdd, variable_set(space_, v)), quantified(f.table, v)};
     }
 
-    Function every(const Function& f) {
+    Tabled every(const Tabled& f) {
         const std::vector<std::uint32_t> v = some_variables();
-        const Table not_all = quantified(table([&](std::size_t n) { return !f.table[n]; }), v);
+        const Truth not_all = quantified(table([&](std::size_t n) { return !f.table[n]; }), v);
         return {forall(f.bdd, variable_set(space_, v)), table([&](std::size_t n) { return !not_all[n]; })};
     }
 
-    Function product(const Function& f, const Function& g) {
+    Tabled product(const Tabled& f, const Tabled& g) {
         const std::vector<std::uint32_t> v = some_variables();
         return {and_exists(f.bdd, g.bdd, variable_set(space_, v)), quantified(f.table & g.table, v)};
     }
 
-    Function assumed(const Function& f) {
+    Tabled assumed(const Tabled& f) {
         std::vector<BddLiteral> literals;
         for (const std::uint32_t i : some_variables()) literals.push_back({i, chance(random_, 50)});
         std::ranges::shuffle(literals, random_);
@@ -143,7 +143,7 @@ private:
                 })};
     }
 
-    Function renamed(const Function& f) {
+    Tabled renamed(const Tabled& f) {
         std::vector<std::uint32_t> to(variables_);
         std::iota(to.begin(), to.end(), 0U);
         std::ranges::shuffle(to, random_);
@@ -157,7 +157,7 @@ private:
                 })};
     }
 
-    Function substituted(const Function& f, const Function& g, const Function& h) {
+    Tabled substituted(const Tabled& f, const Tabled& g, const Tabled& h) {
         const std::uint32_t first = index(), second = index();
         std::vector<std::pair<std::uint32_t, Bdd>> values{{first, g.bdd}};
         if (second != first) values.emplace_back(second, h.bdd);
@@ -169,7 +169,7 @@ private:
     }
 
     /// What only looks at a function, and its simplification, which is free outside the care set.
-    Function looked_at(const Function& f, const Function& care) {
+    Tabled looked_at(const Tabled& f, const Tabled& care) {
         std::vector<std::uint32_t> all(variables_), used;
         std::iota(all.begin(), all.end(), 0U);
         for (const std::uint32_t i : all)
@@ -187,7 +187,7 @@ private:
         EXPECT_EQ(together, f.bdd);
         if (!f.bdd.is_constant()) { EXPECT_EQ(ite(space_.variable(f.bdd.top()), f.bdd.high(), f.bdd.low()), f.bdd); }
         if (care.bdd.is_false()) return f;
-        Function result{simplify(f.bdd, care.bdd), {}};
+        Tabled result{simplify(f.bdd, care.bdd), {}};
         result.table = table([&](std::size_t n) { return evaluate(result.bdd, assignment(n)); });
         EXPECT_EQ(result.table & care.table, f.table & care.table);
         return result;
@@ -196,7 +196,7 @@ private:
     Random& random_;
     BddSpace space_;
     std::uint32_t variables_ = 0;
-    std::vector<Function> pool_ = {};
+    std::vector<Tabled> pool_ = {};
 };
 
 TEST(BddLaw, OperationsAgreeWithTablesOfTruth) {
@@ -204,7 +204,7 @@ TEST(BddLaw, OperationsAgreeWithTablesOfTruth) {
     for (int seed = 0; seed < worlds; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        World world(random, {});
+        RandomSpace world(random, {});
         for (int i = 0; i < 60 && !testing::Test::HasFailure(); ++i) world.step();
         world.expect_all();
     }
@@ -216,7 +216,7 @@ TEST(BddLaw, OperationsAgreeWithTablesOfTruthWhereMemoryIsScarce) {
     for (int seed = 0; seed < worlds; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        World world(random, {.memory = 135'000});   // some thousand nodes: collections come within operations
+        RandomSpace world(random, {.memory = 135'000});   // some thousand nodes: collections come within operations
         for (int i = 0; i < 100 && !testing::Test::HasFailure(); ++i) try {
                 world.step();
             } catch (const BddExhausted& failure) {

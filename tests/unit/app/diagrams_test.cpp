@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// What the verbs that rest on decision diagrams do where time or memory is short, and where there is next to nothing to do.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+/// The faulty station with the sensor V_Sen declared first: a poor order, in which one operation takes minutes.
+std::string poor_order(const Folder& folder) {
+    std::ifstream sample(root / "samples/testing_station/faulty.grafcet");
+    std::string text{std::istreambuf_iterator<char>(sample), {}};
+    const std::size_t sensor = text.find("    plant V_Sen"), end = text.find(";\n", sensor) + 2;
+    const std::string line = text.substr(sensor, end - sensor);
+    text.erase(sensor, end - sensor);
+    text.insert(text.find("    plant H_Act"), line);
+    return folder.write("poor.grafcet", text);
+}
+
+std::string ring(std::size_t steps) {
+    std::string text = "grafcet ring { input a; output o; initial step 0; ";
+    for (std::size_t i = 1; i < steps; ++i) text += "step " + std::to_string(i) + (i % 10 == 0 ? " { o; } " : "; ");
+    for (std::size_t i = 0; i < steps; ++i)
+        text += "transition t" + std::to_string(i) + ": " + std::to_string(i) + " -> " + std::to_string((i + 1) % steps) +
+                (i % 2 == 0 ? " when a;\n" : " when !a;\n");
+    return text + "}\n";
+}
+
+TEST(Diagrams, ATimeLimitIsKeptWithinOneLongOperation) {
+    const Folder folder;
+    const std::string file = poor_order(folder);
+    const auto start = std::chrono::steady_clock::now();
+    const Result result = grafverif({"check", file, "--untimed", "--plant", "automata", "--timeout", "1s"});
+    EXPECT_EQ(result.code, ExitCode::Unknown) << result.err;
+    EXPECT_NE(result.out.find("why: stopped"), std::string::npos) << result.out;
+    EXPECT_LE(std::chrono::steady_clock::now() - start, std::chrono::seconds(15)) << "generous: machines may be busy";
+}
+
+TEST(Diagrams, ALongRingIsCheckedUntilTheTimeIsUp) {
+    const Folder folder;
+    const std::string file = folder.write("ring.grafcet", ring(3000));
+    const Result result = grafverif({"check", file, "--untimed", "--timeout", "2s"});
+    EXPECT_TRUE(result.code == ExitCode::Unknown || result.code == ExitCode::Done) << result.out << result.err;
+}
+
+TEST(Diagrams, AChartWithoutInputsHasATest) {
+    const Folder folder;
+    const std::string file = folder.write("pulse.grafcet",
+                                          "grafcet pulse { output TICK; initial step 1; step 2 { TICK; }\n"
+                                          "transition t1: 1 -> 2 when 5s/X1; transition t2: 2 -> 1 when true; }\n");
+    const Result result = grafverif({"testgen", file, "-o", folder.file("pulse.csv")});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    EXPECT_NE(result.out.find("covering 2 of 2 transitions"), std::string::npos) << result.out;
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST(Diagrams, MemoryThatTheSystemRefusesEndsInUnknown) {
+    const Folder folder;
+    const std::string program = GRAFVERIF_PROGRAM, file = folder.write("ring.grafcet", ring(3000));
+    const std::string command = "ulimit -v 51200 && exec '" + program + "' check '" + file + "' --untimed --timeout 60s > '" +
+                                folder.file("out") + "' 2>&1";
+    const int status = std::system(command.c_str());
+    ASSERT_TRUE(WIFEXITED(status)) << folder.read("out");
+    EXPECT_EQ(WEXITSTATUS(status), 3) << folder.read("out");
+}
+#endif
+
+}  // namespace
+}  // namespace grafverif::app
