@@ -63,7 +63,7 @@ class Course {
 public:
     Course(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Analysis& result)
         : chart_(chart), equations_(equations), options_(options), result_(result),
-          questions_(chart, equations, options.mode) {
+          questions_(chart, equations, options) {
         for (Cone& cone : cones(equations)) parts_.push_back({std::move(cone), options});
         if (counts_on()) {
             parts_.push_back({parts_.back().cone, options});

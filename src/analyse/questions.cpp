@@ -19,10 +19,11 @@ bool any_arithmetic(const Exprs& exprs) {
 
 }  // namespace
 
-Questions::Questions(const Chart& chart, const Equations& equations, ExecutionMode mode) {
-    const bool searching = mode == ExecutionMode::StabilitySearch;
+Questions::Questions(const Chart& chart, const Equations& equations, const AnalyseOptions& options) {
+    const bool searching = options.mode == ExecutionMode::StabilitySearch;
     const bool computes = any_arithmetic(equations.exprs);
     if (searching) add("total-instability", 0, "");
+    if (options.instability_only) return;
     if (computes) add("no-value", no_variable, "");
     for (const Equations::Stored& stored : equations.stored) {
         const Equations::Variable& variable = equations.variables[stored.variable];

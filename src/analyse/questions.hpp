@@ -29,7 +29,7 @@ struct Question {
 
 class Questions {
 public:
-    Questions(const Chart& chart, const Equations& equations, ExecutionMode mode);
+    Questions(const Chart& chart, const Equations& equations, const AnalyseOptions& options);
 
     /// The question where it is asked and still open, else nothing.
     Question* open(std::string_view code, std::size_t index);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <ostream>
 #include <sstream>
 
@@ -50,11 +51,18 @@ std::optional<Findings> findings(const LoopToCheck& loop, Job& job, const Stream
     unreachable();
 }
 
+/// The embedded engine alone knows the question, and it has an answer under stability search.
+bool asks_for_stability(const Model& model, Id<Chart> chart, const Job& job) {
+    return job.options.engine != Engine::Nusmv && job.options.engine != Engine::Nuxmv &&
+           execution_mode(model, chart, job) == ExecutionMode::StabilitySearch;
+}
+
 /// The same of an untimed model of `model`: of its closed loop, or of a chart alone.
 std::optional<Findings> untimed_findings(const Model& model, Job& job, const Streams& streams,
                                          const Interrupt& interrupt) {
     const auto loop = is_of_a_chart(model, job.options) ? std::nullopt : chosen_loop(model, job);
     const auto chart = is_of_a_chart(model, job.options) ? chosen_chart(model, job) : std::nullopt;
+    const auto start = std::chrono::steady_clock::now();
     std::optional<TransitionSystem> system;
     if (loop) system = transition_system_of(model, *loop, job);
     if (chart) system = controller_of(model, *chart, job);
@@ -67,13 +75,19 @@ std::optional<Findings> untimed_findings(const Model& model, Job& job, const Str
     }
     std::vector<std::string> known = property_names(system->properties);
     for (const TransitionSystem::Omitted& omitted : system->omitted) known.push_back(omitted.property.name);
+    const bool stability = chart && asks_for_stability(model, *chart, job);
+    if (stability) known.emplace_back(stabilises);
     if (!knows_properties(known, job)) return {};
     const ClosedLoop* const of = loop ? &model.loops[*loop] : nullptr;
     const SystemToCheck check{*system, of != nullptr ? charts_of(model, *of) : std::vector{&model.charts[*chart]},
                               abstraction_of(job.options, of)};
     if (job.options.engine == Engine::Nusmv) return check_by_nusmv(check, "NuSMV", job, interrupt);
     if (job.options.engine == Engine::Nuxmv) return check_by_nusmv(check, "nuXmv", job, interrupt);
-    return check_symbolically(check, job.options, streams, interrupt);
+    Findings found = check_symbolically(check, job.options, streams, interrupt);
+    const bool asked = job.options.properties.empty() || is_asked(stabilises, job.options.properties);
+    if (stability && asked)
+        add_stabilises(model.charts[*chart], *equations_of(model, *chart, job), job.options, interrupt, start, found);
+    return found;
 }
 
 /// The trace that goes to files: of the first place where the model breaks off, of the first verdict against

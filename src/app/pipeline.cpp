@@ -211,7 +211,7 @@ std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Clos
 std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> chart, Job& job) {
     const auto equations = equations_of(model, chart, job);
     if (!equations) return {};
-    return schedule_controller(*equations, job.options.mode.value_or(ExecutionMode::StabilitySearch));
+    return schedule_controller(*equations, execution_mode(model, chart, job));
 }
 
 namespace {

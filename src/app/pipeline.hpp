@@ -39,7 +39,8 @@ std::optional<Model> read_model(const std::string& path, Job& job);
 std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, Job& job);
 std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job);
 
-/// How `chart` is executed: as the options say, or else as every loop that runs it says, or else with stability search.
+/// How `chart` is executed, whatever a verb makes of it without its loop: as the options say, or else as every loop that
+/// runs it says, or else with stability search.
 ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const Job& job);
 
 /// Chart -> Equations
@@ -61,7 +62,7 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Job& 
 /// ClosedLoop -> TransitionSystem, by the options of untimed models: of the controllers alone, or with plant automata.
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, Job& job);
 
-/// Equations -> TransitionSystem of a lone chart.
+/// Equations -> TransitionSystem of a lone chart, in its execution_mode.
 std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> chart, Job& job);
 
 /// Equations, TestSequence -> Structured Text in the form of `--format`. Empty after an error.

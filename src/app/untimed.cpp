@@ -2,7 +2,9 @@
 #include "app/untimed.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "grafverif/analyse/analyse.hpp"
 #include "grafverif/ir/step_names.hpp"
 
 namespace grafverif::app {
@@ -21,6 +23,18 @@ bool reads_free_variable(const TransitionSystem& system, Id<Expr> term) {
     const Id<Expr> root = flattened(system, flat, term);
     return std::ranges::any_of(leaves(flat.exprs, root), [&](Id<Expr> leaf) {
         return !flat.variables[{static_cast<std::uint32_t>(flat.exprs[leaf].value)}].next;
+    });
+}
+
+/// An observer follows the steps of its model, and another model has others.
+bool reads_observer(const TransitionSystem& system, const Property& property) {
+    const Table<TransitionSystem::Symbol>& symbols = system.modules[system.main].symbols;
+    return std::ranges::any_of(property.operands, [&](Id<Expr> operand) {
+        return std::ranges::any_of(leaves(system.exprs, operand), [&](Id<Expr> leaf) {
+            const Id<TransitionSystem::Symbol> symbol{static_cast<std::uint32_t>(system.exprs[leaf].value)};
+            const auto* member = std::get_if<TransitionSystem::MemberSymbol>(&symbols[symbol].kind);
+            return member != nullptr && std::ranges::find(system.observers, member->instance) != system.observers.end();
+        });
     });
 }
 
@@ -67,26 +81,58 @@ void ask_for_steps(TransitionSystem& system) {
         }
 }
 
+void add_stabilises(const Chart& chart, const Equations& equations, const Options& options, const Interrupt& interrupt,
+                    std::chrono::steady_clock::time_point start, Findings& findings) {
+    AnalyseOptions asked;
+    asked.instability_only = true;
+    asked.max_memory = options.max_memory.value_or(asked.max_memory);
+    if (options.timeout_ms) asked.deadline = start + std::chrono::milliseconds(*options.timeout_ms);
+    asked.stop = &interrupt.asked();
+    Analysis analysis = grafverif::analyse(chart, equations, asked);
+    findings.failures.insert(findings.failures.end(), analysis.failures.begin(), analysis.failures.end());
+    Answer answer{.text = "whatever the inputs, the situation becomes stable"};
+    Verdict& verdict = answer.verdict;
+    verdict = {.property = stabilises, .pattern = Pattern::Always, .declared = false, .seconds = analysis.seconds, .origin = chart.origin};
+    const auto unstable = std::ranges::find(analysis.findings, "total-instability", &Finding::code);
+    if (unstable != analysis.findings.end()) {
+        verdict.outcome = Outcome::Violated;
+        verdict.expected_violated = unstable->accepted.has_value();
+        verdict.notes = {unstable->message};
+        if (unstable->accepted) verdict.notes.push_back("accepted: " + *unstable->accepted);
+        answer.trace = std::move(unstable->evidence);
+    } else if (analysis.obstacle.empty()) {
+        verdict.outcome = Outcome::Holds;
+    } else {
+        verdict.obstacle = interrupt.asked() || options.timeout_ms ? Obstacle::Stopped : Obstacle::Memory;
+        verdict.reason = analysis.obstacle;
+    }
+    findings.report.answers.push_back(std::move(answer));
+}
+
 std::string carries_words(const SystemToCheck& check, const Property& property, const Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return {};
     const bool holds = verdict.outcome == Outcome::Holds;
     const bool all_runs = is_about_all_states(property.pattern) || is_liveness(property.pattern);
     const bool about_states = is_about_all_states(property.pattern) || property.pattern == Pattern::Reachable;
     if (check.abstraction.fair && !about_states) return "it says nothing beyond this model";
+    const bool observed = reads_observer(check.system, property);
     switch (check.abstraction.carries) {
     case Abstraction::Carries::ToEveryPlant: {
-        if (!speaks_of_every_plant(check, property, verdict.outcome))
+        if (observed || !speaks_of_every_plant(check, property, verdict.outcome))
             return all_runs && !holds ? "it may yet hold with the real plant" : "it says nothing of any plant";
-        std::string words = check.abstraction.constrained ? "so with every plant that keeps the constraints"
-                                                          : "so with every plant";
-        if (is_liveness(property.pattern)) words += " that lets the controller run";
+        const bool constrained = check.abstraction.constrained;
+        std::string words = constrained ? "so with every plant that keeps the constraints" : "so with every plant";
+        if (is_liveness(property.pattern)) {
+            words += constrained ? " and lets " : " that lets ";
+            words += check.system.controllers.size() > 1 ? "each controller run" : "the controller run";
+        }
         return words + ", in grain atomic";
     }
     case Abstraction::Carries::ToTimedLoop:
         if ((holds && all_runs) || (!holds && property.pattern == Pattern::Reachable)) return "so in the timed loop";
         return all_runs ? "it may yet hold in the timed loop" : "it says nothing of the timed loop";
     case Abstraction::Carries::ExactInIntegerTime:
-        if (!about_states) return "integer time only";
+        if (!about_states || observed) return "integer time only";
         return holds == (property.pattern == Pattern::Reachable)
                    ? "so in the timed loop"   // a run shows it, and one of integer time is one of dense time
                    : "the states of the timed engine: integer time only, if a clock constraint is strict";

@@ -2,12 +2,14 @@
 // Engines for untimed models: each decides the properties of one transition system and returns what it found.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/engines.hpp"
+#include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/transition_system.hpp"
 
 namespace grafverif::app {
@@ -34,6 +36,14 @@ bool is_of_a_chart(const Model& model, const Options& options);
 
 /// Adds what a chart alone is asked: that each of its steps can be reached (`reachable.X2`).
 void ask_for_steps(TransitionSystem& system);
+
+/// The name of what a chart alone is asked under stability search, as `analyse` is: that its situation becomes stable
+/// whatever the inputs (code `total-instability`).
+inline constexpr const char* stabilises = "stabilises";
+
+/// The answer to it. What has been spent of the timeout since `start` is no longer there.
+void add_stabilises(const Chart& chart, const Equations& equations, const Options& options, const Interrupt& interrupt,
+                    std::chrono::steady_clock::time_point start, Findings& findings);
 
 /// A transition system to be checked, with the charts of its controllers, in order.
 struct SystemToCheck {

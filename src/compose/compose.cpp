@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "compose/controller.hpp"
+#include "compose/procedures.hpp"
 #include "grafverif/support/messages.hpp"
 
 namespace grafverif {
@@ -24,6 +25,7 @@ ControllerParts parts_of(const ClosedLoop& loop, Id<ClosedLoop::Controller> id, 
     if (loop.controllers.size() > 1) parts.prefix = controller.name + "_";
     parts.mode = options.mode.value_or(controller.mode);
     if (options.ablations.cycle_unless_stable) parts.mode = ExecutionMode::EveryCycle;
+    parts.starts = starts(equations, parts.mode);
     return parts;
 }
 

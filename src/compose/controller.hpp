@@ -16,6 +16,7 @@ struct ControllerParts {
     std::string name = {};
     std::string prefix = {};  ///< of its names: empty for the only controller
     ExecutionMode mode = ExecutionMode::StabilitySearch;
+    bool starts = false;      ///< the first evolution has something to do, and an edge of its own
     Span origin = {};
 
     /// Per variable of the equations: the variable that others see; the one that stores an output until it is written;

@@ -55,12 +55,12 @@ public:
 
     Network::Template build() {
         Procedures code = procedures(composition_, parts_);
-        const Location init = code.starts ? location("init") : Location{};
+        const Location init = parts_.starts ? location("init") : Location{};
         waiting_ = location("W");
         fire_ = procedure("fire", std::move(code.fire));
         evolve_ = procedure("evolve", std::move(code.evolve));
         write_ = procedure("write", std::move(code.write));
-        if (code.starts) {
+        if (parts_.starts) {
             start_ = procedure("start", std::move(code.start));
             edge(init, waiting_, always(), {}, every_cycle() ? std::vector{start_, write_} : std::vector{start_});
         }
@@ -69,7 +69,7 @@ public:
             edge(waiting_, waiting_, cycle_guard(composition_, parts_), flags_reset(network(), parts_),
                  {fire_, evolve_, write_});
         automaton_.name = composition_.names.fresh(parts_.prefix + "plc_cycle");
-        automaton_.initial = code.starts ? init : waiting_;
+        automaton_.initial = parts_.starts ? init : waiting_;
         automaton_.origin = parts_.origin;
         return std::move(automaton_);
     }

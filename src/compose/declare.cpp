@@ -112,9 +112,10 @@ public:
         }
     }
 
+    /// Requests to the timers: those over initial steps stand from power-on, or from the first evolution if it has an edge.
     void pending() {
         for (const Equations::Timer& timer : parts_.equations->timers) {
-            const bool active = parts_.equations->variables[timer.watched].initial != 0;
+            const bool active = !parts_.starts && parts_.equations->variables[timer.watched].initial != 0;
             parts_.pending.push_back(fresh({.name = timer.name + "_P",
                                             .role = Network::Role::TimerPending,
                                             .initial = active,

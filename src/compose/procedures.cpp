@@ -18,6 +18,12 @@ struct Update {
     std::vector<Id<Expr>> terms = {};
 };
 
+/// Whether the first evolution leaves the variable as it is.
+bool keeps(const Equations& equations, const Equations::Stored& stored) {
+    const Expr& first = equations.exprs[stored.first];
+    return first.op == Op::Variable && first.value == stored.variable.index;
+}
+
 class Builder {
 public:
     Builder(Composition& composition, const ControllerParts& parts)
@@ -38,11 +44,7 @@ public:
         result.write = write();
         for (const Variable input : parts_.sampled)
             if (parts_.sample_written[input.index]) result.forget.push_back(forgotten(input));
-        const bool acts = std::ranges::any_of(equations_.stored, [&](const Equations::Stored& stored) {
-            return !is_itself(stored.first, stored.variable) || !is_false(equations_.exprs, stored.first_race);
-        });
-        result.starts = acts || every_cycle_ || !equations_.previous.empty() || !equations_.watches.empty();
-        if (result.starts) result.start = start();
+        if (parts_.starts) result.start = start();
         return result;
     }
 
@@ -54,11 +56,6 @@ private:
     Id<Network::Variable> storage(Variable variable) const {
         const Id<Network::Variable> image = parts_.image[variable.index];
         return image.valid() ? image : parts_.variable[variable.index];
-    }
-
-    bool is_itself(Id<Expr> value, Variable variable) const {
-        const Expr& node = equations_.exprs[value];
-        return node.op == Op::Variable && node.value == variable.index;
     }
 
     /// What the variables of the equations stand for: inputs as they are or as sampled, and `olds` in their old value.
@@ -221,7 +218,8 @@ private:
         list.push_back({target, value});
     }
 
-    /// The first evolution: the actions on activation of the initial steps (Stored::first), previous values, levels.
+    /// The first evolution: the actions on activation of the initial steps (Stored::first), previous values, levels; the
+    /// times of the initial steps begin.
     Assignments start() {
         Assignments list;
         Translation now(equations_.exprs, exprs(), meaning(false));
@@ -232,11 +230,14 @@ private:
         for (const Equations::Previous& previous : equations_.previous)
             updates.push_back({previous.variable, {previous.value}});
         for (const Equations::Stored& stored : equations_.stored)
-            if (!is_itself(stored.first, stored.variable)) updates.push_back({stored.variable, {stored.first}});
+            if (!keeps(equations_, stored)) updates.push_back({stored.variable, {stored.first}});
         const std::vector<Variable> olds = keep_old(updates, list);
         Translation old(equations_.exprs, exprs(), meaning(false, olds));
         for (const Update& update : updates) list.push_back({stored_[update.target.index], old(update.terms[0])});
         watch(false, list);
+        for (std::size_t i = 0; i < parts_.pending.size(); ++i)
+            if (equations_.variables[equations_.timers[i].watched].initial != 0)
+                list.push_back({leaf_of(parts_.pending[i]), exprs().constant(true)});
         if (!every_cycle_) return list;
         for (const Variable input : parts_.sampled)  // write() follows
             if (parts_.sample_written[input.index])
@@ -255,6 +256,13 @@ private:
 };
 
 }  // namespace
+
+bool starts(const Equations& equations, ExecutionMode mode) {
+    if (mode == ExecutionMode::EveryCycle || !equations.previous.empty() || !equations.watches.empty()) return true;
+    return std::ranges::any_of(equations.stored, [&](const Equations::Stored& stored) {
+        return !keeps(equations, stored) || !is_false(equations.exprs, stored.first_race);
+    });
+}
 
 Procedures procedures(Composition& composition, const ControllerParts& parts) {
     return Builder(composition, parts).build();

@@ -288,17 +288,16 @@ void check_names(const System& system, Sorts& sorts, Faults& faults) {
     const auto each = [&](const std::vector<System::Named>& list, const std::string& where) {
         for (const System::Named& named : list) known(named.symbol, where + ": `" + named.name + "`");
     };
+    for (const Id<System::Instance> observer : system.observers)
+        if (!system.instances.contains(observer)) faults.push_back("an observer is no instance");
     const auto condition = [&](Id<Expr> term, const std::string& where) {
         if (term.valid()) check_term(sorts, term, Sort::Boolean, where, faults);
     };
     for (const System::Controller& controller : system.controllers) {
         const std::string where = "controller `" + controller.name + "`";
-        for (const auto* list : {&controller.steps, &controller.transitions, &controller.outputs, &controller.internals})
+        for (const auto* list : {&controller.steps, &controller.transitions, &controller.inputs, &controller.outputs,
+                                 &controller.internals})
             each(*list, where);
-        for (const System::Input& input : controller.inputs) {
-            known(input.symbol, where + ": `" + input.name + "`");
-            if (input.first.valid()) known(input.first, where + ": `" + input.name + "` at first");
-        }
         for (const System::TimerEnd& timer : controller.timers) {
             known(timer.symbol, where + ": a timer end");
             if (timer.step && *timer.step >= controller.steps.size()) faults.push_back(where + ": a timer has no step");

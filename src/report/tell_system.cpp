@@ -58,7 +58,7 @@ private:
                 steps_.push_back(step.symbol);
                 trace_.steps_of_charts.push_back(prefix + step.name);
             }
-            for (const System::Input& input : controller.inputs)
+            for (const System::Named& input : controller.inputs)
                 if (!written.contains(input.symbol.index)) signal(input.name, input.symbol, inputs_, trace_.inputs);
             for (const System::Named& output : controller.outputs)
                 signal(output.name, output.symbol, outputs_, trace_.outputs);
@@ -127,6 +127,7 @@ private:
     }
 
     void tell_controller(const System::Controller& controller, const Values& before, const Values& next) {
+        const bool starts = controller.starts.valid() && value_in(system_, before, controller.starts) != 0;
         const bool evolves = !controller.evolves.valid() || value_in(system_, before, controller.evolves) != 0;
         std::vector<std::string> cleared;
         for (const System::Named& transition : controller.transitions)
@@ -137,6 +138,7 @@ private:
         const bool seen = changed || !cleared.empty();
         if (!seen && (!evolves || detail_ == Detail::Chart)) return;
         Trace::Step step{.kind = Trace::Kind::Controller, .component = controller.name, .internal = !seen};
+        if (starts) step.what = "first evolution";
         if (!cleared.empty()) step.fired.push_back(std::move(cleared));
         add(std::move(step));
     }

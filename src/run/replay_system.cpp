@@ -27,18 +27,15 @@ public:
         inputs_.resize(chart.variables.size());
         for (const System::Named& output : controller.outputs) outputs_.push_back(variable(output.name));
         for (const System::Named& internal : controller.internals) internals_.push_back(variable(internal.name));
-        for (const System::Input& input : controller.inputs) input_variables_.push_back(variable(input.name));
+        for (const System::Named& input : controller.inputs) input_variables_.push_back(variable(input.name));
         const std::vector<TimedElement> elements = timed_elements(chart);
         for (std::size_t k = 0; k < elements.size(); ++k) timers_.push_back(timer_of(elements[k], k));
         timed_.resize(timers_.size());
     }
 
-    /// Before the first state, where the system has no first evolution of its own.
+    /// Before the first state, where the first evolution shows in nothing and is no step of the system.
     std::string begin(const SymbolValues& first) {
         if (controller_.starts.valid()) return {};
-        for (std::size_t i = 0; i < input_variables_.size(); ++i)
-            if (const Id<System::Symbol> symbol = controller_.inputs[i].first; symbol.valid())
-                inputs_[input_variables_[i].index] = first[symbol.index];
         return evolved(evolve(chart_, state_, inputs_, timed_), first, first, false);
     }
 

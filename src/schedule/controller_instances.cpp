@@ -29,8 +29,10 @@ private:
     std::unordered_map<std::string_view, Id<ClosedLoop::Shared>> known_ = {};
 };
 
-/// What traces say of controller `index`: its symbols under the names of its chart.
-TransitionSystem::Controller named_controller(Members& members, std::size_t index, const ControllerPart& controller, Id<Expr> evolves) {
+/// What traces say of controller `index`: its symbols under the names of its chart. `runs`: it makes a cycle; not valid:
+/// in every step.
+TransitionSystem::Controller named_controller(Members& members, std::size_t index, const ControllerPart& controller,
+                                              Id<Expr> runs) {
     const Equations& equations = controller.equations;
     const ControllerModule& module = members.controllers[index];
     TransitionSystem::Controller named{.name = equations.name, .mode = controller.mode};
@@ -44,11 +46,7 @@ TransitionSystem::Controller named_controller(Members& members, std::size_t inde
     for (std::size_t i = 0; i < module.parameters.size(); ++i) argument_of[module.parameters[i].index] = arguments[i];
     for (const Id<Equations::Variable> id : equations.variables.ids()) {
         const Equations::Variable& variable = equations.variables[id];
-        if (variable.role == Role::Input) {
-            const Id<Symbol> first = module.first[id.index];
-            named.inputs.push_back({variable.name, argument_of[id.index],
-                                    first.valid() ? member(members, index, first) : Id<Symbol>{}});
-        }
+        if (variable.role == Role::Input) named.inputs.push_back({variable.name, argument_of[id.index]});
         if (variable.role == Role::Output) named.outputs.push_back({variable.name, in_main(id)});
         if (variable.role == Role::Internal) named.internals.push_back({variable.name, in_main(id)});
     }
@@ -62,7 +60,15 @@ TransitionSystem::Controller named_controller(Members& members, std::size_t inde
     }
     for (const Id<Equations::Timer> timer : equations.conditions)
         named.conditions.push_back(timer.valid() ? std::optional<std::size_t>(timer.index) : std::nullopt);
-    named.evolves = evolves;
+    named.evolves = runs;
+    if (!module.started.valid()) return named;
+    Exprs& exprs = members.system.exprs;
+    const Id<Expr> started = exprs.leaf(Op::Variable, member(members, index, module.started).index);
+    named.starts = exprs.negation(started);
+    named.evolves = started;
+    if (!runs.valid()) return named;
+    named.starts = exprs.conjunction(runs, named.starts);
+    named.evolves = exprs.conjunction(runs, started);
     return named;
 }
 
@@ -115,10 +121,10 @@ Id<Expr> settled_controllers(Members& members) {
     return members.system.exprs.conjunction(settled);
 }
 
-void add_names(Members& members, std::span<const ControllerPart> controllers, const std::vector<Id<Expr>>& evolves) {
+void add_names(Members& members, std::span<const ControllerPart> controllers, const std::vector<Id<Expr>>& runs) {
     for (std::size_t index = 0; index < controllers.size(); ++index)
         members.system.controllers.push_back(named_controller(
-            members, index, controllers[index], evolves.empty() ? Id<Expr>{} : evolves[index]));
+            members, index, controllers[index], runs.empty() ? Id<Expr>{} : runs[index]));
 }
 
 }  // namespace grafverif::schedule

@@ -48,7 +48,7 @@ void wire_inputs(Members& members, const ClosedLoop& loop, std::span<const Equat
 /// Every controller is settled.
 Id<Expr> settled_controllers(Members& members);
 
-/// What traces say of the controllers; `evolves` per controller, or empty: in every step.
-void add_names(Members& members, std::span<const ControllerPart> controllers, const std::vector<Id<Expr>>& evolves);
+/// What traces say of the controllers; `runs` per controller, when it makes a step, or empty: in every step.
+void add_names(Members& members, std::span<const ControllerPart> controllers, const std::vector<Id<Expr>>& runs);
 
 }  // namespace grafverif::schedule

@@ -2,12 +2,13 @@
 // The module of one controller. Three readings of the equations meet in it, and they differ in what a leaf stands for:
 //   in a cycle     variables before the cycle and the inputs it samples: firing conditions, next values
 //   after a cycle  activities and internals after it, the inputs it sampled: equation (13), every_cycle mode
-//   at first       initial values and the inputs of the first evolution; no timer has ended
+//   at first       initial values and the inputs that the first evolution samples; no timer has ended
+// State 0 is power-on. Where the first evolution shows (a stored action, an output, a previous value), it is a step of
+// its own, which `started` tells from the cycles; else the first step is the first cycle.
 #include "schedule/controller_module.hpp"
 
 #include <algorithm>
 
-#include "schedule/first_inputs.hpp"
 #include "schedule/ranges.hpp"
 #include "support/unique_names.hpp"
 
@@ -26,13 +27,12 @@ struct Builder {
     ControllerModule result = {};
     UniqueNames names = {};
     Id<Symbol> turn = {}, elapse = {};
-    /// Per variable: the symbol that the cycle reads (of an output with stored actions, its image), the one that holds
-    /// the input of the first evolution, and the stored equation.
-    std::vector<Id<Symbol>> read = {}, first = {};
+    /// Per variable: the symbol that the cycle reads (of an output with stored actions, its image), and the stored
+    /// equation.
+    std::vector<Id<Symbol>> read = {};
     std::vector<const Equations::Stored*> stored = {};
-    /// Per variable, where it changes: its value after the cycle at hand, and after the first evolution.
-    std::vector<Id<Expr>> next = {}, initially = {};
-    std::vector<Id<Expr>> faults = {}, first_faults = {};
+    std::vector<Id<Expr>> next = {};   ///< per variable, where it changes: its value after the step at hand
+    std::vector<Id<Expr>> faults = {};
     Id<Symbol> stable = {};
     std::vector<Id<Expr>> copies_in_cycle = {}, copies_after_cycle = {};
     bool divides = false;   ///< some equation does
@@ -86,26 +86,20 @@ struct Builder {
                       [&](std::size_t index) { return next[index].valid() ? next[index] : leaf(read[index]); });
     }
 
-    /// `inner`: what a variable stands for that is neither input nor timer end.
-    template <class Inner>
-    Id<Expr> at_first(Id<Expr> term, const Inner& inner) {
+    /// `term` over the initial values: as the first evolution reads it.
+    Id<Expr> at_first(Id<Expr> term) {
         return translate(equations.exprs, term, exprs, [&](const Expr& node) {
             const auto index = static_cast<std::size_t>(node.value);
             const Variable& read_there = variable(index);
             if (read_there.role == Role::TimerEnd) return exprs.constant(false);
-            if (read_there.role == Role::Input)   // where the term loses it again, any leaf will do
-                return leaf(first[index].valid() ? first[index] : read[index]);
-            return inner(index);
+            return read_there.role == Role::Input ? leaf(read[index]) : initial(index);
         });
     }
-    Id<Expr> before_first(Id<Expr> term) {
-        return at_first(term, [&](std::size_t i) { return constant(variable(i).type, variable(i).initial); });
-    }
-    Id<Expr> after_first(Id<Expr> term) {
-        return at_first(term, [&](std::size_t i) {
-            return initially[i].valid() ? initially[i] : constant(variable(i).type, variable(i).initial);
-        });
-    }
+
+    Id<Expr> initial(std::size_t index) { return constant(variable(index).type, variable(index).initial); }
+
+    /// The first evolution has been made: the step at hand is a cycle.
+    Id<Expr> in_cycles() { return result.started.valid() ? leaf(result.started) : exprs.constant(true); }
 
     TypeOf types() const {
         return [this](const Expr& node) {
@@ -163,11 +157,11 @@ void set_timers(Builder& builder) {
         builder.result.module.symbols[now].kind = TransitionSystem::ChoiceSymbol{};
         const Id<Expr> ended = exprs.disjunction(
             builder.leaf(end), exprs.conjunction(builder.leaf(builder.elapse), builder.leaf(now)));
-        Id<Expr> next = builder.leaf(now);
+        Id<Expr> next = exprs.conjunction(builder.in_cycles(), builder.leaf(now));
         if (step != builder.equations.steps.end() && timer.fall_ms == 0) {
-            const Id<Expr> runs = exprs.conjunction(builder.next[timer.watched.index],
-                                                    exprs.negation(builder.in_cycle(step->activated)));
-            next = exprs.conjunction(runs, ended);
+            const Id<Expr> stays = exprs.conjunction(builder.next[timer.watched.index],
+                                                     exprs.negation(builder.in_cycle(step->activated)));
+            next = exprs.conjunction(std::vector{builder.in_cycles(), stays, ended});
             if (builder.turn.valid())
                 next = exprs.conditional(builder.leaf(builder.turn), next,
                                          exprs.conjunction(builder.leaf(builder.read[timer.watched.index]), ended));
@@ -176,15 +170,31 @@ void set_timers(Builder& builder) {
     }
 }
 
-/// A variable for each input that the first evolution reads.
-void add_first_inputs(Builder& builder) {
-    const std::vector<bool> read = read_at_first(builder.equations, builder.mode);
-    for (const Id<Variable> id : builder.equations.variables.ids()) {
-        const Variable& variable = builder.equations.variables[id];
-        if (variable.role == Role::Input && read[id.index])
-            builder.first[id.index] = builder.add(variable.name + "_first", variable.type,
-                                                  "inputs as the first evolution reads them", variable.origin);
-    }
+/// Whether anybody can tell the state after the first evolution from power-on.
+bool first_evolution_shows(Builder& builder) {
+    const Equations& equations = builder.equations;
+    const bool acts = std::ranges::any_of(equations.stored, [&](const Equations::Stored& stored) {
+        const Expr& first = equations.exprs[stored.first];
+        const bool keeps = first.op == Op::Variable && first.value == stored.variable.index;
+        return !keeps || !is_false(equations.exprs, stored.first_race);
+    });
+    if (acts || !equations.previous.empty()) return true;
+    return builder.mode == ExecutionMode::EveryCycle &&
+           std::ranges::any_of(equations.outputs, [&](const Equations::Output& output) {
+               return builder.at_first(output.value) != builder.initial(output.variable.index);
+           });
+}
+
+/// The end of a timer comes after the activation that it counts from, and the first is the first evolution's.
+void add_started(Builder& builder) {
+    if (!first_evolution_shows(builder)) return;
+    Exprs& exprs = builder.exprs;
+    builder.result.started = builder.add("started", {}, "the first evolution has been made");
+    builder.state(builder.result.started, exprs.constant(false), exprs.constant(true));
+    if (builder.style.with_plant) return;
+    for (const Equations::Timer& timer : builder.equations.timers)
+        builder.result.module.invariants.push_back(exprs.disjunction(
+            builder.leaf(builder.result.started), exprs.negation(builder.leaf(builder.read[timer.end.index]))));
 }
 
 void add_states(Builder& builder) {
@@ -223,16 +233,14 @@ Id<Expr> total(Builder& builder, Id<Expr> term, Id<Expr> instead, std::vector<Id
 
 void set_steps(Builder& builder) {
     for (const Equations::Firing& firing : builder.equations.firings) {
-        const Id<Expr> condition = builder.in_cycle(firing.condition);
+        const Id<Expr> condition = builder.exprs.conjunction(builder.in_cycles(), builder.in_cycle(firing.condition));
         builder.define(builder.read[firing.variable.index],
                        total(builder, condition, builder.exprs.constant(false), builder.faults));
     }
     for (const Equations::StepActivity& step : builder.equations.steps) {
         const std::uint32_t index = step.variable.index;
-        const Id<Expr> initial = builder.exprs.constant(builder.variable(index).initial != 0);
         builder.next[index] = builder.in_cycle(step.next);
-        builder.initially[index] = initial;
-        builder.state(builder.read[index], initial, builder.next[index]);
+        builder.state(builder.read[index], builder.initial(index), builder.next[index]);
     }
 }
 
@@ -248,45 +256,46 @@ Id<Expr> guarded(Builder& builder, std::size_t index, Id<Expr> value, Id<Expr> k
     const Id<Expr> fault = exprs.disjunction(undefined, outside);
     if (is_false(exprs, fault)) return value;
     if (!variable.type.boolean) builder.result.bounded.push_back({static_cast<std::uint32_t>(index)});
+    const Id<Expr> when = at_first ? exprs.negation(builder.in_cycles()) : builder.in_cycles();
     if (is_true(exprs, fault)) {
-        (at_first ? builder.first_faults : builder.faults).push_back(fault);
+        builder.faults.push_back(when);
         return kept;
     }
     const std::string wish = variable.name + (at_first ? "_leaves_range_at_first" : "_leaves_range");
     const Id<Symbol> symbol = builder.add(wish, {}, "assignments that would leave the range of their variable",
                                           variable.origin);
     builder.define(symbol, fault);
-    (at_first ? builder.first_faults : builder.faults).push_back(builder.leaf(symbol));
+    builder.faults.push_back(exprs.conjunction(when, builder.leaf(symbol)));
     return exprs.conditional(builder.leaf(symbol), kept, value);
 }
 
 void set_stored(Builder& builder) {
     for (const Equations::Stored& stored : builder.equations.stored) {
         const std::uint32_t index = stored.variable.index;
-        const Variable& variable = builder.variable(index);
         const Id<Symbol> symbol = builder.read[index];
-        const Id<Expr> initial = builder.constant(variable.type, variable.initial);
-        builder.initially[index] = guarded(builder, index, builder.before_first(stored.first), initial, true);
-        builder.next[index] = guarded(builder, index, builder.in_cycle(stored.next), builder.leaf(symbol), false);
-        builder.state(symbol, builder.initially[index], builder.next[index]);
+        const Id<Expr> kept = builder.leaf(symbol);
+        Id<Expr> next = guarded(builder, index, builder.in_cycle(stored.next), kept, false);
+        if (builder.result.started.valid()) {
+            const Id<Expr> first = guarded(builder, index, builder.at_first(stored.first), builder.initial(index), true);
+            next = builder.exprs.conditional(builder.in_cycles(), next, first == builder.initial(index) ? kept : first);
+        }
+        builder.next[index] = next;
+        builder.state(symbol, builder.initial(index), next);
     }
 }
 
 /// What edges compare with. A term that divides by zero is a fault.
 void set_previous(Builder& builder) {
     for (const Equations::Previous& previous : builder.equations.previous) {
-        const std::uint32_t index = previous.variable.index;
         const Id<Expr> off = builder.exprs.constant(false);
-        const Id<Expr> first = total(builder, builder.before_first(previous.value), off, builder.first_faults);
-        const Id<Expr> next = total(builder, builder.in_cycle(previous.value), off, builder.faults);
-        builder.state(builder.read[index], first, next);
+        builder.state(builder.read[previous.variable.index], off,
+                      total(builder, builder.in_cycle(previous.value), off, builder.faults));
     }
 }
 
 /// Whether the output always has its initial value.
 bool is_unwritten(Builder& builder, const Equations::Output& output) {
-    const Variable& variable = builder.equations.variables[output.variable];
-    return builder.in_cycle(output.value) == builder.constant(variable.type, variable.initial);
+    return builder.in_cycle(output.value) == builder.initial(output.variable.index);
 }
 
 /// Variables that nothing writes.
@@ -295,26 +304,24 @@ void set_constants(Builder& builder) {
     for (const Equations::Output& output : builder.equations.outputs)
         written[output.variable.index] = !is_unwritten(builder, output);
     for (const Id<Variable> id : builder.equations.variables.ids()) {
-        const Variable& variable = builder.equations.variables[id];
-        const bool candidate = variable.role == Role::Internal || variable.role == Role::Output;
+        const Role role = builder.equations.variables[id].role;
+        const bool candidate = role == Role::Internal || role == Role::Output;
         if (candidate && builder.stored[id.index] == nullptr && !written[id.index])
-            builder.define(builder.read[id.index], builder.constant(variable.type, variable.initial));
+            builder.define(builder.read[id.index], builder.initial(id.index));
     }
 }
 
 void set_stable(Builder& builder) {
-    const Id<Expr> value = builder.in_cycle(builder.equations.stable);
+    const Id<Expr> value = builder.exprs.conjunction(builder.in_cycles(), builder.in_cycle(builder.equations.stable));
     builder.stable = builder.add("stable", {}, "stability: one more cycle would change no step and no stored variable");
     builder.define(builder.stable, total(builder, value, builder.exprs.constant(false), builder.faults));
 }
 
 /// Written when stable: `now` is what would be written.
 Id<Expr> written_when_stable(Builder& builder, std::uint32_t index, Id<Expr> now) {
-    const Variable& variable = builder.variable(index);
     const Id<Symbol> symbol = builder.result.symbols[index];
     const Id<Expr> kept = builder.leaf(symbol);
-    builder.state(symbol, builder.constant(variable.type, variable.initial),
-                  builder.exprs.conditional(builder.leaf(builder.stable), now, kept));
+    builder.state(symbol, builder.initial(index), builder.exprs.conditional(builder.leaf(builder.stable), now, kept));
     return builder.exprs.apply(Op::Equal, kept, now);
 }
 
@@ -333,24 +340,28 @@ Id<Expr> set_searching_output(Builder& builder, const Equations::Output& output)
     return written_when_stable(builder, index, builder.leaf(now));
 }
 
-/// Equation (13) in every cycle; returns when the output is up to date.
+/// Equation (13) in every cycle, the first evolution included; returns when the output is up to date.
 Id<Expr> set_cyclic_output(Builder& builder, const Equations::Output& output) {
+    Exprs& exprs = builder.exprs;
     const std::uint32_t index = output.variable.index;
     const Id<Symbol> symbol = builder.result.symbols[index];
-    const Id<Expr> off = builder.exprs.constant(false);
-    const Id<Expr> initial = total(builder, builder.after_first(output.value), off, builder.first_faults);
+    const Id<Expr> off = exprs.constant(false), initial = builder.initial(index);
     const Id<Expr> after = total(builder, builder.after_cycle(output.value), off, builder.faults);
     if (!reads_inputs(builder.equations, output.value)) {
+        Id<Expr> value = builder.in_cycle(output.value);
+        if (builder.at_first(output.value) != initial)
+            value = is_false(exprs, initial) ? exprs.conjunction(builder.in_cycles(), value)
+                                             : exprs.conditional(builder.in_cycles(), value, initial);
         std::vector<Id<Expr>> seen_before;   // in the cycle that led here
-        builder.define(symbol, total(builder, builder.in_cycle(output.value), off, seen_before));
-        return builder.exprs.constant(true);
+        builder.define(symbol, total(builder, value, off, seen_before));
+        return exprs.constant(true);
     }
     const Variable& variable = builder.variable(index);
     const Id<Symbol> now = builder.add(variable.name + "_now", variable.type,
                                        "outputs by equation (13), of the steps after the cycle", variable.origin);
     builder.define(now, after);
     builder.state(symbol, initial, builder.leaf(now));
-    return builder.exprs.apply(Op::Equal, builder.leaf(symbol), builder.leaf(now));
+    return exprs.apply(Op::Equal, builder.leaf(symbol), builder.leaf(now));
 }
 
 void set_outputs(Builder& builder) {
@@ -367,44 +378,32 @@ void set_outputs(Builder& builder) {
     builder.define(builder.result.settled, builder.exprs.conjunction(settled));
 }
 
-/// A flag that stays set once `faults` set it; not valid where they never can.
-Id<Symbol> sticky(Builder& builder, const char* wish, Id<Expr> at_first, Id<Expr> in_cycle) {
+/// A flag that stays set once `fault` sets it; not valid where it never can.
+Id<Symbol> sticky(Builder& builder, const char* wish, Id<Expr> fault) {
     Exprs& exprs = builder.exprs;
-    if (is_false(exprs, at_first) && is_false(exprs, in_cycle)) return {};
+    if (is_false(exprs, fault)) return {};
     const Id<Symbol> flag = builder.add(wish, {}, "faults, once and for ever");
-    builder.state(flag, at_first, exprs.disjunction(builder.leaf(flag), in_cycle));
+    builder.state(flag, exprs.constant(false), exprs.disjunction(builder.leaf(flag), fault));
     return flag;
 }
 
 void set_flags(Builder& builder) {
+    Exprs& exprs = builder.exprs;
+    const Id<Expr> off = exprs.constant(false);
     std::vector<Id<Expr>> first_races, races;
     for (const Equations::Stored& stored : builder.equations.stored) {
-        const Id<Expr> off = builder.exprs.constant(false);
-        first_races.push_back(total(builder, builder.before_first(stored.first_race), off, builder.first_faults));
-        races.push_back(total(builder, builder.in_cycle(stored.race), off, builder.faults));
+        const Id<Expr> at_start = exprs.conjunction(exprs.negation(builder.in_cycles()), builder.at_first(stored.first_race));
+        first_races.push_back(total(builder, at_start, off, builder.faults));
+        races.push_back(total(builder, exprs.conjunction(builder.in_cycles(), builder.in_cycle(stored.race)), off, builder.faults));
     }
     for (const Equations::Conflict& conflict : builder.equations.conflicts)
-        races.push_back(builder.in_cycle(conflict.condition));
-    Exprs& exprs = builder.exprs;
-    builder.result.race = sticky(builder, "race", exprs.disjunction(first_races), exprs.disjunction(races));
-    builder.result.out_of_range = sticky(builder, "out_of_range", exprs.disjunction(builder.first_faults),
-                                         exprs.disjunction(builder.faults));
+        races.push_back(exprs.conjunction(builder.in_cycles(), builder.in_cycle(conflict.condition)));
+    races.insert(races.end(), first_races.begin(), first_races.end());
+    builder.result.race = sticky(builder, "race", exprs.disjunction(races));
+    builder.result.out_of_range = sticky(builder, "out_of_range", exprs.disjunction(builder.faults));
     std::ranges::sort(builder.result.bounded);
     const auto repeated = std::ranges::unique(builder.result.bounded);
     builder.result.bounded.erase(repeated.begin(), repeated.end());
-}
-
-/// The input of the first evolution is forgotten after it, so that it adds no states. A plant does not move between it
-/// and the first state.
-void set_first_inputs(Builder& builder) {
-    for (const Id<Variable> id : builder.equations.variables.ids()) {
-        const Variable& variable = builder.equations.variables[id];
-        if (!builder.first[id.index].valid()) continue;
-        std::optional<Id<Expr>> read;
-        if (builder.style.with_plant) read = builder.leaf(builder.read[id.index]);
-        builder.result.module.symbols[builder.first[id.index]].kind =
-            TransitionSystem::StateSymbol{read, builder.constant(variable.type, variable.type.low)};
-    }
 }
 
 }  // namespace
@@ -420,16 +419,14 @@ ControllerModule controller_module(const Equations& equations, const ControllerS
     builder.copies_in_cycle.resize(equations.exprs.size());
     builder.copies_after_cycle.resize(equations.exprs.size());
     builder.read.resize(size);
-    builder.first.resize(size);
     builder.stored.resize(size);
     builder.next.resize(size);
-    builder.initially.resize(size);
     builder.result.symbols.resize(size);
     builder.result.module.name = "controller_" + equations.name;
     for (const Equations::Stored& stored : equations.stored) builder.stored[stored.variable.index] = &stored;
 
     add_parameters(builder);
-    add_first_inputs(builder);
+    add_started(builder);
     add_states(builder);
     set_steps(builder);
     set_stored(builder);
@@ -439,8 +436,6 @@ ControllerModule controller_module(const Equations& equations, const ControllerS
     set_outputs(builder);
     set_timers(builder);
     set_flags(builder);
-    set_first_inputs(builder);
-    builder.result.first = builder.first;
     return std::move(builder.result);
 }
 

@@ -19,8 +19,7 @@ struct ControllerModule {
     std::vector<Id<Equations::Variable>> parameters = {};
     /// Each variable of the equations as properties read it: outputs as written to the plant.
     std::vector<Id<Symbol>> symbols = {};
-    /// Per variable the symbol that holds what the first evolution reads of it, where that matters.
-    std::vector<Id<Symbol>> first = {};
+    Id<Symbol> started = {};                    ///< not valid: the first evolution shows in nothing, and is no step
     Id<Symbol> settled = {};
     Id<Symbol> race = {};                       ///< not valid: no two stored actions can race
     Id<Symbol> out_of_range = {};               ///< not valid: every assignment stays in its range
@@ -30,7 +29,7 @@ struct ControllerModule {
 struct ControllerStyle {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     bool turns = false;         ///< a parameter `turn`: where it is false, nothing happens
-    /// Inputs come from a plant: the first evolution reads those of state 0, and timer ends are variables of the module:
+    /// Inputs come from a plant, and timer ends are variables of the module:
     /// false from the activation of their step on; they may become true in a step with the parameter `elapse`, which
     /// only a module with timers has. Else timer ends are parameters.
     bool with_plant = false;

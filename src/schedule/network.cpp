@@ -218,7 +218,7 @@ private:
         for (const Network::Named& transition : controller.transitions)
             made.transitions.push_back({transition.name, firing(controller, transition.variable)});
         for (const Network::Symbol& symbol : controller.symbols) {
-            if (symbol.role == Network::Role::Input) made.inputs.push_back({symbol.name, in_main(symbol.variable), {}});
+            if (symbol.role == Network::Role::Input) made.inputs.push_back({symbol.name, in_main(symbol.variable)});
             if (symbol.role == Network::Role::Output) made.outputs.push_back({symbol.name, in_main(symbol.variable)});
             if (symbol.role == Network::Role::Internal)
                 made.internals.push_back({symbol.name, in_main(symbol.variable)});

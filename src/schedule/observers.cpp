@@ -47,6 +47,7 @@ ObserverInstance declare_observer(Members& members, const ObserverShape& shape, 
         {"location", integer_type(0, last), System::StateSymbol{initial, initial}, "", shape.origin, value_names(shape)});
     const Id<System::Module> id = system.modules.add(std::move(module));
     const Id<System::Instance> instance = system.instances.add({names.fresh(shape.name), id, {}});
+    system.observers.push_back(instance);
     return {instance, member(members, instance, location)};
 }
 

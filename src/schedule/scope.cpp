@@ -15,6 +15,9 @@ std::string outputs_written(std::span<const ControllerPart> controllers) {
     return text;
 }
 
+const std::string power_on =
+    "State 0 is power-on; the first evolution is the first step, or none where it changes nothing. ";
+
 const char* fair_runs =
     "Verdicts are under fairness: each movement of the plant and each timer comes to its end (buttons, faults and "
     "other parts of the environment are left free), and what is urgent is not put off for ever. ";
@@ -29,14 +32,14 @@ std::string controllers_scope(std::span<const ControllerPart> controllers, bool 
                        (several ? "In one step each controller whose turn it is runs one PLC cycle; each has its turn "
                                   "infinitely often. "
                                 : "One step is one PLC cycle. ") +
-                       "State 0 is the state after the first evolution. " + outputs_written(controllers);
+                       power_on + outputs_written(controllers);
     text += "An always, never, exactly one of or inevitable that holds here, and a leads to that holds and whose left "
             "side reads no input, holds with every plant " +
-            std::string(constrained ? "that keeps the constraints " : "") +
-            "in grain atomic, from the first evolution on, provided that the plant lets " + one +
-            " run; so does a reachable that is violated here. What fails here may yet hold with the real plant. All "
+            std::string(constrained ? "that keeps the constraints " : "") + "in grain atomic, provided that " +
+            (several ? "each controller runs" : "the plant lets the controller run") +
+            "; so does a reachable that is violated here. What fails here may yet hold with the real plant. All "
             "other verdicts are about this model only: reachable that holds, always possible, CTL and LTL formulas, "
-            "and, at stable, all but always, never and exactly one of.";
+            "what an observer saw, and, at stable, all but always, never and exactly one of.";
     if (constrained)
         text += " The constraints are assumptions: whether the plant keeps them is a property to prove with plant "
                 "automata.";
@@ -55,7 +58,7 @@ std::string together_scope(Schedule schedule, std::span<const ControllerPart> co
                 "nothing. In a round each automaton takes one edge, in any order, and stays only where it has nothing "
                 "urgent to do; timed edges are taken in the first round only. Every property is judged at the end of "
                 "each evolution of the plant (PTE) and of the controllers, and in no state between. ";
-    text += "State 0 is the state after the first evolution. " + outputs_written(controllers);
+    text += power_on + outputs_written(controllers);
     if (fairness) text += fair_runs;
     return text +
            "This schedule restricts the order of events: every verdict is about this model, and none carries over to the "

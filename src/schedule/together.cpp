@@ -80,17 +80,20 @@ private:
             if (turn.valid()) arguments.push_back(turn);
             if (!equations_[index].timers.empty()) arguments.push_back(elapse);
         }
-        if (turn.valid()) evolves_.assign(equations_.size(), plant_.leaf(turn));
+        if (turn.valid()) runs_.assign(equations_.size(), plant_.leaf(turn));
     }
 
-    /// The controllers that search for stability have settled; the others have run their one cycle.
+    /// The controllers that search for stability have settled; the others have run their one cycle, which follows the
+    /// first evolution at once.
     Id<Expr> evolution_over() {
-        std::vector<Id<Expr>> settled;
+        std::vector<Id<Expr>> over;
         for (std::size_t index = 0; index < parts_.size(); ++index) {
-            if (parts_[index].mode == ExecutionMode::EveryCycle) continue;
-            settled.push_back(plant_.leaf(member(members_, index, assembly_.modules[index].settled)));
+            const ControllerModule& module = assembly_.modules[index];
+            const bool searches = parts_[index].mode == ExecutionMode::StabilitySearch;
+            const Id<Symbol> when = searches ? module.settled : module.started;
+            if (when.valid()) over.push_back(plant_.leaf(member(members_, index, when)));
         }
-        return exprs().conjunction(settled);
+        return exprs().conjunction(over);
     }
 
     LoopMeaning meaning() {
@@ -125,7 +128,7 @@ private:
     }
 
     void add_trace_names() {
-        add_names(members_, parts_, evolves_);
+        add_names(members_, parts_, runs_);
         for (std::size_t process = 0; process < plant_.automata.size(); ++process)
             system().components.push_back(plant_.component(process));
     }
@@ -142,7 +145,7 @@ private:
     PlantInstances plant_{members_, context_, assembly_.names, assembly_.module_names, {}, {}, {}};
     std::vector<Id<Symbol>> shared_ = {};
     std::optional<Sequencer> sequencer_ = {};
-    std::vector<Id<Expr>> evolves_ = {};
+    std::vector<Id<Expr>> runs_ = {};
 };
 
 }  // namespace

@@ -32,6 +32,7 @@ struct Twin {
     SystemState state = {};
     std::vector<EquationsTiming> timing = {};
     bool ends_moved = false;   ///< some timer's end changed in the last step
+    std::string before_start = {};   ///< what is wrong with power-on
 
     std::string path(Id<Equations::Variable> variable) const {
         return system.instances[{0}].name + "." + equations.variables[variable].name;
@@ -48,15 +49,20 @@ struct Twin {
             set_value(system, state, equations.variables[equations.timers[k].end].name, end(k));
     }
 
+    /// Power-on and, where it shows, the first evolution.
     void start(std::span<const std::int64_t> inputs) {
-        state = first_state(system, [&](std::string_view path, Type type) {
-            for (const Id<Equations::Variable> id : equations.variables.ids())
-                if (path.ends_with("." + equations.variables[id].name + "_first")) return inputs[id.index];
-            return type.low;
-        });
+        state = first_state(system, [](std::string_view, Type type) { return type.low; });
         timing.resize(equations.timers.size());
+        set_inputs(inputs);
+        for (const Id<Equations::Variable> id : equations.variables.ids())
+            if (is_kept(equations.variables[id].role) && value(id) != equations.variables[id].initial)
+                before_start = equations.variables[id].name + " is not at its initial value at power-on";
+        if (system.controllers.front().starts.valid())
+            state = next_state(system, state, [](std::string_view, Type type) { return type.low; });
         watch(inputs);
     }
+
+    static bool is_kept(Role role) { return role == Role::Step || role == Role::Internal || role == Role::Output; }
 
     /// The level of each timer after a cycle with `inputs`, its ends as the cycle sampled them.
     void watch(std::span<const std::int64_t> inputs) {
@@ -113,7 +119,7 @@ std::string disagreement(const Twin& twin, const EquationsCycle& cycle, Executio
     if (twin.flag("race")) return "race is set";
     for (const Id<Equations::Variable> id : equations.variables.ids()) {
         const Equations::Variable& variable = equations.variables[id];
-        if (variable.role != Role::Step && variable.role != Role::Internal && variable.role != Role::Output) continue;
+        if (!Twin::is_kept(variable.role)) continue;
         const auto output = std::ranges::find(equations.outputs, id, &Equations::Output::variable);
         // The ends that an output reads are sampled with the inputs; run_equations reads them after the cycle.
         if (mode == ExecutionMode::EveryCycle && twin.ends_moved && output != equations.outputs.end() &&
@@ -127,7 +133,7 @@ std::string disagreement(const Twin& twin, const EquationsCycle& cycle, Executio
     return {};
 }
 
-/// Whether one more cycle with the same inputs changes nothing but flags and the inputs of the first evolution.
+/// Whether one more cycle with the same inputs changes nothing but flags.
 std::string settled_disagreement(const Twin& twin, std::span<const std::int64_t> inputs, bool must_be_settled) {
     const bool settled = value_of(twin.system, twin.state, twin.system.settled) != 0;
     if (must_be_settled && !settled) return "not settled after a stable cycle";
@@ -160,6 +166,7 @@ std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode
         if (macro == 0) {
             twin.start(inputs);
             twin.set_inputs(inputs);
+            if (!twin.before_start.empty()) return twin.before_start;
             --steps;
         }
         for (std::size_t k = 0; k < steps; ++k) twin.step(inputs);

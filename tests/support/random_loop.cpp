@@ -82,6 +82,7 @@ struct Generator {
     ClosedLoop loop = {};
     std::map<std::string, Id<ClosedLoop::Shared>> shared = {};
     std::vector<Id<ClosedLoop::Shared>> orders = {};  ///< bool outputs
+    bool asked = false;                               ///< terms read internals and observers too
 
     std::int64_t number(std::int64_t low, std::int64_t high) { return random_number(random, low, high); }
     template <class T>
@@ -161,6 +162,23 @@ struct Generator {
             symbol = ClosedLoop::LocationSymbol{instance,
                                                 any(model.components[loop.instances[instance].component].locations)};
         }
+        if (asked && !loop.observers.empty() && chance(random, 10)) {
+            const auto observer = any(loop.observers);
+            symbol = ClosedLoop::ObserverSymbol{observer, any(loop.observers[observer].locations)};
+        } else if (asked && chance(random, 20)) {
+            const Chart& chart = model.charts[loop.controllers[controller].chart];
+            const auto variable = any(chart.variables);
+            const Chart::Variable& internal = chart.variables[variable];
+            if (internal.kind == Chart::VariableKind::Internal) {
+                const Id<Expr> read = leaf(ClosedLoop::InternalSymbol{controller, variable});
+                if (internal.type.boolean) return read;
+                return loop.exprs.apply(Op::Equal, read, loop.exprs.integer(number(internal.type.low, internal.type.high)));
+            }
+        }
+        return leaf(symbol);
+    }
+
+    Id<Expr> leaf(const ClosedLoop::Symbol& symbol) {
         for (const Id<ClosedLoop::Symbol> id : loop.symbols.ids())
             if (loop.symbols[id] == symbol) return loop.exprs.leaf(Op::Variable, id.index);
         return loop.exprs.leaf(Op::Variable, loop.symbols.add(symbol).index);
@@ -186,11 +204,41 @@ struct Generator {
             loop.properties.add(std::move(property));
         }
     }
+
+    void add_constraint() {
+        std::vector<Id<Expr>> inputs;
+        for (const Id<ClosedLoop::Shared> id : loop.shared.ids())
+            if (!loop.shared[id].writer.valid() && loop.shared[id].type.boolean)
+                inputs.push_back(leaf(ClosedLoop::SharedSymbol{id}));
+        if (inputs.size() < 2) return;
+        loop.constraints.add({.name = "constraint_1",
+                              .condition = loop.exprs.negation(loop.exprs.conjunction(inputs[0], inputs[1]))});
+    }
+
+    void add_observer() {
+        ClosedLoop::Observer observer{.name = "Seen"};
+        for (const char* const name : {"nothing", "first", "second"}) observer.locations.add({.name = name});
+        observer.edges.push_back({{0}, {1}, formula(), {}});
+        observer.edges.push_back({{1}, {2}, formula(), {}});
+        loop.observers.add(std::move(observer));
+    }
+
+    void add_questions(int count) {
+        const std::vector<Pattern> patterns{Pattern::Always,     Pattern::Never,   Pattern::Reachable,
+                                            Pattern::Inevitable, Pattern::LeadsTo, Pattern::ExactlyOneOf,
+                                            Pattern::AlwaysPossible};
+        for (int k = 1; k <= count; ++k) {
+            Property property{.name = "Q" + std::to_string(k)};
+            property.pattern = patterns[static_cast<std::size_t>(k) % patterns.size()];
+            const bool two = property.pattern == Pattern::LeadsTo || property.pattern == Pattern::ExactlyOneOf;
+            for (int operand = 0; operand < (two ? 2 : 1); ++operand) property.operands.push_back(formula());
+            property.at_stable = chance(random, 30);
+            loop.properties.add(std::move(property));
+        }
+    }
 };
 
-}  // namespace
-
-Model random_loop(Random& random) {
+Generator generated_loop(Random& random) {
     Generator generator{random};
     generator.loop.name = "law_loop";
     generator.loop.grain = chance(random, 50) ? Grain::Phased : Grain::Atomic;
@@ -198,6 +246,23 @@ Model random_loop(Random& random) {
     if (chance(random, 30)) generator.add_controller(generator.second_chart(), "second");
     generator.add_plant();
     generator.add_properties();
+    return generator;
+}
+
+}  // namespace
+
+Model random_loop(Random& random) {
+    Generator generator = generated_loop(random);
+    generator.model.loops.add(std::move(generator.loop));
+    return std::move(generator.model);
+}
+
+Model random_loop_asked(Random& random, int questions) {
+    Generator generator = generated_loop(random);
+    if (chance(random, 40)) generator.add_constraint();
+    if (chance(random, 40)) generator.add_observer();
+    generator.asked = true;
+    generator.add_questions(questions);
     generator.model.loops.add(std::move(generator.loop));
     return std::move(generator.model);
 }

@@ -12,6 +12,10 @@ namespace grafverif {
 /// A model of one loop.
 Model random_loop(Random& random);
 
+/// The same, with `questions` more properties, of every pattern and over internal variables too, a constraint on its
+/// inputs now and then, and an observer that properties read.
+Model random_loop_asked(Random& random, int questions);
+
 /// The loop of one controller that nobody drives: the test plays its plant.
 Model lone_controller(const Chart& chart, ExecutionMode mode = ExecutionMode::StabilitySearch);
 

@@ -19,7 +19,7 @@ struct SystemState {
     auto operator<=>(const SystemState&) const = default;
 };
 
-/// The value of a free variable in the state at hand, or of a choice in the step at hand. `path` is `START`, or `station.START_first` in an instance.
+/// The value of a free variable in the state at hand, or of a choice in the step at hand. `path` is `START`, or `station.T_elapses` in an instance.
 using Choose = std::function<std::int64_t(std::string_view path, Type type)>;
 
 SystemState first_state(const TransitionSystem& system, const Choose& choose);

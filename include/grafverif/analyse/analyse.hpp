@@ -56,6 +56,7 @@ struct AnalyseProgress {
 struct AnalyseOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::vector<Exclusion> exclusions = {};
+    bool instability_only = false;                        ///< ask for total instability and nothing else
     /// Counters that stay in their range for so many evolutions at least are followed up to their thresholds only.
     std::int64_t longest_count = 256;
     std::uint64_t max_memory = std::uint64_t{2} << 30U;   ///< bytes, for decision diagrams

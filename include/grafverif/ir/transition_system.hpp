@@ -92,12 +92,6 @@ struct TransitionSystem {
         Id<Symbol> symbol = {};
         bool operator==(const Named&) const = default;
     };
-    struct Input {
-        std::string name = {};
-        Id<Symbol> symbol = {};
-        Id<Symbol> first = {};             ///< what the first evolution reads; not valid: nothing there depends on it
-        bool operator==(const Input&) const = default;
-    };
     struct TimerEnd {
         Id<Symbol> symbol = {};
         std::optional<std::size_t> step = {};   ///< whose time it is, index in Controller::steps; empty: of another term
@@ -110,12 +104,12 @@ struct TransitionSystem {
         ExecutionMode mode = ExecutionMode::StabilitySearch;
         std::vector<Named> steps = {};
         std::vector<Named> transitions = {};   ///< cleared by a step that `evolves` leaves a state where it holds
-        std::vector<Input> inputs = {};
+        std::vector<Named> inputs = {};
         std::vector<Named> outputs = {};       ///< as written to the plant
         std::vector<Named> internals = {};
         std::vector<TimerEnd> timers = {};
         std::vector<std::optional<std::size_t>> conditions = {};   ///< per time condition of the chart: its timer, if any
-        Id<Expr> starts = {};                  ///< the first evolution; none: it lies before the first state
+        Id<Expr> starts = {};                  ///< the first evolution; none: it shows in nothing
         Id<Expr> samples = {};                 ///< inputs and timer ends are read; none: where it evolves
         Id<Expr> evolves = {};                 ///< one evolution; none: in every step
         Id<Expr> writes = {};                  ///< outputs are written; none: where it evolves and its mode asks for it
@@ -138,6 +132,7 @@ struct TransitionSystem {
     Table<Module> modules = {};
     Id<Module> main = {};
     Table<Instance> instances = {};        ///< in main
+    std::vector<Id<Instance>> observers = {};   ///< those that watch: what they have seen depends on the steps of this system
     Table<Property> properties = {};       ///< over symbols of main
     /// Settled: every controller stable and its outputs up to date, so that one more cycle with the same inputs would
     /// change nothing. Over symbols of main; what `at stable` means here.

@@ -32,15 +32,18 @@ struct Stepper {
     bool settled() const { return value_of(system, state, system.settled) != 0; }
 };
 
-/// In state 0, after a first evolution that read `first`.
-Stepper start(std::string_view chart, ExecutionMode mode, const std::map<std::string, std::int64_t>& first = {}) {
+/// At power-on.
+Stepper power_on(std::string_view chart, ExecutionMode mode) {
     Stepper stepper{schedule_controller(equations(chart), mode)};
     EXPECT_EQ(verify(stepper.system), std::vector<std::string>{});
-    stepper.state = first_state(stepper.system, [&](std::string_view path, Type type) {
-        for (const auto& [name, value] : first)
-            if (path.ends_with("." + name + "_first")) return value;
-        return type.low;
-    });
+    stepper.state = first_state(stepper.system, [](std::string_view, Type type) { return type.low; });
+    return stepper;
+}
+
+/// After a first evolution that read `first`.
+Stepper start(std::string_view chart, ExecutionMode mode, const std::map<std::string, std::int64_t>& first = {}) {
+    Stepper stepper = power_on(chart, mode);
+    if (stepper.system.controllers.front().starts.valid()) stepper.step(first);
     return stepper;
 }
 
@@ -79,7 +82,13 @@ TEST(ScheduleController, WritesOutputsOnlyWhenStableUnderStabilitySearch) {
     EXPECT_TRUE(s.settled());
 }
 
-TEST(ScheduleController, KeepsOutputsUnwrittenInStateZeroUnderStabilitySearch) {
+TEST(ScheduleController, KeepsOutputsUnwrittenInStateZero) {
+    EXPECT_EQ(power_on("output A; initial step 1 { A; }", cyclic)["A"], 0);
+    EXPECT_EQ(power_on("input a; output A; initial step 1 { A if !a; }", cyclic)["A"], 0);
+    EXPECT_EQ(power_on("output A; initial step 1 { A := true on activation; }", cyclic)["A"], 0);
+}
+
+TEST(ScheduleController, KeepsOutputsUnwrittenAfterTheFirstEvolutionUnderStabilitySearch) {
     Stepper s = start("output A; initial step 1 { A; }", searching);
     EXPECT_EQ(s["A"], 0);
     s.step();
@@ -121,9 +130,10 @@ TEST(ScheduleController, KeepsStoredOutputsInAnImageUntilTheyAreWritten) {
     EXPECT_FALSE(has_symbol(s.system, s.system.instances[{0}].name + ".O_image"));
 }
 
-TEST(ScheduleController, RunsTheActionsOfInitialStepsBeforeStateZero) {
+TEST(ScheduleController, RunsTheActionsOfInitialStepsInTheFirstEvolution) {
     const char* text = "input level: int 0..3; internal n: int 0..5 = 1, m: int 0..5 = 2;"
                        "initial step 1 { n := level + 1 on activation; }";
+    EXPECT_EQ(power_on(text, searching)["n"], 1);
     const Stepper s = start(text, searching, {{"level", 3}});
     EXPECT_EQ(s["n"], 4);
     EXPECT_EQ(s["m"], 2);
@@ -131,13 +141,35 @@ TEST(ScheduleController, RunsTheActionsOfInitialStepsBeforeStateZero) {
     EXPECT_EQ(t["n"], 1);
 }
 
-TEST(ScheduleController, ForgetsTheInputsOfTheFirstEvolution) {
-    Stepper s = start("input a; internal n = false; initial step 1 { n := a on activation; }", searching, {{"a", 1}});
-    EXPECT_EQ(s["a_first"], 1);
+TEST(ScheduleController, ClearsNothingInTheFirstEvolutionAndIsNotSettledBeforeIt) {
+    Stepper s = power_on("input a; internal n = false; initial step 1 { n := true on activation; } step 2;"
+                         "transition t: 1 -> 2 when true;", searching);
+    EXPECT_FALSE(s.settled());
+    EXPECT_EQ(s["CF_t"], 0);
+    s.step({{"a", 1}});
+    EXPECT_EQ(s["X_1"], 1);
     EXPECT_EQ(s["n"], 1);
-    s.step();
-    EXPECT_EQ(s["a_first"], 0);
-    EXPECT_EQ(s["n"], 1);
+    EXPECT_EQ(s["CF_t"], 1);
+}
+
+TEST(ScheduleController, HasNoStepForAFirstEvolutionThatShowsInNothing) {
+    const char* text = "input a; output A; initial step 1; step 2 { A; } transition t: 1 -> 2 when a;";
+    for (const ExecutionMode mode : {searching, cyclic}) {
+        Stepper s = power_on(text, mode);
+        EXPECT_FALSE(s.system.controllers.front().starts.valid());
+        s.step({{"a", 1}});
+        EXPECT_EQ(s["X_2"], 1);
+    }
+}
+
+TEST(ScheduleController, EndsNoTimeBeforeTheFirstEvolution) {
+    const Stepper s = power_on("output A; initial step 1 { A for 3s; }", cyclic);
+    const TransitionSystem::Module& module = s.system.modules[s.system.instances[{0}].module];
+    ASSERT_EQ(module.invariants.size(), 1U);
+    Stepper early = s;
+    early.set({{"T_X1_3s_Q", 1}});
+    EXPECT_FALSE(is_allowed(early.system, early.state));
+    EXPECT_TRUE(is_allowed(s.system, s.state));
 }
 
 TEST(ScheduleController, KeepsAValueThatWouldLeaveItsRangeAndRemembersTheFault) {

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+// The law of claims. What is said beside a verdict about other models (`so with every plant`, `so in the timed loop`, ...)
+// is tried against those models, on random loops: of each approach, schedule, grain and mode. So is what a verdict is
+// said to be vacuous for, and every run that shows a verdict is one of the rules.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "app/untimed.hpp"
+#include "grafverif/check/symbolic.hpp"
+#include "grafverif/check/timed.hpp"
+#include "grafverif/ir/network_run.hpp"
+#include "grafverif/run/replay.hpp"
+#include "grafverif/run/replay_system.hpp"
+#include "support/law_size.hpp"
+#include "support/random_loop.hpp"
+#include "support/read_loop.hpp"
+#include "support/untimed_loop.hpp"
+
+namespace grafverif::app {
+namespace {
+
+using Verdicts = std::map<std::string, Verdict>;
+
+/// A model and what its engine says.
+struct Untimed {
+    std::string name = {};
+    ScheduleOptions options = {};
+    Grain grain = Grain::Phased;
+    std::optional<TransitionSystem> system = {};
+    Verdicts verdicts = {};
+};
+
+struct Timed {
+    std::optional<LoopUnderTest> loop = {};
+    Verdicts verdicts = {};
+    bool time_passes = true;
+};
+
+std::vector<Untimed> kinds() {
+    using enum PlantApproach;
+    using enum Schedule;
+    std::vector<Untimed> all{{"none", {.plant = None}}, {"constraints", {.plant = Constraints}}};
+    for (const bool fairness : {false, true}) {
+        const std::string fair = fairness ? ", fair" : "";
+        all.push_back({"synchronous" + fair, {.plant = Automata, .schedule = Synchronous, .fairness = fairness}});
+        all.push_back({"sequenced" + fair, {.plant = Automata, .schedule = Sequenced, .fairness = fairness}});
+        for (const Grain grain : {Grain::Atomic, Grain::Phased})
+            for (const TimeModel time : {TimeModel::Abstract, TimeModel::Discrete})
+                all.push_back({std::string(time == TimeModel::Discrete ? "discrete " : "interleaved ") +
+                                   (grain == Grain::Atomic ? "atomic" : "phased") + fair,
+                               {.plant = Automata, .schedule = Interleaved, .time = time, .fairness = fairness},
+                               grain});
+    }
+    return all;
+}
+
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+bool is_liveness(const Verdict& verdict) {
+    return verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo;
+}
+
+/// Whether some controller could go on throughout the loop of the run, and never does.
+bool starves_a_controller(const Network& network, const Run& run) {
+    const auto states = replay(network, run);
+    if (!run.loop || !states) return false;
+    return std::ranges::any_of(network.controllers, [&](const Network::Controller& controller) {
+        for (std::size_t i = *run.loop; i < run.moves.size(); ++i) {
+            const auto* fire = std::get_if<Fire>(&run.moves[i]);
+            if (fire != nullptr && fire->process == controller.process) return false;
+            const auto can = [&](const Fire& edge) { return edge.process == controller.process; };
+            if (std::ranges::none_of(enabled(network, (*states)[i]), can)) return false;
+        }
+        return true;
+    });
+}
+
+/// One loop in all its models.
+class Trial {
+public:
+    Trial(Model model, std::optional<ExecutionMode> mode) : model_(std::move(model)), mode_(mode) { add_companions(); }
+
+    /// False where the loop has no models.
+    bool run() {
+        for (const Grain grain : {Grain::Atomic, Grain::Phased})
+            if (!check_timed_loop(grain)) return false;
+        untimed_ = kinds();
+        for (Untimed& kind : untimed_) check_untimed(kind);
+        for (const Untimed& kind : untimed_)
+            if (kind.system) try_claims(kind);
+        try_grains();
+        return true;
+    }
+
+    /// Per sentence: how often the model it speaks of said the same, and the opposite.
+    using Tally = std::map<std::string, std::pair<int, int>>;
+    static Tally tally;
+    static int replayed;
+
+private:
+    ClosedLoop& loop() { return model_.loops[{0}]; }
+
+    void ask(std::string name, Pattern pattern, std::vector<Id<Expr>> operands, bool at_stable) {
+        loop().properties.add({.name = std::move(name), .pattern = pattern, .operands = std::move(operands), .at_stable = at_stable});
+    }
+
+    /// Properties that tell whether a verdict is vacuous, and whether the constraints hold.
+    void add_companions() {
+        const Table<Property> properties = loop().properties;
+        for (const Property& property : properties)
+            if (property.pattern == Pattern::LeadsTo)
+                ask(property.name + "_left", Pattern::Reachable, {property.operands[0]}, property.at_stable);
+        ask("settles", Pattern::Reachable, {loop().exprs.constant(true)}, true);
+        ask("no_fair_run", Pattern::Inevitable, {loop().exprs.constant(false)}, false);
+        ask("time_goes_on", Pattern::NoTimelock, {}, false);
+        for (const ClosedLoop::Constraint& constraint : loop().constraints)
+            ask("kept_" + constraint.name, Pattern::Always, {constraint.condition}, false);
+    }
+
+    std::vector<const Chart*> charts() {
+        std::vector<const Chart*> found;
+        for (const ClosedLoop::Controller& controller : loop().controllers)
+            found.push_back(&model_.charts[controller.chart]);
+        return found;
+    }
+
+    bool check_timed_loop(Grain grain) {
+        Timed& timed = grain == Grain::Atomic ? atomic_ : phased_;
+        try {
+            timed.loop = composed_loop(model_, {.grain = grain, .mode = mode_});
+        } catch (const std::invalid_argument&) {
+            return false;
+        }
+        const TimedResult result = check_timed(timed.loop->network, {.max_states = 4000});
+        timed.time_passes = result.time_passes;
+        for (const Verdict& verdict : result.verdicts) {
+            timed.verdicts[verdict.property] = verdict;
+            if (verdict.run) expect_replay(disagreement(timed.loop->network, timed.loop->charts(), *verdict.run), verdict);
+        }
+        for (const ModelError& error : result.errors)
+            expect_replay(disagreement(timed.loop->network, timed.loop->charts(), error.run), {.property = "a fault"});
+        SCOPED_TRACE("the timed loop");
+        for (const auto& [name, verdict] : timed.verdicts) try_notes(verdict, timed.verdicts);
+        return true;
+    }
+
+    void check_untimed(Untimed& kind) {
+        SCOPED_TRACE(kind.name);
+        kind.options.mode = mode_;
+        try {
+            kind.system = untimed_loop(model_, kind.options, kind.grain);
+        } catch (const std::invalid_argument&) {
+            return;
+        }
+        using std::chrono::steady_clock;
+        const SymbolicResult result = check_symbolic(*kind.system, {.deadline = steady_clock::now() + std::chrono::seconds(2)});
+        EXPECT_FALSE(result.fault && result.fault->kind == SystemFault::Kind::DeadEnd);
+        for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+            kind.verdicts[result.verdicts[i].property] = result.verdicts[i];
+            if (result.runs[i]) expect_replay(disagreement(*kind.system, charts(), *result.runs[i]), result.verdicts[i]);
+        }
+        for (const auto& [name, verdict] : kind.verdicts) try_notes(verdict, kind.verdicts);
+    }
+
+    static void expect_replay(const std::optional<Disagreement>& found, const Verdict& verdict) {
+        ++replayed;
+        EXPECT_FALSE(found.has_value()) << verdict.property << ": step " << found->move << ": " << found->what;
+    }
+
+    static Outcome outcome(const Verdicts& verdicts, const std::string& name) {
+        const auto found = verdicts.find(name);
+        return found == verdicts.end() ? Outcome::Unknown : found->second.outcome;
+    }
+
+    /// What a verdict is said to be vacuous for.
+    static void try_notes(const Verdict& verdict, const Verdicts& all) {
+        for (const std::string& note : verdict.notes) {
+            const bool left = has(note, "the left side never holds"), settled = has(note, "no state is ever settled");
+            const bool still = has(note, "time stands still"), unfair = has(note, "no run is fair");
+            if (!left && !settled && !still && !unfair) continue;
+            const std::string companion = left ? verdict.property + "_left" : settled ? "settles" : still ? "time_goes_on" : "no_fair_run";
+            const Outcome needed = unfair ? Outcome::Holds : Outcome::Violated;
+            const Outcome found = outcome(all, companion);
+            EXPECT_TRUE(found == needed || found == Outcome::Unknown) << verdict.property << ": " << note;
+            ++tally[note].first;
+        }
+    }
+
+    /// `words` are said of `verdict`: the verdict of the model they speak of must be the same, or unknown.
+    void agree(const std::string& words, const Verdict& verdict, const Verdicts& there, const Network* network = nullptr) {
+        const auto found = there.find(verdict.property);
+        if (found == there.end() || found->second.outcome == Outcome::Unknown) return;
+        const bool same = found->second.outcome == verdict.outcome;
+        if (!same && has(words, "run, in") && network != nullptr && found->second.run &&
+            starves_a_controller(*network, *found->second.run))
+            return;
+        ++(same ? tally[words].first : tally[words].second);
+        EXPECT_TRUE(same) << verdict.property << " " << word(verdict.outcome) << ": " << words;
+    }
+
+    /// What may be so or not: it is counted only.
+    static void count(const std::string& words, const Verdict& verdict, const Verdicts& there) {
+        const Outcome found = outcome(there, verdict.property);
+        if (found == Outcome::Unknown) return;
+        ++(found == verdict.outcome ? tally[words].first : tally[words].second);
+    }
+
+    void try_claims(const Untimed& kind) {
+        SCOPED_TRACE(kind.name);
+        Options options;
+        options.untimed = kind.options;
+        options.grain = kind.grain;
+        const SystemToCheck check{*kind.system, charts(), abstraction_of(options, &loop())};
+        for (const Property& property : kind.system->properties) {
+            const auto verdict = kind.verdicts.find(property.name);
+            if (verdict == kind.verdicts.end()) continue;
+            const std::string words = carries_words(check, property, verdict->second);
+            if (words.empty()) continue;
+            try_claim(kind, words, verdict->second);
+        }
+    }
+
+    void try_claim(const Untimed& kind, const std::string& words, const Verdict& verdict) {
+        const Timed& timed = kind.grain == Grain::Atomic ? atomic_ : phased_;
+        const Network& network = timed.loop->network;
+        if (words.starts_with("so with every plant")) {
+            if (has(words, "keeps the constraints") && outcome(atomic_.verdicts, "kept_constraint_1") != Outcome::Holds) return;
+            agree(words, verdict, atomic_.verdicts, &atomic_.loop->network);
+            // Without time the controllers may be kept waiting for ever.
+            for (const Untimed& other : untimed_)
+                if (other.grain == Grain::Atomic && other.options.schedule == Schedule::Interleaved && other.system &&
+                    (other.options.time == TimeModel::Discrete ? !other.options.fairness : !is_liveness(verdict)) &&
+                    !(is_liveness(verdict) && loop().controllers.size() > 1))
+                    agree(words, verdict, other.verdicts);
+        } else if (words.starts_with("so in the timed loop")) {
+            agree(words, verdict, timed.verdicts, &network);
+            const std::string grain = kind.grain == Grain::Atomic ? "discrete atomic" : "discrete phased";
+            for (const Untimed& other : untimed_)
+                if (other.name == grain) agree(words, verdict, other.verdicts);
+        } else if (has(words, "integer time only")) {
+            agree(words, verdict, timed.verdicts, &network);
+        } else {
+            count(words, verdict, words.ends_with("plant") ? atomic_.verdicts : timed.verdicts);
+        }
+    }
+
+    /// docs/checking.md: what is violated of always and never in atomic is so in phased, and what is reachable.
+    void try_grains() {
+        for (const auto& [name, verdict] : atomic_.verdicts) {
+            const bool of_states = verdict.pattern == Pattern::Always || verdict.pattern == Pattern::Never ||
+                                   verdict.pattern == Pattern::ExactlyOneOf;
+            const bool carries = (of_states && verdict.outcome == Outcome::Violated) ||
+                                 (verdict.pattern == Pattern::Reachable && verdict.outcome == Outcome::Holds);
+            if (carries) agree("every atomic run is a phased run", verdict, phased_.verdicts);
+        }
+    }
+
+    Model model_;
+    std::optional<ExecutionMode> mode_;
+    Timed atomic_ = {}, phased_ = {};
+    std::vector<Untimed> untimed_ = {};
+};
+
+Trial::Tally Trial::tally = {};
+int Trial::replayed = 0;
+
+TEST(ClaimsLaw, WhatAVerdictSaysOfOtherModelsIsSoThereAndItsRunsAreRunsOfTheRules) {
+    const int cases = law_size(12);
+    int loops = 0;
+    for (int seed = 1; seed <= cases; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        Model model = random_loop_asked(random, 14);
+        std::optional<ExecutionMode> mode;
+        if (seed % 3 == 1) mode = ExecutionMode::EveryCycle;
+        if (seed % 3 == 2) mode = ExecutionMode::StabilitySearch;
+        loops += Trial(std::move(model), mode).run() ? 1 : 0;
+        if (testing::Test::HasFailure()) break;
+    }
+    std::cout << loops << " loops of seeds 1 to " << cases << ", " << Trial::replayed << " runs replayed\n";
+    for (const auto& [words, count] : Trial::tally)
+        std::cout << "  " << words << ": so " << count.first << " times, not so " << count.second << '\n';
+    EXPECT_GT(loops, cases / 2);
+}
+
+}  // namespace
+}  // namespace grafverif::app
