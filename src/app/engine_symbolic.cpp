@@ -27,8 +27,10 @@ namespace {
 /// Turns verdicts and runs into a report; runs that do not replay are failures and are not told.
 class SystemReporter {
 public:
-    SystemReporter(const SystemToCheck& check, std::string engine, const Options& options)
+    SystemReporter(const SystemToCheck& check, std::string engine, const Options& options,
+                   const std::vector<Verdict>& verdicts)
         : check_(check),
+          unproven_(unproven_faults(check.system, verdicts)),
           detail_(options.verbose ? Detail::Everything : Detail::Chart),
           witnesses_(options.verbose || options.format == Format::Json || options.trace_vcd || options.trace_svg) {
         findings_.report = {check.system.name,
@@ -40,7 +42,8 @@ public:
     void add(Verdict verdict, std::optional<SystemRun> run) {
         if (verdict.outcome == Outcome::Holds && !witnesses_) run.reset();
         if (run && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) run.reset();
-        std::string carries = carries_words(check_, check_.system.properties[named_.at(verdict.property)], verdict);
+        const Property& property = check_.system.properties[named_.at(verdict.property)];
+        std::string carries = carries_words(check_, property, verdict, unproven_);
         Answer answer = answer_of(check_.system, std::move(verdict), run, detail_);
         answer.carries = std::move(carries);
         findings_.report.answers.push_back(std::move(answer));
@@ -79,6 +82,7 @@ private:
     }
 
     const SystemToCheck& check_;
+    std::vector<std::string> unproven_;
     Detail detail_;
     bool witnesses_;   ///< whether anybody looks at them
     std::unordered_map<std::string_view, Id<Property>> named_ = {};
@@ -120,7 +124,7 @@ Findings check_symbolically(const SystemToCheck& check, const Options& options, 
         };
         result = check_symbolic(check.system, symbolic);
     }
-    SystemReporter reporter(check, "symbolic", options);
+    SystemReporter reporter(check, "symbolic", options, result.verdicts);
     if (result.fault) reporter.add(*result.fault);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i)
         reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));
@@ -149,7 +153,7 @@ std::optional<Findings> check_by_nusmv(const SystemToCheck& check, const std::st
                                            {.deadline = job.options.deadline, .stop = &interrupt.asked()});
     NusmvResult result = read_nusmv(check.system, spelling, properties, said);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    SystemReporter reporter(check, program, job.options);
+    SystemReporter reporter(check, program, job.options, result.verdicts);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
         result.verdicts[i].seconds = seconds;
         reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));

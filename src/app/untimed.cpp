@@ -92,7 +92,7 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Option
     findings.failures.insert(findings.failures.end(), analysis.failures.begin(), analysis.failures.end());
     Answer answer{.text = "whatever the inputs, the situation becomes stable"};
     Verdict& verdict = answer.verdict;
-    verdict = {.property = stabilises, .pattern = Pattern::Always, .declared = false, .seconds = analysis.seconds, .origin = chart.origin};
+    verdict = {.property = stabilises, .declared = false, .seconds = analysis.seconds, .origin = chart.origin};
     const auto unstable = std::ranges::find(analysis.findings, "total-instability", &Finding::code);
     if (unstable != analysis.findings.end()) {
         verdict.outcome = Outcome::Violated;
@@ -109,7 +109,9 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Option
     findings.report.answers.push_back(std::move(answer));
 }
 
-std::string carries_words(const SystemToCheck& check, const Property& property, const Verdict& verdict) {
+namespace {
+
+std::string carried(const SystemToCheck& check, const Property& property, const Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return {};
     const bool holds = verdict.outcome == Outcome::Holds;
     const bool all_runs = is_about_all_states(property.pattern) || is_liveness(property.pattern);
@@ -139,6 +141,31 @@ std::string carries_words(const SystemToCheck& check, const Property& property, 
     case Abstraction::Carries::Nowhere: return "it says nothing beyond this model";
     }
     return {};
+}
+
+}  // namespace
+
+std::vector<std::string> unproven_faults(const TransitionSystem& system, const std::vector<Verdict>& verdicts) {
+    std::vector<std::string> unproven;
+    for (const Property& property : system.properties) {
+        if (property.name != "no_race" && property.name != "no_out_of_range") continue;
+        const auto verdict = std::ranges::find(verdicts, property.name, &Verdict::property);
+        if (verdict == verdicts.end() || verdict->outcome != Outcome::Holds) unproven.push_back(property.name);
+    }
+    return unproven;
+}
+
+std::string carries_words(const SystemToCheck& check, const Property& property, const Verdict& verdict,
+                          const std::vector<std::string>& unproven) {
+    std::string words = carried(check, property, verdict);
+    if (!words.starts_with("so ")) return words;
+    bool first = true;
+    for (const std::string& fault : unproven) {
+        if (fault == property.name) continue;
+        words += (first ? ", as long as " : " and ") + fault;
+        first = false;
+    }
+    return first ? words : words + (words.find(" and no_") == std::string::npos ? " holds" : " hold");
 }
 
 }  // namespace grafverif::app

@@ -52,8 +52,13 @@ struct SystemToCheck {
     Abstraction abstraction = {};
 };
 
-/// What a verdict says beyond its model; empty where it is unknown.
-std::string carries_words(const SystemToCheck& check, const Property& property, const Verdict& verdict);
+/// The properties among `no_race` and `no_out_of_range` that `verdicts` do not prove. Where one of them fails, what
+/// comes after is not defined, and another model may go on otherwise.
+std::vector<std::string> unproven_faults(const TransitionSystem& system, const std::vector<Verdict>& verdicts);
+
+/// What a verdict says beyond its model, as long as the `unproven` hold; empty where it is unknown.
+std::string carries_words(const SystemToCheck& check, const Property& property, const Verdict& verdict,
+                          const std::vector<std::string>& unproven);
 
 /// Whether a property called `property` is one of those asked for; `S.X7` is asked for by `S` as well.
 bool is_asked(std::string_view property, const std::vector<std::string>& asked);

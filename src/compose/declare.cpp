@@ -112,7 +112,7 @@ public:
         }
     }
 
-    /// Requests to the timers: those over initial steps stand from power-on, or from the first evolution if it has an edge.
+    /// Requests to the timers: those over initial steps stand from power-on, or are made by start().
     void pending() {
         for (const Equations::Timer& timer : parts_.equations->timers) {
             const bool active = !parts_.starts && parts_.equations->variables[timer.watched].initial != 0;

@@ -276,8 +276,9 @@ void set_stored(Builder& builder) {
         const Id<Expr> kept = builder.leaf(symbol);
         Id<Expr> next = guarded(builder, index, builder.in_cycle(stored.next), kept, false);
         if (builder.result.started.valid()) {
-            const Id<Expr> first = guarded(builder, index, builder.at_first(stored.first), builder.initial(index), true);
-            next = builder.exprs.conditional(builder.in_cycles(), next, first == builder.initial(index) ? kept : first);
+            const Id<Expr> initial = builder.initial(index);
+            const Id<Expr> first = guarded(builder, index, builder.at_first(stored.first), initial, true);
+            next = builder.exprs.conditional(builder.in_cycles(), next, first == initial ? kept : first);
         }
         builder.next[index] = next;
         builder.state(symbol, builder.initial(index), next);
@@ -389,16 +390,14 @@ Id<Symbol> sticky(Builder& builder, const char* wish, Id<Expr> fault) {
 
 void set_flags(Builder& builder) {
     Exprs& exprs = builder.exprs;
-    const Id<Expr> off = exprs.constant(false);
-    std::vector<Id<Expr>> first_races, races;
-    for (const Equations::Stored& stored : builder.equations.stored) {
-        const Id<Expr> at_start = exprs.conjunction(exprs.negation(builder.in_cycles()), builder.at_first(stored.first_race));
-        first_races.push_back(total(builder, at_start, off, builder.faults));
-        races.push_back(total(builder, exprs.conjunction(builder.in_cycles(), builder.in_cycle(stored.race)), off, builder.faults));
-    }
+    const Id<Expr> off = exprs.constant(false), in_cycles = builder.in_cycles(), at_start = exprs.negation(in_cycles);
+    std::vector<Id<Expr>> races;
+    for (const Equations::Stored& stored : builder.equations.stored)
+        for (const Id<Expr> race : {exprs.conjunction(at_start, builder.at_first(stored.first_race)),
+                                    exprs.conjunction(in_cycles, builder.in_cycle(stored.race))})
+            races.push_back(total(builder, race, off, builder.faults));
     for (const Equations::Conflict& conflict : builder.equations.conflicts)
-        races.push_back(exprs.conjunction(builder.in_cycles(), builder.in_cycle(conflict.condition)));
-    races.insert(races.end(), first_races.begin(), first_races.end());
+        races.push_back(exprs.conjunction(in_cycles, builder.in_cycle(conflict.condition)));
     builder.result.race = sticky(builder, "race", exprs.disjunction(races));
     builder.result.out_of_range = sticky(builder, "out_of_range", exprs.disjunction(builder.faults));
     std::ranges::sort(builder.result.bounded);

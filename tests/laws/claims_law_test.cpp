@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -81,6 +83,16 @@ bool starves_a_controller(const Network& network, const Run& run) {
     });
 }
 
+/// Of a state of the network.
+std::size_t bits(const Network& network) {
+    std::size_t count = 0;
+    for (const Network::Variable& variable : network.variables)
+        if (!variable.scratch) count += std::bit_width(static_cast<std::uint64_t>(variable.type.high - variable.type.low));
+    for (const Network::Process& process : network.processes)
+        count += std::bit_width(network.templates[process.automaton].locations.size() - 1);
+    return count;
+}
+
 /// One loop in all its models.
 class Trial {
 public:
@@ -137,7 +149,9 @@ private:
         } catch (const std::invalid_argument&) {
             return false;
         }
+        if (bits(timed.loop->network) > (getenv("BITS") ? std::size_t(atoi(getenv("BITS"))) : std::size_t{40})) return false;
         const TimedResult result = check_timed(timed.loop->network, {.max_states = 4000});
+        if (getenv("SHOW")) std::cout << bits(timed.loop->network) << " bits, timed " << result.seconds << " s " << result.states << std::endl;
         timed.time_passes = result.time_passes;
         for (const Verdict& verdict : result.verdicts) {
             timed.verdicts[verdict.property] = verdict;
@@ -145,9 +159,20 @@ private:
         }
         for (const ModelError& error : result.errors)
             expect_replay(disagreement(timed.loop->network, timed.loop->charts(), error.run), {.property = "a fault"});
+        Verdict& ranges = timed.verdicts["no_out_of_range"];
+        ranges.pattern = Pattern::Never;
+        if (result.complete && result.errors.empty()) ranges.outcome = Outcome::Holds;
+        if (std::ranges::any_of(result.errors, [&](const ModelError& error) { return is_range(timed.loop->network, error); }))
+            ranges.outcome = Outcome::Violated;
         SCOPED_TRACE("the timed loop");
         for (const auto& [name, verdict] : timed.verdicts) try_notes(verdict, timed.verdicts);
         return true;
+    }
+
+    /// Whether a controller leaves the range of a variable, or divides by zero.
+    static bool is_range(const Network& network, const ModelError& error) {
+        return error.kind != ModelError::Kind::ActionRace &&
+               std::ranges::find(network.controllers, error.process, &Network::Controller::process) != network.controllers.end();
     }
 
     void check_untimed(Untimed& kind) {
@@ -159,7 +184,9 @@ private:
             return;
         }
         using std::chrono::steady_clock;
-        const SymbolicResult result = check_symbolic(*kind.system, {.deadline = steady_clock::now() + std::chrono::seconds(2)});
+        const SymbolicResult result = check_symbolic(
+            *kind.system, {.max_memory = std::uint64_t(getenv("MEM") ? atoi(getenv("MEM")) : 64) << 20U, .deadline = steady_clock::now() + std::chrono::milliseconds(getenv("MS") ? atoi(getenv("MS")) : 300)});
+        if (getenv("SHOW")) std::cout << kind.name << ' ' << result.seconds << " s " << result.states << ' ' << (result.bytes >> 20U) << std::endl;
         EXPECT_FALSE(result.fault && result.fault->kind == SystemFault::Kind::DeadEnd);
         for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
             kind.verdicts[result.verdicts[i].property] = result.verdicts[i];
@@ -217,10 +244,13 @@ private:
         options.untimed = kind.options;
         options.grain = kind.grain;
         const SystemToCheck check{*kind.system, charts(), abstraction_of(options, &loop())};
+        std::vector<Verdict> all;
+        for (const auto& [name, verdict] : kind.verdicts) all.push_back(verdict);
+        const std::vector<std::string> unproven = unproven_faults(*kind.system, all);
         for (const Property& property : kind.system->properties) {
             const auto verdict = kind.verdicts.find(property.name);
             if (verdict == kind.verdicts.end()) continue;
-            const std::string words = carries_words(check, property, verdict->second);
+            const std::string words = carries_words(check, property, verdict->second, unproven);
             if (words.empty()) continue;
             try_claim(kind, words, verdict->second);
         }

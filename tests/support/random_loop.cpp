@@ -172,7 +172,8 @@ struct Generator {
             if (internal.kind == Chart::VariableKind::Internal) {
                 const Id<Expr> read = leaf(ClosedLoop::InternalSymbol{controller, variable});
                 if (internal.type.boolean) return read;
-                return loop.exprs.apply(Op::Equal, read, loop.exprs.integer(number(internal.type.low, internal.type.high)));
+                const Id<Expr> some = loop.exprs.integer(number(internal.type.low, internal.type.high));
+                return loop.exprs.apply(Op::Equal, read, some);
             }
         }
         return leaf(symbol);

@@ -132,7 +132,7 @@ struct TransitionSystem {
     Table<Module> modules = {};
     Id<Module> main = {};
     Table<Instance> instances = {};        ///< in main
-    std::vector<Id<Instance>> observers = {};   ///< those that watch: what they have seen depends on the steps of this system
+    std::vector<Id<Instance>> observers = {};   ///< those that watch: what they see are the steps of this very system
     Table<Property> properties = {};       ///< over symbols of main
     /// Settled: every controller stable and its outputs up to date, so that one more cycle with the same inputs would
     /// change nothing. Over symbols of main; what `at stable` means here.
