@@ -17,8 +17,10 @@
 #include "grafverif/check/nusmv.hpp"
 #include "grafverif/check/symbolic.hpp"
 #include "grafverif/emit/nusmv.hpp"
+#include "grafverif/ir/step_names.hpp"
 #include "grafverif/run/replay_system.hpp"
 #include "grafverif/support/messages.hpp"
+#include "grafverif/syntax/dialect.hpp"
 
 namespace grafverif::app {
 
@@ -42,6 +44,10 @@ public:
     void add(Verdict verdict, std::optional<SystemRun> run) {
         if (verdict.outcome == Outcome::Holds && !witnesses_) run.reset();
         if (run && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) run.reset();
+        if (const auto found = run ? untimely(check_.system, *run) : std::nullopt)
+            verdict.notes.push_back(fmt::format("no plant gives this run: {}/{} is over in it, and {}/{} is not",
+                                                duration_text(found->longer_ms), step_variable_name(found->step),
+                                                duration_text(found->shorter_ms), step_variable_name(found->step)));
         const Property& property = check_.system.properties[named_.at(verdict.property)];
         std::string carries = carries_words(check_, property, verdict, unproven_);
         Answer answer = answer_of(check_.system, std::move(verdict), run, detail_);

@@ -162,4 +162,33 @@ std::optional<Disagreement> disagreement(const System& system, std::span<const C
     return {};
 }
 
+namespace {
+
+std::optional<Untimely> untimely(const System::Controller& controller, const SymbolValues& sampled) {
+    for (const System::TimerEnd& longer : controller.timers)
+        for (const System::TimerEnd& shorter : controller.timers) {
+            const bool same = longer.step && longer.step == shorter.step && longer.fall_ms == 0 && shorter.fall_ms == 0;
+            if (!same || shorter.rise_ms >= longer.rise_ms) continue;
+            const System::Named& step = controller.steps[*longer.step];
+            if (sampled[step.symbol.index] != 0 && sampled[longer.symbol.index] != 0 && sampled[shorter.symbol.index] == 0)
+                return Untimely{step.name, longer.rise_ms, shorter.rise_ms};
+        }
+    return {};
+}
+
+}  // namespace
+
+std::optional<Untimely> untimely(const System& system, const SystemRun& run) {
+    if (system.ticks.valid()) return {};
+    for (std::size_t i = 0; i < run.states.size(); ++i) {
+        if (i + 1 == run.states.size() && !run.loop) break;   // no step leaves it
+        for (const System::Controller& controller : system.controllers) {
+            const Id<Expr> samples = controller.samples.valid() ? controller.samples : controller.evolves;
+            if (samples.valid() && value_in(system, run.states[i], samples) == 0) continue;
+            if (auto found = untimely(controller, run.states[i])) return found;
+        }
+    }
+    return {};
+}
+
 }  // namespace grafverif

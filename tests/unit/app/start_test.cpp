@@ -116,6 +116,23 @@ TEST(Start, NoTimeIsOverBeforeTheFirstEvolution) {
     }
 }
 
+TEST(Untimely, ARunThatNoClockGivesIsToldAsOne) {
+    const Folder folder;
+    const auto file = [&](const char* condition) {
+        return folder.write("g.grafcet", std::string("grafcet g { input a; initial step 0; step 1; transition t0: 0 -> 1 when ") + condition +
+                                             "; }\nclosed_loop w { controller g; environment A = push_button(OUT = a); property p: never X1; }\n");
+    };
+    const std::string note = "note: no plant gives this run: 5s/X0 is over in it, and 3s/X0 is not";
+    for (const Words& model : {Words{"--untimed"}, {"--untimed", "--plant", "automata"}, {"--untimed", "--schedule", "synchronous"}}) {
+        const Result early = grafverif(Words{"check", file("5s/X0 && !(3s/X0)")} + model);
+        EXPECT_EQ(early.code, ExitCode::Verdict) << early.err;
+        EXPECT_NE(early.out.find(note), std::string::npos) << early.out;
+        const Result late = grafverif(Words{"check", file("5s/X0 && 3s/X0")} + model);
+        EXPECT_EQ(late.out.find("no plant gives"), std::string::npos) << late.out;
+    }
+    EXPECT_EQ(grafverif({"check", file("5s/X0 && !(3s/X0)"), "--time", "discrete", "--untimed"}).code, ExitCode::Done);
+}
+
 /// Each verb, in the words that make it tell the two modes apart; FILE stands for the file.
 TEST(Mode, OfAChartWithoutItsLoopIsTheOneThatTheLoopSaysInEveryVerb) {
     const std::string text =
