@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The law of claims. What is said beside a verdict about other models (`so with every plant`, `so in the timed loop`, ...)
-// is tried against those models, on random loops: of each approach, schedule, grain and mode. So is what a verdict is
-// said to be vacuous for, and every run that shows a verdict is one of the rules.
+// The law of claims. What is said beside a verdict about other models (`so with every plant`, `so in the timed loop`) is
+// tried against those models, on random loops: of each approach, schedule, grain and mode. So is what a verdict is said
+// to be vacuous for, and every run that shows a verdict is one of the rules.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
 #include <chrono>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -41,7 +40,6 @@ struct Untimed {
 struct Timed {
     std::optional<LoopUnderTest> loop = {};
     Verdicts verdicts = {};
-    bool time_passes = true;
 };
 
 std::vector<Untimed> kinds() {
@@ -83,11 +81,17 @@ bool starves_a_controller(const Network& network, const Run& run) {
     });
 }
 
+/// What one loop may cost: some have models that take for ever, and what is not decided in time is not tried.
+constexpr std::size_t most_bits = 70;
+constexpr std::uint64_t most_memory = std::uint64_t{16} << 20U;
+constexpr std::chrono::milliseconds patience{100};
+
 /// Of a state of the network.
 std::size_t bits(const Network& network) {
     std::size_t count = 0;
     for (const Network::Variable& variable : network.variables)
-        if (!variable.scratch) count += std::bit_width(static_cast<std::uint64_t>(variable.type.high - variable.type.low));
+        if (!variable.scratch)
+            count += std::bit_width(static_cast<std::uint64_t>(variable.type.high - variable.type.low));
     for (const Network::Process& process : network.processes)
         count += std::bit_width(network.templates[process.automaton].locations.size() - 1);
     return count;
@@ -119,7 +123,10 @@ private:
     ClosedLoop& loop() { return model_.loops[{0}]; }
 
     void ask(std::string name, Pattern pattern, std::vector<Id<Expr>> operands, bool at_stable) {
-        loop().properties.add({.name = std::move(name), .pattern = pattern, .operands = std::move(operands), .at_stable = at_stable});
+        loop().properties.add({.name = std::move(name),
+                               .pattern = pattern,
+                               .operands = std::move(operands),
+                               .at_stable = at_stable});
     }
 
     /// Properties that tell whether a verdict is vacuous, and whether the constraints hold.
@@ -149,20 +156,19 @@ private:
         } catch (const std::invalid_argument&) {
             return false;
         }
-        if (bits(timed.loop->network) > (getenv("BITS") ? std::size_t(atoi(getenv("BITS"))) : std::size_t{40})) return false;
-        const TimedResult result = check_timed(timed.loop->network, {.max_states = 4000});
-        if (getenv("SHOW")) std::cout << bits(timed.loop->network) << " bits, timed " << result.seconds << " s " << result.states << std::endl;
-        timed.time_passes = result.time_passes;
+        const Network& network = timed.loop->network;
+        if (bits(network) > most_bits) return false;
+        const TimedResult result = check_timed(network, {.max_states = 4000});
         for (const Verdict& verdict : result.verdicts) {
             timed.verdicts[verdict.property] = verdict;
-            if (verdict.run) expect_replay(disagreement(timed.loop->network, timed.loop->charts(), *verdict.run), verdict);
+            if (verdict.run) expect_replay(disagreement(network, charts(), *verdict.run), verdict);
         }
         for (const ModelError& error : result.errors)
-            expect_replay(disagreement(timed.loop->network, timed.loop->charts(), error.run), {.property = "a fault"});
+            expect_replay(disagreement(network, charts(), error.run), {.property = "a fault"});
         Verdict& ranges = timed.verdicts["no_out_of_range"];
         ranges.pattern = Pattern::Never;
         if (result.complete && result.errors.empty()) ranges.outcome = Outcome::Holds;
-        if (std::ranges::any_of(result.errors, [&](const ModelError& error) { return is_range(timed.loop->network, error); }))
+        if (std::ranges::any_of(result.errors, [&](const ModelError& error) { return is_range(network, error); }))
             ranges.outcome = Outcome::Violated;
         SCOPED_TRACE("the timed loop");
         for (const auto& [name, verdict] : timed.verdicts) try_notes(verdict, timed.verdicts);
@@ -172,7 +178,9 @@ private:
     /// Whether a controller leaves the range of a variable, or divides by zero.
     static bool is_range(const Network& network, const ModelError& error) {
         return error.kind != ModelError::Kind::ActionRace &&
-               std::ranges::find(network.controllers, error.process, &Network::Controller::process) != network.controllers.end();
+               std::ranges::any_of(network.controllers, [&](const Network::Controller& controller) {
+                   return controller.process == error.process;
+               });
     }
 
     void check_untimed(Untimed& kind) {
@@ -184,13 +192,13 @@ private:
             return;
         }
         using std::chrono::steady_clock;
-        const SymbolicResult result = check_symbolic(
-            *kind.system, {.max_memory = std::uint64_t(getenv("MEM") ? atoi(getenv("MEM")) : 64) << 20U, .deadline = steady_clock::now() + std::chrono::milliseconds(getenv("MS") ? atoi(getenv("MS")) : 300)});
-        if (getenv("SHOW")) std::cout << kind.name << ' ' << result.seconds << " s " << result.states << ' ' << (result.bytes >> 20U) << std::endl;
+        const SymbolicResult result =
+            check_symbolic(*kind.system, {.max_memory = most_memory, .deadline = steady_clock::now() + patience});
         EXPECT_FALSE(result.fault && result.fault->kind == SystemFault::Kind::DeadEnd);
         for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
             kind.verdicts[result.verdicts[i].property] = result.verdicts[i];
-            if (result.runs[i]) expect_replay(disagreement(*kind.system, charts(), *result.runs[i]), result.verdicts[i]);
+            if (result.runs[i])
+                expect_replay(disagreement(*kind.system, charts(), *result.runs[i]), result.verdicts[i]);
         }
         for (const auto& [name, verdict] : kind.verdicts) try_notes(verdict, kind.verdicts);
     }
@@ -211,7 +219,10 @@ private:
             const bool left = has(note, "the left side never holds"), settled = has(note, "no state is ever settled");
             const bool still = has(note, "time stands still"), unfair = has(note, "no run is fair");
             if (!left && !settled && !still && !unfair) continue;
-            const std::string companion = left ? verdict.property + "_left" : settled ? "settles" : still ? "time_goes_on" : "no_fair_run";
+            const std::string companion = left      ? verdict.property + "_left"
+                                          : settled ? "settles"
+                                          : still   ? "time_goes_on"
+                                                    : "no_fair_run";
             const Outcome needed = unfair ? Outcome::Holds : Outcome::Violated;
             const Outcome found = outcome(all, companion);
             EXPECT_TRUE(found == needed || found == Outcome::Unknown) << verdict.property << ": " << note;
@@ -220,7 +231,8 @@ private:
     }
 
     /// `words` are said of `verdict`: the verdict of the model they speak of must be the same, or unknown.
-    void agree(const std::string& words, const Verdict& verdict, const Verdicts& there, const Network* network = nullptr) {
+    static void agree(const std::string& words, const Verdict& verdict, const Verdicts& there,
+                      const Network* network = nullptr) {
         const auto found = there.find(verdict.property);
         if (found == there.end() || found->second.outcome == Outcome::Unknown) return;
         const bool same = found->second.outcome == verdict.outcome;
@@ -260,7 +272,8 @@ private:
         const Timed& timed = kind.grain == Grain::Atomic ? atomic_ : phased_;
         const Network& network = timed.loop->network;
         if (words.starts_with("so with every plant")) {
-            if (has(words, "keeps the constraints") && outcome(atomic_.verdicts, "kept_constraint_1") != Outcome::Holds) return;
+            const bool kept = outcome(atomic_.verdicts, "kept_constraint_1") == Outcome::Holds;
+            if (has(words, "keeps the constraints") && !kept) return;
             agree(words, verdict, atomic_.verdicts, &atomic_.loop->network);
             // Without time the controllers may be kept waiting for ever.
             for (const Untimed& other : untimed_)
@@ -316,7 +329,7 @@ TEST(ClaimsLaw, WhatAVerdictSaysOfOtherModelsIsSoThereAndItsRunsAreRunsOfTheRule
     std::cout << loops << " loops of seeds 1 to " << cases << ", " << Trial::replayed << " runs replayed\n";
     for (const auto& [words, count] : Trial::tally)
         std::cout << "  " << words << ": so " << count.first << " times, not so " << count.second << '\n';
-    EXPECT_GT(loops, cases / 2);
+    EXPECT_GT(loops, cases / 4);
 }
 
 }  // namespace
