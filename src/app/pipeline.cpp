@@ -187,8 +187,9 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, Job& jo
     return network;
 }
 
-std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> id, Job& job) {
-    const ClosedLoop& loop = model.loops[id];
+namespace {
+
+std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& loop, Job& job) {
     ScheduleOptions options = job.options.untimed;
     options.mode = job.options.mode;
     const auto equations = equations_of_controllers(model, loop, job);
@@ -206,6 +207,14 @@ std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Clos
     const auto network = compose(*plant_network, model, loop, *equations, composing, job.diagnostics);
     if (!network) return {};
     return schedule_network(*network, options, job.diagnostics);
+}
+
+}  // namespace
+
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> id, Job& job) {
+    auto system = scheduled(model, model.loops[id], job);
+    if (system) *system = nusmv::sayable(std::move(*system));
+    return system;
 }
 
 std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> chart, Job& job) {

@@ -3,11 +3,13 @@
 #include "emit/uppaal_queries.hpp"
 
 #include <ostream>
+#include <unordered_set>
 
 #include "emit/uppaal_text.hpp"
 #include "grafverif/emit/uppaal.hpp"
 #include "grafverif/ir/step_names.hpp"
 #include "grafverif/support/overloaded.hpp"
+#include "grafverif/syntax/formula.hpp"
 
 namespace grafverif::uppaal {
 namespace {
@@ -52,8 +54,10 @@ public:
 private:
     void add(std::vector<Query>& list, Id<Property> id) {
         const Property& property = network_.properties[id];
-        if (const std::string_view why = reason(property.pattern); !why.empty()) {
-            list.push_back({id, property.name, {}, headline(property, property.name) + ": left out; " + std::string(why), {}});
+        std::string why(reason(property.pattern));
+        if (property.pattern == Pattern::RawUppaal) why = what_it_lacks(property.raw);
+        if (!why.empty()) {
+            list.push_back({id, property.name, {}, headline(property, property.name) + ": left out; " + why, {}, why});
             return;
         }
         if (property.pattern == Pattern::ReachableAllSteps) return add_steps(list, id);
@@ -61,6 +65,23 @@ private:
         const std::string outcome = satisfied ? "expected: satisfied" : "expected: not satisfied";
         const std::string comment = headline(property, property.name) + '\n' + std::string(remark(property)) + outcome;
         list.push_back({id, property.name, formula(property), comment, satisfied});
+    }
+
+    /// Why the network has no answer to a formula that is passed through; empty: it has.
+    std::string what_it_lacks(const std::string& formula) {
+        if (known_.empty()) {
+            known_.insert(names_.variables.begin(), names_.variables.end());
+            for (const Id<Network::Process> id : network_.processes.ids()) {
+                const LocalNames& locals = names_.locals[network_.processes[id].automaton.index];
+                for (const auto* list : {&locals.parameters, &locals.clocks, &locals.locations})
+                    for (const std::string& name : *list) known_.insert(names_.processes[id.index] + '.' + name);
+            }
+        }
+        const auto known = [this](std::string_view name) {
+            return known_.contains(std::string(name)) ? std::optional(FormulaName{}) : std::nullopt;
+        };
+        const auto fault = formula_fault(FormulaLanguage::Uppaal, formula, known);
+        return fault ? fault->what : std::string();
     }
 
     /// One query per step. Expected violated: some step is out of reach, so no single query is told what to expect.
@@ -137,6 +158,7 @@ private:
     const Network& network_;
     Terms terms_;
     const Names& names_;
+    std::unordered_set<std::string> known_ = {};   ///< what formulas may name; made when one asks
 };
 
 }  // namespace
@@ -152,10 +174,8 @@ std::vector<Formula> formulas(const Network& network) {
 
 std::vector<Inexpressible> inexpressible(const Network& network) {
     std::vector<Inexpressible> list;
-    for (const Id<Property> id : network.properties.ids()) {
-        const std::string_view why = reason(network.properties[id].pattern);
-        if (!why.empty()) list.push_back({id, std::string(why)});
-    }
+    for (const Query& query : queries(network, names(network)))
+        if (!query.reason.empty()) list.push_back({query.property, query.reason});
     return list;
 }
 

@@ -17,6 +17,7 @@ struct Query {
     std::string formula = {};              ///< empty: cannot be said; the comment says why
     std::string comment = {};              ///< begins with the property's name
     std::optional<bool> satisfied = {};    ///< expected; nothing where no single query is told what to expect
+    std::string reason = {};               ///< why it cannot be said
 };
 
 /// In the order of the properties.

@@ -86,6 +86,14 @@ Diagnostic observer_acts(Span where, std::string_view observer) {
                              clipped(observer)));
 }
 
+Diagnostic bad_formula(Span where, std::string_view language, std::string_view what) {
+    return error("bad-formula", where, fmt::format("this is no formula of {}: {}", language, what));
+}
+
+Diagnostic formula_at_stable(Span where) {
+    return error("bad-formula", where, "a formula is passed through as it stands, in settled states and others; leave out `at stable`");
+}
+
 Diagnostic observer_without_start(Span where, std::string_view observer) {
     return error("no-initial-location", where,
                  fmt::format("the observer `{}` starts nowhere; write `initial location NAME;`", clipped(observer)));

@@ -99,10 +99,11 @@ Property Builder::pattern(Pattern pattern, std::vector<Id<Expr>> operands) const
     return property;
 }
 
-Property Builder::formula(Pattern pattern, std::string raw) const {
+Property Builder::formula(Pattern pattern, std::string raw, Span where) const {
     Property property;
     property.pattern = pattern;
     property.raw = std::move(raw);
+    property.raw_where = where;
     return property;
 }
 

@@ -43,7 +43,7 @@ public:
     tree::Transition transition(tree::Name name, tree::Transition links, Id<tree::Expr> condition,
                                 std::vector<tree::Assignment> assignments, Span where) const;
     tree::Property pattern(Pattern pattern, std::vector<Id<tree::Expr>> operands) const;
-    tree::Property formula(Pattern pattern, std::string raw) const;
+    tree::Property formula(Pattern pattern, std::string raw, Span where) const;
     tree::Property named(tree::Name name, std::string text, bool expected_violated, tree::Property pattern,
                          bool at_stable, Span where) const;
     std::string text(tree::Name name) const { return std::string(file_->text(name)); }

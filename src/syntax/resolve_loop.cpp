@@ -2,6 +2,7 @@
 // A closed loop: its controllers declare the shared variables, its instances bind them, its properties read them.
 #include "grafverif/support/messages.hpp"
 #include "grafverif/support/overloaded.hpp"
+#include "grafverif/syntax/formula.hpp"
 #include "grafverif/syntax/resolve.hpp"
 #include "syntax/loop_scope.hpp"
 #include "syntax/nearest.hpp"
@@ -163,6 +164,19 @@ void resolve_schedule(LoopScope& scope, const tree::Schedule& written) {
                                             {"sequenced", Schedule::Sequenced}});
 }
 
+/// A formula is written into models as it stands: it must be one, whole, and judged wherever it looks.
+void check_formula(LoopScope& scope, const tree::Property& written) {
+    const auto language = formula_language(written.pattern);
+    if (!language) return;
+    const Span where = written.raw_where;
+    if (written.at_stable) scope.diagnostics.add(messages::formula_at_stable(where));
+    const auto fault = formula_fault(*language, written.raw);
+    if (!fault) return;
+    const auto inner = static_cast<std::uint32_t>(where.begin + 1);   // behind the quote
+    const Span there{where.source, inner + static_cast<std::uint32_t>(fault->begin), inner + static_cast<std::uint32_t>(fault->end)};
+    scope.diagnostics.add(messages::bad_formula(there, word(*language), fault->what));
+}
+
 void resolve_property(LoopScope& scope, const tree::Property& written,
                       std::unordered_map<std::string_view, Span>& names) {
     const auto [known, fresh] = names.try_emplace(scope.text(written.name), written.name.where);
@@ -177,6 +191,7 @@ void resolve_property(LoopScope& scope, const tree::Property& written,
     property.at_stable = written.at_stable;
     property.expected_violated = written.expected_violated;
     property.origin = written.name.where;
+    check_formula(scope, written);
     Terms terms = property_terms(scope);
     for (const Id<tree::Expr> node : written.operands) {
         const Id<Expr> operand = terms.resolve(node, Kind::Boolean, "a property");

@@ -8,12 +8,13 @@
 //   choice       IVAR
 //   transitions, invariants, justice   TRANS, INVAR, JUSTICE
 //   always, never, exactly one of   INVARSPEC      at stable: `settled -> ...`
-//   reachable    SPEC EF p         at stable: EF (settled & p)
+//   reachable    INVARSPEC never_P := !p   at stable: `settled -> !p`; P holds where it is false
 //   inevitable   SPEC AF p         at stable: AF (settled & p)
 //   p leads to q SPEC AG (p -> AF q)   at stable: settled & on both sides
 //   always possible  SPEC AG EF p  at stable: AG EF (settled & p)
 //   ctl, ltl     SPEC, LTLSPEC, as written
-// Every specification has a name. A property that is omitted leaves a comment with the reason in its place.
+// Every specification has a name, that of its property; but `reachable` is asked as its opposite, for a specification is
+// true if all initial states satisfy it (emit/nusmv_properties), and named so. A property that is omitted leaves a comment with the reason in its place.
 // A value by cases is `case ... esac`; names are legalised once (syntax/legal_names), the map is in the header.
 #pragma once
 
@@ -22,6 +23,10 @@
 #include "grafverif/ir/flat_system.hpp"
 
 namespace grafverif::nusmv {
+
+/// `system` with those formulas (ctl, ltl) omitted that cannot be said of it, with the reason: they name what the model
+/// has not, by the names it is written with, or use it for what it is not.
+TransitionSystem sayable(TransitionSystem system);
 
 /// Requires verify(system).empty().
 void emit(const TransitionSystem& system, std::ostream& out);

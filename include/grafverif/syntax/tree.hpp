@@ -226,6 +226,7 @@ struct Property {
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
+    Span raw_where = {};   ///< with its quotes
     bool at_stable = false;
     Span where = {};
 };
