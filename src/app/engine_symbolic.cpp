@@ -26,12 +26,16 @@ namespace grafverif::app {
 
 namespace {
 
-/// Turns verdicts and runs into a report; runs that do not replay are failures and are not told.
+/// Turns verdicts and runs into a report; runs that do not replay are not told. Those of the embedded engine are failures;
+/// a program whose run does not replay is not believed.
 class SystemReporter {
 public:
-    SystemReporter(const SystemToCheck& check, std::string engine, const Options& options,
+    enum class Of { EmbeddedEngine, Program };
+
+    SystemReporter(const SystemToCheck& check, Of of, std::string engine, const Options& options,
                    const std::vector<Verdict>& verdicts)
         : check_(check),
+          of_(of),
           unproven_(unproven_faults(check.system, verdicts)),
           detail_(options.verbose ? Detail::Everything : Detail::Chart),
           witnesses_(options.verbose || options.format == Format::Json || options.trace_vcd || options.trace_svg) {
@@ -42,8 +46,14 @@ public:
     }
 
     void add(Verdict verdict, std::optional<SystemRun> run) {
-        if (verdict.outcome == Outcome::Holds && !witnesses_) run.reset();
-        if (run && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) run.reset();
+        const bool told = verdict.outcome != Outcome::Holds || witnesses_;
+        if (run && of_ == Of::Program) {
+            if (const auto found = disagreement(check_.system, check_.charts, *run))
+                distrust(verdict, replay_failure("its trace", *found));
+        } else if (run && told && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) {
+            run.reset();
+        }
+        if (!told || verdict.outcome == Outcome::Unknown) run.reset();
         if (const auto found = run ? untimely(check_.system, *run) : std::nullopt)
             verdict.notes.push_back(fmt::format("no plant gives this run: {}/{} is over in it, and {}/{} is not",
                                                 duration_text(found->longer_ms), step_variable_name(found->step),
@@ -88,6 +98,7 @@ private:
     }
 
     const SystemToCheck& check_;
+    Of of_ = Of::EmbeddedEngine;
     std::vector<std::string> unproven_;
     Detail detail_;
     bool witnesses_;   ///< whether anybody looks at them
@@ -130,7 +141,7 @@ Findings check_symbolically(const SystemToCheck& check, const Options& options, 
         };
         result = check_symbolic(check.system, symbolic);
     }
-    SystemReporter reporter(check, "symbolic", options, result.verdicts);
+    SystemReporter reporter(check, SystemReporter::Of::EmbeddedEngine, "symbolic", options, result.verdicts);
     if (result.fault) reporter.add(*result.fault);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i)
         reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));
@@ -145,11 +156,10 @@ std::optional<Findings> check_by_nusmv(const SystemToCheck& check, const std::st
         job.diagnostics.add(messages::missing_program(program, "--engine symbolic"));
         return {};
     }
-    const TransitionSystem asked = asked_of_nusmv(check.system);
-    const SystemSpelling spelling = nusmv::spelling(asked);
+    const SystemSpelling spelling = nusmv::spelling(check.system);
     const std::vector<std::size_t> properties = asked_properties(check.system, job.options);
     std::ostringstream model;
-    nusmv::emit(asked, model);
+    nusmv::emit(check.system, model);
     const TemporaryFolder folder;
     const std::string file = (folder.path() / "model.smv").string(), commands = (folder.path() / "commands").string();
     write_files({{file, std::move(model).str()}, {commands, nusmv_commands(file, spelling, properties)}});
@@ -159,7 +169,7 @@ std::optional<Findings> check_by_nusmv(const SystemToCheck& check, const std::st
                                            {.deadline = job.options.deadline, .stop = &interrupt.asked()});
     NusmvResult result = read_nusmv(check.system, spelling, properties, said);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    SystemReporter reporter(check, program, job.options, result.verdicts);
+    SystemReporter reporter(check, SystemReporter::Of::Program, program, job.options, result.verdicts);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
         result.verdicts[i].seconds = seconds;
         reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));

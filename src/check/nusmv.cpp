@@ -5,22 +5,28 @@
 #include <charconv>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
+
+#include "check/evidence.hpp"
 
 namespace grafverif {
 
 namespace {
 
 constexpr std::string_view mark = "grafverif: ";
+/// Of a trace; more are not kept, and what is left shows nothing.
+constexpr std::size_t most_values = 50'000'000;
 
-/// What was printed behind each mark.
-std::unordered_map<std::string, std::string_view> sections(std::string_view text) {
-    std::unordered_map<std::string, std::string_view> found;
+/// What was printed behind each mark and before the next: of what comes last nobody knows whether it is whole.
+std::unordered_map<std::string, std::vector<std::string_view>> sections(std::string_view text) {
+    std::unordered_map<std::string, std::vector<std::string_view>> found;
     for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
         const std::size_t line_end = std::min(text.find('\n', at), text.size());
         std::string_view name = text.substr(at + mark.size(), line_end - at - mark.size());
         name = name.substr(0, name.find_last_not_of(" \r") + 1);   // `echo` adds a blank
         const std::size_t next = text.find(mark, line_end);
-        found[std::string(name)] = text.substr(line_end, (next == std::string_view::npos ? text.size() : next) - line_end);
+        if (next == std::string_view::npos) break;
+        found[std::string(name)].push_back(text.substr(line_end, next - line_end));
         at = next;
     }
     return found;
@@ -35,15 +41,16 @@ std::string_view trimmed_line(std::string_view& text) {
     return line;
 }
 
-std::optional<bool> truth(std::string_view section) {
+/// Every answer that stands in a section.
+std::vector<bool> truths(std::string_view section) {
+    std::vector<bool> found;
     while (!section.empty()) {
         const std::string_view line = trimmed_line(section);
         if (!line.starts_with("-- specification") && !line.starts_with("-- invariant") && !line.starts_with("-- LTL"))
             continue;
-        if (line.ends_with("is true")) return true;
-        if (line.ends_with("is false")) return false;
+        if (line.ends_with("is true") || line.ends_with("is false")) found.push_back(line.ends_with("is true"));
     }
-    return {};
+    return found;
 }
 
 /// A counterexample as NuSMV prints it: what did not change is left out; the choices of a step stand before the state
@@ -56,7 +63,7 @@ public:
     }
 
     /// Empty: there is none, or it has a value of ours that means nothing to us. `repeats`: a loop matters.
-    std::optional<SystemRun> read(std::string_view section, bool repeats) {
+    std::optional<ToldRun> read(std::string_view section, bool repeats) {
         bool in_trace = false;
         while (!section.empty()) {
             const std::string_view line = trimmed_line(section);
@@ -79,7 +86,7 @@ private:
     }
 
     void close_state() {
-        if (open_) states_.push_back(now_);
+        if (open_ && states_.size() * now_.size() < most_values) states_.push_back(now_);
         open_ = false;
     }
 
@@ -109,14 +116,13 @@ private:
         return number;
     }
 
-    std::optional<SystemRun> run(bool repeats) {
+    std::optional<ToldRun> run(bool repeats) {
         if (states_.empty()) return {};
-        SystemRun run;
-        if (repeats && loop_ && *loop_ + 1 < states_.size()) {
+        ToldRun run{std::move(states_), {}};
+        if (repeats && loop_ && *loop_ + 1 < run.states.size()) {
             run.loop = loop_;
-            states_.pop_back();   // it is the state where the loop began
+            run.states.pop_back();   // it is the state where the loop began
         }
-        for (const std::vector<std::int64_t>& state : states_) run.states.push_back(symbol_values(flat_, state));
         return run;
     }
 
@@ -159,18 +165,71 @@ Obstacle obstacle_of(const ProgramResult& said) {
     return stopped ? Obstacle::Stopped : Obstacle::Failed;
 }
 
-}  // namespace
-
-TransitionSystem asked_of_nusmv(const TransitionSystem& system) {
-    TransitionSystem asked = system;
-    for (Property& property : asked.properties)
-        if (property.pattern == Pattern::Reachable) {
-            if (property.at_stable) property.operands = {asked.exprs.conjunction(asked.settled, property.operands[0])};
-            property.at_stable = false;
-            property.pattern = Pattern::Never;
-        }
-    return asked;
+void undecided(Verdict& verdict, Obstacle obstacle, std::string reason) {
+    verdict.outcome = Outcome::Unknown;
+    verdict.obstacle = obstacle;
+    verdict.reason = std::move(reason);
 }
+
+/// What the program said, by our marks. One that was ended by a signal has said nothing that counts.
+class Answers {
+public:
+    explicit Answers(const ProgramResult& said) {
+        if (said.end != ProgramResult::End::Signalled) sections_ = sections(said.out);
+    }
+
+    /// Empty: nothing stands there, or it stands there twice.
+    std::string_view section(const std::string& name) const {
+        const auto found = sections_.find(name);
+        return found == sections_.end() || found->second.size() != 1 ? std::string_view() : found->second.front();
+    }
+    std::vector<bool> truths_of(const std::string& name) const {
+        std::vector<bool> all;
+        if (const auto found = sections_.find(name); found != sections_.end())
+            for (const std::string_view section : found->second)
+                for (const bool truth : truths(section)) all.push_back(truth);
+        return all;
+    }
+
+private:
+    std::unordered_map<std::string, std::vector<std::string_view>> sections_ = {};
+};
+
+struct Question {
+    const TransitionSystem& system;
+    FlatSystem& flat;
+    const SystemSpelling& spelling;
+    const Property& property;
+};
+
+/// Fills in what the program answers, if it bears looking at, and returns the run that shows it.
+std::optional<SystemRun> judged(Verdict& verdict, const Answers& answers, const std::string& name, const Question& question,
+                                const ProgramResult& said) {
+    const std::vector<bool> truths = answers.truths_of(name);
+    if (truths.size() != 1) {
+        if (truths.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
+        else distrust(verdict, "the program gave more than one verdict");
+        return {};
+    }
+    const Pattern pattern = question.property.pattern;
+    const bool reachable = pattern == Pattern::Reachable;
+    verdict.outcome = truths.front() != reachable ? Outcome::Holds : Outcome::Violated;
+    if (truths.front()) return {};
+    const bool about_paths = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::RawLtl ||
+                             pattern == Pattern::RawCtl;
+    const auto told = TraceReader(question.flat, question.spelling).read(answers.section(name), about_paths);
+    const std::string why = !told ? "the program shows no run for its verdict"
+                                  : doubt(question.system, question.flat, question.property, *told);
+    if (!why.empty()) {
+        distrust(verdict, why);
+        return {};
+    }
+    SystemRun run{{}, told->loop};
+    for (const std::vector<std::int64_t>& state : told->states) run.states.push_back(symbol_values(question.flat, state));
+    return run;
+}
+
+}  // namespace
 
 std::string nusmv_commands(const std::string& model, const SystemSpelling& spelling,
                            const std::vector<std::size_t>& properties) {
@@ -185,16 +244,13 @@ std::string nusmv_commands(const std::string& model, const SystemSpelling& spell
 
 NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
                        const std::vector<std::size_t>& properties, const ProgramResult& said) {
-    const FlatSystem flat = flattened(system);
-    const auto parts = sections(said.out);
-    const auto part = [&](const std::string& name) {
-        const auto found = parts.find(name);
-        return found == parts.end() ? std::string_view() : found->second;
-    };
+    FlatSystem flat = flattened(system);
+    const Answers answers(said);
     NusmvResult result;
+    const std::string_view totality = answers.section("fsm");
     for (const std::string_view words : {"The transition relation is total", "the machine is deadlock-free"})
-        result.total = result.total || part("fsm").find(words) != std::string_view::npos;
-    result.states = state_count(part("states"));
+        result.total = result.total || totality.find(words) != std::string_view::npos;
+    result.states = state_count(answers.section("states"));
     for (const std::size_t index : properties) {
         const Property& property = system.properties[{static_cast<std::uint32_t>(index)}];
         Verdict verdict{.property = property.name,
@@ -202,22 +258,10 @@ NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spe
                         .expected_violated = property.expected_violated,
                         .states = result.states,
                         .origin = property.origin};
-        const std::string_view text = part(std::to_string(index));
-        const std::optional<bool> holds = truth(text);
         std::optional<SystemRun> run;
-        if (holds && result.total) {
-            const bool reachable = property.pattern == Pattern::Reachable;
-            verdict.outcome = *holds != reachable ? Outcome::Holds : Outcome::Violated;
-            const bool about_paths = property.pattern == Pattern::Inevitable || property.pattern == Pattern::LeadsTo ||
-                                     property.pattern == Pattern::RawLtl || property.pattern == Pattern::RawCtl;
-            if (!*holds) run = TraceReader(flat, spelling).read(text, about_paths);
-        } else if (holds || (!result.total && said.end == ProgramResult::End::Exited && !part("states").empty())) {
-            verdict.obstacle = Obstacle::Faulty;
-            verdict.reason = "some reachable state has no step";
-        } else {
-            verdict.obstacle = obstacle_of(said);
-            verdict.reason = failure_of(said);
-        }
+        if (!totality.empty() && !result.total) undecided(verdict, Obstacle::Faulty, "some reachable state has no step");
+        else if (totality.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
+        else run = judged(verdict, answers, std::to_string(index), {system, flat, spelling, property}, said);
         result.verdicts.push_back(std::move(verdict));
         result.runs.push_back(std::move(run));
     }

@@ -24,16 +24,17 @@ std::string plain(std::string_view text) {
     return result;
 }
 
-/// Whether some line of `text` is `wanted`, blanks around it apart.
-bool has_line(std::string_view text, std::string_view wanted) {
+/// How many lines of `text` are `wanted`, blanks around it apart.
+std::size_t lines(std::string_view text, std::string_view wanted) {
     constexpr std::string_view blanks = " \t\r";
+    std::size_t count = 0;
     while (!text.empty()) {
         std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(line.size() + 1, text.size()));
         line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-        if (line.substr(0, line.find_last_not_of(blanks) + 1) == wanted) return true;
+        if (line.substr(0, line.find_last_not_of(blanks) + 1) == wanted) ++count;
     }
-    return false;
+    return count;
 }
 
 /// The first line of `text` that says something.
@@ -92,7 +93,7 @@ Verdict ask(Verdict verdict, const ExternalQuestion& question, const ExternalOpt
 }
 
 /// What is said of a model in which two stored actions may race is nothing.
-void distrust(Verdict& verdict) {
+void take_back(Verdict& verdict) {
     if (verdict.outcome == Outcome::Unknown) return;
     verdict.outcome = Outcome::Unknown;
     verdict.obstacle = Obstacle::Faulty;
@@ -104,12 +105,11 @@ void distrust(Verdict& verdict) {
 ExternalAnswer read_verifyta(const ProgramResult& result) {
     if (auto answer = ended_early(result)) return *answer;
     const std::string text = plain(result.out);
-    const bool satisfied = has_line(text, "-- Formula is satisfied.");
-    const bool refuted = has_line(text, "-- Formula is NOT satisfied.");
-    const bool open = has_line(text, "-- Formula MAY be satisfied.") || has_line(text, "-- Formula MAY NOT be satisfied.");
-    if (open) return undecided(Obstacle::Inexact, "verifyta says that the formula may or may not be satisfied");
-    if (satisfied != refuted) return {satisfied ? Outcome::Holds : Outcome::Violated, Obstacle::None, {}};
-    if (satisfied) return undecided(Obstacle::Failed, "verifyta says both that the formula is satisfied and that it is not");
+    const std::size_t satisfied = lines(text, "-- Formula is satisfied."), refuted = lines(text, "-- Formula is NOT satisfied.");
+    const std::size_t open = lines(text, "-- Formula MAY be satisfied.") + lines(text, "-- Formula MAY NOT be satisfied.");
+    if (satisfied + refuted + open > 1) return undecided(Obstacle::Disagrees, "engine-disagrees: verifyta gave more than one verdict on one formula");
+    if (open == 1) return undecided(Obstacle::Inexact, "verifyta says that the formula may or may not be satisfied");
+    if (satisfied + refuted == 1) return {satisfied == 1 ? Outcome::Holds : Outcome::Violated, Obstacle::None, {}};
     std::string said = first_line(plain(result.err));
     if (said.empty()) said = "exit code " + std::to_string(result.status);
     return undecided(Obstacle::Failed, "verifyta gave no verdict: " + said);
@@ -131,7 +131,7 @@ std::vector<Verdict> check_verifyta(const Network& network, std::span<const Exte
     }
     if (network.race.valid() && (!race || verdicts[*race].outcome != Outcome::Holds))
         for (std::size_t i = 0; i < verdicts.size(); ++i)
-            if (i != race) distrust(verdicts[i]);
+            if (i != race) take_back(verdicts[i]);
     const auto about_time = [](const Property& property) { return property.pattern == Pattern::NoTimelock; };
     if (std::ranges::none_of(network.properties, about_time))
         verdicts.push_back({.property = "no_timelock",

@@ -2,6 +2,7 @@
 // The modules of a NuSMV model: header, declarations, assignments, definitions.
 #include "grafverif/emit/nusmv.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <sstream>
 #include <string_view>
@@ -217,6 +218,12 @@ void print_header(std::ostream& out, const System& system, const Names& names) {
     if (!system.scope.empty()) {
         out << "--\n";
         print_comment(out, system.scope);
+    }
+    if (std::ranges::find(system.properties, Pattern::Reachable, &Property::pattern) != system.properties.end()) {
+        out << "--\n";
+        print_comment(out, "A property P that says reachable is asked as its opposite: P holds where never_P is false, and is "
+                           "violated where never_P is true. (EF would ask for a way from every initial state and, where "
+                           "there are conditions of JUSTICE, for a fair one.)");
     }
     if (names.changed.empty()) return;
     out << "--\n-- names that NuSMV does not take as they are\n";

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The properties as specifications. `AG x -> y` would be read as `(AG x) -> y`, so operands always stand in brackets.
+//
+// A specification of SMV is true if every initial state satisfies it, under fairness every one from which a fair run
+// starts. That is what all patterns ask but `reachable`: `EF p` is false where p is reached from one initial state and
+// not from another, and where no run is fair it is true of everything. So `reachable p` is asked as `never p`.
 #include <ostream>
 
 #include "emit/nusmv_text.hpp"
@@ -58,9 +62,9 @@ Specification specification(const Printer& printer, const Property& property) {
     const auto operand = [&](std::size_t k) { return printer.judged(property, property.operands[k]); };
     switch (property.pattern) {
     case Pattern::Always:         return {"INVARSPEC", printer.invariant(property, printer.text(property.operands[0]))};
-    case Pattern::Never: return {"INVARSPEC", printer.invariant(property, printer.negated(property.operands[0]))};
+    case Pattern::Never:
+    case Pattern::Reachable:      return {"INVARSPEC", printer.invariant(property, printer.negated(property.operands[0]))};
     case Pattern::ExactlyOneOf:   return {"INVARSPEC", printer.invariant(property, printer.exactly_one(property))};
-    case Pattern::Reachable:      return {"SPEC", "EF " + operand(0)};
     case Pattern::Inevitable:     return {"SPEC", "AF " + operand(0)};
     case Pattern::LeadsTo:        return {"SPEC", "AG (" + operand(0) + " -> AF " + operand(1) + ')'};
     case Pattern::AlwaysPossible: return {"SPEC", "AG EF " + operand(0)};
@@ -85,6 +89,7 @@ void print_heading(std::ostream& out, const Property& property, const std::strin
         out << "-- " << property.name;
         if (!property.text.empty()) out << ": " << property.text;
         if (property.expected_violated) out << " (expected: violated)";
+        if (property.pattern == Pattern::Reachable) out << "; holds where " << legal << " is false";
         out << '\n';
     }
 }

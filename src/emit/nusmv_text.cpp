@@ -65,13 +65,18 @@ void name_values(Names& result, const System& system) {
     if (!changes.empty()) result.changed.push_back({"of values", std::move(changes)});
 }
 
+/// What a property is asked as: `reachable p` as its opposite, whose name says so.
+std::string specification_name(const Property& property) {
+    return property.pattern == Pattern::Reachable ? "never_" + property.name : property.name;
+}
+
 }  // namespace
 
 Names names_of(const System& system) {
     Names result;
     std::vector<std::string> modules, properties;
     for (const System::Module& module : system.modules) modules.push_back(module.name);
-    for (const Property& property : system.properties) properties.push_back(property.name);
+    for (const Property& property : system.properties) properties.push_back(specification_name(property));
     result.modules = legal(result, "of modules", modules);
     result.symbols.resize(modules.size());
     for (const Id<System::Module> id : system.modules.ids()) name_symbols(result, system, id);

@@ -24,6 +24,7 @@ std::string_view word(Obstacle obstacle) {
     case Obstacle::Unsupported: return "unsupported";
     case Obstacle::Faulty:      return "faulty";
     case Obstacle::Failed:      return "failed";
+    case Obstacle::Disagrees:   return "engine-disagrees";
     }
     unreachable();
 }
@@ -35,6 +36,12 @@ std::string_view word(ModelError::Kind kind) {
     case ModelError::Kind::NoValue:    return "no-value";
     }
     unreachable();
+}
+
+void distrust(Verdict& verdict, std::string_view why) {
+    verdict.outcome = Outcome::Unknown;
+    verdict.obstacle = Obstacle::Disagrees;
+    verdict.reason = std::string(word(Obstacle::Disagrees)) + ": " + std::string(why);
 }
 
 bool as_expected(const Verdict& verdict) {

@@ -17,6 +17,7 @@
 #include "grafverif/run/replay_system.hpp"
 #include "support/explicit_search.hpp"
 #include "support/law_size.hpp"
+#include "support/nusmv_specs.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_system.hpp"
 #include "support/read_loop.hpp"
@@ -37,12 +38,11 @@ struct Asked {
 Asked asked_nusmv(const TransitionSystem& system, const std::string& program) {
     const app::TemporaryFolder folder;
     const std::string model = (folder.path() / "model.smv").string(), commands = (folder.path() / "commands").string();
-    const TransitionSystem asked = asked_of_nusmv(system);
-    const SystemSpelling spelling = nusmv::spelling(asked);
+    const SystemSpelling spelling = nusmv::spelling(system);
     std::vector<std::size_t> all;
     for (const Id<Property> id : system.properties.ids()) all.push_back(id.index);
     std::ostringstream text;
-    nusmv::emit(asked, text);
+    nusmv::emit(system, text);
     std::ofstream(model) << text.str();
     std::ofstream(commands) << nusmv_commands(model, spelling, all);
     const ProgramResult said =
@@ -145,6 +145,93 @@ TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnTheSamples) {
         }
     std::cout << agreement.verdicts << " verdicts, " << agreement.runs << " runs, " << agreement.given_up << " models given up\n";
     EXPECT_GT(agreement.verdicts, 200u);
+}
+
+/// What `NuSMV FILE` prints, as a user runs it, by the formulas that it prints; several specifications may have one.
+std::vector<std::pair<SpecTerm, bool>> printed_verdicts(const std::string& out) {
+    std::vector<std::pair<SpecTerm, bool>> found;
+    std::istringstream lines(out);
+    for (std::string line; std::getline(lines, line);)
+        for (const std::string_view before : {"-- specification ", "-- invariant "})
+            for (const std::string_view after : {" is true", " is false"})
+                if (line.starts_with(before) && line.ends_with(after)) {
+                    const std::size_t length = line.size() - before.size() - after.size();
+                    const auto formula = read_spec(std::string_view(line).substr(before.size(), length));
+                    EXPECT_TRUE(formula) << line;
+                    if (formula) found.emplace_back(*formula, after == " is true");
+                }
+    return found;
+}
+
+/// The verdicts of `NuSMV FILE` are ours, read by the names in the text.
+void expect_same_as_a_user_sees(const TransitionSystem& system, const std::string& program, Agreement& agreement) {
+    const SymbolicResult ours = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
+    if (ours.fault || ours.states.empty()) return;
+    const app::TemporaryFolder folder;
+    const std::string model = (folder.path() / "model.smv").string();
+    std::ostringstream text;
+    nusmv::emit(system, text);
+    std::ofstream(model) << text.str();
+    const ProgramResult said = app::run_program({program, model}, "", {.deadline = std::chrono::steady_clock::now() + patience});
+    if (said.end != ProgramResult::End::Exited) {
+        ++agreement.given_up;
+        return;
+    }
+    const NusmvModel read = read_nusmv(text.str());
+    ASSERT_EQ(read.complaint, "");
+    const auto printed = printed_verdicts(said.out);
+    const std::vector<std::string> names = nusmv::spelling(system).properties;
+    for (const Id<Property> id : system.properties.ids()) {
+        const auto& specs = read.modules.front().specifications;
+        const auto spec = std::ranges::find(specs, names[id.index], &NusmvModel::Specification::name);
+        ASSERT_NE(spec, specs.end());
+        const auto formula = read_spec(spec->formula);
+        ASSERT_TRUE(formula) << spec->formula;
+        const auto verdict = std::ranges::find(printed, *formula, &std::pair<SpecTerm, bool>::first);
+        ASSERT_NE(verdict, printed.end()) << spec->formula << "\n" << said.out << said.err;
+        if (ours.verdicts[id.index].outcome == Outcome::Unknown) continue;
+        ASSERT_EQ(verdict_of_spec(*spec, system.properties[id], verdict->second), ours.verdicts[id.index].outcome == Outcome::Holds)
+            << spec->name << "\n" << text.str() << said.out;
+        ++agreement.verdicts;
+    }
+}
+
+TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnRandomSystemsAndLoops) {
+    const auto program = app::find_program("NuSMV");
+    if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
+    Agreement agreement;
+    for (int seed = 1; seed <= law_size(40); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        TransitionSystem system = random_system(random);
+        ask_more(system, random);
+        ASSERT_NO_FATAL_FAILURE(expect_same_as_a_user_sees(system, program->string(), agreement));
+    }
+    for (int seed = 1; seed <= law_size(3); ++seed) {
+        SCOPED_TRACE("loop of seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        for (TransitionSystem& system : untimed_models(random_loop(random), chance(random, 50))) {
+            if (!explored(system, 300, 256)) continue;   // NuSMV may take minutes for it
+            ask_more(system, random);
+            ASSERT_NO_FATAL_FAILURE(expect_same_as_a_user_sees(system, program->string(), agreement));
+        }
+    }
+    std::cout << agreement.verdicts << " verdicts, " << agreement.given_up << " models given up\n";
+    EXPECT_GT(agreement.verdicts, 200u);
+}
+
+TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnTheSamples) {
+    const auto program = app::find_program("NuSMV");
+    if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
+    Agreement agreement;
+    for (const auto& [sample, fairness] : {std::pair("blinker/blinker.grafcet", true), {"tanks/tanks.grafcet", false},
+                                           {"assembly_station/assembly_station.grafcet", true}})
+        for (const TransitionSystem& system : untimed_models(read_sample(sample).model, fairness)) {
+            SCOPED_TRACE(std::string(sample) + ": " + system.scope);
+            ASSERT_NO_FATAL_FAILURE(expect_same_as_a_user_sees(system, program->string(), agreement));
+        }
+    std::cout << agreement.verdicts << " verdicts, " << agreement.given_up << " models given up\n";
+    EXPECT_GT(agreement.verdicts, 50u);
 }
 
 TEST(NusmvEngine, AProgramThatSaysNothingGivesNoVerdict) {

@@ -3,8 +3,8 @@
 // program and hands over what it printed.
 //
 // Each property is asked for by its name, behind a mark of ours, so that the order of answers does not matter; the
-// exit code means nothing (it is 0 where a property is false). `reachable p` is asked as `never p`, whose
-// counterexample is the witness: `EF p` would have none, and would ask it of every initial state.
+// exit code means nothing (it is 0 where a property is false). The model asks `reachable p` as its opposite, whose
+// counterexample is the witness.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,6 @@
 #include "grafverif/support/program.hpp"
 
 namespace grafverif {
-
-/// The system to write for NuSMV when it is asked for verdicts.
-TransitionSystem asked_of_nusmv(const TransitionSystem& system);
 
 /// The commands for `NuSMV -source FILE`. `model`: the path of the model; `properties`: the indices of those to ask for.
 std::string nusmv_commands(const std::string& model, const SystemSpelling& spelling,
@@ -32,7 +29,8 @@ struct NusmvResult {
 };
 
 /// What the run of those commands says of the properties of `system`. A verdict is unknown (`failed`) where the program
-/// gives none, and everywhere if the model is not total.
+/// gives none, and everywhere if the model is not total. A specification that is false must come with a run of the system
+/// that shows it, and no property with two verdicts; else it is unknown too (`engine-disagrees`).
 NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
                        const std::vector<std::size_t>& properties, const ProgramResult& said);
 

@@ -52,6 +52,7 @@ enum class Obstacle {
     Unsupported,   ///< this engine does not take the property
     Faulty,        ///< the model breaks off somewhere: see ModelError
     Failed,        ///< the external program gave no verdict
+    Disagrees,     ///< the external program gave one that its own words, our model or the rules contradict
 };
 
 struct Verdict {
@@ -92,10 +93,13 @@ struct ModelError {
 
 /// `holds`, `violated`, `unknown`.
 std::string_view word(Outcome outcome);
-/// `bound`, `memory`, `stopped`, `inexact`, `unsupported`, `faulty`, `failed`; empty for None.
+/// `bound`, `memory`, `stopped`, `inexact`, `unsupported`, `faulty`, `failed`, `engine-disagrees`; empty for None.
 std::string_view word(Obstacle obstacle);
 /// The code of a model error: `out-of-range`, `action-race`, `no-value`.
 std::string_view word(ModelError::Kind kind);
+
+/// Makes the verdict of an external program unknown (`engine-disagrees`), for this reason.
+void distrust(Verdict& verdict, std::string_view why);
 
 /// Whether the verdict is the one the model asks for; an unknown one never is.
 bool as_expected(const Verdict& verdict);

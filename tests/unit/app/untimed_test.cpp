@@ -133,6 +133,82 @@ TEST(CheckUntimed, AProgramThatIsNotThereIsNamedWithTheWayOut) {
     EXPECT_NE(result.err.find("--engine symbolic"), std::string::npos) << result.err;
 }
 
+/// A program called NuSMV that answers the first property with `answer`, and nothing else.
+std::string install_nusmv(const Folder& folder, const std::string& answer) {
+    fs::permissions(folder.write("NuSMV", "#!/bin/sh\n"
+                                          "cat <<'END'\n"
+                                          "grafverif: fsm\nThe transition relation is total\n"
+                                          "grafverif: states\nreachable states: 36 (2^5.2) out of 64\n"
+                                          "grafverif: 0\nEND\n" + answer + "\necho 'grafverif: end'\n"),
+                    fs::perms::owner_all);
+    return folder.file("");
+}
+
+std::string said(const std::string& text) { return "cat <<'END'\n" + text + "END"; }
+
+TEST(CheckUntimed, AProgramThatLiesIsNotBelieved) {
+    const std::string trace = "-- as demonstrated by the following execution sequence\nTrace Description: AG alpha Counterexample\n"
+                              "Trace Type: Counterexample\n  -> State: 1.1 <-\n";
+    const std::string initial = "    A = FALSE\n    B = FALSE\n    lamp.X_0 = TRUE\n    lamp.X_1 = FALSE\n    lamp.X_2 = FALSE\n";
+    struct Case {
+        const char* property;
+        std::string answer, why;
+    };
+    for (const Case& one : {
+             Case{"never L", said("-- invariant !lamp.L  is false\n"), "engine-disagrees: the program shows no run for its verdict"},
+             {"reachable L", said("-- invariant !lamp.L  is false\n"), "engine-disagrees: the program shows no run for its verdict"},
+             {"never L", said("-- invariant !lamp.L  is true\n-- invariant !lamp.L  is false\n"),
+              "engine-disagrees: the program gave more than one verdict"},
+             {"never L", said("-- invariant a  is true\ngrafverif: 0\n-- invariant a  is true\n"),
+              "engine-disagrees: the program gave more than one verdict"},
+             {"never L", said("-- invariant a  is false\n" + trace + "    lamp.X_0 = seventeen\n"),
+              "engine-disagrees: the program shows no run for its verdict"},
+             {"never L", said("-- invariant a  is false\n" + trace + "    lamp.X_0 = 17\n"),
+              "engine-disagrees: state 1 of its trace gives `lamp.X_0` a value outside its range"},
+             {"never L", said("-- invariant a  is false\n" + trace + "    lamp.X_1 = TRUE\n"), "engine-disagrees: state 1 of its trace "},
+             {"never X2", said("-- invariant a  is false\n" + trace + initial + "  -> State: 1.2 <-\n    lamp.X_2 = TRUE\n"),
+              "engine-disagrees: state 1 of its trace "},
+             {"inevitable X1", said("-- specification AF lamp.X_1  is false\n" + trace + initial), "engine-disagrees: "},
+             {"never L", "echo 'grafverif: 7'; echo '-- invariant a  is true'", "the program gave no verdict"},
+             {"never L", said("my hovercraft is full of eels\n"), "the program gave no verdict"},
+             {"never L", "echo '-- invariant a  is true'; exit 0", "the program gave no verdict"},
+             {"never L", "echo '-- invariant a  is true'; echo 'grafverif: end'; kill -SEGV $$", "the program was ended by signal 11"},
+         }) {
+        SCOPED_TRACE(one.answer);
+        const Folder folder;
+        const Path path(install_nusmv(folder, one.answer) + ":/usr/bin:/bin");
+        const std::string file = folder.write("lamp.grafcet", lamp("property P: " + std::string(one.property) + ";"));
+        const Result result = grafverif({"check", file, "--engine", "NuSMV"});
+        EXPECT_EQ(result.code, ExitCode::Unknown) << result.out;
+        EXPECT_EQ(result.err, "");
+        EXPECT_NE(result.out.find("P: unknown"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("why: " + one.why), std::string::npos) << result.out;
+    }
+}
+
+TEST(CheckUntimed, AnswersToWhatWasNotAskedAreNotReported) {
+    const Folder folder;
+    const Path path(install_nusmv(folder, said("-- invariant a  is true\ngrafverif: 1\n-- invariant b  is false\n")) + ":/usr/bin:/bin");
+    const std::string file = folder.write("lamp.grafcet", lamp("property P: never L && M;"));
+    const Result result = grafverif({"check", file, "--engine", "NuSMV"});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
+    EXPECT_NE(result.out.find("room: 1 hold"), std::string::npos) << result.out;
+}
+
+TEST(CheckUntimed, AFormulaThatNamesWhatTheModelHasNotSpoilsNoOther) {
+    const Folder folder;
+    const std::string file = folder.write("lamp.grafcet", lamp("property F: ctl \"AG EF lamp.X_9\"; property P: never L && M;"));
+    const Result result = grafverif({"check", file, "--untimed"});
+    EXPECT_EQ(result.code, ExitCode::Unknown);
+    EXPECT_NE(result.out.find("why: the model has nothing called `lamp.X_9`"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("P: holds"), std::string::npos) << result.out;
+    const Result model = grafverif({"nusmv", file});
+    EXPECT_EQ(model.code, ExitCode::Done);
+    EXPECT_NE(model.out.find("-- left out: the model has nothing called `lamp.X_9`"), std::string::npos) << model.out;
+    EXPECT_EQ(model.out.find("AG EF lamp.X_9"), std::string::npos);
+    EXPECT_NE(model.err.find("[not-expressible]"), std::string::npos) << model.err;
+}
+
 TEST(CheckUntimed, ATimeLimitEndsInUnknown) {
     const Result result = grafverif({"check", station, "--untimed", "--timeout", "0ms"});
     EXPECT_EQ(result.code, ExitCode::Unknown);

@@ -113,8 +113,8 @@ TEST(EmitNusmv, WritesEachPatternWithItsBrackets) {
         {Pattern::Always, true, "INVARSPEC NAME P := press.X_1 -> (a | b);"},
         {Pattern::Never, false, "INVARSPEC NAME P := !(a | b);"},
         {Pattern::Never, true, "INVARSPEC NAME P := press.X_1 -> (!(a | b));"},
-        {Pattern::Reachable, false, "SPEC NAME P := EF (a | b);"},
-        {Pattern::Reachable, true, "SPEC NAME P := EF (press.X_1 & (a | b));"},
+        {Pattern::Reachable, false, "INVARSPEC NAME never_P := !(a | b);"},
+        {Pattern::Reachable, true, "INVARSPEC NAME never_P := press.X_1 -> (!(a | b));"},
         {Pattern::Inevitable, false, "SPEC NAME P := AF (a | b);"},
         {Pattern::Inevitable, true, "SPEC NAME P := AF (press.X_1 & (a | b));"},
         {Pattern::AlwaysPossible, false, "SPEC NAME P := AG EF (a | b);"},
@@ -152,12 +152,57 @@ TEST(EmitNusmv, PassesFormulasOfItsOwnLogicsThrough) {
     expect_lines(text, "LTLSPEC NAME P_ := G F press.X_1;\n");
 }
 
+TEST(EmitNusmv, FormulasThatTheModelCannotAnswerAreOmittedInTheirPlaces) {
+    Small small;
+    small.main().symbols.add({"move", {}, System::ChoiceSymbol{}, "", {}});
+    Property before{.name = "before", .pattern = Pattern::NoDeadlock};
+    small.system.omitted.push_back({before, "nothing is dead", 1});
+    small.ask(Pattern::RawCtl, {}, false, "AG press.X_7");
+    small.ask(Pattern::RawCtl, {}, false, "AG press.a");
+    small.ask(Pattern::RawLtl, {}, false, "G F move");
+    small.ask(Pattern::RawCtl, {}, false, "EF move");
+    small.ask(Pattern::Always, {small.a()});
+    for (const Id<Property> id : small.system.properties.ids()) small.system.properties[id].name = "P" + std::to_string(id.index);
+    const System said = nusmv::sayable(small.system);
+    ASSERT_EQ(said.properties.size(), 3u);
+    EXPECT_EQ(said.properties[{0}].name, "P1");
+    EXPECT_EQ(said.properties[{1}].name, "P2");
+    ASSERT_EQ(said.omitted.size(), 3u);
+    EXPECT_EQ(said.omitted[0].reason, "the model has nothing called `press.X_7`");
+    EXPECT_EQ(said.omitted[0].before, 0u);
+    EXPECT_EQ(said.omitted[1].property.name, "before");
+    EXPECT_EQ(said.omitted[1].before, 0u) << "still before P1";
+    EXPECT_EQ(said.omitted[2].property.name, "P3");
+    EXPECT_EQ(said.omitted[2].before, 2u);
+}
+
 TEST(EmitNusmv, PutsTextAndExpectationAboveASpecification) {
     Small small;
     small.ask(Pattern::Always, {small.a()});
     small.system.properties[{0}].text = "the press is safe";
     small.system.properties[{0}].expected_violated = true;
     expect_lines(emitted(small.system), "-- P: the press is safe (expected: violated)\nINVARSPEC NAME P := a;\n");
+}
+
+TEST(EmitNusmv, SaysWhereAReachableIsAskedAsItsOpposite) {
+    Small small;
+    small.ask(Pattern::Reachable, {small.a()});
+    small.system.properties[{0}].text = "the press can close";
+    const std::string text = emitted(small.system);
+    expect_lines(text, "-- P: the press can close; holds where never_P is false\nINVARSPEC NAME never_P := !a;\n");
+    EXPECT_NE(text.substr(0, text.find("MODULE")).find("P holds where never_P is false"), std::string::npos) << text;
+    Small without;
+    without.ask(Pattern::Always, {without.a()});
+    EXPECT_EQ(emitted(without.system).find("opposite"), std::string::npos);
+}
+
+TEST(EmitNusmv, AnotherPropertyMayHaveTheNameOfTheOpposite) {
+    Small small;
+    small.ask(Pattern::Reachable, {small.a()});
+    small.ask(Pattern::Always, {small.b()});
+    small.system.properties[{1}].name = "never_P";
+    expect_lines(emitted(small.system), "-- P; holds where never_P is false\nINVARSPEC NAME never_P := !a;\n\n"
+                                        "-- never_P\nINVARSPEC NAME never_P_ := b;\n");
 }
 
 TEST(EmitNusmv, LeavesACommentInThePlaceOfAnOmittedProperty) {
@@ -193,9 +238,9 @@ TEST(EmitNusmv, LegalisesNamesAndMapsThemInTheHeader) {
                        "--   in module controller_press:\n"
                        "--     S is S_\n"
                        "--   of properties:\n"
-                       "--     all.X1 is all_X1\n");
+                       "--     never_all.X1 is never_all_X1\n");
     expect_lines(text, "  next_ : controller_press(S_);\n");
-    expect_lines(text, "-- all.X1\nSPEC NAME all_X1 := EF next_.X_1;\n");
+    expect_lines(text, "-- all.X1; holds where never_all_X1 is false\nINVARSPEC NAME never_all_X1 := !next_.X_1;\n");
     expect_lines(text, "  next(X_1) := S_;\n");
 }
 

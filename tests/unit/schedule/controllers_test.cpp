@@ -102,9 +102,9 @@ TEST(ScheduleControllers, KeepsTheOrderOfPropertiesAndOfThoseLeftOut) {
 
 TEST(ScheduleControllers, AsksForEachStepByName) {
     const std::string text = emitted(scheduled(press("property all: reachable all steps;")));
-    expect_line(text, "SPEC NAME all_X0 := EF press.X_0;");
-    expect_line(text, "SPEC NAME all_X1 := EF press.X_1;");
-    expect_line(text, "SPEC NAME all_G_X5 := EF press.X_G_5;");
+    expect_line(text, "INVARSPEC NAME never_all_X0 := !press.X_0;");
+    expect_line(text, "INVARSPEC NAME never_all_X1 := !press.X_1;");
+    expect_line(text, "INVARSPEC NAME never_all_G_X5 := !press.X_G_5;");
 }
 
 TEST(ScheduleControllers, PassesItsOwnLogicsThrough) {
@@ -206,7 +206,7 @@ TEST(ScheduleControllers, WritesTheAssemblyStationAsThePaperDoes) {
     expect_line(text, "  CF_t12 := X_14 & !p_a_s;");
     expect_line(text, "  D_V_C := X_5 | X_6 | X_9;");
     expect_line(text, "  ASP := X_6 | X_7 | X_8 | X_9;");
-    expect_line(text, "SPEC NAME PROP_R_1_X14 := EF assembly.X_14;");
+    expect_line(text, "INVARSPEC NAME never_PROP_R_1_X14 := !assembly.X_14;");
     expect_line(text, "INVARSPEC NAME PROP1 := !(assembly.L_H_C & assembly.R_H_C);");
 }
 

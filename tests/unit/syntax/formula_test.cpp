@@ -39,12 +39,12 @@ TEST(Formula, TakesTheSymbolicQueriesOfUppaal) {
 }
 
 TEST(Formula, SaysWhereItGoesWrong) {
-    struct Case {
+    struct FormulaCase {
         FormulaLanguage language;
         const char *text, *fault;
     };
-    for (const Case& one : {
-             Case{Ctl, "TRUE; INVAR FALSE", "4-5: `;` would end it; a property is one formula"},
+    for (const FormulaCase& one : {
+             FormulaCase{Ctl, "TRUE; INVAR FALSE", "4-5: `;` would end it; a property is one formula"},
              {Ltl, "G a;", "3-4: `;` would end it; a property is one formula"},
              {Uppaal, "A[] a; E<> b", "5-6: `;` would end it; a property is one formula"},
              {Ctl, "TRUE INVAR FALSE", "5-10: expected an operator or the end, got `INVAR`"},
@@ -91,7 +91,7 @@ TEST(Formula, SaysWhereItGoesWrong) {
 }
 
 TEST(Formula, NestingIsBounded) {
-    for (const char* open : {"(", "!", "AG ", "-", "A [", "a ? b : "}) {
+    for (const char* open : {"(", "!", "AG ", "- ", "A [", "a ? b : "}) {
         std::string text;
         for (int i = 0; i < 100'000; ++i) text += open;
         EXPECT_NE(fault_of(Ctl, text + "a").find("nested deeper than 200"), std::string::npos) << open;

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "check/evidence.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace grafverif {
+
+namespace {
+
+/// One pass over the states: whether they are a run, and where some terms hold.
+class Evidence {
+public:
+    Evidence(const FlatSystem& flat, const ToldRun& told, std::vector<Id<Expr>> terms)
+        : flat_(flat), told_(told), terms_(std::move(terms)), truths_(terms_.size()) {
+        for (std::size_t state = 0; state < size() && broken_.empty(); ++state) look_at(state);
+    }
+
+    std::size_t size() const { return told_.states.size(); }
+    /// Why it is no run of the system; empty: it is.
+    const std::string& broken() const { return broken_; }
+
+    bool holds(std::size_t state, Id<Expr> term) const {
+        return truths_[static_cast<std::size_t>(std::ranges::find(terms_, term) - terms_.begin())][state];
+    }
+
+    /// Whether the states of the loop meet each condition of justice.
+    bool fair() const {
+        return told_.loop && std::ranges::all_of(flat_.justice, [this](Id<Expr> term) {
+            for (std::size_t state = *told_.loop; state < size(); ++state)
+                if (holds(state, term)) return true;
+            return false;
+        });
+    }
+
+private:
+    using Values = std::vector<std::optional<std::int64_t>>;   ///< of all terms, in one state
+
+    void look_at(std::size_t state) {
+        const std::vector<std::int64_t>& variables = told_.states[state];
+        const Values values = evaluate_all(flat_.exprs, [&](const Expr& leaf) { return variables[static_cast<std::size_t>(leaf.value)]; });
+        const auto all_hold = [&](const std::vector<Id<Expr>>& terms) {
+            return std::ranges::all_of(terms, [&](Id<Expr> term) { return values[term.index].value_or(0) != 0; });
+        };
+        for (std::size_t i = 0; i < terms_.size(); ++i) truths_[i].push_back(values[terms_[i].index].value_or(0) != 0);
+        const std::optional<std::size_t> next = state + 1 < size() ? state + 1 : told_.loop;
+        std::string why;
+        if (const std::string name = out_of_range(state); !name.empty()) why = "gives `" + name + "` a value outside its range";
+        else if (!all_hold(flat_.invariants)) why = "violates an invariant of the model";
+        else if (const std::string first = state == 0 ? differs(values, &FlatSystem::Variable::initial, 0) : ""; !first.empty())
+            why = "is no initial state: `" + first + "`";
+        else if (next && !all_hold(flat_.transitions)) why = "is left by a step that the model does not have";
+        else if (const std::string then = next ? differs(values, &FlatSystem::Variable::next, *next) : ""; !then.empty())
+            why = "is followed by one that no step leads to: `" + then + "`";
+        if (!why.empty()) broken_ = "state " + std::to_string(state + 1) + " of its trace " + why;
+    }
+
+    std::string out_of_range(std::size_t state) const {
+        for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
+            const Type& type = flat_.variables[id].type;
+            const std::int64_t value = told_.states[state][id.index];
+            if (value < (type.boolean ? 0 : type.low) || value > (type.boolean ? 1 : type.high)) return flat_.variables[id].name;
+        }
+        return {};
+    }
+
+    /// The first variable whose value in the state `to` is not the one that `values` say.
+    std::string differs(const Values& values, std::optional<Id<Expr>> FlatSystem::Variable::*term, std::size_t to) const {
+        for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
+            const std::optional<Id<Expr>>& wanted = flat_.variables[id].*term;
+            if (wanted && values[wanted->index] != told_.states[to][id.index]) return flat_.variables[id].name;
+        }
+        return {};
+    }
+
+    const FlatSystem& flat_;
+    const ToldRun& told_;
+    std::vector<Id<Expr>> terms_ = {};
+    std::vector<std::vector<bool>> truths_ = {};   ///< per term, per state
+    std::string broken_ = {};
+};
+
+/// Whether some state with `from` is followed by none with `never`, on and on.
+bool avoids(const Evidence& evidence, std::size_t loop, Id<Expr> from, Id<Expr> never) {
+    std::size_t without = evidence.size();   // no state from here on has it
+    while (without > 0 && !evidence.holds(without - 1, never)) --without;
+    if (without > loop) return false;
+    for (std::size_t state = without; state < evidence.size(); ++state)
+        if (evidence.holds(state, from)) return true;
+    return false;
+}
+
+bool shows(const Evidence& evidence, const Property& property, const std::vector<Id<Expr>>& operands, Id<Expr> settled, std::size_t loop) {
+    const auto some = [&](const auto& broken) {
+        for (std::size_t state = 0; state < evidence.size(); ++state)
+            if ((!property.at_stable || evidence.holds(state, settled)) && broken(state)) return true;
+        return false;
+    };
+    switch (property.pattern) {
+    case Pattern::Always:    return some([&](std::size_t state) { return !evidence.holds(state, operands[0]); });
+    case Pattern::Never:
+    case Pattern::Reachable: return some([&](std::size_t state) { return evidence.holds(state, operands[0]); });
+    case Pattern::ExactlyOneOf:
+        return some([&](std::size_t state) {
+            return std::ranges::count_if(operands, [&](Id<Expr> term) { return evidence.holds(state, term); }) != 1;
+        });
+    case Pattern::Inevitable:
+        if (!evidence.fair()) return false;
+        for (std::size_t state = 0; state < evidence.size(); ++state)
+            if (evidence.holds(state, operands[0])) return false;
+        return true;
+    case Pattern::LeadsTo: return evidence.fair() && avoids(evidence, loop, operands[0], operands[1]);
+    case Pattern::AlwaysPossible: case Pattern::RawCtl: case Pattern::RawLtl: case Pattern::RawUppaal: case Pattern::NoDeadlock:
+    case Pattern::NoTimelock: case Pattern::ReachableAllSteps:
+        break;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::string doubt(const TransitionSystem& system, FlatSystem& flat, const Property& property, const ToldRun& told) {
+    const Id<Expr> settled = property.at_stable ? flattened(system, flat, system.settled) : flat.exprs.constant(true);
+    const bool about_paths = property.pattern == Pattern::Inevitable || property.pattern == Pattern::LeadsTo;
+    std::vector<Id<Expr>> operands;
+    for (const Id<Expr> operand : property.operands) {
+        operands.push_back(flattened(system, flat, operand));
+        if (about_paths) operands.back() = flat.exprs.conjunction(settled, operands.back());
+    }
+    std::vector<Id<Expr>> terms = flat.justice;
+    terms.insert(terms.end(), operands.begin(), operands.end());
+    terms.push_back(settled);
+    const Evidence evidence(flat, told, std::move(terms));
+    if (!evidence.broken().empty()) return evidence.broken();
+    return shows(evidence, property, operands, settled, told.loop.value_or(0)) ? "" : "its trace does not show it";
+}
+
+}  // namespace grafverif

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// The law of the specifications in a NuSMV text: what a model checker says of them, read by their names, is what our
+// engine says of the properties; whatever the approach, the schedule, the number of initial states and the fairness.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <sstream>
+
+#include "grafverif/check/symbolic.hpp"
+#include "grafverif/emit/nusmv.hpp"
+#include "support/law_size.hpp"
+#include "support/nusmv_specs.hpp"
+#include "support/random_loop.hpp"
+#include "support/random_system.hpp"
+#include "support/untimed_loop.hpp"
+
+namespace grafverif {
+namespace {
+
+using System = TransitionSystem;
+
+struct Compared {
+    std::size_t systems = 0, verdicts = 0, several_starts = 0, nothing_fair = 0;
+};
+
+void expect_agreement(const System& system, Compared& compared) {
+    const auto graph = explored(system, 200, 256);
+    if (!graph || graph->initial == 0 || !graph->total) return;
+    std::ostringstream out;
+    nusmv::emit(system, out);
+    const NusmvModel text = read_nusmv(out.str());
+    ASSERT_EQ(text.complaint, "") << out.str();
+    const std::vector<NusmvModel::Specification>& specs = text.modules.front().specifications;
+    const std::vector<std::string> names = nusmv::spelling(system).properties;
+    const SymbolicResult ours = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2)});
+    if (ours.fault || ours.states.empty()) return;   // some small models take minutes
+    ++compared.systems;
+    if (graph->initial > 1) ++compared.several_starts;
+    const StateSet all(graph->states.size(), true);
+    const StateSet fair = fairly_staying(*graph, all, justice_sets(system, *graph));
+    if (std::ranges::find(fair, true) == fair.end()) ++compared.nothing_fair;
+    for (const Id<Property> id : system.properties.ids()) {
+        const Property& property = system.properties[id];
+        if (property.pattern == Pattern::RawCtl || property.pattern == Pattern::RawLtl) continue;
+        const auto spec = std::ranges::find(specs, names[id.index], &NusmvModel::Specification::name);
+        ASSERT_NE(spec, specs.end()) << property.name;
+        const bool holds = verdict_of_spec(*spec, property, spec_is_true(system, *graph, *spec));
+        const Verdict& verdict = ours.verdicts[id.index];
+        if (verdict.outcome == Outcome::Unknown) continue;
+        ASSERT_EQ(holds, verdict.outcome == Outcome::Holds) << property.name << "\n" << out.str();
+        ++compared.verdicts;
+    }
+    ASSERT_FALSE(testing::Test::HasFailure()) << out.str();
+}
+
+TEST(NusmvSpecsLaw, ToolsDecideRandomSystemsAsOurEngineDoes) {
+    const int cases = law_size(300);
+    Compared compared;
+    for (int seed = 1; seed <= cases; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        System system = random_system(random);
+        ask_more(system, random);
+        ask_more(system, random);
+        ASSERT_NO_FATAL_FAILURE(expect_agreement(system, compared));
+    }
+    std::cout << "seeds 1 to " << cases << ": " << compared.systems << " systems, " << compared.verdicts << " verdicts\n";
+    EXPECT_GT(compared.several_starts, 20u);
+    EXPECT_GT(compared.nothing_fair, 0u) << "some systems without a fair run";
+}
+
+TEST(NusmvSpecsLaw, ToolsDecideRandomLoopsAsOurEngineDoesInEveryApproachAndSchedule) {
+    const int cases = law_size(4);
+    Compared compared;
+    for (int seed = 1; seed <= cases; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Model model = random_loop(random);
+        for (System& system : untimed_models(model, chance(random, 50))) {
+            SCOPED_TRACE(system.scope);
+            ask_more(system, random);
+            ASSERT_NO_FATAL_FAILURE(expect_agreement(system, compared));
+        }
+    }
+    std::cout << "seeds 1 to " << cases << ": " << compared.systems << " models, " << compared.verdicts << " verdicts\n";
+    EXPECT_GT(compared.verdicts, 40u);
+}
+
+/// One free input, and nothing else.
+struct OneInput {
+    System system = {};
+    Id<Expr> input = {};
+
+    OneInput() {
+        system.name = "one";
+        system.main = system.modules.add({"main", {}, {}, {}});
+        const auto symbol = system.modules[system.main].symbols.add({"a", {}, System::StateSymbol{}, "", {}});
+        input = system.exprs.leaf(Op::Variable, symbol.index);
+        system.settled = system.exprs.constant(true);
+        for (const Pattern pattern : {Pattern::Reachable, Pattern::Inevitable, Pattern::AlwaysPossible, Pattern::LeadsTo}) {
+            Property property{.name = "P" + std::to_string(system.properties.size()), .pattern = pattern, .operands = {input}};
+            if (pattern == Pattern::LeadsTo) property.operands.push_back(system.exprs.negation(input));
+            system.properties.add(property);
+        }
+    }
+};
+
+TEST(NusmvSpecsLaw, WhatIsReachedFromOneInitialStateOnlyIsReachable) {
+    OneInput one;
+    auto& symbol = one.system.modules[one.system.main].symbols[{0}];
+    symbol.kind = System::StateSymbol{{}, one.input};   // it stays as it began
+    Compared compared;
+    expect_agreement(one.system, compared);
+    EXPECT_EQ(compared.several_starts, 1u);
+}
+
+TEST(NusmvSpecsLaw, WhereNoRunIsFairReachableIsDecidedAllTheSame) {
+    for (const bool reached : {false, true}) {
+        OneInput one;
+        one.system.modules[one.system.main].justice = {one.system.exprs.constant(false)};
+        if (!reached) one.system.modules[one.system.main].invariants = {one.system.exprs.negation(one.input)};
+        Compared compared;
+        expect_agreement(one.system, compared);
+        EXPECT_EQ(compared.nothing_fair, 1u);
+    }
+}
+
+TEST(NusmvSpecsLaw, FormulasAreReadWithThePrecedencesOfNusmv) {
+    struct Case {
+        const char *text, *bracketed;
+    };
+    for (const Case& one : {Case{"AG x -> y", "(AG x) -> y"}, {"! a & b | c", "((!a) & b) | c"}, {"!a = b", "(!a) = b"},
+                            {"a -> b -> c", "a -> (b -> c)"}, {"a <-> b -> c", "(a <-> b) -> c"}, {"!EF a & b", "(!(EF a)) & b"},
+                            {"x + 1 * 2 = 3 & y", "((x + (1 * 2)) = 3) & y"}, {"AG EF a", "AG (EF a)"}, {"a ? b : c | d", "a ? b : (c | d)"}})
+        EXPECT_EQ(read_spec(one.text), read_spec(one.bracketed)) << one.text;
+    for (const char* wrong : {"", "a &", "(a", "a b", "AG", "a; INVAR FALSE"}) EXPECT_FALSE(read_spec(wrong)) << wrong;
+}
+
+}  // namespace
+}  // namespace grafverif
