@@ -19,7 +19,7 @@ class TogetherBuilder {
 public:
     TogetherBuilder(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
                     const Network& plant, const ScheduleOptions& options, Schedule schedule)
-        : model_(model), loop_(loop), equations_(equations), network_(plant),
+        : model_(model), loop_(loop), equations_(equations),
           sequenced_(schedule == Schedule::Sequenced), fairness_(options.fairness),
           parts_(parts(loop, equations, options)), assembly_(assemble(parts_, sequenced_, true)),
           context_{plant, sequenced_ ? Discipline::Rounds : Discipline::Together,
@@ -136,7 +136,6 @@ private:
     const Model& model_;
     const ClosedLoop& loop_;
     std::span<const Equations> equations_;
-    const Network& network_;
     bool sequenced_ = false, fairness_ = false;
     std::vector<ControllerPart> parts_;
     Assembly assembly_;

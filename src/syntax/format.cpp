@@ -76,7 +76,7 @@ private:
         page_.indent();
         for (std::size_t i = 0; i < items.size(); ++i) {
             page_.before(where_of(items[i]).begin);
-            std::visit([this](const auto& written) { item(written); }, items[i]);
+            std::visit([this](const auto& written) { this->item(written); }, items[i]);
             page_.behind(i + 1 < items.size() ? where_of(items[i + 1]).begin : where.end);
         }
         page_.remaining(where.end);
