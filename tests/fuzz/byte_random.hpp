@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The random numbers of the laws, taken from bytes that a fuzzer changes: a byte a number, so that a changed byte changes
+// one choice; then, in a way that the bytes decide, numbers without end.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <sstream>
+#include <string_view>
+
+#include "support/random_chart.hpp"
+
+namespace grafverif::fuzz {
+
+/// The state from which a std::mt19937_64 draws `number` next: its tempering undone.
+inline std::uint64_t untempered(std::uint64_t number) {
+    number ^= number >> Random::tempering_l;
+    number ^= (number << Random::tempering_t) & Random::tempering_c;
+    std::uint64_t found = number;   // each round is right in more of the lower bits
+    for (int round = 0; round < 4; ++round) found = number ^ ((found << Random::tempering_s) & Random::tempering_b);
+    std::uint64_t state = found;
+    for (int round = 0; round < 3; ++round) state = found ^ ((state >> Random::tempering_u) & Random::tempering_d);
+    return state;
+}
+
+inline Random byte_random(std::string_view bytes) {
+    std::stringstream text;
+    std::uint64_t mixed = bytes.size();
+    for (std::size_t k = 0; k < Random::state_size; ++k) {
+        if (k < bytes.size()) mixed = (mixed ^ static_cast<unsigned char>(bytes[k])) * 0x9E3779B97F4A7C15U;
+        const std::uint64_t number = k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : mixed = mixed * 6364136223846793005U + 1442695040888963407U;
+        text << untempered(number) << ' ';
+    }
+    text << 0;   // libstdc++: where in the state it stands
+    Random random;
+    text >> random;
+    return random;
+}
+
+}  // namespace grafverif::fuzz

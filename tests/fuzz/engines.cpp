@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Answers of other programs: NuSMV and verifyta may say anything.
+#include "fuzz/common.hpp"
+#include "fuzz/targets.hpp"
+#include "grafverif/check/nusmv.hpp"
+#include "grafverif/check/verifyta.hpp"
+#include "grafverif/emit/nusmv.hpp"
+#include "grafverif/report/tell_system.hpp"
+#include "grafverif/run/replay_system.hpp"
+#include "support/read_loop.hpp"
+#include "support/untimed_loop.hpp"
+
+namespace grafverif::fuzz {
+
+std::string nusmv_complaint(std::string_view bytes) {
+    static const LoopUnderTest loop = read_loop(press_text);
+    static const TransitionSystem system = untimed_text(press_text, {.plant = PlantApproach::Automata});
+    static const SystemSpelling spelling = nusmv::spelling(asked_of_nusmv(system));
+    static const FlatSystem flat = flattened(system);
+    std::vector<std::size_t> properties;
+    for (const Id<Property> id : system.properties.ids()) properties.push_back(id.index);
+    ProgramResult said;
+    said.out = bytes;
+    const NusmvResult result = read_nusmv(system, spelling, properties, said);
+    if (result.verdicts.size() != properties.size() || result.runs.size() != properties.size()) return "too few verdicts, or too many";
+    for (std::size_t i = 0; i < properties.size(); ++i) {
+        if (!result.total && result.verdicts[i].outcome != Outcome::Unknown) return "a verdict on a model with dead ends";
+        if (!result.runs[i]) continue;
+        const SystemRun& run = *result.runs[i];
+        if (run.states.empty() || (run.loop && *run.loop >= run.states.size())) return "a run of no states, or that loops to none";
+        if (!disagreement(system, loop.charts(), run)) tell(system, run);
+    }
+    return {};
+}
+
+std::string verifyta_complaint(std::string_view bytes) {
+    ProgramResult said;
+    said.out = bytes.substr(0, bytes.find('\0'));
+    said.err = bytes.substr(said.out.size());
+    const ExternalAnswer answer = read_verifyta(said);
+    const bool known = answer.outcome != Outcome::Unknown;
+    if (known != (answer.obstacle == Obstacle::None) || known != answer.reason.empty()) return "a verdict with a reason, or none without: " + answer.reason;
+    const bool yes = said.out.find("Formula is satisfied.") != std::string::npos, no = said.out.find("Formula is NOT satisfied.") != std::string::npos;
+    if ((answer.outcome == Outcome::Holds && !yes) || (answer.outcome == Outcome::Violated && !no)) return "a verdict that nobody gave";
+    return {};
+}
+
+}  // namespace grafverif::fuzz

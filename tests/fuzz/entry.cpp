@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What libFuzzer calls. GRAFVERIF_FUZZ_TARGET names the target of this program.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <string_view>
+
+#include "fuzz/targets.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    for (const grafverif::fuzz::Target& target : grafverif::fuzz::targets()) {
+        if (target.name != GRAFVERIF_FUZZ_TARGET) continue;
+        const std::string complaint = target.complaint({reinterpret_cast<const char*>(data), size});
+        if (complaint.empty()) return 0;
+        std::cerr << "broken promise: " << complaint << '\n';
+        std::abort();
+    }
+    std::abort();   // no such target
+}

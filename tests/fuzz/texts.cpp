@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Texts: our language, the formats of others, Structured Text. What is read is well formed, and what is written of it is
+// read as the same; what is not read comes with an error, which can be shown.
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "fuzz/common.hpp"
+#include "fuzz/targets.hpp"
+#include "grafverif/read/formats.hpp"
+#include "grafverif/read/text.hpp"
+#include "grafverif/syntax/format.hpp"
+#include "grafverif/syntax/parse.hpp"
+#include "grafverif/syntax/parse_st.hpp"
+#include "grafverif/syntax/print_model.hpp"
+
+namespace grafverif::fuzz {
+
+namespace {
+
+/// What is wrong with what was said of a text that was read, or not.
+std::string answer_complaint(bool read, const Diagnostics& diagnostics, const Sources& sources) {
+    if (read == diagnostics.has_errors()) return read ? "it is read, with errors" : "it is not read, without an error";
+    if (diagnostics.all().size() > Diagnostics::limit * 4) return "there is no end of warnings";
+    std::ostringstream json;
+    render_json(diagnostics.all(), sources, json);
+    if (!nlohmann::json::accept(json.str())) return "no JSON:\n" + json.str();
+    shown(diagnostics, sources);
+    return {};
+}
+
+struct TextRead {
+    std::optional<Model> model = {};
+    std::string complaint = {};   ///< about what was said of it
+    std::string said = {};
+};
+
+TextRead read(Id<Source> file, Sources& sources, bool lossy) {
+    Diagnostics diagnostics;
+    ReadContext context;
+    context.load = [](const std::string&, std::string& why) { return why = "there are no files here", std::nullopt; };
+    context.lossy = lossy;
+    TextRead reading{read_text(file, sources, context, diagnostics), {}, {}};
+    reading.complaint = answer_complaint(reading.model.has_value(), diagnostics, sources);
+    reading.said = shown(diagnostics, sources);
+    if (reading.complaint.empty() && reading.model)
+        for (const std::string& broken : verify(*reading.model)) reading.complaint += "not well formed: " + broken + '\n';
+    return reading;
+}
+
+std::string printed(const Model& model) {
+    std::ostringstream text;
+    print(text, model);
+    return text.str();
+}
+
+/// Whether `text`, written by us, is read as `model`.
+std::string reading_back(const Model& model, const std::string& text, Sources& sources) {
+    const TextRead again = read(sources.add({"written.grafcet", text}), sources, false);
+    if (!again.complaint.empty()) return again.complaint + "\nof:\n" + text;
+    if (!again.model) return "what is written is refused:\n" + again.said + text;
+    if (printed(*again.model) != printed(model)) return "what is written means something else:\n" + text + "\nwas:\n" + printed(model);
+    return {};
+}
+
+/// Whether `text`, formatted by us, is in the form that formatting gives.
+std::string form_complaint(const std::string& text, Sources& sources) {
+    Diagnostics diagnostics;
+    const tree::File file = parse_file(sources.add({"formatted.grafcet", text}), sources, diagnostics);
+    if (file.broken || diagnostics.has_errors()) return "formatted, it does not parse:\n" + shown(diagnostics, sources) + text;
+    const std::string again = formatted(file);
+    return again == text ? "" : "formatted twice, it differs:\n" + text + "\nand:\n" + again;
+}
+
+std::string imported_complaint(std::string_view bytes, bool lossy) {
+    Sources sources;
+    const Id<Source> source = sources.add({"fuzzed.xml", std::string(bytes)});
+    const TextRead reading = read(source, sources, lossy);
+    if (!reading.complaint.empty() || !reading.model) return reading.complaint;
+    Diagnostics diagnostics;
+    const std::string text = formatted(laid_out(read_any(source, sources, {lossy}, diagnostics)));
+    if (std::string complaint = form_complaint(text, sources); !complaint.empty()) return complaint;
+    return reading_back(*reading.model, text, sources);
+}
+
+}  // namespace
+
+std::string text_complaint(std::string_view bytes) {
+    Sources sources;
+    const Id<Source> source = sources.add({"fuzzed.grafcet", std::string(bytes)});
+    const TextRead reading = read(source, sources, false);
+    if (!reading.complaint.empty()) return reading.complaint;
+    if (format_of(sources[source].text) != FileFormat::Grafcet) return {};
+    Diagnostics diagnostics;
+    const tree::File file = parse_file(source, sources, diagnostics);
+    if (file.broken || diagnostics.has_errors()) return {};
+    const std::string text = formatted(file);
+    if (std::string complaint = form_complaint(text, sources); !complaint.empty() || !reading.model) return complaint;
+    if (std::string complaint = reading_back(*reading.model, text, sources); !complaint.empty()) return complaint;
+    return reading_back(*reading.model, printed(*reading.model), sources);
+}
+
+std::string import_complaint(std::string_view bytes) {
+    for (const bool lossy : {false, true})
+        if (std::string complaint = imported_complaint(bytes, lossy); !complaint.empty()) return complaint;
+    return {};
+}
+
+std::string structured_text_complaint(std::string_view bytes) {
+    Sources sources;
+    const Id<Source> source = sources.add({"fuzzed.st", std::string(bytes)});
+    const auto length = static_cast<std::uint32_t>(bytes.size());
+    for (const bool escaped : {false, true}) {
+        const st::Text whole{{{source, 0, length / 2}, escaped}, {{source, length / 2, length}, escaped}};
+        for (const int part : {0, 1, 2}) {
+            st::File file;
+            Diagnostics diagnostics;
+            const bool read = part == 0   ? st::parse_units(whole, file, sources, diagnostics)
+                              : part == 1 ? st::parse_statements(whole, file, sources, diagnostics).has_value()
+                                          : st::parse_expression(whole, file, sources, diagnostics).has_value();
+            if (std::string complaint = answer_complaint(read, diagnostics, sources); !complaint.empty()) return complaint;
+        }
+    }
+    return {};
+}
+
+}  // namespace grafverif::fuzz
