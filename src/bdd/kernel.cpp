@@ -11,7 +11,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-constexpr std::uint32_t first_capacity = 1U << 12U, never_collected_below = 1U << 17U;
+constexpr std::uint32_t first_capacity = 1U << 12U, never_collected_below = 1U << 15U;
 constexpr std::uint32_t marks_per_word = 64;
 
 [[noreturn]] void out_of_memory() { throw BddExhausted(BddExhausted::Cause::Memory); }
