@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <vector>
 
 #include "app/guard.hpp"
 #include "grafverif/syntax/scan_line.hpp"
@@ -40,7 +40,8 @@ constexpr int shell_found_nothing = 127, shell_could_not_run = 126;
 Dialogue::Dialogue(const std::string& command, const DialogueLimits& limits) : limits_(limits) {
     const MemoryUnbounded unbounded;   // the bound of our memory is none of the program's
     Pipe in = make_pipe(), out = make_pipe(), err = make_pipe();
-    program_ = spawn({"/bin/sh", "-c", command}, in.read.number(), out.write.number(), err.write.number());
+    program_.emplace(std::vector<std::string>{"/bin/sh", "-c", command},
+                     ChildStreams{in.read.number(), out.write.number(), err.write.number()});
     to_ = std::move(in.write);
     from_ = std::move(out.read);
     errors_ = std::move(err.read);
@@ -52,11 +53,10 @@ Dialogue::~Dialogue() {
     to_.close();
     from_.close();
     if (!wait_for_end(std::chrono::milliseconds(over_ ? 0 : 500))) {
-        ::kill(-program_, SIGTERM);
+        program_->send(SIGTERM);
         wait_for_end(std::chrono::milliseconds(200));
     }
-    ::kill(-program_, SIGKILL);
-    if (!reaped_) ::waitpid(program_, &status_, 0);
+    program_->end();
     std::signal(SIGPIPE, pipe_signal_before_);
 }
 
@@ -122,28 +122,24 @@ void Dialogue::wait(std::chrono::milliseconds longest) {
     ::poll(waited.data(), waited.size(), static_cast<int>(std::min(longest, most).count()));
 }
 
-bool Dialogue::ended() {
-    if (!reaped_) reaped_ = ::waitpid(program_, &status_, WNOHANG) == program_;
-    return reaped_;
-}
-
 /// Its standard error is read meanwhile: nobody ends who cannot say why.
 bool Dialogue::wait_for_end(std::chrono::milliseconds longest) {
     const Steady::time_point deadline = Steady::now() + longest;
-    while (!ended() && Steady::now() < deadline) {
+    while (!program_->ended() && Steady::now() < deadline) {
         pollfd waited{errors_.number(), POLLIN, 0};
         ::poll(&waited, 1, 2);
         listen();
     }
-    return reaped_;
+    return program_->ended().has_value();
 }
 
 std::string Dialogue::end_text() {
     std::string text = "it closed its output";
-    if (wait_for_end(std::chrono::milliseconds(500)))
-        text = WIFSIGNALED(status_)
-                   ? fmt::format("it was ended by signal {} ({})", WTERMSIG(status_), ::strsignal(WTERMSIG(status_)))
-                   : fmt::format("it ended with exit code {}", WEXITSTATUS(status_));
+    if (wait_for_end(std::chrono::milliseconds(500))) {
+        const ChildEnd end = *program_->ended();
+        text = end.by_signal ? fmt::format("it was ended by signal {} ({})", end.status, ::strsignal(end.status))
+                             : fmt::format("it ended with exit code {}", end.status);
+    }
     if (!heard_.empty()) text += fmt::format(", in the midst of the line `{}`", shown_line(heard_));
     listen();
     std::string_view last = said_;
@@ -154,8 +150,9 @@ std::string Dialogue::end_text() {
 }
 
 bool Dialogue::not_found() {
-    return wait_for_end(std::chrono::milliseconds(500)) && WIFEXITED(status_) &&
-           (WEXITSTATUS(status_) == shell_found_nothing || WEXITSTATUS(status_) == shell_could_not_run);
+    if (!wait_for_end(std::chrono::milliseconds(500))) return false;
+    const ChildEnd end = *program_->ended();
+    return !end.by_signal && (end.status == shell_found_nothing || end.status == shell_could_not_run);
 }
 
 }  // namespace grafverif::app

@@ -4,13 +4,13 @@
 // and all it has started are gone with the object.
 #pragma once
 
-#include <sys/types.h>
-
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <string>
 
-#include "app/spawn.hpp"
+#include "app/child.hpp"
+#include "app/descriptor.hpp"
 
 namespace grafverif::app {
 
@@ -61,15 +61,12 @@ private:
     void receive();
     void listen();
     void wait(std::chrono::milliseconds longest);
-    bool ended();
     bool wait_for_end(std::chrono::milliseconds longest);
 
     DialogueLimits limits_;
     Descriptor to_, from_, errors_;
-    pid_t program_ = 0;
+    std::optional<Child> program_ = {};
     bool over_ = false;         ///< the last answer was no line: its end need not be waited for
-    bool reaped_ = false;
-    int status_ = 0;
     std::string unsent_ = {};   ///< on its way to the program
     std::string heard_ = {};    ///< of the answer, so far
     std::string said_ = {};     ///< the last of its standard error

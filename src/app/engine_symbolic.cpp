@@ -9,7 +9,6 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "app/files.hpp"
 #include "app/process.hpp"
 #include "app/progress_line.hpp"
 #include "app/traces.hpp"
@@ -161,12 +160,12 @@ std::optional<Findings> check_by_nusmv(const SystemToCheck& check, const std::st
     std::ostringstream model;
     nusmv::emit(check.system, model);
     const TemporaryFolder folder;
-    const std::string file = (folder.path() / "model.smv").string(), commands = (folder.path() / "commands").string();
-    write_files({{file, std::move(model).str()}, {commands, nusmv_commands(file, spelling, properties)}});
+    folder.write("model.smv", std::move(model).str());
+    folder.write("commands", nusmv_commands("model.smv", spelling, properties));
 
     const auto start = std::chrono::steady_clock::now();
-    const ProgramResult said = run_program({path->string(), "-source", commands}, "",
-                                           {.deadline = job.options.deadline, .stop = &interrupt.asked()});
+    const ProgramLimits limits{.deadline = job.options.deadline, .stop = &interrupt.asked(), .folder = folder.path()};
+    const ProgramResult said = run_program({path->string(), "-source", "commands"}, "", limits);
     NusmvResult result = read_nusmv(check.system, spelling, properties, said);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     SystemReporter reporter(check, SystemReporter::Of::Program, program, job.options, result.verdicts);

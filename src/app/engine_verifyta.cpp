@@ -2,7 +2,6 @@
 // `check --engine verifyta`: our UPPAAL project in a temporary folder, and verifyta run on it once per query. Written
 // to its documented behaviour; its licence keeps it out of automated tests, which run a stand-in.
 #include "app/engines.hpp"
-#include "app/files.hpp"
 #include "app/process.hpp"
 #include "grafverif/check/verifyta.hpp"
 #include "grafverif/support/messages.hpp"
@@ -15,16 +14,15 @@ std::optional<Findings> check_by_verifyta(const LoopToCheck& loop, Job& job, con
         job.diagnostics.add(messages::missing_program("verifyta", "--engine timed"));
         return {};
     }
-    const ProgramLimits limits{.deadline = job.options.deadline, .stop = &interrupt.asked()};
     const UppaalQuestions uppaal = uppaal_questions(loop.network);
     const TemporaryFolder folder;
-    const std::string model = (folder.path() / "model.xml").string(), query = (folder.path() / "query.q").string();
-    write_files({{model, uppaal.project}});
+    folder.write("model.xml", uppaal.project);
+    const ProgramLimits limits{.deadline = job.options.deadline, .stop = &interrupt.asked(), .folder = folder.path()};
 
     ExternalOptions options{.properties = job.options.properties};
     options.run = [&](const std::string& formula) {
-        write_files({{query, formula + '\n'}});
-        return run_program({program->string(), model, query}, "", limits);
+        folder.write("query.q", formula + '\n');
+        return run_program({program->string(), "model.xml", "query.q"}, "", limits);
     };
     Findings findings{{loop.network.name, basis_of(loop.network, "verifyta"), {}, {}}, {}};
     for (Verdict& verdict : check_verifyta(loop.network, uppaal.questions, options))

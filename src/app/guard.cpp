@@ -19,6 +19,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/child.hpp"
 #include "app/program.hpp"
 
 namespace grafverif::app {
@@ -198,7 +199,10 @@ const std::string* Guard::reason() {
     return nullptr;
 }
 
+/// Files that are being written come first, and no program that we have started is left behind.
 void Guard::end(const std::string& why) {
+    if (!Uninterrupted::none_from_now_on()) return;
+    kill_children_at_once();
     write_whole(why);
     ::_exit(static_cast<int>(ExitCode::Unknown));
 }

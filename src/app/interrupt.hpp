@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Interrupt: while one exists, Ctrl-C asks for an end instead of ending the program. A second Ctrl-C ends it.
+// Interrupt: while one exists, Ctrl-C (SIGINT), SIGTERM and SIGHUP ask for an end instead of ending the program; a
+// second one ends it, and the programs that it runs. Signals that were ignored before stay ignored (`nohup`).
 #pragma once
 
 #include <atomic>
@@ -14,9 +15,20 @@ public:
     Interrupt& operator=(const Interrupt&) = delete;
 
     const std::atomic<bool>& asked() const;
+};
 
-private:
-    void (*before_)(int) = nullptr;
+/// While one exists, none of these signals ends the program: one that would does so afterwards. For what must not be
+/// left half done; it lasts no longer than that.
+class Uninterrupted {
+public:
+    Uninterrupted();
+    ~Uninterrupted();
+    Uninterrupted(const Uninterrupted&) = delete;
+    Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+    /// For who ends the process by other means than a signal: true if none exists, and then none begins any more. Waits
+    /// for nothing.
+    static bool none_from_now_on();
 };
 
 }  // namespace grafverif::app

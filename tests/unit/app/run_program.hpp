@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -68,16 +69,29 @@ private:
     fs::path path_ = {};
 };
 
-/// The PATH for the length of a test.
-class Path {
+/// A variable of the environment for the length of a test.
+class Variable {
 public:
-    explicit Path(const std::string& value) : before_(std::getenv("PATH")) { ::setenv("PATH", value.c_str(), 1); }
-    ~Path() { ::setenv("PATH", before_.c_str(), 1); }
-    Path(const Path&) = delete;
-    Path& operator=(const Path&) = delete;
+    Variable(std::string name, const std::string& value) : name_(std::move(name)) {
+        if (const char* const before = std::getenv(name_.c_str())) before_ = before;
+        ::setenv(name_.c_str(), value.c_str(), 1);
+    }
+    ~Variable() {
+        if (before_) ::setenv(name_.c_str(), before_->c_str(), 1);
+        else ::unsetenv(name_.c_str());
+    }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
 
 private:
-    std::string before_;
+    std::string name_;
+    std::optional<std::string> before_ = {};
+};
+
+/// The PATH for the length of a test.
+class Path : public Variable {
+public:
+    explicit Path(const std::string& value) : Variable("PATH", value) {}
 };
 
 }  // namespace grafverif::app

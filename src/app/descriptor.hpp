@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What a one-shot run (process.hpp) and a dialogue (dialogue.hpp) with another program share: descriptors that end with
-// their owner, pipes, and the start of a program in a process group of its own, so that it can be ended with all it has
-// started.
+// their owner, and pipes. The program itself is a Child (child.hpp).
 #pragma once
-
-#include <sys/types.h>
 
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace grafverif::app {
 
@@ -45,9 +41,5 @@ void set_nonblocking(const Descriptor& descriptor);
 
 /// Throws std::system_error.
 [[noreturn]] void fail(int code, const std::string& what);
-
-/// Starts the program at the path `arguments[0]` with these standard streams, in a process group named by its id, with
-/// no signal blocked or ignored that we block or ignore. Throws std::system_error.
-pid_t spawn(const std::vector<std::string>& arguments, int input, int output, int error);
 
 }  // namespace grafverif::app

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// What signals do to the program while other programs run: it ends as by Ctrl-C, and nothing of theirs is left.
+#include <gtest/gtest.h>
+#include <fcntl.h>
+
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+#include <thread>
+
+#include "app/child.hpp"
+#include "app/descriptor.hpp"
+#include "app/interrupt.hpp"
+#include "app/process.hpp"
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+using std::chrono::steady_clock;
+
+/// Notes its process and those it starts in `pids`, out of its group and its session, and never ends.
+std::string endless(const std::string& pids) {
+    return "note() { echo $$ >> '" + pids + "'; }; note\n"
+           "setsid sh -c 'echo $$ >> \"" + pids + "\"; setsid sh -c \"echo \\$\\$ >> \\\"" + pids + "\\\"; exec sleep 1000\" & sleep 1000' &\n"
+           "trap '' TERM HUP INT\n"
+           "while :; do sleep 1000; done\n";
+}
+
+bool waited_for(const std::function<bool()>& what) {
+    const auto end = steady_clock::now() + std::chrono::seconds(60);
+    while (!what() && steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return what();
+}
+
+std::vector<pid_t> pids_in(const Folder& folder) {
+    std::istringstream text(folder.read("pids"));
+    return {std::istream_iterator<pid_t>(text), {}};
+}
+
+struct Outcome {
+    std::optional<ChildEnd> end = {};
+    std::string out = {};
+};
+
+/// The program, ended by `signal` once three processes have noted themselves.
+Outcome ended_by(int signal, std::vector<std::string> arguments, const Folder& folder) {
+    const Descriptor out(::open(folder.file("out").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+    arguments.insert(arguments.begin(), GRAFVERIF_PROGRAM);
+    Child program(arguments, {out.number(), out.number(), out.number()});
+    EXPECT_TRUE(waited_for([&] { return pids_in(folder).size() == 3; })) << folder.read("out");
+    program.send(signal);
+    EXPECT_TRUE(waited_for([&] { return program.ended().has_value(); }));
+    for (const pid_t pid : pids_in(folder)) EXPECT_NE(::kill(pid, 0), 0) << "process " << pid << " is left";
+    return {program.ended(), folder.read("out")};
+}
+
+constexpr std::array all_signals = {SIGINT, SIGTERM, SIGHUP};
+
+TEST(Signals, EndAnEngineAndAllItHasStarted) {
+    for (const int signal : all_signals) {
+        SCOPED_TRACE(::strsignal(signal));
+        const Folder folder;
+        fs::create_directory(folder.file("tmp"));
+        const Variable tmp("TMPDIR", folder.file("tmp"));
+        fs::permissions(folder.write("verifyta", "#!/bin/sh\n" + endless(folder.file("pids"))), fs::perms::owner_all);
+        const Variable path("PATH", folder.file("") + ":/usr/bin:/bin");
+        const Outcome outcome = ended_by(signal, {"check", station, "--engine", "verifyta", "--format", "json", "--junit", folder.file("report.xml")}, folder);
+        ASSERT_TRUE(outcome.end);
+        EXPECT_FALSE(outcome.end->by_signal);
+        EXPECT_EQ(outcome.end->status, 3);
+        EXPECT_EQ(nlohmann::json::parse(outcome.out)["properties"].size(), 4u);
+        pugi::xml_document report;
+        EXPECT_TRUE(report.load_file(folder.file("report.xml").c_str()));
+        EXPECT_EQ(report.select_nodes("//testcase").size(), 4u);
+        EXPECT_TRUE(fs::is_empty(folder.file("tmp")));
+    }
+}
+
+TEST(Signals, EndAControllerUnderTestAndAllItHasStarted) {
+    const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+    for (const int signal : all_signals) {
+        SCOPED_TRACE(::strsignal(signal));
+        const Folder folder;
+        const Outcome outcome = ended_by(signal, {"test", tanks, "--against", endless(folder.file("pids")), "--format", "json", "--junit", folder.file("report.xml")}, folder);
+        ASSERT_TRUE(outcome.end);
+        EXPECT_FALSE(outcome.end->by_signal);
+        EXPECT_EQ(outcome.end->status, 3);
+        EXPECT_TRUE(nlohmann::json::accept(outcome.out)) << outcome.out;
+        pugi::xml_document report;
+        EXPECT_TRUE(report.load_file(folder.file("report.xml").c_str()));
+    }
+}
+
+TEST(Signals, ThatAreIgnoredStayIgnored) {
+    EXPECT_EXIT({
+        std::signal(SIGHUP, SIG_IGN);
+        const Interrupt interrupt;
+        std::raise(SIGHUP);
+        std::_Exit(interrupt.asked() ? 1 : 0);
+    }, testing::ExitedWithCode(0), "");
+}
+
+TEST(Signals, TheSecondOneEndsTheProgram) {
+    EXPECT_EXIT({
+        const Interrupt interrupt;
+        std::raise(SIGTERM);
+        if (interrupt.asked()) std::cerr << "asked";
+        std::raise(SIGHUP);
+    }, testing::KilledBySignal(SIGHUP), "asked");
+}
+
+TEST(Signals, WaitUntilWhatMustBeDoneIsDone) {
+    EXPECT_EXIT({
+        const Uninterrupted whole;
+        std::raise(SIGTERM);
+        std::cerr << "done";
+    }, testing::KilledBySignal(SIGTERM), "done");
+}
+
+TEST(Process, WhatLeavesItsGroupEndsWithItToo) {
+    const Folder folder;
+    const ProgramResult result = run_program({"/bin/sh", "-c", "setsid setsid sh -c 'echo $$ > \"" + folder.file("pids") + "\"; exec sleep 1000' & while ! [ -s '" +
+                                                                   folder.file("pids") + "' ]; do sleep 0.01; done; echo done"}, "", {});
+    EXPECT_EQ(result.out, "done\n");
+    const std::vector<pid_t> pids = pids_in(folder);
+    ASSERT_EQ(pids.size(), 1u);
+    EXPECT_NE(::kill(pids[0], 0), 0);
+    EXPECT_TRUE(no_child());
+}
+
+TEST(Process, ChildrenThatWereThereBeforeAreLeftAlone) {
+    const pid_t stranger = ::fork();
+    if (stranger == 0) {
+        ::pause();
+        std::_Exit(0);
+    }
+    EXPECT_EQ(run_program({"/bin/echo", "hello"}, "", {}).out, "hello\n");
+    EXPECT_EQ(::waitpid(stranger, nullptr, WNOHANG), 0);
+    ::kill(stranger, SIGKILL);
+    ::waitpid(stranger, nullptr, 0);
+}
+
+TEST(TemporaryFolder, ThoseOfKilledRunsAreRemovedAndNoOthers) {
+    const Folder folder;
+    const Variable tmp("TMPDIR", folder.file(""));
+    const TemporaryFolder alive;
+    for (const char* name : {"grafverif-run-killed", "grafverif-run-nobody", "grafverif-run-longer-name", "grafverif-models"})
+        fs::create_directory(folder.file(name));
+    folder.write("grafverif-run-killed/.grafverif-run", "");
+    folder.write("grafverif-run-killed/model.smv", "MODULE main");
+    folder.write("grafverif-run-nobody/mine", "precious");
+    { const TemporaryFolder next; }
+    EXPECT_FALSE(fs::exists(folder.file("grafverif-run-killed")));
+    EXPECT_TRUE(fs::exists(alive.path()));
+    for (const char* name : {"grafverif-run-nobody/mine", "grafverif-run-longer-name", "grafverif-models"}) EXPECT_TRUE(fs::exists(folder.file(name))) << name;
+}
+
+/// A folder whose name is none that a command line or a script would take as one word.
+const std::vector<std::string> odd_names = {"a b", "it's", "\"", "$HOME;*", "back\\slash", "line\nfeed", "-o", "\xC3\xBC", "#"};
+
+TEST(Engines, WorkWhateverTheNameOfTheTemporaryFolder) {
+    const Folder folder;
+    const Variable path("PATH", folder.file("") + ":" + std::getenv("PATH"));
+    fs::permissions(folder.write("verifyta", "#!/bin/sh\ngrep -q '<!DOCTYPE nta' \"$1\" && grep -q . \"$2\" && echo ' -- Formula is satisfied.'\n"), fs::perms::owner_all);
+    fs::permissions(folder.write("nuXmv", "#!/bin/sh\nread first < \"$2\"; file=$(sed -n 's/^read_model -i //p' \"$2\")\ngrep -q 'MODULE main' \"$file\" && echo found >&2\n"), fs::perms::owner_all);
+    const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+    for (const std::string& name : odd_names) {
+        SCOPED_TRACE(name);
+        const fs::path tmp = fs::path(folder.file("t")) / name;
+        fs::create_directories(tmp);
+        const Variable variable("TMPDIR", tmp.string());
+        const Result timed = grafverif({"check", station, "--engine", "verifyta", "--property", "P14"});
+        EXPECT_EQ(timed.code, ExitCode::Done) << timed.out << timed.err;
+        const Result untimed = grafverif({"check", tanks, "--engine", "nuXmv"});
+        EXPECT_NE(untimed.out.find("its last words: found"), std::string::npos) << untimed.out;
+        if (find_program("NuSMV")) {
+            const Result real = grafverif({"check", tanks, "--engine", "NuSMV"});
+            EXPECT_NE(real.out.find("2880 states"), std::string::npos) << real.out;
+        }
+        EXPECT_TRUE(fs::is_empty(tmp));
+    }
+}
+
+}  // namespace
+}  // namespace grafverif::app
