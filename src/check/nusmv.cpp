@@ -157,6 +157,8 @@ std::string failure_of(const ProgramResult& said) {
     std::string last;
     while (!text.empty())
         if (const std::string_view line = trimmed_line(text); !line.empty()) last = line;
+    constexpr std::size_t longest = 200;
+    if (last.size() > longest) last = last.substr(0, longest) + "...";
     return last.empty() ? "the program gave no verdict" : "the program gave no verdict; its last words: " + last;
 }
 

@@ -8,6 +8,7 @@
 
 #include "emit/nusmv_text.hpp"
 #include "grafverif/support/overloaded.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif::nusmv {
 
@@ -79,7 +80,7 @@ Specification specification(const Printer& printer, const Property& property) {
 void print_omitted(std::ostream& out, const System::Omitted& omitted) {
     const Property& property = omitted.property;
     out << "\n-- " << property.name;
-    if (!property.text.empty()) out << ": " << property.text;
+    if (!property.text.empty()) out << ": " << printable(property.text);
     out << "\n-- left out: " << omitted.reason << '\n';
 }
 
@@ -87,7 +88,7 @@ void print_heading(std::ostream& out, const Property& property, const std::strin
     const bool renamed = property.name != legal;
     if (!property.text.empty() || property.expected_violated || renamed) {
         out << "-- " << property.name;
-        if (!property.text.empty()) out << ": " << property.text;
+        if (!property.text.empty()) out << ": " << printable(property.text);
         if (property.expected_violated) out << " (expected: violated)";
         if (property.pattern == Pattern::Reachable) out << "; holds where " << legal << " is false";
         out << '\n';

@@ -13,6 +13,7 @@
 #include "emit/structured_text_names.hpp"
 #include "emit/structured_text_unit.hpp"
 #include "grafverif/emit/structured_text.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif::structured_text {
 
@@ -101,7 +102,7 @@ private:
             text += fmt::format(" {} := {};", names_.inputs[k], value_text(test_.inputs[k], step.inputs[k]));
         for (std::size_t k = 0; k < test_.outputs.size(); ++k)
             text += fmt::format(" {} := {};", names_.expected[k], value_text(test_.outputs[k], step.outputs[k]));
-        const std::string& situation = test_.situations[step.situation].text;
+        const std::string situation = comment_text(printable(test_.situations[step.situation].text));
         line("(* {}step {}{}{} *)", test_.sequences.size() > 1 ? fmt::format("sequence {}, ", sequence + 1) : "", number,
              situation.empty() ? "" : ": ", situation);
         line("{}", text);

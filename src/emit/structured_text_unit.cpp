@@ -29,13 +29,6 @@ constexpr std::array sections = {
     SectionWords{Section::Local, "VAR", "<localVars>"},
 };
 
-/// `(*` and `*)` would end a comment or open another one.
-std::string comment_text(std::string text) {
-    for (const std::string_view mark : {"(*", "*)"})
-        for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) text.insert(at + 1, " ");
-    return text;
-}
-
 void print_text(const Unit& unit, std::ostream& out) {
     const std::string_view word = unit.is_program ? "PROGRAM" : "FUNCTION_BLOCK";
     std::istringstream lines(comment_text(unit.comment));
@@ -111,6 +104,12 @@ void print_plcopen(const Unit& unit, std::ostream& out) {
 }
 
 }  // namespace
+
+std::string comment_text(std::string text) {
+    for (const std::string_view mark : {"(*", "*)"})
+        for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) text.insert(at + 1, " ");
+    return text;
+}
 
 void print(const Unit& unit, Form form, std::ostream& out) {
     Unit wrapped = unit;

@@ -29,6 +29,9 @@ struct Unit {
     std::string body = {};
 };
 
+/// `text` as the inside of a comment, which `(*` and `*)` would end or begin anew.
+std::string comment_text(std::string text);
+
 void print(const Unit& unit, Form form, std::ostream& out);
 
 }  // namespace grafverif::structured_text

@@ -10,6 +10,7 @@
 #include "grafverif/ir/step_names.hpp"
 #include "grafverif/support/overloaded.hpp"
 #include "grafverif/syntax/formula.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif::uppaal {
 namespace {
@@ -152,7 +153,7 @@ private:
     }
 
     static std::string headline(const Property& property, const std::string& name) {
-        return property.text.empty() ? name : name + ": " + property.text;
+        return property.text.empty() ? name : name + ": " + printable(property.text);
     }
 
     const Network& network_;

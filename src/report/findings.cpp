@@ -13,6 +13,7 @@
 
 #include "grafverif/report/terminal.hpp"
 #include "report/table.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif {
 
@@ -37,21 +38,21 @@ void print_evidence(const Finding& finding, std::ostream& out) {
     if (finding.timing == Finding::Timing::Unconfirmed)
         out << "    it rests on the order in which timers end; no moments were found at which that happens\n";
     if (!finding.evidence) return;
-    out << "    a shortest way: " << finding.evidence_shows << '\n';
+    out << "    a shortest way: " << printable(finding.evidence_shows) << '\n';
     print_trace(*finding.evidence, out);
 }
 
 void print_accepted(const Analysis& analysis, std::ostream& out) {
     for (const Finding& finding : analysis.findings)
         if (finding.accepted)
-            out << fmt::format("accepted: {} [{}]: {}\n", finding.message, finding.code, *finding.accepted);
+            out << fmt::format("accepted: {} [{}]: {}\n", printable(finding.message), finding.code, printable(*finding.accepted));
 }
 
 /// `X4`, `X5`; what is beyond eight is counted.
 std::string subjects_text(const std::vector<std::string>& subjects) {
     constexpr std::size_t most = 8;
     std::string text;
-    for (std::size_t k = 0; k < std::min(most, subjects.size()); ++k) text += fmt::format("{}`{}`", k == 0 ? "" : ", ", subjects[k]);
+    for (std::size_t k = 0; k < std::min(most, subjects.size()); ++k) text += fmt::format("{}`{}`", k == 0 ? "" : ", ", printable(subjects[k]));
     return subjects.size() > most ? fmt::format("{} and {} more", text, subjects.size() - most) : text;
 }
 
@@ -97,7 +98,8 @@ void print_findings(const Analysis& analysis, const Sources& sources, Colour col
     }
     print_accepted(analysis, out);
     print_open(analysis, out);
-    for (const std::string& note : analysis.notes) out << "note: " << note << '\n';
+    for (const std::string& note : analysis.notes) out << "note: " << printable(note) << '
+';
     print_tally(analysis, out);
 }
 

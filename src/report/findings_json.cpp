@@ -6,6 +6,7 @@
 
 #include "grafverif/report/findings.hpp"
 #include "report/json_trace.hpp"
+#include "support/json_text.hpp"
 
 namespace grafverif {
 
@@ -131,7 +132,7 @@ FindingJson result(const Finding& finding, const Sources& sources) {
 }
 
 void dump(const FindingJson& object, std::ostream& out) {
-    out << object.dump(2, ' ', false, FindingJson::error_handler_t::replace) << '\n';
+    out << json_text(object) << '\n';
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "report/json_trace.hpp"
+#include "support/json_text.hpp"
 
 namespace grafverif {
 
@@ -55,7 +56,7 @@ void print_json(const Report& report, std::ostream& out) {
                 {{"code", breakdown.code}, {"message", breakdown.message}, {"trace", trace_json(breakdown.trace)}});
         document["errors"] = std::move(errors);
     }
-    out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    out << json_text(document) << '\n';
 }
 
 }  // namespace grafverif

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "report/table.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif {
 
@@ -48,7 +49,7 @@ void print_cells(const Cells& cells, std::string_view bar, const TableWidths& wi
             text += std::string(between, ' ');
         }
         text.erase(text.find_last_not_of(' ') + 1);
-        out << text << '\n';
+        out << printable(text) << '\n';
     }
 }
 

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "grafverif/report/terminal.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif {
 
@@ -53,11 +54,11 @@ private:
     void print(const Answer& answer) {
         const Verdict& verdict = answer.verdict;
         out_ << verdict.property;
-        if (!answer.text.empty()) out_ << " \"" << answer.text << '"';
+        if (!answer.text.empty()) out_ << " \"" << printable(answer.text) << '"';
         if (!verdict.declared) out_ << " (not declared)";
         out_ << ": " << outcome(verdict) << "\n    " << basis(answer) << '\n';
-        if (!verdict.reason.empty()) out_ << "    why: " << verdict.reason << '\n';
-        for (const std::string& note : verdict.notes) out_ << "    note: " << note << '\n';
+        if (!verdict.reason.empty()) out_ << "    why: " << printable(verdict.reason) << '\n';
+        for (const std::string& note : verdict.notes) out_ << "    note: " << printable(note) << '\n';
         if (!answer.trace) return;
         const bool witness = verdict.outcome == Outcome::Holds;
         if (witness && !options_.verbose) return;
@@ -81,7 +82,7 @@ private:
     }
 
     void print(const Breakdown& breakdown) {
-        out_ << painted("the model breaks off", 31) << ": " << breakdown.message << " [" << breakdown.code << "]\n";
+        out_ << painted("the model breaks off", 31) << ": " << printable(breakdown.message) << " [" << breakdown.code << "]\n";
         if (!breakdown.trace.steps.empty()) print_told("the way there", breakdown.trace, "");
     }
 

@@ -12,6 +12,7 @@
 #include "grafverif/support/overloaded.hpp"
 #include "report/test_words.hpp"
 #include "support/xml_text.hpp"
+#include "support/json_text.hpp"
 
 namespace grafverif {
 
@@ -124,7 +125,7 @@ void print_json(const TestReport& report, std::ostream& out) {
                            {"not_run", count.not_run},
                            {"seconds", report.seconds},
                            {"steps", std::move(steps)}};
-    out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    out << json_text(document) << '\n';
 }
 
 void print_junit(const TestReport& report, std::ostream& out) {

@@ -10,6 +10,7 @@
 #include "grafverif/syntax/dialect.hpp"
 #include "grafverif/syntax/scan_line.hpp"
 #include "report/test_words.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif {
 
@@ -77,16 +78,16 @@ std::string failure_words(const TestReport& report, const TestReport::Failure& f
     const std::string& situation = report.test.situations[step.situation].text;
     std::string text = fmt::format("    inputs    {}\n    expected  {}{}\n", named(report.test.inputs, step.inputs),
                                    named(report.test.outputs, step.outputs),
-                                   situation.empty() ? "" : "   situation " + situation);
+                                   situation.empty() ? "" : "   situation " + printable(situation));
     if (!failure.answered.empty()) text += fmt::format("    answered  {}\n", named(report.test.outputs, failure.answered));
-    return text + fmt::format("    scan {} of {}: {}\n", failure.scan, step.cycles, cause_words(report, failure));
+    return text + fmt::format("    scan {} of {}: {}\n", failure.scan, step.cycles, printable(cause_words(report, failure)));
 }
 
 void print_text(const TestReport& report, bool failures_only, std::ostream& out) {
     const TestTally count = tally(report);
     const std::size_t steps = step_count(report.test);
     const std::size_t sequences = report.test.sequences.size();
-    out << fmt::format("{} ({}) against `{}`: {} step{}{}\n", report.test.chart, mode_word(report.test.mode), report.controller,
+    out << fmt::format("{} ({}) against `{}`: {} step{}{}\n", report.test.chart, mode_word(report.test.mode), printable(report.controller),
                        steps, steps == 1 ? "" : "s",
                        sequences == 1 ? "" : fmt::format(" in {} sequences, each from power-on", sequences));
     if (!failures_only) out << fmt::format("inputs {} -> outputs {}\n", names(report.test.inputs), names(report.test.outputs));

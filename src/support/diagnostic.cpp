@@ -8,6 +8,8 @@
 #include <tuple>
 
 #include "grafverif/support/overloaded.hpp"
+#include "support/json_text.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif {
 
@@ -46,30 +48,7 @@ struct Excerpt {
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-/// The bytes of the UTF-8 character that `text` begins with; 0 where it begins with none.
-std::size_t character(std::string_view text) {
-    const auto first = static_cast<unsigned char>(text.front());
-    const std::size_t length = first < 0x80 ? 1 : first >= 0xC2 && first < 0xE0 ? 2 : first >= 0xE0 && first < 0xF0 ? 3
-                               : first >= 0xF0 && first < 0xF5 ? 4 : 0;
-    if (length == 0 || text.size() < length) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if (!continues_character(text[i])) return 0;
-    return length;
-}
-
-/// `text` with `?` for each byte that a terminal must not see: controls and what is no UTF-8.
-std::string printable(std::string_view text) {
-    std::string shown;
-    while (!text.empty()) {
-        const std::size_t length = character(text);
-        const bool control = length == 1 && (static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7F) && text[0] != '\t';
-        if (length == 0 || control) shown += '?';
-        else shown += text.substr(0, length);
-        text.remove_prefix(std::max<std::size_t>(length, 1));
-    }
-    return shown;
-}
-
+/// Carets stand under the columns that the marked characters take on a terminal; there is one at least.
 Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length) {
     std::size_t from = column > clip_columns * 3 / 4 ? column - clip_columns / 2 : 0;
     while (from > 0 && from < line.size() && continues_character(line[from])) --from;
@@ -79,15 +58,15 @@ Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length) {
     Excerpt shown;
     if (from > 0) shown.text = "...";
     shown.marks.assign(shown.text.size(), ' ');
-    shown.text += printable(line.substr(from, to - from));
-    if (to < line.size()) shown.text += "...";
-    for (std::size_t at = from; at < std::min(column, to); ++at) {
-        if (line[at] == '\t') shown.marks += '\t';
-        else if (!continues_character(line[at])) shown.marks += ' ';
-    }
     std::size_t carets = 0;
-    for (std::size_t at = column; at < std::min(column + length, to); ++at)
-        if (!continues_character(line[at])) ++carets;
+    for (std::size_t at = from; at < to;) {
+        const Glyph glyph = first_glyph(line.substr(at, to - at));
+        shown.text += printable(line.substr(at, glyph.bytes));
+        if (at < column) shown.marks.append(line[at] == '\t' ? 1 : glyph.columns, line[at] == '\t' ? '\t' : ' ');
+        else if (at < column + length) carets += glyph.columns;
+        at += glyph.bytes;
+    }
+    if (to < line.size()) shown.text += "...";
     shown.marks.append(std::max<std::size_t>(carets, 1), '^');
     return shown;
 }
@@ -98,12 +77,12 @@ void render_one(const Diagnostic& diagnostic, const Sources& sources, Colour col
     if (placed) {
         const Source& source = sources[diagnostic.where.source];
         const Place at = place(source.text, diagnostic.where.begin);
-        out << source.name << ':' << at.line << ':' << at.column << ": ";
+        out << printable(source.name) << ':' << at.line << ':' << at.column << ": ";
     }
     if (ansi_colours) out << ansi(diagnostic.severity);
     out << word(diagnostic.severity) << ": ";
     if (ansi_colours) out << "\x1b[0m";
-    out << diagnostic.message;
+    out << printable(diagnostic.message);
     if (!diagnostic.code.empty()) out << " [" << diagnostic.code << ']';
     out << '\n';
     if (placed) {
@@ -158,7 +137,7 @@ void render_text(const std::vector<Diagnostic>& diagnostics, const Sources& sour
 void render_json(const std::vector<Diagnostic>& diagnostics, const Sources& sources, std::ostream& out) {
     nlohmann::ordered_json array = nlohmann::ordered_json::array();
     for (const Diagnostic& diagnostic : in_order(diagnostics)) array.push_back(as_json(diagnostic, sources));
-    out << array.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+    out << json_text(array) << '\n';
 }
 
 }  // namespace grafverif

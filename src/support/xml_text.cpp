@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "support/xml_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdint>
+
+#include "support/printable.hpp"
 
 namespace grafverif {
 namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";
 
-/// The length of the well-formed character that `text` begins with, or 0.
+/// The length of the character that `text` begins with, or 0 where XML has no such character.
 std::size_t character_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::uint32_t first = byte(0);
-    if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' ? 1 : 0;
-    const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-    if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-    std::uint32_t code = first & (0xFFU >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80) return 0;
-        code = (code << 6U) | (byte(i) & 0x3FU);
-    }
-    static constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    const bool forbidden = surrogate || code == 0xFFFE || code == 0xFFFF || code > 0x10FFFF;
-    return code < least[length] || forbidden ? 0 : length;
+    const Glyph glyph = first_glyph(text);
+    const bool control = glyph.code < 0x20 && glyph.code != '\t' && glyph.code != '\n';
+    return !glyph.well_formed || control || glyph.code == 0xFFFE || glyph.code == 0xFFFF ? 0 : glyph.bytes;
 }
 
 bool is_plain(char c) { return (c >= 0x20 && c < 0x7F && c != '<' && c != '>' && c != '&') || c == '\n'; }
+
+/// What a terminal obeys as a reference, which is the same to every reader of XML.
+void append_shown(std::string_view text, std::size_t length, std::string& xml) {
+    const Glyph glyph = first_glyph(text);
+    if (length == 0) xml += replacement;
+    else if (glyph.obeyed && text.front() != '\t') xml += fmt::format("&#x{:x};", glyph.code);
+    else xml += text.substr(0, length);
+}
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void escape_xml(std::string_view text, std::string& xml) {
         case '<': xml += "&lt;"; break;
         case '>': xml += "&gt;"; break;
         case '&': xml += "&amp;"; break;
-        default:  xml += length == 0 ? replacement : text.substr(0, length);
+        default:  append_shown(text, length, xml);
         }
         text.remove_prefix(length == 0 ? 1 : length);
     }
@@ -65,7 +65,8 @@ void comment_xml(std::string_view text, std::string& xml) {
     for (; !text.empty();) {
         const std::size_t length = character_length(text);
         if (text.front() == '-' && xml.ends_with('-')) xml += ' ';
-        xml += length == 0 ? replacement : text.substr(0, length);
+        const bool hidden = length == 0 || (first_glyph(text).obeyed && text.front() != '\t' && text.front() != '\n');
+        xml += hidden ? replacement : text.substr(0, length);
         text.remove_prefix(length == 0 ? 1 : length);
     }
 }

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "grafverif/syntax/dialect.hpp"
+#include "support/json_text.hpp"
 
 namespace grafverif {
 
@@ -82,7 +83,7 @@ void print_table(std::ostream& out, const char* name, const Entries& entries, Wr
     out << ",\n  \"" << name << "\": [";
     bool first = true;
     for (const auto& entry : entries) {
-        out << (first ? "\n    " : ",\n    ") << write(entry).dump();
+        out << (first ? "\n    " : ",\n    ") << json_text(write(entry), -1);
         first = false;
     }
     out << "\n  ]";
@@ -92,7 +93,7 @@ void print_table(std::ostream& out, const char* name, const Entries& entries, Wr
 void print_members(std::ostream& out, const Json& object) {
     bool first = true;
     for (const auto& [name, value] : object.items()) {
-        out << (first ? "{\n  " : ",\n  ") << Json(name).dump() << ": " << value.dump();
+        out << (first ? "{\n  " : ",\n  ") << json_text(Json(name), -1) << ": " << json_text(value, -1);
         first = false;
     }
 }

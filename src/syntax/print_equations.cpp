@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "grafverif/syntax/dialect.hpp"
+#include "support/json_text.hpp"
 
 namespace grafverif {
 
@@ -210,7 +211,7 @@ void print_equations_json(std::ostream& out, const Equations& equations) {
                          {"watches", watches},
                          {"timers", timers},       {"outputs", outputs},
                          {"stable", plain(equations, equations.stable)}};
-    out << object.dump(2) << '\n';
+    out << json_text(object) << '\n';
 }
 
 }  // namespace grafverif

@@ -7,6 +7,7 @@
 
 #include "grafverif/syntax/dialect.hpp"
 #include "grafverif/syntax/print_automaton.hpp"
+#include "support/json_text.hpp"
 
 namespace grafverif {
 
@@ -129,7 +130,7 @@ void print_mealy_json(std::ostream& out, const Machine& machine, bool details) {
                         {"combinations", optional_json(machine.combinations)},
                         {"initial", machine.initial.index}};
     if (details) add_details(machine, head);
-    out << head.dump(2) << '\n';
+    out << json_text(head) << '\n';
 }
 
 void print_test_json(std::ostream& out, const TestSequence& test) {
@@ -152,7 +153,7 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
                                {"inputs", names_json(test.inputs)},
                                {"outputs", names_json(test.outputs)},
                                {"sequences", sequences}};
-    out << whole.dump(2) << '\n';
+    out << json_text(whole) << '\n';
 }
 
 std::string summary(const TestSequence& test) {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "support/json_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "support/printable.hpp"
+
+namespace grafverif {
+
+std::string json_text(const nlohmann::ordered_json& value, int indent) {
+    const std::string text = value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    const auto ascii = [](char c) { return static_cast<unsigned char>(c) < 0x7F; };
+    if (std::ranges::all_of(text, ascii)) return text;
+    std::string clean;
+    for (std::string_view rest = text; !rest.empty();) {
+        const Glyph glyph = first_glyph(rest);   // none of those to be written otherwise is beyond 16 bits, or outside a string
+        if (glyph.obeyed && !ascii(rest.front())) clean += fmt::format("\\u{:04x}", glyph.code);
+        else clean += rest.substr(0, glyph.bytes);
+        rest.remove_prefix(glyph.bytes);
+    }
+    return clean;
+}
+
+}  // namespace grafverif
