@@ -7,6 +7,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "app/guard.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress_line.hpp"
 #include "app/stop_words.hpp"
@@ -76,7 +77,10 @@ ExitCode analyse(Job& job, const Streams& streams) {
     };
     Analysis analysis = grafverif::analyse(model->charts[*chart], *equations, options);
     analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), interrupt.asked(), job.options);
-    deliver(printed(analysis, job), job, streams);
+    const std::string text = printed(analysis, job);
+    work_is_done();
+    if (job.options.output) deliver(text, job, streams);
+    else streams.out << text;   // clean, but for our colours
     for (const std::string& failure : analysis.failures) streams.err << "grafverif: internal failure: " << failure << '\n';
     return exit_code(analysis);
 }

@@ -5,9 +5,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/files.hpp"
-#include "app/guard.hpp"
+#include "app/outputs.hpp"
 #include "app/verbs.hpp"
+#include "support/json_text.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif::app {
 
@@ -45,16 +46,16 @@ std::string listed(const std::vector<Product>& made, Format format) {
         nlohmann::ordered_json files = nlohmann::ordered_json::array();
         for (const Product& product : made)
             files.push_back({{"path", product.file.path.string()}, {"bytes", product.file.content.size()}, {"use", product.use}});
-        return nlohmann::ordered_json{{"files", files}}.dump(2) + "\n";
+        return json_text(nlohmann::ordered_json{{"files", files}}) + "\n";
     }
     std::string text = "wrote\n";
-    for (const Product& product : made) text += fmt::format("  {}\n      {}\n", product.file.path.string(), product.use);
+    for (const Product& product : made) text += fmt::format("  {}\n      {}\n", printable(product.file.path.string()), product.use);
     return text;
 }
 
 }  // namespace
 
-ExitCode build(Job& job, const Streams&) {
+ExitCode build(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
     const auto loop = chosen_loop(*model, job);
@@ -64,8 +65,7 @@ ExitCode build(Job& job, const Streams&) {
 
     std::vector<OutputFile> files;
     for (const Product& product : made) files.push_back(product.file);
-    work_is_done();
-    write_files(files);
+    if (!write_outputs(files, job, streams)) return ExitCode::Input;
     if (!job.options.quiet) job.closing = listed(made, job.options.format);
     return ExitCode::Done;
 }
@@ -76,7 +76,8 @@ Verb build_usage() {
             "  NAME.xml  the UPPAAL project of the timed closed loop, with its queries\n"
             "  NAME.q    the same queries alone\n"
             "  NAME.smv  the NuSMV model of the controller, inputs and timer ends free, or with --plant automata of the loop\n"
-            "All are written, or none: what cannot be translated exactly is refused with its line.",
+            "What cannot be translated exactly is refused with its line, and nothing is written. After an error or a signal all\n"
+            "files are written or none has changed; docs/files.md tells what is promised.",
             {"grafverif build samples/testing_station/testing_station.grafcet",
              "grafverif build station.grafcet -o models --grain atomic --target uppaal"},
             {Accepts::OutputDirectory, Accepts::Target, Accepts::Loop, Accepts::Mode, Accepts::Grain, Accepts::Untimed,

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "app/engines.hpp"
-#include "app/files.hpp"
 #include "app/guard.hpp"
+#include "app/outputs.hpp"
 #include "app/stop_words.hpp"
 #include "app/traces.hpp"
 #include "app/untimed.hpp"
@@ -19,6 +19,7 @@
 #include "grafverif/report/terminal.hpp"
 #include "grafverif/support/messages.hpp"
 #include "grafverif/support/overloaded.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif::app {
 
@@ -107,16 +108,18 @@ Chosen first_trace(const Report& report) {
     return {};
 }
 
-void write_reports(const Report& report, const Options& options, const Streams& streams) {
+void write_reports(const Report& report, Job& job, const Streams& streams) {
+    const Options& options = job.options;
+    std::vector<OutputFile> files;
+    const Chosen chosen = first_trace(report);
+    if (chosen.trace) files = trace_files(*chosen.trace, chosen.title, options);
+    else if ((options.trace_vcd || options.trace_svg) && !options.quiet) streams.err << "note: no verdict has a trace; none was written\n";
     if (options.junit) {
         std::ostringstream text;
         print_junit(report, text);
-        write_files({{*options.junit, std::move(text).str()}});
+        files.push_back({*options.junit, std::move(text).str()});
     }
-    if (!options.trace_vcd && !options.trace_svg) return;
-    const Chosen chosen = first_trace(report);
-    if (chosen.trace) return write_trace_files(*chosen.trace, chosen.title, options);
-    if (!options.quiet) streams.err << "note: no verdict has a trace; none was written\n";
+    write_outputs(files, job, streams);
 }
 
 void say_who_stopped(Report& report, bool by_user, const Options& options) {
@@ -130,7 +133,7 @@ void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& st
     if (!loop.schedule || job.options.quiet) return;
     streams.err << fmt::format("note: `{}` names a `schedule`, which untimed models alone obey; `grafverif check {} --untimed "
                                "--plant automata` checks that one\n",
-                               loop.name, job.options.operands[0]);
+                               loop.name, printable(job.options.operands[0]));
 }
 
 ExitCode exit_code(const Report& report, bool failed, bool stopped) {
@@ -168,8 +171,8 @@ ExitCode check(Job& job, const Streams& streams) {
                      {job.options.verbose, job.options.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain},
                      streams.out);
     for (const std::string& failure : found->failures)
-        streams.err << "grafverif: internal failure: " << failure << '\n';
-    write_reports(report, job.options, streams);
+        streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
+    write_reports(report, job, streams);
     const ExitCode code = exit_code(report, !found->failures.empty(), interrupt.asked());
     if (code != ExitCode::Done && timed_loop) point_to_schedule(model->loops[*timed_loop], job, streams);
     return code;

@@ -10,6 +10,7 @@
 #include "grafverif/support/messages.hpp"
 #include "grafverif/support/overloaded.hpp"
 #include "syntax/nearest.hpp"
+#include "support/json_text.hpp"
 
 namespace grafverif::app {
 
@@ -56,7 +57,7 @@ std::string listing(Format format) {
     if (format == Format::Json) {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
         for (const LibraryEntry& entry : library()) all.push_back(as_json(entry));
-        return all.dump(2) + "\n";
+        return json_text(all) + "\n";
     }
     std::size_t width = 0;
     for (const LibraryEntry& entry : library()) width = std::max(width, entry.name.size());
@@ -85,7 +86,7 @@ ExitCode components(Job& job, const Streams& streams) {
         job.diagnostics.add(messages::unknown_component({}, name, nearest.best(), known));
         return ExitCode::Input;
     }
-    if (job.options.format == Format::Json) deliver(as_json(*found).dump(2) + "\n", job, streams);
+    if (job.options.format == Format::Json) deliver(json_text(as_json(*found)) + "\n", job, streams);
     else deliver(std::string(found->text), job, streams);
     return ExitCode::Done;
 }

@@ -1,98 +1,104 @@
 // SPDX-License-Identifier: MIT
 #include "app/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
-#include <sstream>
+#include <charconv>
+#include <istream>
+#include <string_view>
 #include <system_error>
+
+#include "app/descriptor.hpp"
 
 namespace grafverif::app {
 
 namespace fs = std::filesystem;
 
-std::optional<std::string> read_file(const fs::path& path, std::string& why) {
-    std::error_code failure;
-    const fs::file_status status = fs::status(path, failure);
-    if (!fs::exists(status)) return why = "no such file", std::nullopt;
-    if (fs::is_directory(status)) return why = "it is a directory", std::nullopt;
-
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return why = std::generic_category().message(errno), std::nullopt;
-    std::string content;
-    std::string block(std::size_t{1} << 20U, '\0');
-    while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
-        content.append(block, 0, static_cast<std::size_t>(file.gcount()));
-        if (content.size() > largest_input) return why = fmt::format("larger than {} MiB", largest_input >> 20U), std::nullopt;
-    }
-    if (file.bad()) return why = "reading failed", std::nullopt;
-    return content;
-}
-
 namespace {
 
-/// Folders and temporary files made so far; taken back unless everything went well.
-class Undo {
-public:
-    Undo() = default;
-    Undo(const Undo&) = delete;
-    Undo& operator=(const Undo&) = delete;
-    ~Undo() {
-        std::error_code ignored;
-        for (auto made = made_.rbegin(); made != made_.rend(); ++made) fs::remove(*made, ignored);
-    }
-    void remember(const fs::path& made) { made_.push_back(made); }
-    void forget() { made_.clear(); }
-
-private:
-    std::vector<fs::path> made_ = {};
-};
-
-void make_folder(const fs::path& folder, Undo& undo) {
-    if (folder.empty() || fs::is_directory(folder)) return;
-    make_folder(folder.parent_path(), undo);
-    if (fs::create_directory(folder)) undo.remember(folder);
+std::string reason(int error) {
+    if (error == ENOENT || error == ENOTDIR) return "no such file";
+    return std::generic_category().message(error);
 }
 
-void write_file(const fs::path& path, const std::string& content) {
-    std::ofstream file(path, std::ios::binary | std::ios::trunc);
-    file.write(content.data(), static_cast<std::streamsize>(content.size()));
-    file.close();
-    if (!file) throw fs::filesystem_error("cannot write", path, std::error_code(errno != 0 ? errno : EIO, std::generic_category()));
+/// What a file is that is no regular one.
+std::string_view kind_of(mode_t mode) {
+    if (S_ISDIR(mode)) return "it is a directory";
+    if (S_ISFIFO(mode)) return "it is a pipe, not a file";
+    if (S_ISSOCK(mode)) return "it is a socket, not a file";
+    return "it is a device, not a file";
 }
+
+constexpr std::size_t block_size = std::size_t{1} << 20U;
+
+std::string too_large() { return fmt::format("larger than {} MiB", largest_input >> 20U); }
+
+std::string device_and_node(const struct stat& status) { return fmt::format("{}:{}", status.st_dev, status.st_ino); }
 
 }  // namespace
 
-void write_files(const std::vector<OutputFile>& files) {
-    struct Draft {
-        fs::path place = {};    ///< the file itself, links followed
-        fs::path beside = {};   ///< empty: a special file (a pipe, /dev/stdout), which is written, not replaced
-    };
-    Undo undo;
-    std::vector<Draft> drafts;
-    for (const OutputFile& file : files) {
-        make_folder(file.path.parent_path(), undo);
-        const fs::file_status status = fs::status(file.path);
-        if (fs::is_directory(status))
-            throw fs::filesystem_error("cannot write", file.path, std::make_error_code(std::errc::is_a_directory));
-        Draft draft{file.path, {}};
-        if (!fs::exists(status) || fs::is_regular_file(status)) {
-            if (fs::is_symlink(file.path)) draft.place = fs::weakly_canonical(file.path);
-            draft.beside = draft.place;
-            draft.beside += fmt::format(".{}.part", ::getpid());
-            undo.remember(draft.beside);
-            write_file(draft.beside, file.content);
-            if (fs::exists(status)) fs::permissions(draft.beside, status.permissions());
-        }
-        drafts.push_back(std::move(draft));
+std::optional<std::string> read_file(const fs::path& path, std::string& why) {
+    struct stat status = {};
+    if (::stat(path.c_str(), &status) != 0) return why = reason(errno), std::nullopt;
+    if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), std::nullopt;   // opening a device may do something
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
+    if (!file.open() || ::fstat(file.number(), &status) != 0) return why = reason(errno), std::nullopt;
+    if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), std::nullopt;
+    return read_descriptor(file.number(), why);
+}
+
+std::optional<int> own_descriptor(const fs::path& path) {
+    const std::string text = path.lexically_normal().string();
+    if (text == "/dev/stdin") return STDIN_FILENO;
+    if (text == "/dev/stdout") return STDOUT_FILENO;
+    if (text == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        if (!text.starts_with(folder)) continue;
+        int number = 0;
+        const char* const last = text.data() + text.size();
+        const auto [end, failure] = std::from_chars(text.data() + folder.size(), last, number);
+        if (failure == std::errc() && end == last && number >= 0) return number;
     }
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (drafts[i].beside.empty()) write_file(drafts[i].place, files[i].content);
-        else fs::rename(drafts[i].beside, drafts[i].place);
+    return {};
+}
+
+std::optional<std::string> read_descriptor(int descriptor, std::string& why) {
+    std::string content, block(block_size, '\0');
+    for (;;) {
+        const ssize_t count = ::read(descriptor, block.data(), block.size());
+        if (count == 0) return content;
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return why = reason(errno), std::nullopt;
+        content.append(block, 0, static_cast<std::size_t>(count));
+        if (content.size() > largest_input) return why = too_large(), std::nullopt;
     }
-    undo.forget();
+}
+
+std::optional<std::string> read_stream(std::istream& in, std::string& why) {
+    std::string content, block(block_size, '\0');
+    while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+        content.append(block, 0, static_cast<std::size_t>(in.gcount()));
+        if (content.size() > largest_input) return why = too_large(), std::nullopt;
+    }
+    return content;
+}
+
+std::string file_identity(const fs::path& path) {
+    struct stat status = {};
+    if (::stat(path.c_str(), &status) == 0) return S_ISREG(status.st_mode) ? device_and_node(status) : std::string();
+    std::error_code failure;
+    fs::path place = path;
+    for (int links = 0; links < 40 && fs::is_symlink(fs::symlink_status(place, failure)); ++links) {
+        const fs::path target = fs::read_symlink(place, failure);
+        place = target.is_absolute() ? target : place.parent_path() / target;
+    }
+    const fs::path folder = place.has_parent_path() ? place.parent_path() : ".";
+    if (::stat(folder.c_str(), &status) == 0) return device_and_node(status) + "/" + place.filename().string();
+    return fs::weakly_canonical(place, failure).string();
 }
 
 }  // namespace grafverif::app

@@ -1,28 +1,50 @@
 // SPDX-License-Identifier: MIT
-// Files: read whole with a bound, written whole or not at all.
+// Files: read whole with a bound, written whole or not at all. What is promised of writing, and by what means:
+//
+//   a file    Whoever looks sees the old content or the new one, never a part: the new one is written to a draft of an
+//             unpredictable name in the same folder, flushed to the disk, and renamed.
+//   a set     After an error nothing has changed: what was renamed already is renamed back. SIGINT, SIGTERM and SIGHUP
+//             wait until the set is written. Who cannot put us off - SIGKILL, a loss of power - can leave a set of which
+//             some files are new and others old, each of them whole: POSIX renames one file at a time.
+//   two runs  take turns at a folder (flock on it), so that one whole set remains. Where the file system has no such
+//             locks they do not, and drafts of killed runs stay; elsewhere the next run in that folder removes them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace grafverif::app {
 
 inline constexpr std::uintmax_t largest_input = std::uintmax_t{256} << 20U;   ///< bytes
 
-/// The content of `path`, or nothing with the reason in `why`: missing, a directory, unreadable, above `largest_input`.
+/// The content of the regular file at `path`, or nothing with the reason in `why`: missing, a folder, a pipe, a device,
+/// unreadable, above `largest_input`. Never waits.
 std::optional<std::string> read_file(const std::filesystem::path& path, std::string& why);
+
+/// The number of the descriptor that `path` names as one of ours: `/dev/stdin`, `/dev/fd/3`, `/proc/self/fd/3`.
+std::optional<int> own_descriptor(const std::filesystem::path& path);
+
+/// What is read from `descriptor` or `in` to its end, as above; waits for who writes.
+std::optional<std::string> read_descriptor(int descriptor, std::string& why);
+std::optional<std::string> read_stream(std::istream& in, std::string& why);
+
+/// Equal for all paths to one file, hard and symbolic links included; for a file that is not there yet, of paths to one
+/// name in one folder. Empty where there is nothing to tell apart: pipes, devices, the unreachable.
+std::string file_identity(const std::filesystem::path& path);
 
 struct OutputFile {
     std::filesystem::path path = {};
     std::string content = {};
 };
 
-/// Writes every file or none: each is first written beside its place and moved there once all are written. Missing
-/// folders of the paths are made. Throws std::filesystem::filesystem_error or std::system_error; then no file that
-/// was there before has changed and nothing new remains.
+/// Writes the set, as promised above. Symbolic links stay, and what they lead to is written, also where that is missing.
+/// Missing folders are made. Permissions of a file stay; one that may not be written is none that is replaced. Pipes,
+/// devices and descriptors of ours are written to in the end, one after the other, and promise nothing. Throws
+/// std::system_error.
 void write_files(const std::vector<OutputFile>& files);
 
 }  // namespace grafverif::app

@@ -5,6 +5,7 @@
 #include "app/verbs.hpp"
 #include "grafverif/syntax/format.hpp"
 #include "grafverif/syntax/parse.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif::app {
 
@@ -17,10 +18,10 @@ ExitCode fmt(Job& job, const Streams& streams) {
     const std::string text = formatted(file);
     const bool canonical = text == job.sources[*source].text;
     if (job.options.check) {
-        if (!canonical && !job.options.quiet) streams.err << path << ": not in canonical form; `grafverif fmt -i` rewrites it\n";
+        if (!canonical && !job.options.quiet) streams.err << printable(path) << ": not in canonical form; `grafverif fmt -i` rewrites it\n";
         return canonical ? ExitCode::Done : ExitCode::Verdict;
     }
-    if (!job.options.in_place) deliver(text, job, streams);
+    if (!job.options.in_place || path == "-") deliver(text, job, streams);
     else if (!canonical) {
         work_is_done();
         write_files({{path, text}});

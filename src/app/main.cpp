@@ -9,6 +9,7 @@
 
 #include "app/guard.hpp"
 #include "app/program.hpp"
+#include "support/printable.hpp"
 
 int main(int count, char** values) {
     using namespace grafverif::app;
@@ -16,7 +17,8 @@ int main(int count, char** values) {
     std::ios::sync_with_stdio(false);
     try {
         const std::vector<std::string> arguments(values + 1, values + count);
-        const ExitCode code = run(arguments, {std::cin, std::cout, std::cerr, ::isatty(STDERR_FILENO) == 1, true});
+        const bool terminals[] = {::isatty(STDOUT_FILENO) == 1, ::isatty(STDERR_FILENO) == 1};
+        const ExitCode code = run(arguments, {std::cin, std::cout, std::cerr, terminals[1], true, terminals[0]});
         std::cout.flush();
         if (!std::cout) {
             std::cerr << "grafverif: error: cannot write to standard output\n";
@@ -27,7 +29,7 @@ int main(int count, char** values) {
         std::cerr << "error: the system gives no more memory [out-of-memory]\n";
         return static_cast<int>(ExitCode::Unknown);
     } catch (const std::exception& failure) {
-        std::cerr << "grafverif: internal failure: " << failure.what() << '\n';
+        std::cerr << "grafverif: internal failure: " << grafverif::printable(failure.what()) << '\n';
         return static_cast<int>(ExitCode::Failure);
     }
 }

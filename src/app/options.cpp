@@ -104,8 +104,11 @@ po::options_description visible_options(const Verb& verb) {
         add("in-place,i", po::bool_switch(), "rewrite FILE itself");
         add("check", po::bool_switch(), "write nothing; exit 1 if FILE is not in canonical form");
     }
-    if (verb.operand == "FILE")
+    if (verb.operand == "FILE") {
+        add("include,I", po::value<std::vector<std::string>>()->value_name("DIR"),
+            "look for included files in DIR too, and let them be read; may be repeated");
         add("lossy", po::bool_switch(), "leave out what cannot be taken over from another format, with a warning");
+    }
     add("max-memory", text("SIZE"),
         "give up above SIZE, such as 500M or 2G (default: 4G of states, 2G of decision diagrams, and what the machine has)");
     if (!accepts(verb, Accepts::Bench)) add("timeout", text("TIME"), "give up after TIME, such as 90s or 5min");
@@ -320,6 +323,7 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     options.go_on = flag("go-on");
     options.script = text("script");
     options.exclusions = text("exclusions");
+    if (values.count("include") != 0) options.include_folders = values["include"].as<std::vector<std::string>>();
     if (values.count("property") != 0) options.properties = values["property"].as<std::vector<std::string>>();
     options.verbose = flag("verbose");
     options.quiet = flag("quiet");

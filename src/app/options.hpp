@@ -46,6 +46,7 @@ struct Options {
     bool check = false;
     bool quiet = false;
     bool lossy = false;                              ///< leave out what cannot be taken over from another format
+    std::vector<std::string> include_folders = {};   ///< -I
     bool verbose = false;
     bool help = false;
 

@@ -2,6 +2,7 @@
 #include "app/pipeline.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,7 +11,9 @@
 
 #include "app/files.hpp"
 #include "app/library.hpp"
+#include "app/outputs.hpp"
 #include "app/progress_line.hpp"
+#include "app/reach.hpp"
 #include "grafverif/compose/compose.hpp"
 #include "grafverif/conform/automaton.hpp"
 #include "grafverif/conform/mealy.hpp"
@@ -29,40 +32,42 @@
 
 namespace grafverif::app {
 
-std::optional<Id<Source>> read_source(const std::string& path, Job& job) {
-    std::string why;
-    auto text = read_file(path, why);
-    if (!text) {
-        job.diagnostics.add(messages::cannot_read(path, why));
-        return {};
-    }
-    return job.sources.add({path, std::move(*text)});
-}
-
 namespace {
 
-/// Whether `included` lies below the folder of the main file or below the current folder, links followed: a chart does
-/// not decide which other files of the machine are read.
-bool in_reach(const std::filesystem::path& included, const std::filesystem::path& main) {
-    const auto below = [file = std::filesystem::weakly_canonical(included)](const std::filesystem::path& folder) {
-        const std::filesystem::path root = std::filesystem::weakly_canonical(folder);
-        return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
-    };
-    return below(std::filesystem::absolute(main).parent_path()) || below(std::filesystem::current_path());
+std::optional<std::string> read_named(const std::string& path, const Job& job, std::string& why) {
+    const auto own = path == "-" ? std::optional(STDIN_FILENO) : own_descriptor(path);
+    if (own == STDIN_FILENO && job.in != nullptr) return read_stream(*job.in, why);
+    return own ? read_descriptor(*own, why) : read_file(path, why);
 }
 
 }  // namespace
 
+std::optional<Id<Source>> read_source(const std::string& path, Job& job) {
+    std::string why;
+    auto text = read_named(path, job, why);
+    if (!text) {
+        job.diagnostics.add(messages::cannot_read(path, why));
+        return {};
+    }
+    if (!note_input(path, job)) return {};
+    return job.sources.add({path == "-" ? "<standard input>" : path, std::move(*text)});
+}
+
 std::optional<Model> read_model(const std::string& path, Job& job) {
+    for (const std::string& folder : job.options.include_folders) {
+        if (std::filesystem::is_directory(folder)) continue;
+        job.diagnostics.add(messages::cannot_read(folder, "there is no such folder"));
+        return {};
+    }
     const auto file = read_source(path, job);
     if (!file) return {};
-    const ReadContext context{[&path](const std::string& included, std::string& why) -> std::optional<std::string> {
-                                  if (in_reach(included, path)) return read_file(included, why);
-                                  why = "it lies neither below the folder of the main file nor below the current one";
-                                  return {};
-                              },
-                              library(), job.options.lossy};
-    return read_text(*file, job.sources, context, job.diagnostics);
+    const Reach reach(path == "-" ? "./-" : path, job.options.include_folders);   // standard input stands in the current folder
+    const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
+        auto text = reach.read(included, why);
+        if (text && !note_input(included, job)) return why = "it is also an output", std::nullopt;
+        return text;
+    };
+    return read_text(*file, job.sources, {load, library(), job.options.lossy, identity_of_existing, job.options.include_folders}, job.diagnostics);
 }
 
 namespace {

@@ -3,8 +3,10 @@
 // noun and returns it, or nothing after adding an error to the job's diagnostics.
 #pragma once
 
+#include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/interrupt.hpp"
 #include "app/options.hpp"
@@ -21,15 +23,23 @@
 
 namespace grafverif::app {
 
+/// A file that was read, and what tells it from others (see file_identity).
+struct InputFile {
+    std::string path = {}, identity = {};
+};
+
 /// One run of a verb: what was asked, what was read, what is wrong with it.
 struct Job {
     Options options = {};
     Sources sources = {};
     Diagnostics diagnostics = {};
     std::string closing = {};   ///< goes to standard output after the diagnostics, so that a person reads it last
+    std::istream* in = nullptr;   ///< standard input, for `-`
+    std::vector<InputFile> inputs = {};
 };
 
-/// The text of the file at `path`, as a source of the job.
+/// The text of the file at `path`, as a source of the job; `-` is standard input. Only here may it be a pipe: of
+/// standard input, or of a descriptor handed to us (`/dev/fd/3`).
 std::optional<Id<Source>> read_source(const std::string& path, Job& job);
 
 /// text -> Model

@@ -12,10 +12,11 @@
 #include <sstream>
 #include <system_error>
 
-#include "app/files.hpp"
 #include "app/guard.hpp"
+#include "app/outputs.hpp"
 #include "app/verbs.hpp"
 #include "grafverif/support/messages.hpp"
+#include "support/printable.hpp"
 #include "syntax/nearest.hpp"
 
 namespace grafverif::app {
@@ -51,11 +52,12 @@ void print_overview(std::ostream& out) {
            "Usage: grafverif VERB [FILE] [options]\n\nVerbs:\n";
     for (const Entry& entry : entries) out << fmt::format("  {:<12}{}\n", entry.usage().name, entry.usage().summary);
     out << "\n`grafverif help VERB` tells the options of a verb, with examples; `grafverif --version` the version.\n"
+           "FILE may be `-`, standard input; an output may be `-`, standard output. Outputs are written whole or not at all.\n"
            "Exit codes: 0 done; 1 a verdict against expectation; 2 input or usage wrong; 3 a verdict unknown, or stopped; 4 our failure.\n";
 }
 
 ExitCode usage_error(const Streams& streams, const std::string& complaint, const std::string& help) {
-    streams.err << fmt::format("grafverif: error: {}; see `grafverif {}--help`\n", complaint, help);
+    streams.err << fmt::format("grafverif: error: {}; see `grafverif {}--help`\n", printable(complaint), help);
     return ExitCode::Input;
 }
 
@@ -114,14 +116,14 @@ ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, co
         print_help(verb, streams.out);
         return ExitCode::Done;
     }
-    Job job{*parsed.options, {}, {}, {}};
+    Job job{.options = *parsed.options, .in = &streams.in};
     if (job.options.timeout_ms)
         job.options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*job.options.timeout_ms);
     ExitCode code = ExitCode::Done;
     std::optional<Guard> guard;
     try {
         if (streams.alone) guard.emplace(orders(job, streams));
-        code = entry.run(job, streams);
+        code = outputs_differ(job) ? entry.run(job, streams) : ExitCode::Input;
     } catch (const std::bad_alloc&) {
         job.diagnostics.add(messages::out_of_memory(job.options.max_memory));
     } catch (const std::system_error& failure) {
@@ -159,10 +161,8 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
     return usage_error(streams, fmt::format("there is no verb `{}`{}", verb, meant), "");
 }
 
-void deliver(const std::string& content, const Job& job, const Streams& streams) {
-    work_is_done();
-    if (job.options.output) write_files({{*job.options.output, content}});
-    else streams.out << content;
+void deliver(const std::string& content, Job& job, const Streams& streams) {
+    write_outputs({{job.options.output.value_or("-"), content}}, job, streams);
 }
 
 }  // namespace grafverif::app

@@ -17,13 +17,15 @@ enum class ExitCode {
     Failure = 4,   ///< a failure on our side
 };
 
-/// The standard streams, whether err is a terminal (colours, progress), and whether nobody else runs in this process.
+/// The standard streams, which of them are terminals (colours, progress; documents are made clean on the way), and
+/// whether nobody else runs in this process.
 struct Streams {
     std::istream& in;
     std::ostream& out;
     std::ostream& err;
     bool err_is_terminal = false;
     bool alone = false;   ///< the process is ours: it may be bounded, and ended
+    bool out_is_terminal = false;
 };
 
 /// Runs `grafverif ARGUMENTS`, the program's name left out.

@@ -9,14 +9,14 @@
 #include <sstream>
 
 #include "app/commands.hpp"
-#include "app/files.hpp"
+#include "app/outputs.hpp"
 #include "app/simulation.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
 #include "grafverif/report/terminal.hpp"
 #include "grafverif/run/network_walk.hpp"
-#include "grafverif/support/messages.hpp"
 #include "grafverif/support/overloaded.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif::app {
 
@@ -59,7 +59,7 @@ public:
         }
         for (; shown_ < trace.steps.size(); ++shown_)
             if (is_shown(trace, shown_)) print_row(trace, shown_, shown_ + 1 == trace.steps.size(), usual_widths, out_);
-        if (!problem.empty()) out_ << "! " << problem << '\n';
+        if (!problem.empty()) out_ << "! " << printable(problem) << '\n';
         if (prompts_ && !over_) prompt();
         out_ << std::flush;
     }
@@ -121,21 +121,17 @@ ExitCode converse(Simulation& simulation, const Streams& streams) {
 
 /// A script stops at its first command that cannot be obeyed.
 ExitCode follow_script(Simulation& simulation, const std::string& path, const Streams& streams, Job& job) {
-    std::string why;
-    const auto text = read_file(path, why);
-    if (!text) {
-        job.diagnostics.add(messages::cannot_read(path, why));
-        return ExitCode::Input;
-    }
+    const auto script = read_source(path, job);
+    if (!script) return ExitCode::Input;
     Session session(simulation, streams);
     session.begin(false);
-    std::istringstream lines(*text);
+    std::istringstream lines(job.sources[*script].text);
     std::size_t number = 1;
     for (std::string line; !session.over() && std::getline(lines, line); ++number) {
         const std::string problem = session.obey(command_of(line));
         session.answer("");
         if (problem.empty()) continue;
-        streams.err << fmt::format("{}:{}: error: {}\n", path, number, problem);
+        streams.err << fmt::format("{}:{}: error: {}\n", printable(path), number, printable(problem));
         return ExitCode::Input;
     }
     return ExitCode::Done;
@@ -204,7 +200,7 @@ ExitCode simulate(Job& job, const Streams& streams) {
         streams.err << "grafverif: internal failure: " << replay_failure("this run", *found) << '\n';
         return ExitCode::Failure;
     }
-    write_trace_files(trace, network->name, job.options);
+    write_outputs(trace_files(trace, network->name, job.options), job, streams);
     return code;
 }
 

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "app/bench.hpp"
-#include "app/files.hpp"
 #include "app/guard.hpp"
 #include "app/interrupt.hpp"
+#include "app/outputs.hpp"
 #include "app/progress_line.hpp"
 #include "app/verbs.hpp"
 #include "grafverif/run/replay_test.hpp"
@@ -27,14 +27,15 @@ std::optional<TestSequence> sequence_to_run(const Model& model, Id<Chart> chart,
     return machine ? test_of(model, chart, *machine, job) : std::nullopt;
 }
 
-void write_test_report(const TestReport& report, const Options& options, const Streams& streams) {
+void write_test_report(const TestReport& report, Job& job, const Streams& streams) {
+    const Options& options = job.options;
     work_is_done();
     if (options.format == Format::Json) print_json(report, streams.out);
     else print_text(report, options.quiet, streams.out);
     if (!options.junit) return;
     std::ostringstream text;
     print_junit(report, text);
-    write_files({{*options.junit, std::move(text).str()}});
+    write_outputs({{*options.junit, std::move(text).str()}}, job, streams);
 }
 
 std::optional<TestReport> bench_report(const TestSequence& sequence, const Options& options, const Streams& streams,
@@ -66,7 +67,7 @@ ExitCode test(Job& job, const Streams& streams) {
         job.diagnostics.add(messages::cannot_run(job.options.against));
         return ExitCode::Input;
     }
-    write_test_report(*report, job.options, streams);
+    write_test_report(*report, job, streams);
     if (!report->failures.empty()) return ExitCode::Verdict;
     return interrupt.asked() ? ExitCode::Unknown : ExitCode::Done;
 }

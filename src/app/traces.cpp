@@ -5,7 +5,6 @@
 
 #include <sstream>
 
-#include "app/files.hpp"
 #include "grafverif/report/svg.hpp"
 #include "grafverif/report/vcd.hpp"
 
@@ -22,7 +21,7 @@ std::string replay_failure(std::string_view what, const Disagreement& disagreeme
                        disagreement.what, disagreement.move);
 }
 
-void write_trace_files(const Trace& trace, std::string_view title, const Options& options) {
+std::vector<OutputFile> trace_files(const Trace& trace, std::string_view title, const Options& options) {
     std::vector<OutputFile> files;
     if (options.trace_vcd) {
         std::ostringstream text;
@@ -34,7 +33,7 @@ void write_trace_files(const Trace& trace, std::string_view title, const Options
         print_svg(trace, title, text);
         files.push_back({*options.trace_svg, std::move(text).str()});
     }
-    write_files(files);
+    return files;
 }
 
 }  // namespace grafverif::app

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files.hpp"
 #include "app/pipeline.hpp"
 #include "grafverif/ir/trace.hpp"
 #include "grafverif/run/replay.hpp"
@@ -18,7 +19,7 @@ std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop);
 /// `the counterexample of P15 does not replay: controller press, evolution 3: ...`
 std::string replay_failure(std::string_view what, const Disagreement& disagreement);
 
-/// Writes `trace` to the files of --trace-vcd and --trace-svg, where they are asked for.
-void write_trace_files(const Trace& trace, std::string_view title, const Options& options);
+/// `trace` as the files of --trace-vcd and --trace-svg, where they are asked for.
+std::vector<OutputFile> trace_files(const Trace& trace, std::string_view title, const Options& options);
 
 }  // namespace grafverif::app

@@ -43,6 +43,6 @@ Verb st_usage();
 Verb test_usage();
 
 /// Writes `content` to the file of `-o`, or to standard output without it.
-void deliver(const std::string& content, const Job& job, const Streams& streams);
+void deliver(const std::string& content, Job& job, const Streams& streams);
 
 }  // namespace grafverif::app

@@ -13,9 +13,24 @@ namespace grafverif {
 
 namespace {
 
-/// `written` as seen from the file named `from`. Lexical only: no file is touched.
-std::string joined(const std::string& from, const std::string& written) {
-    return (std::filesystem::path(from).parent_path() / written).lexically_normal().generic_string();
+std::string identity(const std::string& path, const ReadContext& context) {
+    return context.identity ? context.identity(path) : path;
+}
+
+/// `folder`/`written`, without detours where that leads to the same file: `link/../a` need not be `a`.
+std::string joined(const std::filesystem::path& folder, const std::string& written, const ReadContext& context) {
+    const std::filesystem::path path = folder / written;
+    const std::string shorter = path.lexically_normal().generic_string();
+    return identity(shorter, context) == identity(path.generic_string(), context) || !context.identity ? shorter : path.generic_string();
+}
+
+/// The file that `written` means in the file named `from`: the first that is there, or else the first looked for.
+std::string located(const std::string& from, const std::string& written, const ReadContext& context) {
+    const std::string beside = joined(std::filesystem::path(from).parent_path(), written, context);
+    if (!context.identity || !context.identity(beside).empty()) return beside;
+    for (const std::string& folder : context.folders)
+        if (const std::string path = joined(folder, written, context); !context.identity(path).empty()) return path;
+    return beside;
 }
 
 enum class State { Open, Done };
@@ -23,7 +38,7 @@ enum class State { Open, Done };
 /// A file whose includes are being followed; the chain of open files is explicit, so that its length is no matter.
 struct Open {
     tree::File file = {};
-    std::string path = {};
+    std::string identity = {};
     std::size_t next = 0;   ///< declaration to look at
 };
 
@@ -34,23 +49,25 @@ std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, c
     std::vector<tree::File> files;
     std::unordered_map<std::string, State> states;
     std::vector<Open> open;
-    const auto enter = [&](Id<Source> source, std::string path) {
-        states[path] = State::Open;
-        open.push_back({read_any(source, sources, {context.lossy}, diagnostics), std::move(path), 0});
+    const auto enter = [&](Id<Source> source, std::string identity) {
+        states[identity] = State::Open;
+        open.push_back({read_any(source, sources, {context.lossy}, diagnostics), std::move(identity), 0});
     };
-    enter(file, std::filesystem::path(sources[file].name).lexically_normal().generic_string());
+    const std::string main = sources[file].name;
+    enter(file, identity(context.identity ? main : std::filesystem::path(main).lexically_normal().generic_string(), context));
     while (!open.empty()) {
         Open& top = open.back();
         if (top.next == top.file.declarations.size()) {
-            states[top.path] = State::Done;
+            states[top.identity] = State::Done;
             files.push_back(std::move(top.file));
             open.pop_back();
             continue;
         }
         const auto* include = std::get_if<tree::Include>(&top.file.declarations[top.next++]);
         if (include == nullptr) continue;
-        const std::string path = joined(sources[top.file.source].name, include->path);
-        const auto known = states.find(path);
+        const std::string path = located(sources[top.file.source].name, include->path, context);
+        const std::string known_as = identity(path, context);
+        const auto known = states.find(known_as.empty() ? path : known_as);
         if (known != states.end()) {
             if (known->second == State::Open) diagnostics.add(messages::include_cycle(include->where, path));
             continue;
@@ -60,10 +77,10 @@ std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, c
         if (!text) {
             missing = true;
             diagnostics.add(messages::cannot_include(include->where, include->path, why));
-            states[path] = State::Done;
+            states[known_as.empty() ? path : known_as] = State::Done;
             continue;
         }
-        enter(sources.add({path, std::move(*text)}), path);
+        enter(sources.add({path, std::move(*text)}), known_as);
     }
     return files;
 }

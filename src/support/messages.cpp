@@ -28,6 +28,18 @@ Diagnostic cannot_read(std::string_view path, std::string_view why) {
 
 Diagnostic world_failed(std::string_view what) { return error("cannot-write", {}, std::string(what)); }
 
+Diagnostic output_is_input(std::string_view output, std::string_view input) {
+    return error("output-is-input", {},
+                 output == input ? fmt::format("`{}` would be written, and it is read in the same run; name another output", output)
+                                 : fmt::format("`{}` would be written, and it is `{}`, which is read in the same run; name another output", output, input));
+}
+
+Diagnostic output_twice(std::string_view one, std::string_view other) {
+    return error("output-twice", {},
+                 one == other ? fmt::format("two outputs would be written to `{}`; give each a name of its own", one)
+                              : fmt::format("two outputs would be written to one file, `{}` and `{}`; give each a name of its own", one, other));
+}
+
 Diagnostic cure_left_out(std::string_view cure) {
     return warning("cure-left-out", {}, fmt::format("`{}` is left out of the model: no verdict here is about the chart", cure));
 }

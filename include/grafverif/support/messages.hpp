@@ -16,6 +16,8 @@ namespace grafverif::messages {
 // -- the command line and files ------------------------------------------------------------------------------------
 Diagnostic cannot_read(std::string_view path, std::string_view why);
 Diagnostic world_failed(std::string_view what);
+Diagnostic output_is_input(std::string_view output, std::string_view input);
+Diagnostic output_twice(std::string_view one, std::string_view other);
 Diagnostic no_closed_loop();
 /// The model checked is not that of the file: a cure of the method is left out on purpose.
 Diagnostic cure_left_out(std::string_view cure);

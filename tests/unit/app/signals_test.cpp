@@ -81,11 +81,11 @@ TEST(Signals, EndAnEngineAndAllItHasStarted) {
 }
 
 TEST(Signals, EndAControllerUnderTestAndAllItHasStarted) {
-    const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+    const std::string two_tanks = (root / "samples/tanks/tanks.grafcet").string();
     for (const int signal : all_signals) {
         SCOPED_TRACE(::strsignal(signal));
         const Folder folder;
-        const Outcome outcome = ended_by(signal, {"test", tanks, "--against", endless(folder.file("pids")), "--format", "json", "--junit", folder.file("report.xml")}, folder);
+        const Outcome outcome = ended_by(signal, {"test", two_tanks, "--against", endless(folder.file("pids")), "--format", "json", "--junit", folder.file("report.xml")}, folder);
         ASSERT_TRUE(outcome.end);
         EXPECT_FALSE(outcome.end->by_signal);
         EXPECT_EQ(outcome.end->status, 3);
@@ -167,7 +167,7 @@ TEST(Engines, WorkWhateverTheNameOfTheTemporaryFolder) {
     const Variable path("PATH", folder.file("") + ":" + std::getenv("PATH"));
     fs::permissions(folder.write("verifyta", "#!/bin/sh\ngrep -q '<!DOCTYPE nta' \"$1\" && grep -q . \"$2\" && echo ' -- Formula is satisfied.'\n"), fs::perms::owner_all);
     fs::permissions(folder.write("nuXmv", "#!/bin/sh\nread first < \"$2\"; file=$(sed -n 's/^read_model -i //p' \"$2\")\ngrep -q 'MODULE main' \"$file\" && echo found >&2\n"), fs::perms::owner_all);
-    const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+    const std::string two_tanks = (root / "samples/tanks/tanks.grafcet").string();
     for (const std::string& name : odd_names) {
         SCOPED_TRACE(name);
         const fs::path tmp = fs::path(folder.file("t")) / name;
@@ -175,10 +175,10 @@ TEST(Engines, WorkWhateverTheNameOfTheTemporaryFolder) {
         const Variable variable("TMPDIR", tmp.string());
         const Result timed = grafverif({"check", station, "--engine", "verifyta", "--property", "P14"});
         EXPECT_EQ(timed.code, ExitCode::Done) << timed.out << timed.err;
-        const Result untimed = grafverif({"check", tanks, "--engine", "nuXmv"});
+        const Result untimed = grafverif({"check", two_tanks, "--engine", "nuXmv"});
         EXPECT_NE(untimed.out.find("its last words: found"), std::string::npos) << untimed.out;
         if (find_program("NuSMV")) {
-            const Result real = grafverif({"check", tanks, "--engine", "NuSMV"});
+            const Result real = grafverif({"check", two_tanks, "--engine", "NuSMV"});
             EXPECT_NE(real.out.find("2880 states"), std::string::npos) << real.out;
         }
         EXPECT_TRUE(fs::is_empty(tmp));

@@ -158,8 +158,7 @@ TEST(UppaalProject, IsWellFormedWhateverATextHolds) {
     const std::string xml = test::project(network);
     ASSERT_TRUE(document.load_string(xml.c_str()));
     EXPECT_TRUE(holds(xml,
-                      "tab\t, &lt;&amp;&gt;, \xEF\xBF\xBD, broken \xEF\xBF\xBD, \xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD, "
-                      "fine \xE2\x86\x91 \xEF\xBF\xBD.\n"));
+                      "tab\t, &lt;&amp;&gt;, ?, broken ?, ???, fine \xE2\x86\x91 ?.\n"));
     EXPECT_TRUE(holds(xml, "<!-- T: - - ->: left out"));
 }
 

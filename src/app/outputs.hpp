@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Outputs of a run against its inputs and each other: no file is both, and no two outputs are one file. What the options
+// name is known before there is any work, and is refused then.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/files.hpp"
+#include "app/pipeline.hpp"
+#include "app/program.hpp"
+
+namespace grafverif::app {
+
+/// The files that the options name as outputs are different ones; false after an error.
+bool outputs_differ(Job& job);
+
+/// Notes that the file at `path` is read in this run; false after an error: it is to be written too.
+bool note_input(const std::string& path, Job& job);
+
+/// Writes the set (see write_files); `-` and standard output and error by another name go to the streams. False after
+/// an error: one of the files is an input, or is there twice.
+bool write_outputs(const std::vector<OutputFile>& files, Job& job, const Streams& streams);
+
+}  // namespace grafverif::app

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+// Files as outputs: whole or not at all, whatever stands in their way, fails, or happens at the same time.
+#include "app/files.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <system_error>
+#include <thread>
+
+#include "run_program.hpp"
+
+namespace {
+
+/// The call that fails: the `fail_at`th of those counted, while that is not 0.
+std::atomic<int> fail_at = 0, calls = 0;
+
+bool fails(int error) {
+    if (fail_at == 0 || ++calls != fail_at) return false;
+    errno = error;
+    return true;
+}
+
+}  // namespace
+
+// In place of those of the C library.
+extern "C" {
+int renameat(int from, const char* old_name, int to, const char* new_name) noexcept {
+    return fails(EIO) ? -1 : static_cast<int>(::syscall(SYS_renameat, from, old_name, to, new_name));
+}
+int linkat(int from, const char* old_name, int to, const char* new_name, int flags) noexcept {
+    return fails(EPERM) ? -1 : static_cast<int>(::syscall(SYS_linkat, from, old_name, to, new_name, flags));
+}
+int fsync(int file) { return fails(EIO) ? -1 : static_cast<int>(::syscall(SYS_fsync, file)); }
+int fchmod(int file, mode_t mode) noexcept { return fails(EPERM) ? -1 : static_cast<int>(::syscall(SYS_fchmod, file, mode)); }
+int mkdir(const char* path, mode_t mode) noexcept { return fails(ENOSPC) ? -1 : static_cast<int>(::syscall(SYS_mkdir, path, mode)); }
+}
+
+namespace grafverif::app {
+namespace {
+
+TEST(WriteFiles, OverwritesNothingThroughALinkPreparedForItsDraft) {
+    const Folder folder;
+    folder.write("victim", "precious");
+    fs::create_symlink(folder.file("victim"), folder.file("out." + std::to_string(::getpid()) + ".part"));
+    write_files({{folder.file("out"), "text"}});
+    EXPECT_EQ(folder.read("victim"), "precious");
+    EXPECT_EQ(folder.read("out"), "text");
+}
+
+TEST(WriteFiles, FollowsLinksAlsoToWhereNothingIs) {
+    const Folder folder;
+    fs::create_directories(folder.file("far/away"));
+    folder.write("far/there", "old");
+    fs::create_symlink("far/there", folder.file("link"));
+    fs::create_symlink("link", folder.file("chain"));
+    fs::create_symlink("far/away/new", folder.file("dangling"));
+    fs::create_symlink("loop", folder.file("loop"));
+    write_files({{folder.file("chain"), "new"}, {folder.file("dangling"), "made"}});
+    EXPECT_EQ(folder.read("far/there"), "new");
+    EXPECT_EQ(folder.read("far/away/new"), "made");
+    for (const char* link : {"link", "chain", "dangling"}) EXPECT_TRUE(fs::is_symlink(folder.file(link))) << link;
+    EXPECT_THROW(write_files({{folder.file("loop"), "text"}}), std::system_error);
+}
+
+TEST(WriteFiles, KeepsPermissionsAndReplacesNothingThatMayNotBeWritten) {
+    const Folder folder;
+    fs::permissions(folder.write("secret", "old"), fs::perms(0640));
+    write_files({{folder.file("secret"), "new"}});
+    EXPECT_EQ(fs::status(folder.file("secret")).permissions(), fs::perms(0640));
+    if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+    fs::permissions(folder.file("secret"), fs::perms(0440));
+    EXPECT_THROW(write_files({{folder.file("secret"), "newer"}}), std::system_error);
+    EXPECT_EQ(folder.read("secret"), "new");
+}
+
+/// All of the folder, by name.
+std::string state(const Folder& folder) {
+    std::vector<std::string> parts;
+    for (const auto& entry : fs::recursive_directory_iterator(folder.file("")))
+        parts.push_back(fs::relative(entry.path(), folder.file("")).string() + "=" + (entry.is_directory() ? "" : folder.read(fs::relative(entry.path(), folder.file("")).string())));
+    std::ranges::sort(parts);
+    std::string text;
+    for (const std::string& part : parts) text += part + "\n";
+    return text;
+}
+
+TEST(WriteFiles, ASetIsWrittenToTheEndOrNotAtAllWhateverCallFails) {
+    int failures = 0;
+    for (int k = 1;; ++k) {
+        SCOPED_TRACE(k);
+        const Folder folder;
+        fs::create_directory(folder.file("b"));
+        folder.write("one", "old 1");
+        folder.write("b/two", "old 2");
+        const std::string before = state(folder);
+        calls = 0;
+        fail_at = k;
+        bool thrown = false;
+        try {
+            write_files({{folder.file("one"), "new 1"}, {folder.file("three"), "new 3"}, {folder.file("b/two"), "new 2"}, {folder.file("c/d/four"), "new 4"}});
+        } catch (const std::system_error&) {
+            thrown = true;
+        }
+        fail_at = 0;
+        if (thrown) EXPECT_EQ(state(folder), before);
+        else EXPECT_EQ(state(folder), "b/two=new 2\nb=\nc/d/four=new 4\nc/d=\nc=\none=new 1\nthree=new 3\n");
+        failures += thrown ? 1 : 0;
+        if (calls < k) break;   // there are no more calls to fail
+    }
+    EXPECT_GE(failures, 10);
+}
+
+TEST(WriteFiles, RemovesWhatKilledRunsLeftAndNothingElse) {
+    const Folder folder;
+    folder.write(".grafverif-0123456789abcdef.part", "draft");
+    for (const char* mine : {".grafverif-config", ".grafverif-0123456789abcdeg.part", "x.grafverif-0123456789abcdef.part", ".grafverif-0123456789abcdef.part~"})
+        folder.write(mine, "mine");
+    fs::create_symlink("nowhere", folder.file(".grafverif-aaaaaaaaaaaaaaaa.part"));
+    write_files({{folder.file("out"), "text"}});
+    EXPECT_FALSE(fs::exists(folder.file(".grafverif-0123456789abcdef.part")));
+    EXPECT_EQ(folder.entries(), 6u) << state(folder);
+}
+
+TEST(WriteFiles, OfRunsAtTheSameTimeOneWholeSetRemains) {
+    const Folder folder;
+    fs::create_directory(folder.file("b"));
+    std::vector<std::thread> runs;
+    for (int run = 0; run < 4; ++run)
+        runs.emplace_back([&folder, run] {
+            for (int k = 0; k < 10; ++k) {
+                const std::string tag = std::to_string(run) + "." + std::to_string(k);
+                std::vector<OutputFile> set{{folder.file("one"), tag}, {folder.file("b/two"), tag}, {folder.file("three"), tag}};
+                if (run % 2 != 0) std::ranges::reverse(set);
+                write_files(set);
+            }
+        });
+    for (std::thread& run : runs) run.join();
+    EXPECT_EQ(folder.read("one"), folder.read("b/two"));
+    EXPECT_EQ(folder.read("one"), folder.read("three"));
+    EXPECT_EQ(folder.entries(), 4u) << state(folder);
+}
+
+TEST(WriteFiles, WritesThroughWhatIsNoFile) {
+    const Folder folder;
+    ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
+    std::string heard;
+    std::thread reader([&] { heard = folder.read("pipe"); });
+    write_files({{folder.file("pipe"), std::string(200'000, 'x')}, {"/dev/null", "gone"}});
+    reader.join();
+    EXPECT_EQ(heard.size(), 200'000u);
+    EXPECT_TRUE(fs::is_fifo(folder.file("pipe")));
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    EXPECT_THROW(write_files({{"/dev/full", "text"}}), std::system_error);
+}
+
+const std::string door = (root / "samples/oven_door/oven_door.grafcet").string();
+
+TEST(Outputs, StandardOutputHasNames) {
+    const std::string equations = grafverif({"equations", door}).out;
+    for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) EXPECT_EQ(grafverif({"equations", door, "-o", name}).out, equations) << name;
+    EXPECT_EQ(grafverif({"equations", door, "-o", "/dev/stderr"}).err, equations);
+}
+
+TEST(Outputs, AreNoInputsOfTheSameRun) {
+    const Folder folder;
+    const std::string part = "grafcet part { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n";
+    const std::string main = folder.write("main.grafcet", "include \"part.grafcet\";\n");
+    folder.write("part.grafcet", part);
+    folder.write("pairs.csv", "variable1,variable2,reason\n");
+    fs::create_symlink("main.grafcet", folder.file("link"));
+    fs::create_hard_link(folder.file("part.grafcet"), folder.file("twin"));
+    fs::create_directory(folder.file("d"));
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"equations", main, "-o", main},
+             {"equations", main, "-o", folder.file("d/../main.grafcet")},
+             {"equations", main, "-o", folder.file("link")},
+             {"equations", folder.file("link"), "-o", main},
+             {"equations", main, "-o", folder.file("part.grafcet")},
+             {"equations", main, "-o", folder.file("twin")},
+             {"check", main, "--junit", main},
+             {"check", main, "--trace-vcd", folder.file("twin")},
+             {"fmt", main, "-o", main},
+             {"analyse", main, "--exclusions", folder.file("pairs.csv"), "-o", folder.file("pairs.csv")},
+         }) {
+        SCOPED_TRACE(arguments.back());
+        const std::string before = state(folder);
+        const Result result = grafverif(arguments);
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find("[output-is-input]"), std::string::npos) << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(state(folder), before);
+    }
+    EXPECT_EQ(grafverif({"fmt", main, "-i"}).code, ExitCode::Done);
+}
+
+TEST(Outputs, OfOneRunAreDifferentFiles) {
+    const Folder folder;
+    folder.write("there", "");
+    fs::create_hard_link(folder.file("there"), folder.file("twin"));
+    fs::create_symlink("nowhere", folder.file("link"));
+    for (const auto& [one, other] : {std::pair("new", "new"), std::pair("there", "twin"), std::pair("link", "nowhere"), std::pair("new", "./new")}) {
+        SCOPED_TRACE(other);
+        const std::string before = state(folder);
+        const Result result = grafverif({"check", door, "--junit", folder.file(one), "--trace-svg", folder.file(other)});
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find("[output-twice]"), std::string::npos) << result.err;
+        EXPECT_EQ(state(folder), before);
+    }
+    EXPECT_NE(grafverif({"check", door, "--quiet", "--junit", "/dev/null", "--trace-svg", "/dev/null"}).code, ExitCode::Input);
+}
+
+TEST(ReadFile, TakesRegularFilesAloneAndNeverWaits) {
+    const Folder folder;
+    ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
+    fs::create_symlink("pipe", folder.file("link"));
+    std::string why;
+    for (const auto& [path, reason] : {std::pair(folder.file("pipe"), "it is a pipe, not a file"), std::pair(folder.file("link"), "it is a pipe, not a file"),
+                                       std::pair(folder.file(""), "it is a directory"), std::pair(std::string("/dev/zero"), "it is a device, not a file"),
+                                       std::pair(folder.file("none"), "no such file"), std::pair(folder.file("none/deeper"), "no such file")}) {
+        EXPECT_EQ(read_file(path, why), std::nullopt);
+        EXPECT_EQ(why, reason) << path;
+    }
+}
+
+// -- includes ----------------------------------------------------------------------------------------------------------
+
+std::string chart(const std::string& name) {
+    return "grafcet " + name + " { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n";
+}
+
+TEST(Include, AFileIsReadOnceWhateverLeadsToIt) {
+    const Folder folder;
+    for (const char* link : {"a", "b"}) fs::create_symlink(".", folder.file(link));
+    constexpr int files = 40;   // 2^40 paths lead to the last
+    for (int k = 0; k < files; ++k) {
+        const std::string next = "f" + std::to_string(k + 1) + ".grafcet\";\n";
+        folder.write("f" + std::to_string(k) + ".grafcet", "include \"a/" + next + "include \"b/" + next);
+    }
+    folder.write("f" + std::to_string(files) + ".grafcet", chart("last"));
+    const Result result = grafverif({"equations", folder.file("f0.grafcet")});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    folder.write("self.grafcet", "include \"a/self.grafcet\";\n");
+    EXPECT_NE(grafverif({"equations", folder.file("self.grafcet")}).err.find("[include-cycle]"), std::string::npos);
+}
+
+TEST(Include, PipesDevicesAndFoldersAreRefused) {
+    const Folder folder;
+    ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
+    fs::create_directory(folder.file("folder"));
+    for (const auto& [name, reason] : {std::pair("pipe", "it is a pipe"), std::pair("folder", "it is a directory"), std::pair("none", "no such file"), std::pair("/nowhere/at/all", "no such file")}) {
+        const std::string main = folder.write("main.grafcet", "include \"" + std::string(name) + "\";\n");
+        const Result result = grafverif({"equations", main});
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
+    }
+    EXPECT_NE(grafverif({"equations", folder.file("pipe")}).err.find("it is a pipe"), std::string::npos);
+    const std::string main = folder.write("main.grafcet", "include \"/dev/zero\";\n");
+    EXPECT_NE(grafverif({"equations", main, "-I", "/dev"}).err.find("it is a device"), std::string::npos);
+}
+
+/// The current folder for the length of a scope.
+class Standing {
+public:
+    explicit Standing(const fs::path& folder) : before_(fs::current_path()) { fs::current_path(folder); }
+    ~Standing() { fs::current_path(before_); }
+    Standing(const Standing&) = delete;
+    Standing& operator=(const Standing&) = delete;
+
+private:
+    fs::path before_;
+};
+
+TEST(Include, ReachIsTheSameFromEveryFolder) {
+    const Folder folder;
+    fs::create_directories(folder.file("project/charts/deep"));
+    folder.write("project/parts.grafcet", chart("part"));
+    folder.write("outside.grafcet", chart("outside"));
+    folder.write("project/charts/main.grafcet", "include \"../parts.grafcet\";\n");
+    folder.write("project/charts/far.grafcet", "include \"../../outside.grafcet\";\n");
+    const auto codes = [&](const std::string& name, const std::vector<std::string>& options = {}) {
+        std::vector<ExitCode> found;
+        for (const char* from : {"", "project", "project/charts", "project/charts/deep"}) {
+            const Standing standing(folder.file(from));
+            for (const fs::path& path : {fs::path(folder.file("project/charts/" + name)), fs::relative(folder.file("project/charts/" + name))}) {
+                std::vector<std::string> arguments{"equations", path.string()};
+                arguments.insert(arguments.end(), options.begin(), options.end());
+                found.push_back(grafverif(arguments).code);
+            }
+        }
+        return found;
+    };
+    const std::vector<ExitCode> fine(8, ExitCode::Done), refused(8, ExitCode::Input);
+    EXPECT_EQ(codes("main.grafcet"), refused);
+    for (const char* mark : {"project/.git", "project/grafverif.project"}) {
+        folder.write(mark, "");
+        EXPECT_EQ(codes("main.grafcet"), fine) << mark;
+        EXPECT_EQ(codes("far.grafcet"), refused) << mark;
+        fs::remove(folder.file(mark));
+    }
+    EXPECT_EQ(codes("main.grafcet", {"-I", folder.file("project")}), fine);
+    EXPECT_EQ(codes("far.grafcet", {"-I", folder.file("project"), "-I", folder.file("")}), fine);
+    fs::create_directory_symlink(folder.file(""), folder.file("project/charts/way_out"));
+    folder.write("project/charts/link.grafcet", "include \"way_out/outside.grafcet\";\n");
+    EXPECT_EQ(codes("link.grafcet"), refused) << "links are followed first";
+}
+
+TEST(Include, FoldersOfTheCommandLineAreLookedInNext) {
+    const Folder folder;
+    for (const char* name : {"main", "one", "two"}) fs::create_directory(folder.file(name));
+    folder.write("one/part.grafcet", chart("of_one"));
+    folder.write("two/part.grafcet", chart("of_two"));
+    const std::string main = folder.write("main/main.grafcet", "include \"part.grafcet\";\n");
+    const auto found = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"fmt", main};
+        arguments = {"st", main, "--format", "text"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const std::string out = grafverif(arguments).out;
+        for (const char* name : {"of_one", "of_two", "beside"})
+            if (out.find(name) != std::string::npos) return std::string(name);
+        return std::string("none");
+    };
+    EXPECT_EQ(found({}), "none");
+    EXPECT_EQ(found({"-I", folder.file("one"), "-I", folder.file("two")}), "of_one");
+    EXPECT_EQ(found({"-I", folder.file("two"), "-I", folder.file("one")}), "of_two");
+    folder.write("main/part.grafcet", chart("beside"));
+    EXPECT_EQ(found({"-I", folder.file("two")}), "beside");
+    EXPECT_NE(grafverif({"st", main, "-I", folder.file("none")}).err.find("[cannot-read]"), std::string::npos);
+}
+
+TEST(Include, TheMainFileMayComeFromStandardInput) {
+    const Folder folder;
+    folder.write("part.grafcet", chart("part"));
+    const Standing standing(folder.file(""));
+    for (const char* name : {"-", "/dev/stdin"}) EXPECT_EQ(grafverif({"equations", name}, chart("typed")).code, ExitCode::Done) << name;
+    const Result included = grafverif({"equations", "-"}, "include \"part.grafcet\";\n");
+    EXPECT_EQ(included.code, ExitCode::Done) << included.err;
+    EXPECT_NE(grafverif({"equations", "-"}, "grafcet").err.find("<standard input>:1:"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace grafverif::app
