@@ -4,6 +4,8 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "ir/sorts.hpp"
+
 namespace grafverif {
 
 std::string step_variable(const Chart& chart, Id<Chart::Step> step) {
@@ -16,27 +18,15 @@ namespace {
 
 /// Collects what does not hold.
 struct Faults {
+    Sorts sorts;
     std::vector<std::string> found = {};
+    void condition(Id<Expr> condition, const std::string& owner) {
+        sorts.check(condition, Sort::Boolean, "the condition of " + owner, found);
+    }
     void check(bool holds, std::string fault) {
         if (!holds) found.push_back(std::move(fault));
     }
 };
-
-enum class Kind { Boolean, Integer, Duration };
-
-Kind result_of(Op op) {
-    if (op == Op::Integer || is_arithmetic(op)) return Kind::Integer;
-    if (op == Op::Duration) return Kind::Duration;
-    return Kind::Boolean;
-}
-
-Kind kind_of(const Chart& chart, Id<Expr> id) {
-    const Expr& node = chart.exprs[id];
-    if (node.op == Op::Conditional) return kind_of(chart, chart.exprs.operands(id)[1]);
-    if (node.op != Op::Variable) return result_of(node.op);
-    return chart.variables[Id<Chart::Variable>{static_cast<std::uint32_t>(node.value)}].type.boolean ? Kind::Boolean
-                                                                                                     : Kind::Integer;
-}
 
 bool leaf_in_table(const Chart& chart, const Expr& leaf) {
     const auto index = static_cast<std::uint32_t>(leaf.value);
@@ -46,6 +36,14 @@ bool leaf_in_table(const Chart& chart, const Expr& leaf) {
     case Op::Timed:    return index < chart.time_conditions.size();
     default:           return !is_leaf(leaf.op) && leaf.op != Op::Duration;
     }
+}
+
+/// What the leaves of its terms are; a chart has edges, and no durations outside its time conditions.
+Sort leaf_sort(const Chart& chart, const Expr& leaf) {
+    if (leaf.op == Op::Rise || leaf.op == Op::Fall) return Sort::Boolean;
+    if (!leaf_in_table(chart, leaf)) return Sort::None;
+    if (leaf.op != Op::Variable) return Sort::Boolean;
+    return sort_of(chart.variables[Id<Chart::Variable>{static_cast<std::uint32_t>(leaf.value)}].type);
 }
 
 void check_names(const Chart& chart, Faults& faults) {
@@ -111,13 +109,6 @@ bool is_input(const Chart& chart, const Expr& leaf) {
            chart.variables[variable].kind == Chart::VariableKind::Input;
 }
 
-void check_condition(const Chart& chart, Id<Expr> condition, const std::string& owner, Faults& faults) {
-    const bool known = chart.exprs.contains(condition);
-    faults.check(known, "the condition of " + owner + " is not in the table");
-    if (known)
-        faults.check(kind_of(chart, condition) == Kind::Boolean, "the condition of " + owner + " is not Boolean");
-}
-
 void check_transitions(const Chart& chart, Faults& faults) {
     for (const auto& transition : chart.transitions) {
         const auto check_side = [&](const std::vector<Id<Chart::Step>>& side) {
@@ -133,15 +124,15 @@ void check_transitions(const Chart& chart, Faults& faults) {
         check_side(transition.to);
         faults.check(!transition.from.empty() || !transition.to.empty(),
                      "transition " + transition.name + " links no step");
-        check_condition(chart, transition.condition, "transition " + transition.name, faults);
+        faults.condition(transition.condition, "transition " + transition.name);
     }
     for (const auto& time : chart.time_conditions) {
-        check_condition(chart, time.watched, "a time condition", faults);
+        faults.condition(time.watched, "a time condition");
         faults.check(time.rise_ms >= 0 && time.fall_ms >= 0 && time.rise_ms + time.fall_ms > 0,
                      "a time condition has no duration");
     }
     for (const auto& constraint : chart.constraints) {
-        check_condition(chart, constraint.condition, "a constraint", faults);
+        faults.condition(constraint.condition, "a constraint");
         if (chart.exprs.contains(constraint.condition))
             for (const Id<Expr> leaf : leaves(chart.exprs, constraint.condition))
                 faults.check(is_input(chart, chart.exprs[leaf]), "a constraint reads something that is no input");
@@ -154,7 +145,7 @@ void check_actions(const Chart& chart, Faults& faults) {
         faults.check(chart.variables.contains(action.output), "a continuous action is about no variable");
         if (chart.variables.contains(action.output))
             faults.check(chart.variables[action.output].type.boolean, "a continuous action is about an integer");
-        check_condition(chart, action.condition, "a continuous action", faults);
+        faults.condition(action.condition, "a continuous action");
     }
     for (const auto& action : chart.stored) {
         const bool clearing = action.on == Chart::StoredOn::Clearing;
@@ -162,12 +153,12 @@ void check_actions(const Chart& chart, Faults& faults) {
                      "a stored action belongs to nothing");
         faults.check((action.on == Chart::StoredOn::Event) == action.event.valid(),
                      "a stored action has an event it should not have, or none");
+        if (action.event.valid()) faults.condition(action.event, "an event");
         const bool known = chart.variables.contains(action.target) && chart.exprs.contains(action.value);
         faults.check(known, "a stored action is about nothing");
         if (!known) continue;
-        const Kind kind = chart.variables[action.target].type.boolean ? Kind::Boolean : Kind::Integer;
-        faults.check(kind_of(chart, action.value) == kind,
-                     "a stored action has a value of another type than its target");
+        faults.sorts.check(action.value, sort_of(chart.variables[action.target].type), "the value of a stored action",
+                           faults.found);
     }
     for (const auto& order : chart.forcing) {
         faults.check(chart.steps.contains(order.step), "a forcing order belongs to no step");
@@ -181,7 +172,7 @@ void check_actions(const Chart& chart, Faults& faults) {
 }  // namespace
 
 std::vector<std::string> verify(const Chart& chart) {
-    Faults faults;
+    Faults faults{Sorts(chart.exprs, [&chart](const Expr& leaf) { return leaf_sort(chart, leaf); })};
     for (std::uint32_t index = 0; index < chart.exprs.size(); ++index)
         faults.check(!is_leaf(chart.exprs[Id<Expr>{index}].op) || leaf_in_table(chart, chart.exprs[Id<Expr>{index}]),
                      "a leaf of an expression is in no table");

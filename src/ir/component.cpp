@@ -4,49 +4,43 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "grafverif/support/overloaded.hpp"
+#include "ir/sorts.hpp"
+
 namespace grafverif {
 
 namespace {
 
+Sort sort_of(Component::ValueKind kind) {
+    switch (kind) {
+    case Component::ValueKind::Boolean:  return Sort::Boolean;
+    case Component::ValueKind::Integer:  return Sort::Integer;
+    case Component::ValueKind::Duration: return Sort::Duration;
+    }
+    unreachable();
+}
+
+Sort leaf_sort(const Component& component, const Expr& leaf) {
+    const auto index = static_cast<std::uint32_t>(leaf.value);
+    if (leaf.op == Op::Duration) return Sort::Duration;
+    if (leaf.op == Op::Parameter && component.parameters.contains({index}))
+        return sort_of(component.parameters[{index}].value);
+    if (leaf.op == Op::Variable && component.variables.contains({index}))
+        return sort_of(component.variables[{index}].value);
+    return Sort::None;
+}
+
 struct Checker {
     const Component& component;
+    Sorts sorts{component.exprs, [this](const Expr& leaf) { return leaf_sort(component, leaf); }};
     std::vector<std::string> faults = {};
 
     void check(bool holds, std::string fault) {
         if (!holds) faults.push_back(std::move(fault));
     }
 
-    Component::ValueKind kind(Id<Expr> id) const {
-        const Expr& node = component.exprs[id];
-        const auto index = static_cast<std::uint32_t>(node.value);
-        if (node.op == Op::Parameter) return component.parameters[Id<Component::Parameter>{index}].value;
-        if (node.op == Op::Variable) return component.variables[Id<Component::Variable>{index}].value;
-        if (node.op == Op::Duration) return Component::ValueKind::Duration;
-        if (node.op == Op::Plus) return kind(component.exprs.operands(id)[0]);
-        if (node.op == Op::Times) {
-            const bool duration = kind(component.exprs.operands(id)[0]) == Component::ValueKind::Duration ||
-                                  kind(component.exprs.operands(id)[1]) == Component::ValueKind::Duration;
-            return duration ? Component::ValueKind::Duration : Component::ValueKind::Integer;
-        }
-        return node.op == Op::Integer || is_arithmetic(node.op) ? Component::ValueKind::Integer
-                                                                : Component::ValueKind::Boolean;
-    }
-
-    bool is_known(Id<Expr> id) const { return component.exprs.contains(id); }
+    bool is(Id<Expr> term, Sort sort, const std::string& what) { return sorts.check(term, sort, what, faults); }
 };
-
-void check_leaves(Checker& checker) {
-    const Component& component = checker.component;
-    for (std::uint32_t index = 0; index < component.exprs.size(); ++index) {
-        const Expr& node = component.exprs[Id<Expr>{index}];
-        if (!is_leaf(node.op)) continue;
-        const bool parameter =
-            node.op == Op::Parameter && component.parameters.contains({static_cast<std::uint32_t>(node.value)});
-        const bool variable =
-            node.op == Op::Variable && component.variables.contains({static_cast<std::uint32_t>(node.value)});
-        checker.check(parameter || variable, "a leaf of an expression is in no table");
-    }
-}
 
 template <class Declared>
 void check_declared(Checker& checker, const Declared& declared, bool ranged) {
@@ -54,9 +48,9 @@ void check_declared(Checker& checker, const Declared& declared, bool ranged) {
     checker.check(declared.low.has_value() == declared.high.has_value(), declared.name + " has half a range");
     checker.check(declared.low.has_value() == (ranged && declared.value == Kind::Integer),
                   declared.name + " lacks a range, or has one too much");
-    if (declared.initial)
-        checker.check(checker.is_known(*declared.initial) && checker.kind(*declared.initial) == declared.value,
-                      "the value of " + declared.name + " has another type");
+    for (const auto& bound : {declared.low, declared.high})
+        if (bound) checker.is(*bound, Sort::Integer, "a bound of " + declared.name);
+    if (declared.initial) checker.is(*declared.initial, sort_of(declared.value), "the value of " + declared.name);
 }
 
 void check_names(Checker& checker) {
@@ -74,26 +68,23 @@ void check_names(Checker& checker) {
 void check_assignments(Checker& checker, const std::vector<Component::Assignment>& assignments) {
     const Component& component = checker.component;
     for (const Component::Assignment& assignment : assignments) {
-        const bool known = checker.is_known(assignment.target) && checker.is_known(assignment.value);
-        checker.check(known, "an assignment is not in the table");
-        if (!known) continue;
+        const Sort sort = checker.sorts(assignment.target);
+        checker.check(sort != Sort::None, "an assignment has no target");
+        if (sort == Sort::None) continue;
         const Expr& target = component.exprs[assignment.target];
         const bool output =
             target.op == Op::Parameter &&
             component.parameters[Id<Component::Parameter>{static_cast<std::uint32_t>(target.value)}].kind ==
                 Component::ParameterKind::Output;
         checker.check(output || target.op == Op::Variable, "something else than an output or own variable is assigned");
-        checker.check(checker.kind(assignment.target) == checker.kind(assignment.value),
-                      "an assignment has a value of another type");
+        checker.is(assignment.value, sort, "an assigned value");
     }
 }
 
 void check_clocks(Checker& checker, const std::vector<Component::ClockConstraint>& constraints) {
     for (const Component::ClockConstraint& constraint : constraints) {
         checker.check(checker.component.clocks.contains(constraint.clock), "a clock constraint is about no clock");
-        checker.check(
-            checker.is_known(constraint.bound) && checker.kind(constraint.bound) == Component::ValueKind::Duration,
-            "the bound of a clock is no duration");
+        checker.is(constraint.bound, Sort::Duration, "the bound of a clock");
         checker.check(is_comparison(constraint.relation) && constraint.relation != Op::NotEqual,
                       "a clock constraint has no relation");
     }
@@ -118,9 +109,7 @@ void check_edges(Checker& checker) {
     for (const Component::Edge& edge : component.edges) {
         checker.check(component.locations.contains(edge.from) && component.locations.contains(edge.to),
                       "an edge links locations in no table");
-        const bool known = checker.is_known(edge.guard);
-        checker.check(known, "a guard is in no table");
-        if (known) checker.check(checker.kind(edge.guard) == Component::ValueKind::Boolean, "a guard is not Boolean");
+        checker.is(edge.guard, Sort::Boolean, "a guard");
         checker.check(!edge.urgent || edge.constraint.empty(), "an urgent edge has a clock constraint");
         check_clocks(checker, edge.constraint);
         check_assignments(checker, edge.assignments);
@@ -133,19 +122,14 @@ void check_edges(Checker& checker) {
 
 std::vector<std::string> verify(const Component& component) {
     Checker checker{component};
-    check_leaves(checker);
-    if (!checker.faults.empty()) return checker.faults;
     check_names(checker);
     for (const auto& parameter : component.parameters)
         check_declared(checker, parameter, parameter.kind == Component::ParameterKind::Output);
     for (const auto& variable : component.variables) check_declared(checker, variable, true);
     check_locations(checker);
     check_edges(checker);
-    for (const Component::Constraint& constraint : component.constraints) {
-        const bool known = checker.is_known(constraint.condition);
-        checker.check(known && checker.kind(constraint.condition) == Component::ValueKind::Boolean,
-                      "a constraint is not Boolean");
-    }
+    for (const Component::Constraint& constraint : component.constraints)
+        checker.is(constraint.condition, Sort::Boolean, "a constraint");
     return checker.faults;
 }
 

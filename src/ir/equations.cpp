@@ -4,20 +4,18 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "ir/sorts.hpp"
+
 namespace grafverif {
 
 namespace {
 
 using Role = Equations::Role;
 
-bool yields_boolean(Op op) {
-    return op == Op::True || op == Op::False || op == Op::Not || op == Op::And || op == Op::Or || is_comparison(op);
-}
-
 struct Check {
     const Equations& equations;
     std::vector<std::string> faults = {};
-    std::vector<bool> boolean = {};        ///< per term
+    Sorts sorts{equations.exprs, [this](const Expr& leaf) { return sort_of(equations.variables[{static_cast<std::uint32_t>(leaf.value)}].type); }};
     std::vector<bool> reads_firing = {};   ///< per term: a firing condition occurs in it
     std::vector<int> defined = {};         ///< per variable: how many equations it has
 
@@ -43,20 +41,16 @@ struct Check {
         for (std::uint32_t index = 0; index < exprs.size(); ++index) {
             const Id<Expr> id{index};
             const Expr& node = exprs[id];
-            bool is_boolean = yields_boolean(node.op);
             bool reads = false;
             if (node.op == Op::Variable) {
                 const Id<Equations::Variable> variable{static_cast<std::uint32_t>(node.value)};
                 if (!known(variable)) return fault("a term reads a variable that does not exist"), false;
-                is_boolean = equations.variables[variable].type.boolean;
                 reads = equations.variables[variable].role == Role::FiringCondition;
             }
             const bool foreign = is_leaf(node.op) && node.op != Op::Variable;
             if (foreign || node.op == Op::Rise || node.op == Op::Fall || node.op == Op::Duration)
                 return fault("a term has an operator that equations do not have"), false;
-            if (node.op == Op::Conditional) is_boolean = boolean[exprs.operands(id)[1].index];
             for (const Id<Expr> operand : exprs.operands(id)) reads = reads || reads_firing[operand.index];
-            boolean.push_back(is_boolean);
             reads_firing.push_back(reads);
         }
         return true;
@@ -66,7 +60,7 @@ struct Check {
     void define(Id<Equations::Variable> variable, Id<Expr> term, std::string_view what) {
         if (!known(variable)) return fault(std::string(what) + " of a variable that does not exist");
         ++defined[variable.index];
-        condition(term, equations.variables[variable].type.boolean, std::string(what) + " of " + name(variable));
+        condition(term, sort_of(equations.variables[variable].type), std::string(what) + " of " + name(variable));
     }
 
     void role(Id<Equations::Variable> variable, Role expected) {
@@ -74,10 +68,7 @@ struct Check {
             fault(name(variable) + " has an equation of another role");
     }
 
-    void condition(Id<Expr> term, bool is_boolean, const std::string& what) {
-        if (!equations.exprs.contains(term)) fault(what + " is missing");
-        else if (boolean[term.index] != is_boolean) fault(what + " has the wrong type");
-    }
+    void condition(Id<Expr> term, Sort sort, const std::string& what) { sorts.check(term, sort, what, faults); }
 
     void without_firings(Id<Expr> term, const std::string& what) {
         if (equations.exprs.contains(term) && reads_firing[term.index]) fault(what + " reads a firing condition");
@@ -92,11 +83,11 @@ struct Check {
         for (const Equations::StepActivity& step : equations.steps) {
             define(step.variable, step.next, "the activity");
             role(step.variable, Role::Step);
-            condition(step.activated, true, "the activation of `" + step.step + "`");
-            condition(step.deactivated, true, "the deactivation of `" + step.step + "`");
+            condition(step.activated, Sort::Boolean, "the activation of `" + step.step + "`");
+            condition(step.deactivated, Sort::Boolean, "the deactivation of `" + step.step + "`");
         }
         for (const Equations::Conflict& of : equations.conflicts)
-            condition(of.condition, true, "the condition of a conflict");
+            condition(of.condition, Sort::Boolean, "the condition of a conflict");
         for (const Equations::Stored& stored : equations.stored) store(stored);
         for (const Equations::Previous& previous : equations.previous) {
             define(previous.variable, previous.value, "the present value");
@@ -118,9 +109,9 @@ struct Check {
             role(output.variable, Role::Output);
             if (known(output.variable)) without_firings(output.value, "the value of " + name(output.variable));
         }
-        condition(equations.stable, true, "the condition `stable`");
+        condition(equations.stable, Sort::Boolean, "the condition `stable`");
         for (const Equations::Assumption& assumption : equations.assumptions) {
-            condition(assumption.condition, true, "an assumption");
+            condition(assumption.condition, Sort::Boolean, "an assumption");
             if (!equations.exprs.contains(assumption.condition)) continue;
             for (const Id<Expr> leaf : leaves(equations.exprs, assumption.condition))
                 if (equations.variables[{static_cast<std::uint32_t>(equations.exprs[leaf].value)}].role != Role::Input)
@@ -146,14 +137,14 @@ struct Check {
         const Equations::Variable& variable = equations.variables[stored.variable];
         if (variable.role != Role::Internal && variable.role != Role::Output)
             fault(name(stored.variable) + " has an equation of another role");
-        condition(stored.race, true, "the race condition of " + name(stored.variable));
-        condition(stored.first, variable.type.boolean, "the first value of " + name(stored.variable));
-        condition(stored.first_race, true, "the first race condition of " + name(stored.variable));
+        condition(stored.race, Sort::Boolean, "the race condition of " + name(stored.variable));
+        condition(stored.first, sort_of(variable.type), "the first value of " + name(stored.variable));
+        condition(stored.first_race, Sort::Boolean, "the first race condition of " + name(stored.variable));
         without_firings(stored.first, "the first value of " + name(stored.variable));
         without_firings(stored.first_race, "the first race condition of " + name(stored.variable));
         for (const Equations::Write& write : stored.writes) {
-            condition(write.trigger, true, "a trigger of " + name(stored.variable));
-            condition(write.value, variable.type.boolean, "a value stored in " + name(stored.variable));
+            condition(write.trigger, Sort::Boolean, "a trigger of " + name(stored.variable));
+            condition(write.value, sort_of(variable.type), "a value stored in " + name(stored.variable));
         }
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The invariants of a Network. Each check adds one sentence per fault; terms are walked once per template.
+// The invariants of a Network. Each check adds one sentence per fault; the sort of a term is found out once per template.
 #include "grafverif/ir/network.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "grafverif/support/overloaded.hpp"
+#include "ir/sorts.hpp"
 
 namespace grafverif {
 
@@ -24,7 +24,7 @@ bool implied(Op relation, std::int64_t bound, Op other_relation, std::int64_t ot
 /// Walks the terms of one network, and says what is wrong with them.
 class Verifier {
 public:
-    explicit Verifier(const Network& network) : network_(network), seen_(network.exprs.size(), 0) {}
+    explicit Verifier(const Network& network) : network_(network) {}
 
     std::vector<std::string> faults() {
         check_variables();
@@ -52,8 +52,7 @@ private:
     }
 
     void check_template(const Network::Template& automaton) {
-        here_ = &automaton;
-        ++walk_;
+        read_terms_of(&automaton);
         const std::string where = "template " + automaton.name;
         if (!automaton.locations.contains(automaton.initial)) fault(where + ": no initial location");
         for (const Network::Location& location : automaton.locations) {
@@ -73,7 +72,7 @@ private:
             return fault(where + ": an edge leads nowhere");
         const std::string place =
             where + ", edge " + automaton.locations[edge.from].name + " -> " + automaton.locations[edge.to].name;
-        if (!is_boolean(edge.guard, place)) fault(place + ": its guard is not Boolean");
+        check_term(edge.guard, Sort::Boolean, place + ": its guard");
         check_constraints(edge.constraint, place);
         if (edge.urgent && !edge.constraint.empty()) fault(place + ": an urgent edge with a clock constraint");
         check_assignments(edge.assignments, place);
@@ -89,7 +88,7 @@ private:
             if (!here_->clocks.contains(constraint.clock)) fault(where + ": bounds an unknown clock");
             const bool relation = is_comparison(constraint.relation) && constraint.relation != Op::NotEqual;
             if (!relation) fault(where + ": a clock is compared with an unknown relation");
-            if (is_boolean(constraint.bound, where)) fault(where + ": a clock bound is Boolean");
+            if (!check_term(constraint.bound, Sort::Integer, where + ": a clock bound")) continue;
             for (const Id<Expr> leaf : leaves(network_.exprs, constraint.bound)) {
                 const Expr& node = network_.exprs[leaf];
                 const Id<Network::Parameter> parameter{static_cast<std::uint32_t>(node.value)};
@@ -102,17 +101,17 @@ private:
 
     void check_assignments(const std::vector<Network::Assignment>& assignments, const std::string& where) {
         for (const Network::Assignment& assignment : assignments) {
-            if (!network_.exprs.contains(assignment.target)) {
+            const Sort sort = sorts_(assignment.target);
+            if (sort == Sort::None) {
                 fault(where + ": an assignment without target");
                 continue;
             }
-            const bool boolean = is_boolean(assignment.target, where);
             const Expr& node = network_.exprs[assignment.target];
             const Id<Network::Parameter> parameter{static_cast<std::uint32_t>(node.value)};
             const bool written = node.op == Op::Parameter && here_->parameters.contains(parameter) &&
                                  here_->parameters[parameter].kind == Network::ParameterKind::Written;
             if (!written && node.op != Op::Variable) fault(where + ": assigns what cannot be written");
-            if (is_boolean(assignment.value, where) != boolean) fault(where + ": assigns a value of another type");
+            check_term(assignment.value, sort, where + ": an assigned value");
         }
     }
 
@@ -193,98 +192,60 @@ private:
                 if (!known(variable)) fault(where + ": `" + name + "` stands for no variable");
     }
 
+    /// Properties, and the guards of observers, which may ask where observers are as well.
     void check_properties() {
-        here_ = nullptr;
-        ++walk_;
+        read_terms_of(nullptr);
         std::unordered_set<std::string_view> names;
-        for (const Property& property : network_.properties) {
-            if (!names.insert(property.name).second) fault("property " + property.name + ": its name is taken");
-            for (const Id<Expr> operand : property.operands)
-                if (!is_boolean(operand, "property " + property.name))
-                    fault("property " + property.name + ": an operand is not Boolean");
-        }
-        if (network_.settled.valid() && !is_boolean(network_.settled, "settled")) fault("settled is not Boolean");
-    }
-
-    /// Whether the term is Boolean; adds the faults inside it, once per template.
-    bool is_boolean(Id<Expr> root, const std::string& where) {
-        if (!network_.exprs.contains(root)) {
-            fault(where + ": a term is missing");
-            return true;
-        }
-        const Expr& node = network_.exprs[root];
-        const bool first = seen_[root.index] != walk_;
-        seen_[root.index] = walk_;
-        const auto operands = network_.exprs.operands(root);
-        const auto want = [&](std::size_t from, bool boolean) {
-            if (!first) return;
-            for (std::size_t i = from; i < operands.size(); ++i)
-                if (is_boolean(operands[i], where) != boolean) fault(where + ": an operand has the wrong type");
-        };
-        switch (node.op) {
-            case Op::False:
-            case Op::True: return true;
-            case Op::Integer: return false;
-            case Op::Variable: return variable_is_boolean(node, where);
-            case Op::Parameter: return parameter_is_boolean(node, where);
-            case Op::At: check_at(node, where); return true;
-            case Op::Duration:
-            case Op::Step:
-            case Op::Timed:
-            case Op::Rise:
-            case Op::Fall: fault(where + ": a term that has no place in a network"); return true;
-            case Op::Not:
-            case Op::And:
-            case Op::Or: want(0, true); return true;
-            case Op::Equal:
-            case Op::NotEqual:
-                if (first) want(1, is_boolean(operands[0], where));
-                return true;
-            case Op::Less:
-            case Op::LessEqual:
-            case Op::Greater:
-            case Op::GreaterEqual: want(0, false); return true;
-            case Op::Negate:
-            case Op::Plus:
-            case Op::Minus:
-            case Op::Times:
-            case Op::Divide:
-            case Op::Modulo: want(0, false); return false;
-            case Op::Conditional: {
-                if (first && !is_boolean(operands[0], where)) fault(where + ": a condition is not Boolean");
-                const bool boolean = is_boolean(operands[1], where);
-                want(2, boolean);
-                return boolean;
+        for (const Table<Property>* properties : {&network_.properties, &network_.observed})
+            for (const Property& property : *properties) {
+                if (!names.insert(property.name).second) fault("property " + property.name + ": its name is taken");
+                for (const Id<Expr> operand : property.operands)
+                    check_term(operand, Sort::Boolean, "property " + property.name + ": an operand");
             }
+        for (const Network::Observer& observer : network_.observers) check_observer(observer);
+        if (network_.settled.valid()) check_term(network_.settled, Sort::Boolean, "settled");
+    }
+
+    void check_observer(const Network::Observer& observer) {
+        const std::string where = "observer " + observer.name;
+        if (observer.initial >= observer.locations.size()) fault(where + ": no initial location");
+        for (const Network::ObserverEdge& edge : observer.edges) {
+            if (edge.from >= observer.locations.size() || edge.to >= observer.locations.size())
+                fault(where + ": an edge leads nowhere");
+            check_term(edge.guard, Sort::Boolean, where + ": a guard");
         }
-        unreachable();
     }
 
-    bool variable_is_boolean(const Expr& node, const std::string& where) {
-        const Id<Network::Variable> variable{static_cast<std::uint32_t>(node.value)};
-        if (network_.variables.contains(variable)) return network_.variables[variable].type.boolean;
-        fault(where + ": an unknown variable");
-        return true;
+    bool check_term(Id<Expr> term, Sort sort, const std::string& what) { return sorts_.check(term, sort, what, faults_); }
+
+    /// Terms are those of `automaton` from here on; none: those of properties and observers.
+    void read_terms_of(const Network::Template* automaton) {
+        here_ = automaton;
+        sorts_ = Sorts(network_.exprs, [this](const Expr& leaf) { return leaf_sort(leaf); });
     }
 
-    bool parameter_is_boolean(const Expr& node, const std::string& where) {
-        const Id<Network::Parameter> parameter{static_cast<std::uint32_t>(node.value)};
-        if (here_ && here_->parameters.contains(parameter)) return here_->parameters[parameter].type.boolean;
-        fault(where + ": an unknown parameter");
-        return true;
+    Sort leaf_sort(const Expr& leaf) const {
+        const auto index = static_cast<std::uint32_t>(leaf.value);
+        if (leaf.op == Op::Variable && network_.variables.contains({index}))
+            return sort_of(network_.variables[{index}].type);
+        if (leaf.op == Op::Parameter && here_ && here_->parameters.contains({index}))
+            return sort_of(here_->parameters[{index}].type);
+        if (leaf.op == Op::At && !here_ && at_location(leaf) < locations_of(at_process(leaf))) return Sort::Boolean;
+        return Sort::None;
     }
 
-    void check_at(const Expr& node, const std::string& where) {
-        const Id<Network::Process> process{at_process(node)};
-        if (here_ || !network_.processes.contains(process)) return fault(where + ": asks where an unknown process is");
-        const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
-        if (!automaton.locations.contains({at_location(node)})) fault(where + ": asks for an unknown location");
+    /// How many locations a process has, or an observer, counted on behind the processes.
+    std::size_t locations_of(std::size_t process) const {
+        const std::size_t observer = process - network_.processes.size();
+        if (process < network_.processes.size())
+            return network_.templates[network_.processes[{static_cast<std::uint32_t>(process)}].automaton].locations.size();
+        if (observer >= network_.observers.size()) return 0;
+        return network_.observers[{static_cast<std::uint32_t>(observer)}].locations.size();
     }
 
     const Network& network_;
     const Network::Template* here_ = nullptr;  // the template whose parameters the terms read
-    std::vector<std::uint32_t> seen_;          // the walk in which a term was last checked
-    std::uint32_t walk_ = 0;
+    Sorts sorts_{network_.exprs, [this](const Expr& leaf) { return leaf_sort(leaf); }};
     std::vector<std::string> faults_ = {};
 };
 

@@ -3,10 +3,10 @@
 #include "grafverif/ir/transition_system.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "grafverif/support/overloaded.hpp"
+#include "ir/sorts.hpp"
 
 namespace grafverif {
 
@@ -15,65 +15,13 @@ namespace {
 using System = TransitionSystem;
 using Faults = std::vector<std::string>;
 
-enum class Sort { None, Boolean, Integer };
-
-Sort sort_of(Type type) { return type.boolean ? Sort::Boolean : Sort::Integer; }
-
-/// The sorts of terms as one module reads them; None for a term that makes no sense there.
-struct Sorts {
-    const Exprs& exprs;
-    const System::Module& module;
-    std::unordered_map<std::uint32_t, Sort> known = {};
-
-    Sort operator()(Id<Expr> term) {
-        if (!exprs.contains(term)) return Sort::None;
-        if (const auto found = known.find(term.index); found != known.end()) return found->second;
-        const Sort sort = computed(term);
-        known.emplace(term.index, sort);
-        return sort;
-    }
-
-private:
-    bool all(Id<Expr> term, Sort sort) {
-        return std::ranges::all_of(exprs.operands(term), [&](Id<Expr> operand) { return (*this)(operand) == sort; });
-    }
-
-    Sort computed(Id<Expr> term) {
-        const Expr& node = exprs[term];
-        const std::span<const Id<Expr>> operands = exprs.operands(term);
-        switch (node.op) {
-        case Op::False:
-        case Op::True: return Sort::Boolean;
-        case Op::Integer: return Sort::Integer;
-        case Op::Variable: {
-            if (node.value < 0 || static_cast<std::size_t>(node.value) >= module.symbols.size()) return Sort::None;
-            return sort_of(module.symbols[{static_cast<std::uint32_t>(node.value)}].type);
-        }
-        case Op::Duration: case Op::Step: case Op::Timed: case Op::Parameter: case Op::At: case Op::Rise: case Op::Fall:
-            return Sort::None;
-        case Op::Not:
-        case Op::And:
-        case Op::Or: return all(term, Sort::Boolean) ? Sort::Boolean : Sort::None;
-        case Op::Equal:
-        case Op::NotEqual: {
-            const Sort left = (*this)(operands[0]);
-            return left == (*this)(operands[1]) && left != Sort::None ? Sort::Boolean : Sort::None;
-        }
-        case Op::Less: case Op::LessEqual: case Op::Greater: case Op::GreaterEqual:
-            return all(term, Sort::Integer) ? Sort::Boolean : Sort::None;
-        case Op::Negate: case Op::Plus: case Op::Minus: case Op::Times: case Op::Divide: case Op::Modulo:
-            return all(term, Sort::Integer) ? Sort::Integer : Sort::None;
-        case Op::Conditional: {
-            const Sort then = (*this)(operands[1]);
-            return (*this)(operands[0]) == Sort::Boolean && then == (*this)(operands[2]) ? then : Sort::None;
-        }
-        }
-        unreachable();
-    }
-};
-
-void check_term(Sorts& sorts, Id<Expr> term, Sort sort, const std::string& what, Faults& faults) {
-    if (sorts(term) != sort) faults.push_back(what + " is no term of its type over the symbols of its module");
+/// The sorts of terms as one module reads them.
+Sorts sorts_in(const Exprs& exprs, const System::Module& module) {
+    return {exprs, [&module](const Expr& leaf) {
+                const bool known = leaf.op == Op::Variable && leaf.value >= 0 &&
+                                   static_cast<std::size_t>(leaf.value) < module.symbols.size();
+                return known ? sort_of(module.symbols[{static_cast<std::uint32_t>(leaf.value)}].type) : Sort::None;
+            }};
 }
 
 void check_member(const System& system, bool in_main, const System::Symbol& symbol, const System::MemberSymbol& member,
@@ -108,13 +56,13 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
                        [](const System::ParameterSymbol&) {},
                        [&](const System::StateSymbol& state) {
                            if (state.initial)
-                               check_term(sorts, *state.initial, sort_of(symbol.type), where + ": initial", faults);
+                               sorts.check(*state.initial, sort_of(symbol.type), where + ": initial", faults);
                            if (state.next)
-                               check_term(sorts, *state.next, sort_of(symbol.type), where + ": next", faults);
+                               sorts.check(*state.next, sort_of(symbol.type), where + ": next", faults);
                        },
                        [](const System::ChoiceSymbol&) {},
                        [&](const System::DefineSymbol& define) {
-                           check_term(sorts, define.value, sort_of(symbol.type), where + ": definition", faults);
+                           sorts.check(define.value, sort_of(symbol.type), where + ": definition", faults);
                        },
                        [&](const System::MemberSymbol& member) {
                            check_member(system, id == system.main, symbol, member, faults);
@@ -123,11 +71,11 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
                    symbol.kind);
     }
     for (const Id<Expr> term : module.invariants)
-        check_term(sorts, term, Sort::Boolean, module.name + ": invariant", faults);
+        sorts.check(term, Sort::Boolean, module.name + ": invariant", faults);
     for (const Id<Expr> term : module.transitions)
-        check_term(sorts, term, Sort::Boolean, module.name + ": transition", faults);
+        sorts.check(term, Sort::Boolean, module.name + ": transition", faults);
     for (const Id<Expr> term : module.justice)
-        check_term(sorts, term, Sort::Boolean, module.name + ": justice", faults);
+        sorts.check(term, Sort::Boolean, module.name + ": justice", faults);
 }
 
 /// The definitions of a module, or its initial values, form no cycle. Kahn: take away whatever depends on nothing left.
@@ -206,9 +154,9 @@ void check_properties(const System& system, Sorts& sorts, Faults& faults) {
                              property.pattern == Pattern::RawUppaal || property.pattern == Pattern::ReachableAllSteps;
         if (foreign) faults.push_back(where + " is none of a transition system");
         for (const Id<Expr> operand : property.operands)
-            check_term(sorts, operand, Sort::Boolean, where + ": operand", faults);
+            sorts.check(operand, Sort::Boolean, where + ": operand", faults);
     }
-    if (system.settled.valid()) check_term(sorts, system.settled, Sort::Boolean, "settled", faults);
+    if (system.settled.valid()) sorts.check(system.settled, Sort::Boolean, "settled", faults);
     for (const System::Omitted& omitted : system.omitted)
         if (omitted.before > system.properties.size()) faults.push_back("an omitted property has no place");
 }
@@ -291,7 +239,7 @@ void check_names(const System& system, Sorts& sorts, Faults& faults) {
     for (const Id<System::Instance> observer : system.observers)
         if (!system.instances.contains(observer)) faults.push_back("an observer is no instance");
     const auto condition = [&](Id<Expr> term, const std::string& where) {
-        if (term.valid()) check_term(sorts, term, Sort::Boolean, where, faults);
+        if (term.valid()) sorts.check(term, Sort::Boolean, where, faults);
     };
     for (const System::Controller& controller : system.controllers) {
         const std::string where = "controller `" + controller.name + "`";
@@ -320,7 +268,7 @@ std::vector<std::string> verify(const TransitionSystem& system) {
     if (!system.modules.contains(system.main)) return {"there is no main module"};
     Faults faults;
     for (const Id<System::Module> id : system.modules.ids()) {
-        Sorts sorts{system.exprs, system.modules[id]};
+        Sorts sorts = sorts_in(system.exprs, system.modules[id]);
         check_symbols(system, id, sorts, faults);
         if (id == system.main) {
             check_properties(system, sorts, faults);

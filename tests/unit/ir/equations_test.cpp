@@ -55,10 +55,15 @@ TEST(VerifyEquations, NamesEachBrokenInvariant) {
               [](Small& s) { s.equations.firings[0].condition = s.leaf(s.fires); }},
              {"the value of `LAMP` reads a firing condition",
               [](Small& s) { s.equations.outputs[0].value = s.leaf(s.fires); }},
-             {"the activity of `X_1` has the wrong type",
+             {"the activity of `X_1` is not Boolean",
               [](Small& s) { s.equations.steps[0].next = s.leaf(s.count); }},
+             {"the activity of `X_1` is wrongly typed inside",
+              [](Small& s) {
+                  s.equations.steps[0].next = s.equations.exprs.disjunction(
+                      s.leaf(s.start), s.equations.exprs.conjunction(s.leaf(s.fires), s.leaf(s.count)));
+              }},
              {"the activation of `1` is missing", [](Small& s) { s.equations.steps[0].activated = {}; }},
-             {"the stored value of `COUNT` has the wrong type",
+             {"the stored value of `COUNT` is not an integer",
               [](Small& s) { s.equations.stored[0].next = s.leaf(s.start); }},
              {"the race condition of `COUNT` is missing", [](Small& s) { s.equations.stored[0].race = {}; }},
              {"the timer `T_X1_1s` has no duration", [](Small& s) { s.equations.timers[0].rise_ms = 0; }},

@@ -47,6 +47,29 @@ TEST(Verify, FindsEachDamage) {
          [](Model& m) { m.charts[{0}].transitions[{0}].to = {Id<Chart::Step>{2}}; }},
         {"a condition that is an integer",
          [](Model& m) { m.charts[{0}].transitions[{0}].condition = m.charts[{0}].exprs.integer(1); }},
+        {"a condition that compares a Boolean as a number, deep inside",
+         [](Model& m) {
+             Exprs& exprs = m.charts[{0}].exprs;
+             const auto nested = exprs.apply(Op::Less, exprs.leaf(Op::Variable, 0), exprs.integer(1));
+             m.charts[{0}].transitions[{0}].condition = exprs.negation(nested);
+         }},
+        {"a stored value that adds a step to a number",
+         [](Model& m) {
+             Exprs& exprs = m.charts[{0}].exprs;
+             m.charts[{0}].stored[{0}].value = exprs.apply(Op::Plus, exprs.leaf(Op::Step, 0), exprs.integer(1));
+         }},
+        {"a guard that counts a Boolean",
+         [](Model& m) {
+             Exprs& exprs = m.components[{0}].exprs;
+             const auto sum = exprs.apply(Op::Plus, exprs.leaf(Op::Parameter, 0), exprs.integer(1));
+             m.components[{0}].edges[{0}].guard = exprs.apply(Op::Equal, sum, exprs.integer(1));
+         }},
+        {"a bound that multiplies two durations",
+         [](Model& m) {
+             Exprs& exprs = m.components[{0}].exprs;
+             m.components[{0}].edges[{0}].constraint[0].bound =
+                 exprs.apply(Op::Times, exprs.duration(2), exprs.leaf(Op::Parameter, 1));
+         }},
         {"a condition that is missing", [](Model& m) { m.charts[{0}].transitions[{0}].condition = {}; }},
         {"a leaf in no table", [](Model& m) { m.charts[{0}].exprs.leaf(Op::Step, 99); }},
         {"an action on an integer", [](Model& m) { m.charts[{0}].continuous[{0}].output = {2}; }},

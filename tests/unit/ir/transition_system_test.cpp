@@ -66,14 +66,14 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
              const auto choice = s.inner().symbols.add({"e", {}, System::ChoiceSymbol{}, "", {}});
              s.inner().symbols[s.define].kind = System::DefineSymbol{s.leaf(choice)};
          }},
-        {"transition is no term of its type", [](Small& s) { s.inner().transitions.push_back(s.system.exprs.integer(1)); }},
+        {"transition is not Boolean", [](Small& s) { s.inner().transitions.push_back(s.system.exprs.integer(1)); }},
         {"`c.d` has another type than the symbol it stands for",
          [](Small& s) { s.main().symbols[s.member].type = integer_type(0, 3); }},
-        {"initial is no term of its type",
+        {"initial is not Boolean",
          [](Small& s) {
              std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).initial = s.system.exprs.integer(1);
          }},
-        {"next is no term of its type",
+        {"next is wrongly typed inside",
          [](Small& s) {
              std::get<System::StateSymbol>(s.inner().symbols[s.state].kind).next = s.system.exprs.leaf(Op::Variable, 9);
          }},
@@ -94,10 +94,15 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
              s.system.properties[{0}].pattern = Pattern::NoDeadlock;
              s.system.properties[{0}].operands.clear();
          }},
-        {"operand is no term of its type",
+        {"operand is not Boolean",
          [](Small& s) { s.system.properties[{0}].operands = {s.system.exprs.integer(1)}; }},
-        {"settled is no term of its type", [](Small& s) { s.system.settled = s.system.exprs.integer(1); }},
-        {"justice is no term of its type", [](Small& s) { s.main().justice = {s.system.exprs.integer(1)}; }},
+        {"operand is wrongly typed inside",
+         [](Small& s) {
+             const auto nested = s.system.exprs.apply(Op::Less, s.system.exprs.leaf(Op::Variable, 0), s.system.exprs.integer(1));
+             s.system.properties[{0}].operands = {s.system.exprs.negation(nested)};
+         }},
+        {"settled is not Boolean", [](Small& s) { s.system.settled = s.system.exprs.integer(1); }},
+        {"justice is not Boolean", [](Small& s) { s.main().justice = {s.system.exprs.integer(1)}; }},
         {"an omitted property has no place",
          [](Small& s) {
              s.system.omitted.push_back({{}, "", 5});

@@ -59,12 +59,12 @@ TEST(Network, EachBrokenInvariantIsNamed) {
         {"template mover: no initial location", [](Network& n) { n.templates[{0}].initial = {7}; }},
         {"an edge leads nowhere", [&](Network& n) { edge(n, 0).to = {7}; }},
         {"its guard is not Boolean", [&](Network& n) { edge(n, 0).guard = n.exprs.integer(1); }},
-        {"an operand has the wrong type",
+        {"its guard is wrongly typed inside",
          [&](Network& n) {
              edge(n, 0).guard = n.exprs.conjunction(n.exprs.leaf(Op::Parameter, 0), n.exprs.leaf(Op::Parameter, 1));
          }},
-        {"an unknown parameter", [&](Network& n) { edge(n, 0).guard = n.exprs.leaf(Op::Parameter, 9); }},
-        {"an unknown variable", [&](Network& n) { edge(n, 0).guard = n.exprs.leaf(Op::Variable, 9); }},
+        {"its guard is wrongly typed inside", [&](Network& n) { edge(n, 0).guard = n.exprs.leaf(Op::Parameter, 9); }},
+        {"its guard is wrongly typed inside", [&](Network& n) { edge(n, 0).guard = n.exprs.leaf(Op::Variable, 9); }},
         {"an urgent edge with a clock constraint", [&](Network& n) { edge(n, 1).urgent = true; }},
         {"resets an unknown clock", [&](Network& n) { edge(n, 0).resets = {{4}}; }},
         {"calls an unknown procedure", [&](Network& n) { edge(n, 0).calls = {{0}}; }},
@@ -76,7 +76,7 @@ TEST(Network, EachBrokenInvariantIsNamed) {
          [&](Network& n) {
              edge(n, 1).assignments = {{n.exprs.leaf(Op::Parameter, 0), n.exprs.constant(true)}};
          }},
-        {"assigns a value of another type",
+        {"an assigned value is not an integer",
          [&](Network& n) { edge(n, 1).assignments[0].value = n.exprs.constant(true); }},
         {"arguments and parameters differ in number", [](Network& n) { n.processes[{0}].arguments.pop_back(); }},
         {"a number for the variable G", [](Network& n) { n.processes[{0}].arguments[0] = std::int64_t{1}; }},
@@ -90,10 +90,30 @@ TEST(Network, EachBrokenInvariantIsNamed) {
              edge(n, 0).assignments = {{n.exprs.leaf(Op::Variable, 0),
                                         n.exprs.apply(Op::Less, n.exprs.leaf(Op::Variable, 1), n.exprs.integer(1))}};
          }},
-        {"asks for an unknown location",
+        {"property P: an operand is wrongly typed inside",
          [](Network& n) { n.properties.add({.name = "P", .operands = {n.exprs.at(0, 5)}}); }},
         {"an operand is not Boolean",
          [](Network& n) { n.properties.add({.name = "P", .operands = {n.exprs.integer(5)}}); }},
+        {"property Q: an operand is not Boolean",
+         [](Network& n) { n.observed.add({.name = "Q", .operands = {n.exprs.integer(5)}}); }},
+        {"property P: its name is taken",
+         [](Network& n) {
+             n.properties.add({.name = "P", .operands = {n.exprs.constant(true)}});
+             n.observed.add({.name = "P", .operands = {n.exprs.constant(true)}});
+         }},
+        {"observer watch: a guard is wrongly typed inside",
+         [](Network& n) {
+             const auto nested = n.exprs.apply(Op::Plus, n.exprs.leaf(Op::Variable, 0), n.exprs.integer(1));
+             n.observers.add({"watch", {"calm", "alarm"}, 0, {{0, 1, n.exprs.apply(Op::Less, nested, n.exprs.integer(3))}}, {}});
+         }},
+        {"observer watch: a guard is wrongly typed inside",   // it asks for its third location, which it has not
+         [](Network& n) {
+             const auto self = static_cast<std::uint32_t>(n.processes.size());
+             n.observers.add({"watch", {"calm", "alarm"}, 0, {{0, 1, n.exprs.at(self, 2)}}, {}});
+         }},
+        {"observer watch: an edge leads nowhere",
+         [](Network& n) { n.observers.add({"watch", {"calm"}, 0, {{0, 1, n.exprs.constant(true)}}, {}}); }},
+        {"observer watch: no initial location", [](Network& n) { n.observers.add({"watch", {"calm"}, 1, {}, {}}); }},
         {"settled is not Boolean", [](Network& n) { n.settled = n.exprs.integer(0); }},
     };
     for (const Case& c : cases) {
