@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "compose/controller.hpp"
-#include "compose/translation.hpp"
+#include "compose/reads.hpp"
 
 namespace grafverif {
 

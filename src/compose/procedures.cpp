@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "compose/translation.hpp"
+#include "compose/reads.hpp"
 
 namespace grafverif {
 
@@ -58,13 +58,15 @@ private:
         return image.valid() ? image : parts_.variable[variable.index];
     }
 
-    /// What the variables of the equations stand for: inputs as they are or as sampled, and `olds` in their old value.
-    std::vector<Id<Expr>> meaning(bool sampled, const std::vector<Variable>& olds = {}) {
+    /// Terms of the equations as terms of the network: inputs as they are or as sampled, and `olds` in their old value.
+    TermCopier reading(bool sampled, const std::vector<Variable>& olds = {}) {
         std::vector<Id<Expr>> leaves = stored_;
         if (sampled)
             for (const Variable input : parts_.sampled) leaves[input.index] = leaf_of(parts_.sample[input.index]);
         for (const Variable variable : olds) leaves[variable.index] = leaf_of(old_[variable.index]);
-        return leaves;
+        return {equations_.exprs, exprs(), [leaves = std::move(leaves)](const Expr& node) {
+                    return leaves[static_cast<std::size_t>(node.value)];
+                }};
     }
 
     Network::Assignment forgotten(Variable input) {
@@ -76,7 +78,7 @@ private:
 
     Assignments fire() {
         Assignments list;
-        Translation now(equations_.exprs, exprs(), meaning(false));
+        TermCopier now = reading(false);
         list.reserve(equations_.firings.size() + parts_.sampled.size());
         for (const Equations::Firing& firing : equations_.firings)
             list.push_back({stored_[firing.variable.index], now(firing.condition)});
@@ -87,7 +89,7 @@ private:
 
     /// Step activities, stored actions, `stable` and the timers to start or stop: all from the values before the cycle.
     Assignments evolve() {
-        Translation before(equations_.exprs, exprs(), meaning(true));
+        TermCopier before = reading(true);
         Assignments list = pending(before);
         list.push_back({leaf_of(parts_.stable), before(equations_.stable)});
         std::vector<Id<Expr>> races;
@@ -103,8 +105,8 @@ private:
             updates.push_back({previous.variable, {previous.value}});
         for (const Equations::StepActivity& step : equations_.steps) updates.push_back({step.variable, {step.next}});
         const std::vector<Variable> olds = keep_old(updates, list);
-        Translation kept(equations_.exprs, exprs(), meaning(true, olds));
-        Translation& old = olds.empty() ? before : kept;
+        TermCopier kept = reading(true, olds);
+        TermCopier& old = olds.empty() ? before : kept;
         for (const Update& update : updates) {
             const Id<Expr> target = stored_[update.target.index];
             const bool is_write = update.terms.size() == 2;
@@ -130,7 +132,7 @@ private:
     /// The levels after the procedure at hand, and requests to the timers of those that changed.
     void watch(bool sampled, Assignments& list) {
         if (equations_.watches.empty()) return;
-        Translation after(equations_.exprs, exprs(), meaning(sampled));
+        TermCopier after = reading(sampled);
         for (const Equations::Watch& watch : equations_.watches) {
             const Id<Expr> level = stored_[watch.variable.index];
             const Id<Expr> now = after(watch.value);
@@ -142,7 +144,7 @@ private:
     }
 
     /// Requests to the timers of the steps that change.
-    Assignments pending(Translation& before) {
+    Assignments pending(TermCopier& before) {
         Assignments list;
         if (parts_.pending.empty()) return list;
         std::vector<const Equations::StepActivity*> activity(equations_.variables.size(), nullptr);
@@ -196,7 +198,7 @@ private:
 
     Assignments write() {
         Assignments list;
-        Translation after(equations_.exprs, exprs(), meaning(true));
+        TermCopier after = reading(true);
         for (const Equations::Output& output : equations_.outputs)
             put(parts_.variable[output.variable.index], after(output.value), list);
         for (const Equations::Stored& stored : equations_.stored)
@@ -222,7 +224,7 @@ private:
     /// times of the initial steps begin.
     Assignments start() {
         Assignments list;
-        Translation now(equations_.exprs, exprs(), meaning(false));
+        TermCopier now = reading(false);
         std::vector<Id<Expr>> races;
         for (const Equations::Stored& stored : equations_.stored) races.push_back(now(stored.first_race));
         note_race(races, list);
@@ -232,7 +234,7 @@ private:
         for (const Equations::Stored& stored : equations_.stored)
             if (!keeps(equations_, stored)) updates.push_back({stored.variable, {stored.first}});
         const std::vector<Variable> olds = keep_old(updates, list);
-        Translation old(equations_.exprs, exprs(), meaning(false, olds));
+        TermCopier old = reading(false, olds);
         for (const Update& update : updates) list.push_back({stored_[update.target.index], old(update.terms[0])});
         watch(false, list);
         for (std::size_t i = 0; i < parts_.pending.size(); ++i)

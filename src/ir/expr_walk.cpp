@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Walks over the terms of an Exprs table: copying into another table, and the leaves of a term. Both visit each
 // shared subterm once.
-#include <unordered_map>
 #include <unordered_set>
 
 #include "grafverif/ir/expr.hpp"
@@ -9,23 +8,6 @@
 namespace grafverif {
 
 namespace {
-
-using Copies = std::unordered_map<std::uint32_t, Id<Expr>>;
-
-Id<Expr> copy(const Exprs& from, Id<Expr> root, Exprs& to, const std::function<Id<Expr>(const Expr&)>& leaf,
-              Copies& copies) {
-    const Expr node = from[root];   // by value: `to` may be `from`, and grow
-    if (node.op == Op::False || node.op == Op::True) return to.constant(node.op == Op::True);
-    if (node.op == Op::Integer) return to.integer(node.value);
-    if (node.op == Op::Duration) return to.duration(node.value);
-    if (is_leaf(node.op)) return leaf(node);
-    if (const auto known = copies.find(root.index); known != copies.end()) return known->second;
-    std::vector<Id<Expr>> operands(from.operands(root).begin(), from.operands(root).end());
-    for (Id<Expr>& operand : operands) operand = copy(from, operand, to, leaf, copies);
-    const Id<Expr> result = to.apply(node.op, operands);
-    copies.emplace(root.index, result);
-    return result;
-}
 
 void collect(const Exprs& exprs, Id<Expr> root, std::unordered_set<std::uint32_t>& seen, std::vector<Id<Expr>>& found) {
     const Expr& node = exprs[root];
@@ -36,9 +18,22 @@ void collect(const Exprs& exprs, Id<Expr> root, std::unordered_set<std::uint32_t
 
 }  // namespace
 
+Id<Expr> TermCopier::operator()(Id<Expr> root) {
+    const Expr node = (*from_)[root];   // by value: `to` may be `from`, and grow
+    if (node.op == Op::False || node.op == Op::True) return to_->constant(node.op == Op::True);
+    if (node.op == Op::Integer) return to_->integer(node.value);
+    if (const auto known = copies_.find(root.index); known != copies_.end()) return known->second;
+    std::vector<Id<Expr>> operands(from_->operands(root).begin(), from_->operands(root).end());
+    for (Id<Expr>& operand : operands) operand = (*this)(operand);
+    const Id<Expr> result = operands.empty() ? leaf_(node) : to_->apply(node.op, operands);
+    copies_.emplace(root.index, result);
+    return result;
+}
+
 Id<Expr> translate(const Exprs& from, Id<Expr> root, Exprs& to, const std::function<Id<Expr>(const Expr&)>& leaf) {
-    Copies copies;
-    return copy(from, root, to, leaf, copies);
+    return TermCopier(from, to, [&](const Expr& node) {
+        return node.op == Op::Duration ? to.duration(node.value) : leaf(node);
+    })(root);
 }
 
 std::vector<Id<Expr>> leaves(const Exprs& exprs, Id<Expr> root) {

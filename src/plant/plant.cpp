@@ -17,21 +17,14 @@ namespace {
 /// Copies the terms of one component into the network: durations become time units, own variables parameters.
 class Terms {
 public:
-    Terms(const Component& component, std::int64_t unit, Exprs& to) : component_(component), unit_(unit), to_(to) {}
+    Terms(const Component& component, std::int64_t unit, Exprs& to)
+        : copy_(component.exprs, to, [unit, &to, own = component.parameters.size()](const Expr& node) {
+              if (node.op == Op::Duration) return to.integer(node.value / unit);
+              const auto index = static_cast<std::uint32_t>(node.value);
+              return to.leaf(Op::Parameter, node.op == Op::Parameter ? index : static_cast<std::uint32_t>(own) + index);
+          }) {}
 
-    Id<Expr> operator()(Id<Expr> root) {
-        const Expr& node = component_.exprs[root];
-        if (node.op == Op::Duration) return to_.integer(node.value / unit_);
-        if (node.op == Op::Integer) return to_.integer(node.value);
-        if (node.op == Op::True || node.op == Op::False) return to_.constant(node.op == Op::True);
-        if (node.op == Op::Parameter) return to_.leaf(Op::Parameter, static_cast<std::uint32_t>(node.value));
-        if (node.op == Op::Variable)
-            return to_.leaf(Op::Parameter, static_cast<std::uint32_t>(component_.parameters.size() +
-                                                                      static_cast<std::size_t>(node.value)));
-        std::vector<Id<Expr>> operands;
-        for (const Id<Expr> operand : component_.exprs.operands(root)) operands.push_back((*this)(operand));
-        return to_.apply(node.op, operands);
-    }
+    Id<Expr> operator()(Id<Expr> root) { return copy_(root); }
 
     std::vector<Network::ClockConstraint> constraints(const std::vector<Component::ClockConstraint>& from) {
         std::vector<Network::ClockConstraint> list;
@@ -41,9 +34,7 @@ public:
     }
 
 private:
-    const Component& component_;
-    std::int64_t unit_;
-    Exprs& to_;
+    TermCopier copy_;
 };
 
 Table<Network::Parameter> parameters(const Component& component) {

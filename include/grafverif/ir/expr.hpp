@@ -11,7 +11,7 @@
 //   Step       Chart::steps: the step variable X of a step (IEC 60848, 4.3); only in Chart
 //   Timed      Chart::time_conditions; only in Chart
 //   Parameter  the parameters of the enclosing Component or Network template
-//   At         Network: a process is at a location (see process_location); only in properties of a Network
+//   At         Network: a process, or an observer, is at a location; only in properties and guards of observers
 //   Integer    a number; Duration: milliseconds (only in Component)
 //
 // Integers are 64-bit; an operation that would overflow is not folded, and evaluation reports it.
@@ -23,6 +23,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "grafverif/support/id.hpp"
@@ -103,6 +105,23 @@ std::optional<std::int64_t> evaluate(const Exprs& exprs, Id<Expr> root,
 /// `leaf` is asked for every leaf in the table.
 std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
                                                       const std::function<std::int64_t(const Expr&)>& leaf);
+
+/// Copies terms of one table into another, or into the same one, under one meaning of the leaves: each term once,
+/// however many of those copied share it.
+class TermCopier {
+public:
+    /// `leaf` returns what stands in `to` for a leaf or a duration. Both tables outlive this.
+    TermCopier(const Exprs& from, Exprs& to, std::function<Id<Expr>(const Expr&)> leaf)
+        : from_(&from), to_(&to), leaf_(std::move(leaf)) {}
+
+    Id<Expr> operator()(Id<Expr> root);
+
+private:
+    const Exprs* from_;
+    Exprs* to_;
+    std::function<Id<Expr>(const Expr&)> leaf_;
+    std::unordered_map<std::uint32_t, Id<Expr>> copies_ = {};
+};
 
 /// A copy of the term `root` of `from` in `to`, each leaf replaced by what `leaf` returns for it (an id in `to`).
 Id<Expr> translate(const Exprs& from, Id<Expr> root, Exprs& to, const std::function<Id<Expr>(const Expr&)>& leaf);
