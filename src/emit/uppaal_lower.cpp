@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What UPPAAL's templates cannot say, said otherwise before anything is written (see lower).
 #include <algorithm>
-#include <unordered_set>
 
 #include "grafverif/emit/uppaal.hpp"
+#include "support/unique_names.hpp"
 
 namespace grafverif::uppaal {
 namespace {
@@ -21,18 +21,11 @@ std::vector<std::vector<Id<Location>>> starts(const Network& network) {
     return used;
 }
 
-/// `wish`, or with a number where another template has that name.
-std::string fresh(std::unordered_set<std::string>& taken, const std::string& wish) {
-    std::string name = wish;
-    for (int number = 2; !taken.insert(name).second; ++number) name = wish + '_' + std::to_string(number);
-    return name;
-}
-
 /// One template per start location: the one it says itself, or the first used, keeps the name.
 void split_by_start(Network& network) {
     const std::vector<std::vector<Id<Location>>> used = starts(network);
-    std::unordered_set<std::string> taken;
-    for (const Template& automaton : network.templates) taken.insert(automaton.name);
+    UniqueNames names;
+    for (const Template& automaton : network.templates) names.take(automaton.name);
 
     Table<Template> templates;
     std::vector<std::vector<Id<Template>>> variants(network.templates.size());  // beside `used`
@@ -45,7 +38,7 @@ void split_by_start(Network& network) {
             const bool keeps_name = own ? start == automaton.initial : start == list.front();
             Template variant = automaton;
             variant.initial = start;
-            if (!keeps_name) variant.name = fresh(taken, automaton.name + '_' + automaton.locations[start].name);
+            if (!keeps_name) variant.name = names.fresh(automaton.name + '_' + automaton.locations[start].name);
             variants[id.index].push_back(templates.add(std::move(variant)));
         }
     }

@@ -165,9 +165,7 @@ std::string LegalNames::invent(std::string_view wish) {
     if (std::ranges::find(reserved, name) != reserved.end()) name += '_';
     const bool step_like = kind_ == Kind::Variable && name.size() > 1 && name[0] == 'X' && is_digit(name[1]);
     if (step_like) name = "_" + name;
-    std::string free = name;
-    for (std::size_t i = 2; !taken_.insert(free).second; ++i) free = name + '_' + std::to_string(i);
-    return free;
+    return taken_.fresh(name);
 }
 
 }  // namespace grafverif

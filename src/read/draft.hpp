@@ -7,11 +7,11 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "grafverif/support/diagnostic.hpp"
 #include "grafverif/syntax/tree.hpp"
+#include "support/unique_names.hpp"
 
 namespace grafverif {
 
@@ -74,12 +74,12 @@ public:
     /// The same for a name that nobody wrote, of which there is nothing to warn.
     std::string invent(std::string_view wish);
     /// Keeps a name free that is legal as it stands.
-    void reserve(std::string_view name) { taken_.emplace(name); }
+    void reserve(std::string_view name) { taken_.take(std::string(name)); }
 
 private:
     Kind kind_;
     Draft* draft_;
-    std::unordered_set<std::string> taken_ = {};
+    UniqueNames taken_ = {};
 };
 
 }  // namespace grafverif

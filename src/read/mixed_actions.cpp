@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "grafverif/support/messages.hpp"
+#include "support/unique_names.hpp"
 
 namespace grafverif {
 
@@ -32,16 +33,16 @@ struct Mixed {
 
 void split_mixed_actions(Draft& draft, tree::Chart& chart) {
     std::unordered_set<Id<tree::Word>> continuous;
-    std::unordered_set<std::string> names;
+    UniqueNames names;
     std::vector<tree::Assignment*> assignments;
     for (const tree::ChartItem& item : chart.items) {
         if (const auto* variables = std::get_if<tree::Variables>(&item))
-            for (const tree::Variable& one : variables->variables) names.emplace(draft.text(one.name));
-        if (const auto* partial = std::get_if<tree::Partial>(&item)) names.emplace(draft.text(partial->name));
+            for (const tree::Variable& one : variables->variables) names.take(std::string(draft.text(one.name)));
+        if (const auto* partial = std::get_if<tree::Partial>(&item)) names.take(std::string(draft.text(partial->name)));
     }
     each(chart.items,
          [&](tree::Step& step) {
-             names.emplace(draft.text(step.name));
+             names.take(std::string(draft.text(step.name)));
              for (tree::Action& action : step.actions) {
                  if (const auto* one = std::get_if<tree::ContinuousAction>(&action)) continuous.insert(one->output.word);
                  if (auto* one = std::get_if<tree::StoredAction>(&action)) assignments.push_back(&one->assignment);
@@ -50,11 +51,6 @@ void split_mixed_actions(Draft& draft, tree::Chart& chart) {
          [&](tree::Transition& transition) {
              for (tree::Assignment& one : transition.assignments) assignments.push_back(&one);
          });
-    const auto fresh = [&names](const std::string& wish) {
-        std::string name = wish;
-        for (int i = 2; !names.insert(name).second; ++i) name = wish + '_' + std::to_string(i);
-        return name;
-    };
     std::unordered_map<Id<tree::Word>, std::size_t> known;
     std::vector<Mixed> mixed;
     for (tree::Assignment* one : assignments) {
@@ -62,7 +58,7 @@ void split_mixed_actions(Draft& draft, tree::Chart& chart) {
         const auto [at, first] = known.try_emplace(one->target.word, mixed.size());
         if (first) {
             const std::string output(draft.text(one->target));
-            mixed.push_back({one->target, fresh(output + "_stored")});
+            mixed.push_back({one->target, names.fresh(output + "_stored")});
             draft.diagnostics().add(messages::mixed_actions(one->target.where, output, mixed.back().stored));
         }
         one->target = draft.name(mixed[at->second].stored, one->target.where);
@@ -71,7 +67,7 @@ void split_mixed_actions(Draft& draft, tree::Chart& chart) {
     tree::Step always;
     always.initial = true;
     always.where = chart.where;
-    always.name = draft.name(fresh("outputs_stored"), chart.where);
+    always.name = draft.name(names.fresh("outputs_stored"), chart.where);
     std::size_t last = 0;
     for (std::size_t i = 0; i < chart.items.size(); ++i)
         if (std::holds_alternative<tree::Variables>(chart.items[i])) last = i + 1;
@@ -86,7 +82,7 @@ void split_mixed_actions(Draft& draft, tree::Chart& chart) {
     }
     chart.items.insert(chart.items.begin() + static_cast<std::ptrdiff_t>(last), std::make_move_iterator(declared.begin()),
                        std::make_move_iterator(declared.end()));
-    tree::Partial partial{tree::PartialKind::Partial, draft.name(fresh("stored_outputs"), chart.where), {}, chart.where};
+    tree::Partial partial{tree::PartialKind::Partial, draft.name(names.fresh("stored_outputs"), chart.where), {}, chart.where};
     partial.items.emplace_back(std::move(always));
     chart.items.emplace_back(std::move(partial));
 }

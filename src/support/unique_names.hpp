@@ -6,12 +6,16 @@
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 namespace grafverif {
 
 class UniqueNames {
 public:
     void reserve(std::size_t names) { taken_.reserve(names); }
+
+    /// From here on `name` is somebody's.
+    void take(std::string name) { taken_.insert(std::move(name)); }
 
     /// `wish` if nobody has it, else `wish_2`, `wish_3`, and so on.
     std::string fresh(const std::string& wish) {

@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "grafverif/support/messages.hpp"
+#include "support/unique_names.hpp"
 #include "syntax/chart_scope.hpp"
 
 namespace grafverif {
@@ -15,29 +16,26 @@ class TransitionNames {
 public:
     explicit TransitionNames(ChartScope& scope, const WrittenChart& written) : scope_(&scope) {
         for (const WrittenTransition& transition : written.transitions)
-            if (transition.transition->name.valid())
-                taken_.emplace(scope.text(transition.transition->name), transition.transition->name.where);
+            if (transition.transition->name.valid()) {
+                const std::string name(scope.text(transition.transition->name));
+                written_.emplace(name, transition.transition->name.where);
+                names_.take(name);
+            }
     }
 
     std::string name(const tree::Transition& written, std::size_t position) {
-        if (!written.name.valid()) return fresh("t" + std::to_string(position));
+        if (!written.name.valid()) return names_.fresh("t" + std::to_string(position));
         const std::string_view name = scope_->text(written.name);
-        const Span first = taken_.at(std::string(name));
+        const Span first = written_.at(std::string(name));
         if (first.begin != written.name.where.begin)
             scope_->diagnostics.add(messages::duplicate_name(written.name.where, "transition", name, first));
         return std::string(name);
     }
 
 private:
-    std::string fresh(const std::string& wish) {
-        std::string name = wish;
-        for (std::size_t i = 2; taken_.contains(name); ++i) name = wish + "_" + std::to_string(i);
-        taken_.emplace(name, Span{});
-        return name;
-    }
-
     ChartScope* scope_;
-    std::unordered_map<std::string, Span> taken_ = {};
+    std::unordered_map<std::string, Span> written_ = {};   ///< where each name is first written
+    UniqueNames names_ = {};
 };
 
 std::vector<Id<Chart::Step>> side(ChartScope& scope, const std::vector<tree::Name>& labels,
