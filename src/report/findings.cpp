@@ -98,8 +98,7 @@ void print_findings(const Analysis& analysis, const Sources& sources, Colour col
     }
     print_accepted(analysis, out);
     print_open(analysis, out);
-    for (const std::string& note : analysis.notes) out << "note: " << printable(note) << '
-';
+    for (const std::string& note : analysis.notes) out << "note: " << printable(note) << '\n';
     print_tally(analysis, out);
 }
 
