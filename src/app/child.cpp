@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -17,6 +18,7 @@
 #include <string_view>
 
 #include "app/descriptor.hpp"
+#include "app/interrupt.hpp"
 
 extern char** environ;
 
@@ -176,11 +178,16 @@ void Child::send(int signal) const {
 /// Its id is nobody else's before it is reaped, and then no signal is sent to it any more.
 void Child::end() {
     if (over_) return;
+    const Uninterrupted whole;   // who is ended halfway leaves somebody behind
     ::kill(-pid_, SIGKILL);
     strike_out(pid_);
     reap(pid_);
     over_ = true;
     family().end();
+}
+
+bool children_run() noexcept {
+    return std::ranges::any_of(running, [](const std::atomic<pid_t>& place) { return place.load() != 0; });
 }
 
 void kill_children_at_once() noexcept {

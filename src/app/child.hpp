@@ -46,6 +46,9 @@ private:
     std::optional<ChildEnd> ended_ = {};
 };
 
+/// Whether a program runs that nobody has begun to end. Waits for nothing.
+bool children_run() noexcept;
+
 /// Ends the process groups of all programs that run now. For a signal handler that ends us: waits for nothing.
 void kill_children_at_once() noexcept;
 

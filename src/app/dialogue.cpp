@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/guard.hpp"
+#include "app/interrupt.hpp"
 #include "grafverif/syntax/scan_line.hpp"
 
 namespace grafverif::app {
@@ -50,6 +51,7 @@ Dialogue::Dialogue(const std::string& command, const DialogueLimits& limits) : l
 }
 
 Dialogue::~Dialogue() {
+    const Uninterrupted whole;
     to_.close();
     from_.close();
     if (!wait_for_end(std::chrono::milliseconds(over_ ? 0 : 500))) {
@@ -57,6 +59,7 @@ Dialogue::~Dialogue() {
         wait_for_end(std::chrono::milliseconds(200));
     }
     program_->end();
+    if (stopped()) work_is_done();   // what is known is told from here on
     std::signal(SIGPIPE, pipe_signal_before_);
 }
 
@@ -75,7 +78,7 @@ Reply Dialogue::answer_to(const std::string& line) {
     for (;;) {
         const bool answered = heard_.find('\n') != std::string::npos;
         if (answered || heard_.size() > limits_.longest_line || !from_.open()) return answer_so_far();
-        if (limits_.stop != nullptr && limits_.stop->load()) return {Reply::Kind::Stopped, {}};
+        if (stopped()) return {Reply::Kind::Stopped, {}};
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Steady::now());
         if (left.count() <= 0) return {Reply::Kind::Silent, {}};
         wait(left);
@@ -115,7 +118,7 @@ void Dialogue::listen() {
 
 /// Until something can be read or written, but not much longer than somebody who asks us to stop would wait.
 void Dialogue::wait(std::chrono::milliseconds longest) {
-    constexpr std::chrono::milliseconds most{100};
+    constexpr std::chrono::milliseconds most{20};
     const auto writing = static_cast<short>(unsent_.empty() ? 0 : POLLOUT);
     std::array<pollfd, 3> waited = {pollfd{from_.number(), POLLIN, 0}, pollfd{errors_.number(), POLLIN, 0},
                                     pollfd{writing != 0 ? to_.number() : -1, writing, 0}};

@@ -55,6 +55,7 @@ public:
 private:
     using Steady = std::chrono::steady_clock;
 
+    bool stopped() const { return limits_.stop != nullptr && limits_.stop->load(); }
     Reply answer_to(const std::string& line);
     Reply answer_so_far();
     void send();

@@ -36,6 +36,7 @@ constexpr bool sanitized = false;
 
 constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;   ///< of the program itself: code, library, buffers
 constexpr std::size_t kept_back = std::size_t{2} << 20U;         ///< to tell with that there is no more
+constexpr auto patience_with_programs = 3s;
 constexpr auto grace = 400ms, longest_grace = 60'000ms, look_every = 25ms;
 
 std::atomic<std::int64_t> telling = 0;   ///< since when, on the steady clock; 0: not yet
@@ -199,8 +200,11 @@ const std::string* Guard::reason() {
     return nullptr;
 }
 
-/// Files that are being written come first, and no program that we have started is left behind.
+/// Files that are being written come first, and the end of programs that we have started: whoever runs them looks at
+/// the same bounds, and ends all that they have started.
 void Guard::end(const std::string& why) {
+    if (!ending_) ending_ = Steady::now();
+    if (children_run() && Steady::now() - *ending_ < patience_with_programs) return;
     if (!Uninterrupted::none_from_now_on()) return;
     kill_children_at_once();
     write_whole(why);

@@ -50,7 +50,7 @@ private:
     using Steady = std::chrono::steady_clock;
     GuardOrders orders_;
     Interrupt interrupt_ = {};
-    std::optional<Steady::time_point> last_moment_ = {}, interrupted_ = {};
+    std::optional<Steady::time_point> last_moment_ = {}, interrupted_ = {}, ending_ = {};
     pthread_t thread_ = {};
     std::mutex mutex_ = {};
     std::condition_variable over_ = {};

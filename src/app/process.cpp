@@ -19,6 +19,8 @@
 #include <utility>
 
 #include "app/child.hpp"
+#include "app/guard.hpp"
+#include "app/interrupt.hpp"
 
 namespace grafverif::app {
 
@@ -108,7 +110,11 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
         }
         break;
     }
-    child.end();
+    {
+        const Uninterrupted whole;
+        child.end();
+        if (result.end == ProgramResult::End::Stopped) work_is_done();   // what is known is told from here on
+    }
     out.take(limits.max_output);
     err.take(limits.max_output);
     if (end) {
