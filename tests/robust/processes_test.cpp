@@ -125,7 +125,7 @@ TEST(Memory, IsUsedAsValgrindLikesIt) {
                                            "closed_loop l { controller pulse; environment A = free(OUT = a); property p: reachable X2; }\n");
     const std::vector<Words> all{{"testgen", chart}, {"check", chart, "--untimed"}, {"check", chart}, {"analyse", chart}, {"st", chart}, {"build", chart, "-o", "FOLDER/models"}, {"simulate", chart, "--random", "1"}};
     for (std::size_t k = 0; k < all.size() && static_cast<int>(k) < law_size(1); ++k) {
-        const ProgramResult result = ran(with({valgrind->string(), "-q", "--error-exitcode=99"}, all[k], folder));
+        const ProgramResult result = ran(with({valgrind->string(), "-q", "--error-exitcode=99", "--max-stackframe=8000000"}, all[k], folder));
         EXPECT_EQ(result.end, ProgramResult::End::Exited);
         EXPECT_NE(result.status, 99) << all[k][0] << '\n' << result.err;
     }
