@@ -113,7 +113,6 @@ void Machine::add_words(const AnalyseOptions& options) {
         together.push_back(id);
     }
     add_word_bits(together);
-    if (space_.variables() == 0) space_.add_variables(1);   // a cone that keeps and reads nothing is a space all the same
     inputs_ = variable_set(space_, input_bits_);
     kept_set_ = variable_set(space_, kept_bits_);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;

@@ -15,7 +15,7 @@ namespace grafverif::fuzz {
 std::string nusmv_complaint(std::string_view bytes) {
     static const LoopUnderTest loop = read_loop(press_text);
     static const TransitionSystem system = untimed_text(press_text, {.plant = PlantApproach::Automata});
-    static const SystemSpelling spelling = nusmv::spelling(asked_of_nusmv(system));
+    static const SystemSpelling spelling = nusmv::spelling(system);
     static const FlatSystem flat = flattened(system);
     std::vector<std::size_t> properties;
     for (const Id<Property> id : system.properties.ids()) properties.push_back(id.index);

@@ -23,7 +23,7 @@ std::string poor_order(const Folder& folder) {
     return folder.write("poor.grafcet", text);
 }
 
-std::string ring(std::size_t steps) {
+std::string long_ring(std::size_t steps) {
     std::string text = "grafcet ring { input a; output o; initial step 0; ";
     for (std::size_t i = 1; i < steps; ++i) text += "step " + std::to_string(i) + (i % 10 == 0 ? " { o; } " : "; ");
     for (std::size_t i = 0; i < steps; ++i)
@@ -44,7 +44,7 @@ TEST(Diagrams, ATimeLimitIsKeptWithinOneLongOperation) {
 
 TEST(Diagrams, ALongRingIsCheckedUntilTheTimeIsUp) {
     const Folder folder;
-    const std::string file = folder.write("ring.grafcet", ring(3000));
+    const std::string file = folder.write("ring.grafcet", long_ring(3000));
     const Result result = grafverif({"check", file, "--untimed", "--timeout", "2s"});
     EXPECT_TRUE(result.code == ExitCode::Unknown || result.code == ExitCode::Done) << result.out << result.err;
 }
@@ -62,7 +62,7 @@ TEST(Diagrams, AChartWithoutInputsHasATest) {
 #if !defined(__SANITIZE_ADDRESS__)
 TEST(Diagrams, MemoryThatTheSystemRefusesEndsInUnknown) {
     const Folder folder;
-    const std::string program = GRAFVERIF_PROGRAM, file = folder.write("ring.grafcet", ring(3000));
+    const std::string program = GRAFVERIF_PROGRAM, file = folder.write("ring.grafcet", long_ring(3000));
     const std::string command = "ulimit -v 51200 && exec '" + program + "' check '" + file + "' --untimed --timeout 60s > '" +
                                 folder.file("out") + "' 2>&1";
     const int status = std::system(command.c_str());
