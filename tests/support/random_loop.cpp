@@ -219,6 +219,7 @@ struct Generator {
     void add_observer() {
         ClosedLoop::Observer observer{.name = "Seen"};
         for (const char* const name : {"nothing", "first", "second"}) observer.locations.add({.name = name});
+        observer.initial = {0};
         observer.edges.push_back({{0}, {1}, formula(), {}});
         observer.edges.push_back({{1}, {2}, formula(), {}});
         loop.observers.add(std::move(observer));
