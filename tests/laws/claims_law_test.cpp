@@ -272,12 +272,13 @@ private:
         const Timed& timed = kind.grain == Grain::Atomic ? atomic_ : phased_;
         const Network& network = timed.loop->network;
         if (words.starts_with("so with every plant")) {
-            const bool kept = outcome(atomic_.verdicts, "kept_constraint_1") == Outcome::Holds;
-            if (has(words, "keeps the constraints") && !kept) return;
-            agree(words, verdict, atomic_.verdicts, &atomic_.loop->network);
+            const auto kept = [&](const Verdicts& there) {
+                return !has(words, "keeps the constraints") || outcome(there, "kept_constraint_1") == Outcome::Holds;
+            };
+            if (kept(atomic_.verdicts)) agree(words, verdict, atomic_.verdicts, &atomic_.loop->network);
             // Without time the controllers may be kept waiting for ever.
             for (const Untimed& other : untimed_)
-                if (other.grain == Grain::Atomic && other.options.schedule == Schedule::Interleaved && other.system &&
+                if (other.grain == Grain::Atomic && other.options.schedule == Schedule::Interleaved && kept(other.verdicts) &&
                     (other.options.time == TimeModel::Discrete ? !other.options.fairness : !is_liveness(verdict)) &&
                     !(is_liveness(verdict) && loop().controllers.size() > 1))
                     agree(words, verdict, other.verdicts);
