@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <ostream>
 #include <sstream>
 
@@ -63,10 +62,10 @@ std::optional<Findings> untimed_findings(const Model& model, Job& job, const Str
                                          const Interrupt& interrupt) {
     const auto loop = is_of_a_chart(model, job.options) ? std::nullopt : chosen_loop(model, job);
     const auto chart = is_of_a_chart(model, job.options) ? chosen_chart(model, job) : std::nullopt;
-    const auto start = std::chrono::steady_clock::now();
+    const auto equations = chart ? equations_of(model, *chart, job) : std::nullopt;
     std::optional<TransitionSystem> system;
     if (loop) system = transition_system_of(model, *loop, job);
-    if (chart) system = controller_of(model, *chart, job);
+    if (equations) system = controller_of(model, *chart, *equations, job);
     if (!system) return {};
     if (chart) {
         ask_for_steps(*system);
@@ -87,7 +86,7 @@ std::optional<Findings> untimed_findings(const Model& model, Job& job, const Str
     Findings found = check_symbolically(check, job.options, streams, interrupt);
     const bool asked = job.options.properties.empty() || is_asked(stabilises, job.options.properties);
     if (stability && asked)
-        add_stabilises(model.charts[*chart], *equations_of(model, *chart, job), job.options, interrupt, start, found);
+        add_stabilises(model.charts[*chart], *equations, job.options, interrupt, found);
     return found;
 }
 

@@ -20,7 +20,9 @@ ExitCode nusmv(Job& job, const Streams& streams) {
     std::optional<TransitionSystem> system;
     const bool of_a_chart = job.options.chart || (!job.options.loop && model->loops.empty());
     if (of_a_chart) {
-        if (const auto chart = chosen_chart(*model, job)) system = controller_of(*model, *chart, job);
+        const auto chart = chosen_chart(*model, job);
+        const auto equations = chart ? equations_of(*model, *chart, job) : std::nullopt;
+        if (equations) system = controller_of(*model, *chart, *equations, job);
     } else if (const auto loop = chosen_loop(*model, job)) {
         system = transition_system_of(*model, *loop, job);
     }

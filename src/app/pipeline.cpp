@@ -222,10 +222,8 @@ std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Clos
     return system;
 }
 
-std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> chart, Job& job) {
-    const auto equations = equations_of(model, chart, job);
-    if (!equations) return {};
-    return schedule_controller(*equations, execution_mode(model, chart, job));
+TransitionSystem controller_of(const Model& model, Id<Chart> chart, const Equations& equations, const Job& job) {
+    return schedule_controller(equations, execution_mode(model, chart, job));
 }
 
 namespace {

@@ -73,7 +73,7 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Job& 
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, Job& job);
 
 /// Equations -> TransitionSystem of a lone chart, in its execution_mode.
-std::optional<TransitionSystem> controller_of(const Model& model, Id<Chart> chart, Job& job);
+TransitionSystem controller_of(const Model& model, Id<Chart> chart, const Equations& equations, const Job& job);
 
 /// Equations, TestSequence -> Structured Text in the form of `--format`. Empty after an error.
 std::string structured_text_controller(const Equations& equations, ExecutionMode mode, Job& job);

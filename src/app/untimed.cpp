@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/stop_words.hpp"
 #include "grafverif/analyse/analyse.hpp"
 #include "grafverif/ir/step_names.hpp"
 
@@ -82,11 +83,11 @@ void ask_for_steps(TransitionSystem& system) {
 }
 
 void add_stabilises(const Chart& chart, const Equations& equations, const Options& options, const Interrupt& interrupt,
-                    std::chrono::steady_clock::time_point start, Findings& findings) {
+                    Findings& findings) {
     AnalyseOptions asked;
     asked.instability_only = true;
     asked.max_memory = options.max_memory.value_or(asked.max_memory);
-    if (options.timeout_ms) asked.deadline = start + std::chrono::milliseconds(*options.timeout_ms);
+    asked.deadline = options.deadline;
     asked.stop = &interrupt.asked();
     Analysis analysis = grafverif::analyse(chart, equations, asked);
     findings.failures.insert(findings.failures.end(), analysis.failures.begin(), analysis.failures.end());
@@ -103,8 +104,9 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Option
     } else if (analysis.obstacle.empty()) {
         verdict.outcome = Outcome::Holds;
     } else {
-        verdict.obstacle = interrupt.asked() || options.timeout_ms ? Obstacle::Stopped : Obstacle::Memory;
-        verdict.reason = analysis.obstacle;
+        const bool stopped = analysis.obstacle.starts_with("stopped");
+        verdict.obstacle = stopped ? Obstacle::Stopped : Obstacle::Memory;
+        verdict.reason = with_who_stopped(analysis.obstacle, interrupt.asked(), options);
     }
     findings.report.answers.push_back(std::move(answer));
 }

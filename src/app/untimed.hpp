@@ -2,7 +2,6 @@
 // Engines for untimed models: each decides the properties of one transition system and returns what it found.
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,9 +40,9 @@ void ask_for_steps(TransitionSystem& system);
 /// whatever the inputs (code `total-instability`).
 inline constexpr const char* stabilises = "stabilises";
 
-/// The answer to it. What has been spent of the timeout since `start` is no longer there.
+/// Adds the answer to it.
 void add_stabilises(const Chart& chart, const Equations& equations, const Options& options, const Interrupt& interrupt,
-                    std::chrono::steady_clock::time_point start, Findings& findings);
+                    Findings& findings);
 
 /// A transition system to be checked, with the charts of its controllers, in order.
 struct SystemToCheck {
