@@ -70,10 +70,12 @@ bool Analyst::sign_seen(const Sign& sign) {
     return false;
 }
 
-/// Whether the chart has a run to one of `points`, and not this cone alone.
+/// Whether the chart has a run to one of `points`, and not this cone alone. Where no times make the run it was not tried.
 bool Analyst::confirmed(const Bdd& points) {
     const std::optional<Way> way = search_.way(points);
-    if (!way || !evidence(chart_, equations_, machine_, options_.mode, *way, {.ends = false}).failure.empty()) return false;
+    if (!way) return false;
+    const Evidence tried = evidence(chart_, equations_, machine_, options_.mode, *way, {.ends = false});
+    if (!tried.failure.empty() || tried.timing == Finding::Timing::Unconfirmed) return false;
     confirm_others(*way);
     return true;
 }

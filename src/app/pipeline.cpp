@@ -166,8 +166,7 @@ std::optional<MealyMachine> mealy_of(const Model& model, Id<Chart> chart, Job& j
     options.deadline = job.options.deadline;
     options.stop = &interrupt.asked();
     auto machine = mealy_machine(*automaton, options, job.diagnostics);
-    if (machine && job.options.minimise) return minimised(*machine);
-    return machine;
+    return machine && job.options.minimise ? minimised(*machine, options, model.charts[chart].origin, job.diagnostics) : std::move(machine);
 }
 
 std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const MealyMachine& machine, Job& job) {

@@ -349,11 +349,6 @@ Id<Expr> assumed_term(const Equations& equations, const std::vector<std::optiona
     return exprs.conjunction(terms);
 }
 
-Diagnostic exhausted(const Equations& equations, const BddExhausted& exhausted, bool by_user) {
-    return exhausted.cause() == BddExhausted::Cause::Memory ? messages::automaton_too_large(equations.origin)
-                                                            : messages::stopped(equations.origin, by_user);
-}
-
 }  // namespace
 
 std::optional<LocationAutomaton> location_automaton(const Equations& equations, const AutomatonOptions& options,
@@ -375,7 +370,7 @@ std::optional<LocationAutomaton> location_automaton(const Equations& equations, 
         if (!search.run() || search.unsound()) return {};
     } catch (const BddExhausted& failure) {
         if (options.partial && !automaton.locations.empty()) return automaton;
-        diagnostics.add(exhausted(equations, failure, options.stop != nullptr && options.stop->load()));
+        diagnostics.add(limit_reached(failure, equations.origin, options.stop));
         return {};
     }
     return automaton;

@@ -4,7 +4,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "grafverif/support/messages.hpp"
+
 namespace grafverif::conform {
+
+Diagnostic limit_reached(const BddExhausted& exhausted, Span origin, const std::atomic<bool>* stop) {
+    return exhausted.cause() == BddExhausted::Cause::Memory ? messages::automaton_too_large(origin)
+                                                            : messages::stopped(origin, stop != nullptr && stop->load());
+}
 
 InputSpace::InputSpace(const std::vector<Type>& types, const BddLimits& limits) : space_(limits) {
     for (const Type type : types) {
@@ -113,7 +120,7 @@ Id<Expr> Conditions::sum_of_products(const Bdd& function) {
 }
 
 /// A sum of products between `least` and `most`, no product of which can be left out (Minato 1993, ISOP). Recurses as deep
-/// as there are variables.
+/// as there are variables, which are in the order of their numbers: these spaces are not reordered.
 Conditions::Cover Conditions::cover(const Bdd& least, const Bdd& most) {
     if (least.is_false()) return {};
     if (most.is_true()) return {{{}}, Bdd::constant(true)};

@@ -2,6 +2,7 @@
 // The inputs of a chart as variables of decision diagrams, and functions of them as terms to read.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
@@ -10,8 +11,12 @@
 #include "grafverif/bdd/bdd.hpp"
 #include "grafverif/bdd/terms.hpp"
 #include "grafverif/ir/expr.hpp"
+#include "grafverif/support/diagnostic.hpp"
 
 namespace grafverif::conform {
+
+/// The error of a search that decision diagrams stopped: at their memory, at the deadline, or by `stop`.
+Diagnostic limit_reached(const BddExhausted& exhausted, Span origin, const std::atomic<bool>* stop);
 
 /// Input k is word k; its bits are neighbours, the most significant on top.
 class InputSpace {

@@ -334,8 +334,7 @@ std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, co
     try {
         return Builder(automaton, options, diagnostics).machine();
     } catch (const BddExhausted& exhausted) {
-        diagnostics.add(exhausted.cause() == BddExhausted::Cause::Memory ? messages::automaton_too_large(automaton.origin)
-                                                                         : messages::stopped(automaton.origin, options.stop != nullptr && options.stop->load()));
+        diagnostics.add(limit_reached(exhausted, automaton.origin, options.stop));
         return {};
     }
 }

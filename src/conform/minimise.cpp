@@ -17,8 +17,8 @@ using namespace conform;
 
 class Minimiser {
 public:
-    explicit Minimiser(const MealyMachine& machine)
-        : machine_(machine), space_(types(machine), {}),
+    Minimiser(const MealyMachine& machine, const BddLimits& limits)
+        : machine_(machine), space_(types(machine), limits),
           terms_(machine.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }),
           class_of_(machine.states.size()) {
         space_.assume(condition(machine.assumed));
@@ -119,6 +119,13 @@ private:
 
 }  // namespace
 
-MealyMachine minimised(const MealyMachine& machine) { return Minimiser(machine).minimised(); }
+std::optional<MealyMachine> minimised(const MealyMachine& machine, const MealyOptions& options, Span origin, Diagnostics& diagnostics) {
+    try {
+        return Minimiser(machine, {options.max_memory, options.deadline, options.stop}).minimised();
+    } catch (const BddExhausted& exhausted) {
+        diagnostics.add(limit_reached(exhausted, origin, options.stop));
+        return {};
+    }
+}
 
 }  // namespace grafverif

@@ -30,7 +30,7 @@ std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, co
                                           Diagnostics& diagnostics);
 
 /// The least machine that gives the same answers to the same inputs from its initial state: states that nobody can tell
-/// apart become one (Moore 1956), named after the situations of all of them.
-MealyMachine minimised(const MealyMachine& machine);
+/// apart become one (Moore 1956), named after the situations of all of them. Nothing after an error at `origin`: a limit.
+std::optional<MealyMachine> minimised(const MealyMachine& machine, const MealyOptions& options, Span origin, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -465,6 +465,22 @@ TEST(Analyse, WhatARunThatBreaksOffRulesOutIsNotTakenFromAPart) {
     EXPECT_NE(find(found, "transition-never-fired", "t"), nullptr) << "no run goes on";
 }
 
+TEST(Analyse, ARunOfAPartThatNoTimesMakeIsNotTakenForOneOfTheChart) {
+    // Whatever follows a rise of `a` is never stable, by part g; the shortest run of the other part lets a timer end too late.
+    const Analysis found = analysed(R"(
+        input a;
+        output o;
+        initial step 2;
+        step 3 { o for 500ms; }
+        transition t0: 2 -> 3 when a;
+        transition t: 3 -> when !rise(1s/X100/500ms) && fall(a);
+        partial g { initial step 10; transition u: 10 -> 10 when a; }
+        partial h { initial step 100; transition v: 100 -> when a; }
+    )");
+    EXPECT_NE(find(found, "total-instability"), nullptr);
+    EXPECT_NE(find(found, "transition-never-fired", "t"), nullptr);
+}
+
 TEST(Analyse, AnExhaustedSearchClaimsNothingThatNeverHappens) {
     std::atomic<bool> stop{true};
     const std::string text(sound);

@@ -171,6 +171,7 @@ TEST(CheckUntimed, AProgramThatLiesIsNotBelieved) {
              {"inevitable X1", said("-- specification AF lamp.X_1  is false\n" + trace + initial), "engine-disagrees: "},
              {"never L", "echo 'grafverif: 7'; echo '-- invariant a  is true'", "the program gave no verdict"},
              {"never L", said("my hovercraft is full of eels\n"), "the program gave no verdict"},
+             {"never L", "exec yes 'my hovercraft is full of eels'", "the program wrote more than is read"},
              {"never L", "echo '-- invariant a  is true'; exit 0", "the program gave no verdict"},
              {"never L", "echo '-- invariant a  is true'; echo 'grafverif: end'; kill -SEGV $$", "the program was ended by signal 11"},
          }) {

@@ -177,11 +177,12 @@ std::string tested(const Chart& chart, const LocationAutomaton& automaton, Walke
     const auto machine = mealy_machine(automaton, {.max_states = 300}, diagnostics);
     if (!machine) return {};
     for (const std::string& fault : verify(*machine)) return "verify: " + fault;
-    const MealyMachine least = minimised(*machine);
-    for (const std::string& fault : verify(least)) return "verify of the least machine: " + fault;
-    if (least.states.size() < machine->states.size()) ++walked.merged;
+    const auto least = minimised(*machine, {}, chart.origin, diagnostics);
+    if (!least) return "there is no least machine";
+    for (const std::string& fault : verify(*least)) return "verify of the least machine: " + fault;
+    if (least->states.size() < machine->states.size()) ++walked.merged;
     if (std::string what = tested(chart, *machine, walked); !what.empty()) return what;
-    if (std::string what = tested(chart, least, walked); !what.empty()) return "least machine, " + what;
+    if (std::string what = tested(chart, *least, walked); !what.empty()) return "least machine, " + what;
     return {};
 }
 

@@ -55,6 +55,17 @@ inline MealyMachine machine(const LocationAutomaton& automaton) {
     return std::move(*found);
 }
 
+inline MealyMachine least(const MealyMachine& machine) {
+    Diagnostics diagnostics;
+    auto found = minimised(machine, {}, {}, diagnostics);
+    if (!found) {
+        ADD_FAILURE() << diagnostics.all().front().message;
+        return {};
+    }
+    EXPECT_EQ(verify(*found), std::vector<std::string>{});
+    return std::move(*found);
+}
+
 inline TestSequence test_of(const MealyMachine& machine, TestCover cover = TestCover::Transitions, bool one_cycle_each = false) {
     Diagnostics diagnostics;
     TestOptions options;
