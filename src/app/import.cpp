@@ -21,7 +21,7 @@ ExitCode import_chart(Job& job, const Streams& streams) {
     if (job.diagnostics.has_errors()) return ExitCode::Input;
     tree::File file = read_any(*source, job.sources, {job.options.lossy}, job.diagnostics);
     // What is written, every verb reads: what they would refuse of the text is refused here, with its place in the file.
-    const auto model = file.broken ? std::nullopt : model_of({&file, 1}, false, job.sources, {}, job.diagnostics);
+    const auto model = model_of({&file, 1}, false, job.sources, {}, job.diagnostics);
     if (model)
         for (const Chart& chart : model->charts) derive(chart, job.diagnostics);
     if (job.diagnostics.has_errors()) return ExitCode::Input;

@@ -10,7 +10,8 @@ namespace grafverif {
 
 namespace {
 
-/// `text` without the escape sequences that programs colour and rewrite lines with.
+/// `text` with a blank for each of the escape sequences that programs colour and rewrite lines with: a word that one
+/// stands in is no word.
 std::string plain(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -18,6 +19,7 @@ std::string plain(std::string_view text) {
             result += text[i];
             continue;
         }
+        result += ' ';
         if (i + 1 == text.size() || text[i + 1] != '[') continue;
         for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;   // to its final byte
     }

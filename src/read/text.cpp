@@ -137,7 +137,7 @@ std::optional<Model> model_of(std::span<const tree::File> files, bool files_miss
     const LoopContext loops = loop_context(reading);
     if (!hidden)
         for (const tree::File& parsed : files) read_loops(reading, parsed, loops);
-    if (diagnostics.errors() != errors) return {};
+    if (diagnostics.errors() != errors || std::ranges::any_of(files, &tree::File::broken)) return {};
     assert(verify(reading.model).empty());
     return std::move(reading.model);
 }

@@ -38,7 +38,8 @@ struct ReadContext {
 /// Guarantees verify(model).empty().
 std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context, Diagnostics& diagnostics);
 
-/// The same of files that are parsed already, whatever they include; `files_missing`: some could not be read.
+/// The same of files that are parsed already, whatever they include; empty also where one of them is broken.
+/// `files_missing`: some could not be read.
 std::optional<Model> model_of(std::span<const tree::File> files, bool files_missing, Sources& sources,
                               const ReadContext& context, Diagnostics& diagnostics);
 

@@ -36,6 +36,7 @@ TEST(Verifyta, ReadsTheDocumentedLines) {
              Case{" -- Formula is satisfied.\n -- Formula is satisfied.\n", Outcome::Unknown, Obstacle::Disagrees},
              Case{"I wonder whether -- Formula is satisfied.\n", Outcome::Unknown, Obstacle::Failed},
              Case{" -- Formula is satisfied. Or is it?\n", Outcome::Unknown, Obstacle::Failed},
+             Case{" -- Formula is s\033[2Katisfied.\n", Outcome::Unknown, Obstacle::Failed},
              Case{"", Outcome::Unknown, Obstacle::Failed},
              Case{"\033", Outcome::Unknown, Obstacle::Failed},
              Case{"\033[", Outcome::Unknown, Obstacle::Failed},
