@@ -54,6 +54,20 @@ TEST(TimedEngine, DecidesWhatHoldsInSingleStates) {
     EXPECT_TRUE(result.time_passes);
 }
 
+TEST(TimedEngine, RefusesStatesOfMoreWordsThanItCanNumber) {
+    for (const bool too_wide : {false, true}) {
+        Sketch s;
+        constexpr std::int64_t of_its_own_word = std::int64_t{1} << 33U;
+        for (int k = 0; k < (too_wide ? 1 << 16 : 1000); ++k) s.integer("v" + std::to_string(k), 0, of_its_own_word, 0);
+        const Id<Network::Variable> last = s.integer("last", 0, of_its_own_word, 0);
+        s.edge(s.process("p", 1), {.urgent = true, .guard = s.op(Op::Equal, s.is(last), s.number(0)), .set = {{last, s.number(7)}}});
+        s.property("first_changes", Pattern::Reachable, {s.op(Op::Equal, s.is({0}), s.number(7))});
+        const Verdict found = verdict(checked(s.network), "first_changes");
+        EXPECT_EQ(found.outcome, too_wide ? Outcome::Unknown : Outcome::Violated);
+        EXPECT_EQ(found.obstacle, too_wide ? Obstacle::Unsupported : Obstacle::None);
+    }
+}
+
 TEST(TimedEngine, GivesShortestRunsInWhichADelayCountsOne) {
     Lamp lamp;
     lamp.s.property("dark", Pattern::Never, {lamp.s.is(lamp.lit)});
