@@ -77,6 +77,30 @@ TEST(Findings, AsJsonHaveAllTheirParts) {
     EXPECT_EQ(object["findings"][1]["accepted"], "later");
 }
 
+TEST(Findings, SayOfWhatIsNotDecidedHowFarItWasLookedInto) {
+    Analysed made = analysed(std::string(two_buttons));
+    made.analysis.questions = 9;
+    made.analysis.obstacle = "stopped before the end";
+    made.analysis.open = {{"action-race", "O", 3, 0},           {"action-race", "P", 3, 0},   {"step-never-active", "X1", 1, 0},
+                          {"step-never-active", "X2", 0, 0},    {"total-instability", "", 4, 7}, {"out-of-range", "n", 0, 5}};
+    std::ostringstream text, sarif;
+    print_findings(made.analysis, made.sources, Colour::Plain, text);
+    EXPECT_NE(text.str().find("not decided: 6 of 9 questions; stopped before the end\n"
+                              "    action-race of `O`, `P`: none in the first 3 instants\n"
+                              "    out-of-range of `n`: none in 5 evolutions\n"
+                              "    step-never-active of `X2`: nothing is known\n"
+                              "    step-never-active of `X1`: so it is in the first instant\n"
+                              "    total-instability: none in the first 4 instants, none in 7 evolutions\n"),
+              std::string::npos)
+        << text.str();
+    print_findings_sarif(made.analysis, made.sources, "0", sarif);
+    const auto invocation = nlohmann::json::parse(sarif.str())["runs"][0]["invocations"][0];
+    EXPECT_EQ(invocation["executionSuccessful"], false);
+    ASSERT_EQ(invocation["toolExecutionNotifications"].size(), 6U);
+    EXPECT_EQ(invocation["toolExecutionNotifications"][2]["message"]["text"],
+              "not decided (stopped before the end): step-never-active of `X1`: so it is in the first instant");
+}
+
 /// What the schema of SARIF 2.1.0 asks of a log such as ours.
 void expect_sarif(const nlohmann::json& log) {
     EXPECT_EQ(log["version"], "2.1.0");
