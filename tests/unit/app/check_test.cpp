@@ -47,6 +47,7 @@ TEST(Check, SaysWhatAVerdictRestsOn) {
 
 TEST(Check, HasAnExitCodeForEachOutcome) {
     const Folder folder;
+    const Path without_programs(folder.file(""));
     struct Case {
         const char* properties;
         std::vector<std::string> options;
