@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "schedule/constraints.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
+#include "grafverif/bdd/terms.hpp"
 #include "grafverif/schedule/controller.hpp"
 #include "grafverif/support/messages.hpp"
 
@@ -25,86 +27,54 @@ std::optional<std::vector<Id<ClosedLoop::Shared>>> inputs_of(const ClosedLoop& l
     return found;
 }
 
-/// Looks for inputs of which some constraints hold, one input after the other; a constraint is judged as soon as its
-/// last input has a value.
-class InputSearch {
+/// The inputs that the constraints taken so far leave, as a function of their bits.
+class Inputs {
 public:
-    explicit InputSearch(const ClosedLoop& loop) : loop_(loop) {}
+    /// Bits of one place are neighbours, so that inputs can be compared.
+    explicit Inputs(const ClosedLoop& loop) : loop_(loop), terms_(loop.exprs, [this](const Expr& leaf) { return term(leaf); }) {
+        std::size_t most = 0;
+        for (const ClosedLoop::Constraint& constraint : loop.constraints)
+            for (const Id<ClosedLoop::Shared> input : inputs_of(loop, constraint.condition).value_or(std::vector<Id<ClosedLoop::Shared>>{})) {
+                const Type type = loop.shared[input].type;
+                if (words_.try_emplace(input, BddWord{type, {}}).second) most = std::max(most, bit_count(type));
+            }
+        for (std::size_t place = most; place-- > 0;)
+            for (auto& [input, word] : words_)
+                if (place < bit_count(word.type)) word.bits.insert(word.bits.begin(), space_.add_variables(1));
+        for (const auto& [input, word] : words_) left_ &= in_range(space_, word);
+    }
 
-    /// Whether the constraints taken so far and this one hold together of some inputs; nothing: not found in time.
-    std::optional<bool> admits(Id<Expr> condition, const std::vector<Id<ClosedLoop::Shared>>& inputs) {
-        for (const Id<ClosedLoop::Shared> input : inputs)
-            if (values_.emplace(input, loop_.shared[input].type.low).second) order_.push_back(input);
-        conditions_.push_back({condition, inputs});
-        if (value(condition)) return true;   // of the inputs found before
-        judged_.assign(order_.size() + 1, {});
-        for (const auto& [one, of] : conditions_) judged_[last_input(of)].push_back(one);
-        steps_ = 0;
-        return search();
+    /// Whether the constraints so far and this one hold together of some inputs; nothing: that takes too much memory.
+    std::optional<bool> admit(Id<Expr> condition) {
+        try {
+            const BddTerm& found = terms_(condition);
+            left_ &= found.bits.front() & ~found.undefined;
+            return !left_.is_false();
+        } catch (const BddExhausted&) {
+            return {};
+        }
     }
 
 private:
-    static constexpr std::size_t most_steps = 2'000'000;
-
-    bool value(Id<Expr> condition) const {
-        const auto result = evaluate(loop_.exprs, condition, [&](const Expr& leaf) {
-            const Id<ClosedLoop::Symbol> symbol{static_cast<std::uint32_t>(leaf.value)};
-            return values_.at(std::get<ClosedLoop::SharedSymbol>(loop_.symbols[symbol]).shared);
-        });
-        return result.value_or(0) != 0;
-    }
-
-    /// How many inputs have to have a value before a condition over `inputs` has one.
-    std::size_t last_input(const std::vector<Id<ClosedLoop::Shared>>& inputs) const {
-        std::size_t needed = 0;
-        for (const Id<ClosedLoop::Shared> input : inputs)
-            for (std::size_t k = 0; k < order_.size(); ++k)
-                if (order_[k] == input) needed = std::max(needed, k + 1);
-        return needed;
-    }
-
-    bool fits(std::size_t depth) const {
-        for (const Id<Expr> condition : judged_[depth])
-            if (!value(condition)) return false;
-        return true;
-    }
-
-    /// By counting: the input at the depth takes its next value, or hands back to the one before.
-    std::optional<bool> search() {
-        if (!fits(0)) return false;
-        std::size_t depth = 0;
-        if (!order_.empty()) values_[order_[0]] = loop_.shared[order_[0]].type.low;
-        while (depth < order_.size()) {
-            if (++steps_ > most_steps) return {};
-            if (fits(depth + 1)) {
-                if (++depth < order_.size()) values_[order_[depth]] = loop_.shared[order_[depth]].type.low;
-                continue;
-            }
-            while (values_[order_[depth]] == loop_.shared[order_[depth]].type.high) {
-                if (depth == 0) return false;
-                --depth;
-            }
-            ++values_[order_[depth]];
-        }
-        return true;
+    BddTerm term(const Expr& leaf) const {
+        const Id<ClosedLoop::Symbol> symbol{static_cast<std::uint32_t>(leaf.value)};
+        return term_of(space_, words_.at(std::get<ClosedLoop::SharedSymbol>(loop_.symbols[symbol]).shared));
     }
 
     const ClosedLoop& loop_;
-    std::vector<Id<ClosedLoop::Shared>> order_ = {};
-    std::map<Id<ClosedLoop::Shared>, std::int64_t> values_ = {};
-    std::vector<std::pair<Id<Expr>, std::vector<Id<ClosedLoop::Shared>>>> conditions_ = {};
-    std::vector<std::vector<Id<Expr>>> judged_ = {};   ///< by the number of inputs that have a value
-    std::size_t steps_ = 0;
+    BddSpace space_ = BddSpace({std::uint64_t{1} << 28U});
+    std::map<Id<ClosedLoop::Shared>, BddWord> words_ = {};
+    Bdd left_ = Bdd::constant(true);
+    BddTerms terms_;
 };
 
 }  // namespace
 
 bool constraints_agree(const ClosedLoop& loop, Diagnostics& diagnostics) {
-    InputSearch search(loop);
+    Inputs inputs(loop);
     for (const ClosedLoop::Constraint& constraint : loop.constraints) {
-        const auto inputs = inputs_of(loop, constraint.condition);
-        if (!inputs) continue;
-        const std::optional<bool> admitted = search.admits(constraint.condition, *inputs);
+        if (!inputs_of(loop, constraint.condition)) continue;
+        const std::optional<bool> admitted = inputs.admit(constraint.condition);
         if (admitted.value_or(false)) continue;
         diagnostics.add(messages::constraints_contradict(constraint.origin, constraint.name, admitted.has_value()));
         return false;

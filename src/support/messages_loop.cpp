@@ -103,7 +103,7 @@ Diagnostic constraints_contradict(Span where, std::string_view constraint, bool 
     return error("constraints-contradict", where,
                  fmt::format("{} of the inputs that satisfy `{}` together with the constraints before it, so the model would "
                              "have no state; correct one of them",
-                             decided ? "there are no values" : "no values were found", clipped(constraint)));
+                             decided ? "there are no values" : "no values were found in the memory allowed", clipped(constraint)));
 }
 
 Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most) {

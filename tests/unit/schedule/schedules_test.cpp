@@ -56,6 +56,24 @@ TEST(Schedules, ConstraintsAreAssumedOfFreeInputsAndProvedOfAPlant) {
     EXPECT_EQ(verdicts(untimed_text(text, with(Schedule::Sequenced)))["constraint_1"], Outcome::Holds);
 }
 
+TEST(Schedules, ConstraintsMayLeaveOneOfVeryManyCombinationsOfInputs) {
+    std::string chart = "grafcet g { input n: int -32000..32000, m: int -32000..32000; output o; input ";
+    std::string drivers;
+    std::string loop = "closed_loop l { controller g; environment N = free_integer(OUT = n, LOW = -32000, HIGH = 32000);"
+                       "environment M = free_integer(OUT = m, LOW = -32000, HIGH = 32000); property P: never o; constraint n == m && n % 3 == 2 && ";
+    for (int k = 0; k < 40; ++k) {
+        const std::string name = "a" + std::to_string(k);
+        chart += (k == 0 ? "" : ", ") + name;
+        loop += (k == 0 ? "" : " && ") + name;
+        drivers += "environment A" + std::to_string(k) + " = free(OUT = " + name + "); ";
+    }
+    loop += "; " + drivers;
+    chart += "; initial step 0; step 1 { o; } transition t: 0 -> 1 when a0 && n > m; }\n";
+    const auto found = verdicts(untimed_text(chart + loop + "constraint n > 31998; }", {.plant = PlantApproach::Constraints}));
+    EXPECT_EQ(found.at("P"), Outcome::Holds);
+    EXPECT_THROW(untimed_text(chart + loop + "constraint n == 31999; }", {.plant = PlantApproach::Constraints}), std::invalid_argument);
+}
+
 /// WODES06 III.E, the cylinders and sensor of Fig. 3 alone: L1C comes in while L2C is out.
 const char* const two_cylinders = R"(
 grafcet moves {
