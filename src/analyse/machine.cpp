@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "analyse/order.hpp"
@@ -14,9 +13,6 @@ namespace {
 
 using Role = Equations::Role;
 using Variable = Equations::Variable;
-
-/// Parts of the evolution are joined up to this size: larger ones cost more to build than they save in use.
-constexpr std::size_t part_size = 600;
 
 Bdd falsehood() { return Bdd::constant(false); }
 
@@ -58,7 +54,7 @@ Machine::Machine(const Equations& equations, const AnalyseOptions& options, cons
     add_remembered();
     add_timers();
     add_stability();
-    add_parts();
+    relate();
     start();
 }
 
@@ -114,10 +110,6 @@ void Machine::add_words(const AnalyseOptions& options) {
     }
     add_word_bits(together);
     inputs_ = variable_set(space_, input_bits_);
-    kept_set_ = variable_set(space_, kept_bits_);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    for (const std::uint32_t bit : kept_bits_) pairs.emplace_back(bit + 1, bit);
-    to_before_.emplace(pairs);
 }
 
 /// Their bits by turns, so that those which are compared or added are neighbours.
@@ -310,32 +302,14 @@ void Machine::add_stability() {
     }
 }
 
-void Machine::add_parts() {
-    std::ranges::sort(kept_, {}, &KeptBit::before);
-    std::vector<Bdd> relations;
-    for (const KeptBit& bit : kept_) {
-        const Bdd one = iff(space_.variable(bit.before + 1), bit.next);
-        const Bdd joined = relations.empty() ? one : relations.back() & one;
-        if (relations.empty() || size(joined) > part_size) relations.push_back(one);
-        else relations.back() = joined;
-    }
-    std::map<std::uint32_t, std::size_t> last;   // per kept variable before: the last part that reads it
-    for (std::size_t part = 0; part < relations.size(); ++part)
-        for (const std::uint32_t variable : support(relations[part])) last[variable] = part;
-    const auto endings = [&](const std::vector<std::uint32_t>& bits, std::vector<std::uint32_t>& unread) {
-        std::vector<std::vector<std::uint32_t>> ended(relations.size());
-        for (const std::uint32_t bit : bits) {
-            const auto found = last.find(bit);
-            (found == last.end() ? unread : ended[found->second]).push_back(bit);
-        }
-        return ended;
-    };
-    std::vector<std::uint32_t> unread, unread_inputs;
-    const auto ended = endings(kept_bits_, unread), ended_inputs = endings(input_bits_, unread_inputs);
-    for (std::size_t part = 0; part < relations.size(); ++part)
-        parts_.push_back({relations[part], variable_set(space_, ended[part]), variable_set(space_, ended[part]) & variable_set(space_, ended_inputs[part])});
-    unread_ = variable_set(space_, unread);
-    unread_inputs_ = variable_set(space_, unread_inputs);
+void Machine::relate() {
+    std::vector<bdd::NextBit> bits;
+    for (const KeptBit& bit : kept_) bits.push_back({bit.before, bit.next});
+    relation_.emplace(space_, std::move(bits));
+    kept_gone_ = relation_->quantified(kept_bits_);
+    std::vector<std::uint32_t> all = kept_bits_;
+    all.insert(all.end(), input_bits_.begin(), input_bits_.end());
+    all_gone_ = relation_->quantified(all);
 }
 
 void Machine::start() {
@@ -368,17 +342,9 @@ Bdd Machine::followed(const Bdd& points) const {
     return result;
 }
 
-Bdd Machine::evolved(const Bdd& points) const {
-    Bdd result = exists(points, unread_);
-    for (const Part& part : parts_) result = and_exists(result, part.relation, part.ended);
-    return (*to_before_)(result);
-}
+Bdd Machine::evolved(const Bdd& points) const { return relation_->image(points, kept_gone_); }
 
-Bdd Machine::evolved_rest(const Bdd& points) const {
-    Bdd result = exists(points, unread_ & unread_inputs_);
-    for (const Part& part : parts_) result = and_exists(result, part.relation, part.ended_inputs);
-    return (*to_before_)(result);
-}
+Bdd Machine::evolved_rest(const Bdd& points) const { return relation_->image(points, all_gone_); }
 
 Bdd Machine::origins(const Bdd& points, const Point& next) const {
     Bdd result = points;

@@ -15,6 +15,7 @@
 #include "analyse/cones.hpp"
 #include "analyse/counters.hpp"
 #include "analyse/memory.hpp"
+#include "bdd/relation.hpp"
 #include "grafverif/analyse/analyse.hpp"
 #include "grafverif/bdd/terms.hpp"
 
@@ -105,11 +106,6 @@ public:
     const std::vector<Clock>& clocks() const { return clocks_; }
 
 private:
-    struct Part {
-        Bdd relation = {};
-        Bdd ended = {};   ///< kept variables that no later part reads
-        Bdd ended_inputs = {};   ///< and inputs
-    };
     struct KeptBit {
         std::uint32_t before = 0;
         Bdd next = {}, first = {};   ///< the bit after an evolution; after the first one, over inputs
@@ -134,7 +130,7 @@ private:
     void add_overflow(const Equations::Write& write, Break& found);
     void add_stability();
     void keep(Next next);
-    void add_parts();
+    void relate();
     void start();
     BddTerm word_term(Id<Equations::Variable> variable) const;
     BddTerm before(const Expr& leaf) const;
@@ -155,16 +151,16 @@ private:
     std::vector<Bdd> fires_ = {}, value_of_step_ = {};
     std::vector<Next> nexts_ = {};
     std::vector<KeptBit> kept_ = {};
-    std::vector<Part> parts_ = {};
+    std::optional<bdd::Relation> relation_ = {};
+    bdd::Relation::Quantified kept_gone_ = {}, all_gone_ = {};   ///< what evolutions leave behind: what was kept, or that and the inputs
     std::vector<Break> all_breaks_ = {};
     std::vector<Bdd> conflicts_ = {};
     std::vector<Bdd> calm_ = {}, sound_ = {};               ///< conjuncts of what is stable, and of what does not break off
     std::vector<std::uint32_t> input_bits_ = {}, kept_bits_ = {};
-    Bdd inputs_ = {}, kept_set_ = {}, unread_ = {}, unread_inputs_ = {};   ///< sets of variables; unread: kept ones that no part reads
+    Bdd inputs_ = {};                                       ///< a set of variables
     Bdd possible_ = {}, started_ = {}, breaks_at_first_ = {};
     std::optional<BddTerms> terms_ = {};
     std::optional<BddTerms> first_terms_ = {};   ///< over initial values: of the first evolution
-    std::optional<BddRenaming> to_before_ = {};
 };
 
 }  // namespace grafverif::analysis

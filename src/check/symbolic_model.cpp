@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check/symbolic_model.hpp"
 
-#include <algorithm>
-#include <map>
+#include <utility>
 
 #include "check/variable_order.hpp"
 
@@ -11,9 +10,6 @@ namespace grafverif::symbolic {
 namespace {
 
 using Variable = FlatSystem::Variable;
-
-/// Parts of the relation are joined up to this size: larger ones cost more to build than they save in use.
-constexpr std::size_t part_size = 600;
 
 Bdd together(std::vector<Bdd> operands) {   // in pairs, so that no operand is much larger than its partner
     if (operands.empty()) return Bdd::constant(true);
@@ -29,8 +25,7 @@ StateSpace::StateSpace(const FlatSystem& flat, BddSpace& space) : flat_(flat), s
     add_words();
     BddTerms all = terms();
     constrain(all);
-    add_next_bits(all);
-    add_parts();
+    add_steps(all);
 }
 
 BddTerms StateSpace::terms() const {
@@ -39,8 +34,7 @@ BddTerms StateSpace::terms() const {
 
 void StateSpace::add_words() {
     words_.resize(flat_.variables.size());
-    std::vector<std::uint32_t> choices, free;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs, reversed;
+    std::vector<std::uint32_t> free;
     for (const Id<Variable> id : variable_order(flat_)) {
         const Variable& variable = flat_.variables[id];
         const bool paired = !variable.choice && variable.next.has_value();
@@ -51,17 +45,12 @@ void StateSpace::add_words() {
         for (std::uint32_t bit = 0; bit < bits; ++bit) {
             const std::uint32_t before = paired ? first + 2 * bit : first + bit;
             word.bits.push_back(before);
-            (variable.choice ? choices : state_bits_).push_back(before);
+            (variable.choice ? choice_bits_ : state_bits_).push_back(before);
             if (!paired && !variable.choice) free.push_back(before);
-            if (!paired) continue;
-            pairs.emplace_back(before + 1, before);
-            reversed.emplace_back(before, before + 1);
         }
     }
-    choices_ = variable_set(space_, choices);
+    choices_ = variable_set(space_, choice_bits_);
     free_ = variable_set(space_, free);
-    to_before_.emplace(pairs);
-    to_after_.emplace(reversed);
 }
 
 void StateSpace::constrain(BddTerms& terms) {
@@ -81,7 +70,8 @@ void StateSpace::constrain(BddTerms& terms) {
     initial_ = together(std::move(initial));
 }
 
-void StateSpace::add_next_bits(BddTerms& terms) {
+void StateSpace::add_steps(BddTerms& terms) {
+    std::vector<bdd::NextBit> next_bits;
     for (const Id<Variable> id : flat_.variables.ids()) {
         const Variable& variable = flat_.variables[id];
         if (variable.choice || !variable.next) continue;
@@ -89,51 +79,18 @@ void StateSpace::add_next_bits(BddTerms& terms) {
         const Bdd leak = ~within(next, variable.type.low, variable.type.high);
         if (!leak.is_false()) leaks_.push_back({id, leak});
         const std::vector<Bdd> bits = word_bits(next, variable.type);
-        for (std::size_t place = 0; place < bits.size(); ++place) {
-            const std::uint32_t before = words_[id.index].bits[place];
-            next_bits_.push_back({before, before + 1, bits[place]});
-        }
+        for (std::size_t place = 0; place < bits.size(); ++place) next_bits.push_back({words_[id.index].bits[place], bits[place]});
     }
-    std::ranges::sort(next_bits_, {}, &NextBit::before);
+    relation_.emplace(space_, std::move(next_bits), offered_);
+    std::vector<std::uint32_t> gone = state_bits_;
+    gone.insert(gone.end(), choice_bits_.begin(), choice_bits_.end());
+    stepped_ = relation_->quantified(gone);
 }
 
-void StateSpace::add_parts() {
-    std::vector<Bdd> relations;
-    if (!offered_.is_true()) relations.push_back(offered_);
-    for (const NextBit& bit : next_bits_) {
-        const Bdd one = iff(space_.variable(bit.after), bit.value);
-        const Bdd joined = relations.empty() ? one : relations.back() & one;
-        if (relations.empty() || grafverif::size(joined) > part_size) relations.push_back(one);
-        else relations.back() = joined;
-    }
-    std::map<std::uint32_t, std::size_t> last;   // per variable before the step: the last part that reads it
-    for (std::size_t part = 0; part < relations.size(); ++part)
-        for (const std::uint32_t variable : support(relations[part])) last[variable] = part;
-    std::vector<std::vector<std::uint32_t>> ended(relations.size()), after(relations.size());
-    for (const NextBit& bit : next_bits_) {
-        after[last[bit.after]].push_back(bit.after);
-        last.erase(bit.after);
-    }
-    for (const auto& [variable, part] : last) ended[part].push_back(variable);
-    for (std::size_t part = 0; part < relations.size(); ++part)
-        parts_.push_back({relations[part], variable_set(space_, ended[part]), variable_set(space_, after[part])});
-    std::vector<std::uint32_t> unread;
-    for (const std::uint32_t bit : state_bits_)
-        if (!last.contains(bit)) unread.push_back(bit);
-    unread_ = variable_set(space_, unread);
-}
-
-Bdd StateSpace::image(const Bdd& states) const {
-    Bdd result = exists(states, unread_);
-    for (const Part& part : parts_) result = and_exists(result, part.relation, part.ended);
-    return (*to_before_)(result) & invariant_;
-}
+Bdd StateSpace::image(const Bdd& states) const { return relation_->image(states, stepped_) & invariant_; }
 
 Bdd StateSpace::preimage(const Bdd& states) const {
-    Bdd result = (*to_after_)(exists(states & invariant_, free_));
-    for (std::size_t part = parts_.size(); part-- > 0;)
-        result = and_exists(result, parts_[part].relation, parts_[part].after);
-    return exists(result, choices_) & invariant_;
+    return exists(relation_->preimage(exists(states & invariant_, free_)), choices_) & invariant_;
 }
 
 std::optional<StateSpace::Leak> StateSpace::leak(const Bdd& states) const {
@@ -165,7 +122,7 @@ std::vector<std::int64_t> StateSpace::values(const State& state, const State* ne
     State all = state;
     const Bdd here = only(state);
     Bdd chosen = cofactor(offered_, here);
-    for (const NextBit& bit : next_bits_) {
+    for (const bdd::NextBit& bit : relation_->bits()) {
         if (next == nullptr) break;
         const Bdd value = cofactor(bit.value, here);
         chosen &= (*next)[bit.before] ? value : ~value;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A FlatSystem over the variables of a BddSpace: its states as assignments, its steps as a relation in parts.
+// A FlatSystem over the variables of a BddSpace: its states as assignments, its steps as a relation.
 //
-// Each bit of a state variable with a next value has two variables, the second right below the first, for the bit
-// before and after a step. Free variables and choices have one: what a step gives a free variable nobody decides.
+// Each bit of a state variable with a next value has two variables, for the bit before and after a step. Free variables
+// and choices have one: what a step gives a free variable nobody decides.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bdd/relation.hpp"
 #include "grafverif/bdd/terms.hpp"
 #include "grafverif/ir/flat_system.hpp"
 
@@ -51,33 +52,19 @@ public:
     std::size_t size() const { return space_.variables(); }
 
 private:
-    /// A part of the step relation.
-    struct Part {
-        Bdd relation = {};
-        Bdd ended = {};   ///< variables before the step, and choices, that no later part reads
-        Bdd after = {};   ///< its variables after the step
-    };
-    /// The bit of a state variable: what it becomes.
-    struct NextBit {
-        std::uint32_t before = 0, after = 0;
-        Bdd value = {};
-    };
-
     void add_words();
     void constrain(BddTerms& terms);
-    void add_next_bits(BddTerms& terms);
-    void add_parts();
+    void add_steps(BddTerms& terms);
 
     const FlatSystem& flat_;
     BddSpace& space_;
     std::vector<BddWord> words_ = {};                 ///< per variable: its bits before a step
-    std::vector<std::uint32_t> state_bits_ = {};
+    std::vector<std::uint32_t> state_bits_ = {}, choice_bits_ = {};
     Bdd initial_ = {}, invariant_ = {}, offered_ = {};   ///< offered: choices that a state offers
     std::vector<Leak> leaks_ = {};                    ///< over states and choices
-    std::vector<NextBit> next_bits_ = {};
-    std::vector<Part> parts_ = {};
-    Bdd choices_ = {}, free_ = {}, unread_ = {};      ///< sets of variables; unread: by no part
-    std::optional<BddRenaming> to_before_ = {}, to_after_ = {};
+    Bdd choices_ = {}, free_ = {};                    ///< sets of variables
+    std::optional<bdd::Relation> relation_ = {};      ///< its steps
+    bdd::Relation::Quantified stepped_ = {};          ///< choices, and what is before a step
 };
 
 }  // namespace grafverif::symbolic

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Images and origins under random steps, against steps made one by one.
+#include "bdd/relation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/law_size.hpp"
+#include "support/random_chart.hpp"
+
+namespace grafverif::bdd {
+namespace {
+
+/// Bits of a state at 0, 2, 4, ..., with what they become right after them; below them choices.
+struct Steps {
+    static constexpr std::uint32_t bits = 4, choices = 2, choice = 2 * bits;
+    BddSpace space = BddSpace();
+    std::vector<NextBit> next = {};
+    Bdd offered = {};
+    std::vector<std::uint32_t> before = {}, all = {};
+
+    explicit Steps(Random& random) {
+        space.add_variables(2 * bits + choices);
+        for (std::uint32_t bit = 0; bit < bits; ++bit) before.push_back(2 * bit);
+        all = before;
+        for (std::uint32_t k = 0; k < choices; ++k) all.push_back(choice + k);
+        for (std::uint32_t bit = bits; bit-- > 0;) next.push_back({2 * bit, function(random, all)});
+        offered = function(random, all) | space.variable(choice);
+    }
+
+    Bdd function(Random& random, const std::vector<std::uint32_t>& of) {
+        Bdd result = Bdd::constant(chance(random, 50));
+        for (int k = 0; k < 6; ++k) {
+            const Bdd one = space.variable(of[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(of.size()) - 1))]);
+            result = chance(random, 50) ? result ^ one : chance(random, 50) ? result & one : result | one;
+        }
+        return result;
+    }
+
+    std::vector<bool> assignment(std::uint32_t state, std::uint32_t chosen) const {
+        std::vector<bool> values(space.variables());
+        for (std::uint32_t bit = 0; bit < bits; ++bit) values[2 * bit] = (state >> bit & 1U) != 0;
+        for (std::uint32_t k = 0; k < choices; ++k) values[choice + k] = (chosen >> k & 1U) != 0;
+        return values;
+    }
+
+    std::uint32_t after(const std::vector<bool>& values) const {
+        std::uint32_t state = 0;
+        for (const NextBit& bit : next)
+            if (evaluate(bit.value, values)) state |= 1U << (bit.before / 2);
+        return state;
+    }
+
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        for (std::uint32_t state = 0; state < 1U << bits; ++state)
+            for (std::uint32_t chosen = 0; chosen < 1U << choices; ++chosen) visit(state, chosen, assignment(state, chosen));
+    }
+};
+
+TEST(Relation, LeadsWhereStepsLeadOneByOne) {
+    for (int seed = 1; seed <= law_size(200); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        Steps steps(random);
+        const Relation relation(steps.space, steps.next, steps.offered);
+        const Bdd from = steps.function(random, steps.before), to = steps.function(random, steps.before);
+        std::vector<bool> led(1U << Steps::bits);
+        steps.for_each([&](std::uint32_t, std::uint32_t, const std::vector<bool>& values) {
+            if (evaluate(from & steps.offered, values)) led[steps.after(values)] = true;
+        });
+        const Bdd image = relation.image(from, relation.quantified(steps.all)), preimage = relation.preimage(to);
+        const Bdd chosen = relation.image(from & steps.offered, relation.quantified(steps.before));
+        steps.for_each([&](std::uint32_t state, std::uint32_t choice, const std::vector<bool>& values) {
+            EXPECT_EQ(evaluate(image, values), led[state]) << "seed " << seed;
+            const bool leads = evaluate(steps.offered, values) && evaluate(to, steps.assignment(steps.after(values), 0));
+            EXPECT_EQ(evaluate(preimage, values), leads) << "seed " << seed;
+            bool chosen_leads = false;   // by that choice alone
+            for (std::uint32_t origin = 0; origin < 1U << Steps::bits; ++origin) {
+                const std::vector<bool> there = steps.assignment(origin, choice);
+                chosen_leads = chosen_leads || (evaluate(from & steps.offered, there) && steps.after(there) == state);
+            }
+            EXPECT_EQ(evaluate(chosen, values), chosen_leads) << "seed " << seed;
+        });
+    }
+}
+
+}  // namespace
+}  // namespace grafverif::bdd
