@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -74,6 +75,24 @@ TEST(Ladder, NobodyIncludesARoomAboveOrAnotherVerb) {
         ASSERT_TRUE(rungs.contains(target)) << inclusion.file << " includes " << inclusion.header;
         EXPECT_LT(rungs.at(target), rungs.at(inclusion.room)) << inclusion.file << " includes " << inclusion.header;
     }
+}
+
+TEST(Ladder, IsDrawnAsItIs) {
+    const fs::path drawn = fs::temp_directory_path() / "grafverif-rooms.svg";
+    ASSERT_EQ(std::system(("'" + (root / "docs/rooms.sh").string() + "' >'" + drawn.string() + "'").c_str()), 0);
+    EXPECT_EQ(text_of(drawn), text_of(root / "docs/rooms.svg")) << "docs/rooms.sh >docs/rooms.svg";
+    fs::remove(drawn);
+}
+
+TEST(Ladder, EveryPlaceThatThePageOfTheHouseNamesIsThere) {
+    const std::string page = text_of(root / "docs/architecture.md");
+    static const std::regex pattern(R"(`([a-z]+/[a-z_/]*(\.cpp|\.sh)?)`)");
+    std::size_t named = 0;
+    for (std::sregex_iterator place(page.begin(), page.end(), pattern), end; place != end; ++place, ++named) {
+        const std::string path = (*place)[1];
+        EXPECT_TRUE(fs::exists(root / path) || fs::exists(root / "src" / path)) << path;
+    }
+    EXPECT_GT(named, 12U);
 }
 
 TEST(Ladder, ThirdPartyLibrariesStayInTheirRooms) {
