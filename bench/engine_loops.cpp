@@ -107,7 +107,7 @@ LoopParts parts(const std::string& text) {
 Network loop(const std::string& text, Grain grain) {
     const LoopParts of = parts(text);
     Diagnostics diagnostics;
-    return required(compose(of.plant, of.model, of.model.loops[{0}], of.equations, {.grain = grain}, diagnostics), diagnostics, {});
+    return required(compose(of.plant, of.model.loops[{0}], of.equations, {.grain = grain}, diagnostics), diagnostics, {});
 }
 
 Network two_stations(Grain grain) {

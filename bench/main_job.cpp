@@ -35,7 +35,7 @@ Network composed(const Model& model, const Equations& equations) {
     Diagnostics diagnostics;
     const ClosedLoop& loop = *model.loops.begin();
     const Network alone = plant(model, loop, diagnostics).value();
-    return compose(alone, model, loop, {&equations, 1}, {}, diagnostics).value();
+    return compose(alone, loop, {&equations, 1}, {}, diagnostics).value();
 }
 
 void per_step(benchmark::State& state) {

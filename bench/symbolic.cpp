@@ -66,7 +66,7 @@ TransitionSystem sample(const std::string& path, const ScheduleOptions& options)
     const bool interleaved = options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
     std::optional<TransitionSystem> made;
     if (!interleaved) made = schedule_together(parts.model, loop, parts.equations, parts.plant, options, diagnostics);
-    else if (const auto network = compose(parts.plant, parts.model, loop, parts.equations, {.grain = loop.grain}, diagnostics))
+    else if (const auto network = compose(parts.plant, loop, parts.equations, {.grain = loop.grain}, diagnostics))
         made = schedule_network(*network, options, diagnostics);
     if (!made) give_up(diagnostics, {});
     return std::move(*made);

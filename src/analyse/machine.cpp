@@ -417,8 +417,6 @@ Bdd Machine::holds(Id<Expr> term) {
     return found.bits.front() & ~found.undefined;
 }
 
-Bdd Machine::fires(Id<Variable> firing) const { return fires_[*firing_of_[firing.index]]; }
-
 Bdd Machine::differs(Id<Expr> term, std::int64_t value) { return unequal((*terms_)(term), value); }
 
 Bdd Machine::differs_at_first(Id<Expr> term, std::int64_t value) { return unequal((*first_terms_)(term), value); }

@@ -79,7 +79,6 @@ public:
     Bdd holds(Id<Expr> term);
     const Bdd& active(std::size_t step) const { return value_of_step_[step]; }
     const Bdd& fires(std::size_t firing) const { return fires_[firing]; }
-    Bdd fires(Id<Equations::Variable> firing) const;
     struct Break {
         Id<Equations::Variable> variable = {};   ///< not valid: of conditions
         Bdd race = {}, out_of_range = {}, no_value = {};

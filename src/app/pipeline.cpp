@@ -183,7 +183,7 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, Job& jo
     if (!equations || !plant_network) return {};
     for (const std::string& cure : job.options.cures_left_out) job.diagnostics.add(messages::cure_left_out(cure));
     const ComposeOptions options{job.options.grain, job.options.mode, job.options.without};
-    auto network = compose(*plant_network, model, loop, *equations, options, job.diagnostics);
+    auto network = compose(*plant_network, loop, *equations, options, job.diagnostics);
     if (network)
         for (const Property& property : network->observed)
             job.diagnostics.add(messages::not_expressible(property.origin, property.name, "timed",
@@ -208,7 +208,7 @@ std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& 
     if (schedule != Schedule::Interleaved)
         return schedule_together(model, loop, *equations, *plant_network, options, job.diagnostics);
     const ComposeOptions composing{job.options.grain, job.options.mode, {}};
-    const auto network = compose(*plant_network, model, loop, *equations, composing, job.diagnostics);
+    const auto network = compose(*plant_network, loop, *equations, composing, job.diagnostics);
     if (!network) return {};
     return schedule_network(*network, options, job.diagnostics);
 }

@@ -61,7 +61,7 @@ void Cache::keep_marked(const NodeTable& table, Watch& watch) {
         watch.step();
         const Known entry = known(i);
         if (entry.f == 0) continue;
-        const bool numbered = entry.operation == Operation::Rename || entry.operation == Operation::Substitute;
+        const bool numbered = entry.operation == Operation::Rename;
         if (!lives(entry.f) || !lives(entry.g) || !lives(entry.result) || (!numbered && !lives(entry.h))) entries_[i] = {};
     }
 }

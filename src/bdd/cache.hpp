@@ -16,7 +16,7 @@ namespace grafverif::bdd {
 
 enum class Operation : std::uint32_t {
     And, Xor, Ite, Exists, AndExists, Cofactor, Simplify,
-    Rename, Substitute   ///< the third operand is the number of a renaming or substitution, no edge
+    Rename   ///< the third operand is the number of a renaming, no edge
 };
 
 class Cache {

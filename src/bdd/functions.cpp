@@ -94,8 +94,6 @@ Bdd exists(const Bdd& f, const Bdd& variables) {
     return result_of(kernel_of({&f, &variables}), [&](Kernel& k) { return bdd::quantified(k, f.edge(), variables.edge()); });
 }
 
-Bdd forall(const Bdd& f, const Bdd& variables) { return ~exists(~f, variables); }
-
 Bdd and_exists(const Bdd& f, const Bdd& g, const Bdd& variables) {
     if (f.is_constant() || g.is_constant() || variables.is_constant()) return exists(f & g, variables);
     return result_of(kernel_of({&f, &g, &variables}),

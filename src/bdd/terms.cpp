@@ -150,12 +150,6 @@ const BddTerm& BddTerms::operator()(Id<Expr> term) {
     return known_.at(term.index);
 }
 
-const Bdd& BddTerms::condition(Id<Expr> term) {
-    const BddTerm& result = (*this)(term);
-    assert(result.boolean && result.undefined.is_false());
-    return result.bits.front();
-}
-
 BddTerm BddTerms::built(Id<Expr> term) const {
     const Expr& node = exprs_[term];
     std::vector<const BddTerm*> operands;

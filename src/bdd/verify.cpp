@@ -94,7 +94,7 @@ private:
         for (std::size_t slot = 0; slot < kernel_.cache.size(); ++slot) {
             const Cache::Known known = kernel_.cache.known(slot);
             if (known.f == 0) continue;
-            const bool numbered = known.operation == Operation::Rename || known.operation == Operation::Substitute;
+            const bool numbered = known.operation == Operation::Rename;
             const Edge third = numbered ? false_edge : known.h;
             bool live = true;
             for (const Edge edge : {known.f, known.g, third, known.result}) live = live && in_use(index_of(edge));
@@ -110,7 +110,7 @@ private:
                 case Operation::AndExists: demand(r || !(f && g), "a false product in slot", slot); break;
                 case Operation::Cofactor: demand(r == f || !g, "a false cofactor in slot", slot); break;
                 case Operation::Simplify: demand(r == f || !g, "a false simplification in slot", slot); break;
-                case Operation::Rename: case Operation::Substitute: break;   // they are numbers here
+                case Operation::Rename: break;   // it is a number here
                 }
             }
         }

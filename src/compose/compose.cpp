@@ -63,9 +63,8 @@ void find_readers(Composition& composition) {
 
 }  // namespace
 
-std::optional<Network> compose(const Network& plant, const Model& model, const ClosedLoop& loop,
-                               std::span<const Equations> equations, const ComposeOptions& options,
-                               Diagnostics& diagnostics) {
+std::optional<Network> compose(const Network& plant, const ClosedLoop& loop, std::span<const Equations> equations,
+                               const ComposeOptions& options, Diagnostics& diagnostics) {
     assert(equations.size() == loop.controllers.size());
     Composition composition{.network = plant, .ablations = options.ablations};
     Network& network = composition.network;
@@ -94,7 +93,7 @@ std::optional<Network> compose(const Network& plant, const Model& model, const C
         add_timers(composition, parts);
     }
     network.settled = settled(composition);
-    add_properties(composition, model, loop);
+    add_properties(composition, loop);
     assert(verify(network).empty());
     return std::move(composition.network);
 }

@@ -58,7 +58,7 @@ void add_plant_flags(Composition& composition);
 Id<Expr> settled(Composition& composition);
 
 /// The properties of the loop in terms of the network, and `no_race`.
-void add_properties(Composition& composition, const Model& model, const ClosedLoop& loop);
+void add_properties(Composition& composition, const ClosedLoop& loop);
 
 inline Id<Expr> leaf(Network& network, Id<Network::Variable> variable) {
     return network.exprs.leaf(Op::Variable, variable.index);

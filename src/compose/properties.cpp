@@ -1,55 +1,29 @@
 // SPDX-License-Identifier: MIT
 // The properties of a loop in terms of its network, and what `settled` means there.
 #include <algorithm>
-#include <string_view>
-#include <unordered_map>
 
 #include "compose/controller.hpp"
 #include "grafverif/support/overloaded.hpp"
-#include "grafverif/syntax/print_model.hpp"
+#include "syntax/sentence.hpp"
 
 namespace grafverif {
 
 namespace {
 
-/// The variables of one controller by what the chart calls them.
-struct Names {
-    std::unordered_map<std::string_view, Id<Network::Variable>> steps = {}, internals = {};
-};
-
-Names names_of(const ControllerParts& parts) {
-    Names names;
-    for (const Equations::StepActivity& step : parts.equations->steps)
-        names.steps.emplace(step.step, parts.variable[step.variable.index]);
-    for (const Id<Equations::Variable> id : parts.equations->variables.ids()) {
-        const Equations::Variable& variable = parts.equations->variables[id];
-        if (variable.role == Equations::Role::Internal)
-            names.internals.emplace(variable.name, parts.variable[id.index]);
-    }
-    return names;
-}
-
-/// The step as the equations name it: `2`, or `G2.2` in the named partial chart G2.
-std::string step_name(const Chart& chart, Id<Chart::Step> id) {
-    const Chart::Step& step = chart.steps[id];
-    const std::string& partial = chart.partial_charts[step.chart].name;
-    return partial.empty() ? step.name : partial + "." + step.name;
-}
-
-Id<Expr> formula_of(const ClosedLoop::Symbol& symbol, Network& network, const Model& model, const ClosedLoop& loop,
-                    const std::vector<Names>& names) {
-    const auto chart = [&](Id<ClosedLoop::Controller> controller) -> const Chart& {
-        return model.charts[loop.controllers[controller].chart];
+Id<Expr> formula_of(const ClosedLoop::Symbol& symbol, Composition& composition) {
+    Network& network = composition.network;
+    const auto in_controller = [&](const ControllerParts& parts, Id<Equations::Variable> variable) {
+        return leaf(network, parts.variable[variable.index]);
     };
     return std::visit(
         overloaded{
             [&](const ClosedLoop::SharedSymbol& of) { return leaf(network, {of.shared.index}); },
             [&](const ClosedLoop::InternalSymbol& of) {
-                const std::string& name = chart(of.controller).variables[of.variable].name;
-                return leaf(network, names[of.controller.index].internals.at(name));
+                return in_controller(composition.controllers[of.controller.index], {of.variable.index});
             },
             [&](const ClosedLoop::StepSymbol& of) {
-                return leaf(network, names[of.controller.index].steps.at(step_name(chart(of.controller), of.step)));
+                const ControllerParts& parts = composition.controllers[of.controller.index];
+                return in_controller(parts, parts.equations->steps[of.step.index].variable);
             },
             [&](const ClosedLoop::LocationSymbol& of) {
                 return network.exprs.at(of.instance.index, of.location.index);
@@ -116,14 +90,11 @@ Id<Expr> settled(Composition& composition) {
     return network.exprs.conjunction(conjuncts);
 }
 
-void add_properties(Composition& composition, const Model& model, const ClosedLoop& loop) {
+void add_properties(Composition& composition, const ClosedLoop& loop) {
     Network& network = composition.network;
-    std::vector<Names> names;
-    for (const ControllerParts& parts : composition.controllers)
-        names.push_back(loop.symbols.empty() ? Names{} : names_of(parts));
     const auto translated = [&](Id<Expr> operand) {
         return translate(loop.exprs, operand, network.exprs, [&](const Expr& node) {
-            return formula_of(loop.symbols[{static_cast<std::uint32_t>(node.value)}], network, model, loop, names);
+            return formula_of(loop.symbols[{static_cast<std::uint32_t>(node.value)}], composition);
         });
     };
     UniqueNames taken;

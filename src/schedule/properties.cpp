@@ -5,8 +5,8 @@
 
 #include "grafverif/ir/step_names.hpp"
 #include "grafverif/support/overloaded.hpp"
-#include "grafverif/syntax/print_model.hpp"
 #include "support/unique_names.hpp"
+#include "syntax/sentence.hpp"
 
 namespace grafverif::schedule {
 

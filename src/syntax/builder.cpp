@@ -9,7 +9,6 @@
 
 namespace grafverif::tree {
 
-
 // -- declarations ----------------------------------------------------------------------------------------------------
 
 void Builder::declare(Declaration declaration) { file_->declarations.push_back(std::move(declaration)); }
@@ -25,11 +24,6 @@ void Builder::lost() {
 }
 
 bool Builder::take_broken() { return std::exchange(broken_, false); }
-
-void Builder::property(Property property, Span where) {
-    property_ = std::move(property);
-    property_.where = where;
-}
 
 Chart Builder::chart(Name name, std::vector<ChartItem> items, Span where) {
     return {name, std::move(items), where, take_broken()};

@@ -23,8 +23,6 @@ public:
     void declare(tree::Declaration declaration);
     void broken();
     void lost();
-    void condition(Id<tree::Expr> expression) { condition_ = expression; }
-    void property(tree::Property property, Span where);
 
     tree::Chart chart(tree::Name name, std::vector<tree::ChartItem> items, Span where);
     tree::Component component(tree::Name name, tree::Component body, Span where);
@@ -58,9 +56,6 @@ public:
     Id<tree::Expr> binary(tree::Op op, Id<tree::Expr> left, Id<tree::Expr> right, Span where);
     Id<tree::Expr> bracketed(Id<tree::Expr> expression, Span where);
 
-    Id<tree::Expr> read_condition() const { return condition_; }
-    const tree::Property& read_property() const { return property_; }
-
 private:
     Id<tree::Expr> node(tree::Op op, std::initializer_list<Id<tree::Expr>> operands, Span where);
     bool take_broken();
@@ -69,8 +64,6 @@ private:
     Diagnostics* diagnostics_;
     bool broken_ = false;
     Span too_deep_ = {};   ///< the last expression said to be so: its outer levels are no news
-    Id<tree::Expr> condition_ = {};
-    tree::Property property_ = {};
 };
 
 }  // namespace grafverif::tree

@@ -61,11 +61,10 @@ std::optional<std::int64_t> scaled(std::string_view digits, std::string_view dec
 
 }  // namespace
 
-Lexer::Lexer(const Source& source, Span part, Parser::token_kind_type goal, tree::File& file, Diagnostics& diagnostics)
+Lexer::Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics)
     : source_(&source), scanner_(std::string_view(source.text).substr(part.begin, part.end - part.begin)), file_(&file),
       words_(file.words), diagnostics_(&diagnostics), here_{part.source, part.begin, part.begin} {
     last_where_ = here_;
-    pending_.emplace_back(goal, here_);
 }
 
 Token Lexer::next() {

@@ -40,8 +40,8 @@ public:
     using Token = Parser::symbol_type;
     using Kind = Parser::symbol_kind_type;
 
-    /// Reads `part` of `source`; `goal` is the token that tells the parser what to expect there.
-    Lexer(const Source& source, Span part, Parser::token_kind_type goal, tree::File& file, Diagnostics& diagnostics);
+    /// Reads `part` of `source`.
+    Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics);
 
     /// The next token for the parser.
     Token next();

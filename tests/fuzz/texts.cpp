@@ -11,7 +11,7 @@
 #include "grafverif/syntax/format.hpp"
 #include "grafverif/syntax/parse.hpp"
 #include "grafverif/syntax/parse_st.hpp"
-#include "grafverif/syntax/print_model.hpp"
+#include "support/print_model.hpp"
 
 namespace grafverif::fuzz {
 

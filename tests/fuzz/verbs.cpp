@@ -7,7 +7,7 @@
 #include "fuzz/every_verb.hpp"
 #include "fuzz/targets.hpp"
 #include "grafverif/read/text.hpp"
-#include "grafverif/syntax/print_model.hpp"
+#include "support/print_model.hpp"
 #include "support/random_loop.hpp"
 #include "unit/app/run_program.hpp"
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
-#include "grafverif/syntax/print_model.hpp"
+#include "support/print_model.hpp"
 #include "grafverif/syntax/print_equations.hpp"
-#include "grafverif/syntax/print_network.hpp"
+#include "support/print_network.hpp"
 
 namespace grafverif::app {
 namespace {

@@ -91,7 +91,7 @@ void build(const Model& model, bool tested, Diagnostics& diagnostics) {
         for (const auto& controller : loop.controllers)
             if (equations[controller.chart.index]) controllers.push_back(*equations[controller.chart.index]);
         if (!network || controllers.size() != loop.controllers.size()) continue;
-        const auto composed = compose(*network, model, loop, controllers, {}, diagnostics);
+        const auto composed = compose(*network, loop, controllers, {}, diagnostics);
         constraints_agree(loop, diagnostics);
         if (composed && !diagnostics.has_errors()) schedule_network(*composed, {}, diagnostics);
     }

@@ -57,7 +57,7 @@ LoopUnderTest composed_loop(Model model, const ComposeOptions& options) {
     if (!equations) refuse(diagnostics, {});
     const auto plant_network = plant(model, loop, diagnostics);
     if (!plant_network) refuse(diagnostics, {});
-    auto network = compose(*plant_network, model, loop, *equations, options, diagnostics);
+    auto network = compose(*plant_network, loop, *equations, options, diagnostics);
     if (!network) refuse(diagnostics, {});
     return {std::move(model), std::move(*network)};
 }

@@ -37,7 +37,7 @@ std::optional<TransitionSystem> scheduled(const Model& model, const ScheduleOpti
     if (!plant_network) return {};
     if (options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) != Schedule::Interleaved)
         return schedule_together(model, loop, equations, *plant_network, options, diagnostics);
-    const auto network = compose(*plant_network, model, loop, equations, {grain, options.mode, {}}, diagnostics);
+    const auto network = compose(*plant_network, loop, equations, {grain, options.mode, {}}, diagnostics);
     if (!network) return {};
     return schedule_network(*network, options, diagnostics);
 }

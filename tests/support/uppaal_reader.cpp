@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "grafverif/emit/uppaal.hpp"
-#include "grafverif/syntax/print_network.hpp"
+#include "support/print_network.hpp"
 #include "support/uppaal_queries_reader.hpp"
 #include "support/uppaal_terms.hpp"
 

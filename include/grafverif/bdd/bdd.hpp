@@ -7,7 +7,7 @@
 // decides their order, and the order decides the cost.
 //
 // A Bdd is a handle: equal functions are equal handles, copies are cheap. A handle knows its space; constants belong to
-// none, and go with every space. Handles, renamings and substitutions die before the space they were used with.
+// none, and go with every space. Handles and renamings die before the space they were used with.
 //
 // Every operation may end with BddExhausted: the memory allowed is used up or refused by the system, or somebody asked
 // to stop, which is noticed within milliseconds. It is the only exception that crosses rooms; the entry point that made
@@ -165,7 +165,6 @@ Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals);
 Bdd variable_set(const BddSpace& space, std::span<const std::uint32_t> variables);
 
 Bdd exists(const Bdd& f, const Bdd& variables);
-Bdd forall(const Bdd& f, const Bdd& variables);
 /// exists(f & g, variables) without building f & g: the relational product.
 Bdd and_exists(const Bdd& f, const Bdd& g, const Bdd& variables);
 /// f where the literals of the cube hold; it depends on none of their variables.
@@ -183,22 +182,6 @@ public:
     ~BddRenaming();
 
     /// f renamed. A variable that f depends on and that is not renamed is nobody's new name.
-    Bdd operator()(const Bdd& f) const;
-
-    struct Map;   ///< for the implementation
-
-private:
-    std::unique_ptr<Map> map_;
-};
-
-/// Puts functions in the places of variables, all at once.
-class BddSubstitution {
-public:
-    explicit BddSubstitution(std::span<const std::pair<std::uint32_t, Bdd>> values);
-    BddSubstitution(const BddSubstitution&) = delete;
-    BddSubstitution& operator=(const BddSubstitution&) = delete;
-    ~BddSubstitution();
-
     Bdd operator()(const Bdd& f) const;
 
     struct Map;   ///< for the implementation

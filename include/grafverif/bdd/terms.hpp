@@ -69,8 +69,6 @@ public:
     BddTerms(const Exprs& exprs, std::function<BddTerm(const Expr&)> leaf);
 
     const BddTerm& operator()(Id<Expr> term);
-    /// The bit of a Boolean term. Requires that it is defined everywhere.
-    const Bdd& condition(Id<Expr> term);
 
 private:
     BddTerm built(Id<Expr> term) const;

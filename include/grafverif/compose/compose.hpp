@@ -55,8 +55,7 @@ struct ComposeOptions {
 };
 
 /// Requires: `plant` is what plant(model, loop) returned; `equations` are those of the loop's controllers, in order.
-std::optional<Network> compose(const Network& plant, const Model& model, const ClosedLoop& loop,
-                               std::span<const Equations> equations, const ComposeOptions& options,
-                               Diagnostics& diagnostics);
+std::optional<Network> compose(const Network& plant, const ClosedLoop& loop, std::span<const Equations> equations,
+                               const ComposeOptions& options, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -98,7 +98,6 @@ TEST(Bdd, QuantifiersAndCofactorsAgreeWithTablesOfTruth) {
         SCOPED_TRACE(i);
         const Function f = random_function(space, random), g = random_function(space, random);
         EXPECT_EQ(table_of(exists(f.bdd, quantified)), table([&](unsigned n) { return some(f.table, n); }));
-        EXPECT_EQ(table_of(forall(f.bdd, quantified)), table([&](unsigned n) { return !some(~f.table, n); }));
         EXPECT_EQ(and_exists(f.bdd, g.bdd, quantified), exists(f.bdd & g.bdd, quantified));
         const Bdd half = cofactor(f.bdd, cube(space, std::vector<BddLiteral>{{1, true}, {4, false}}));
         EXPECT_EQ(table_of(half), table([&](unsigned n) { return at(f.table, (n | 0b10U) & ~0b10000U); }));
@@ -106,7 +105,7 @@ TEST(Bdd, QuantifiersAndCofactorsAgreeWithTablesOfTruth) {
     }
 }
 
-TEST(Bdd, RenamingAndSubstitutionActOnAllVariablesAtOnce) {
+TEST(Bdd, RenamingActsOnAllVariablesAtOnce) {
     BddSpace space;
     space.add_variables(variable_count);
     const BddRenaming swapped(std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 5}, {5, 0}, {2, 3}, {3, 2}});
@@ -117,13 +116,8 @@ TEST(Bdd, RenamingAndSubstitutionActOnAllVariablesAtOnce) {
     Random random(3);
     for (int i = 0; i < 200; ++i) {
         SCOPED_TRACE(i);
-        const Function f = random_function(space, random), g = random_function(space, random);
+        const Function f = random_function(space, random);
         EXPECT_EQ(table_of(swapped(f.bdd)), table([&](unsigned n) { return at(f.table, swap_bits(n)); }));
-        const BddSubstitution put(std::vector<std::pair<std::uint32_t, Bdd>>{{1, g.bdd}, {2, space.variable(1)}});
-        EXPECT_EQ(table_of(put(f.bdd)), table([&](unsigned n) {
-            const unsigned others = n & ~0b110U;
-            return at(f.table, others | (at(g.table, n) ? 0b10U : 0U) | (((n >> 1U) & 1U) != 0 ? 0b100U : 0U));
-        }));
     }
 }
 

@@ -8,7 +8,7 @@
 #include "grafverif/compose/compose.hpp"
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/plant/plant.hpp"
-#include "grafverif/syntax/print_network.hpp"
+#include "support/print_network.hpp"
 #include "support/law_size.hpp"
 #include "support/naive_tadd.hpp"
 #include "support/random_loop.hpp"
@@ -139,7 +139,7 @@ void check(std::uint64_t seed, Grain grain, ExecutionMode mode, int& completed) 
     const ClosedLoop& loop = model.loops[{0}];
     const auto alone = plant(model, loop, diagnostics);
     ASSERT_TRUE(alone);
-    const auto network = compose(*alone, model, loop, std::span(&*equations, 1), {grain, mode, {}}, diagnostics);
+    const auto network = compose(*alone, loop, std::span(&*equations, 1), {grain, mode, {}}, diagnostics);
     ASSERT_TRUE(network);
     ASSERT_EQ(verify(*network), std::vector<std::string>{});
     Pair pair(*equations, *network, mode, random);

@@ -57,7 +57,7 @@ inline Network composed(const Model& model, const ComposeOptions& options = {}) 
     const ClosedLoop& loop = model.loops[{0}];
     const std::vector<Equations> equations = derived(model, diagnostics).value();
     const Network alone = plant(model, loop, diagnostics).value();
-    Network network = compose(alone, model, loop, equations, options, diagnostics).value();
+    Network network = compose(alone, loop, equations, options, diagnostics).value();
     EXPECT_EQ(verify(network), std::vector<std::string>{});
     return network;
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "grafverif/syntax/print_network.hpp"
+#include "support/print_network.hpp"
 #include "hand_chart.hpp"
 #include "support/law_size.hpp"
 #include "support/naive_tadd.hpp"

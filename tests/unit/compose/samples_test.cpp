@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "grafverif/syntax/print_network.hpp"
+#include "support/print_network.hpp"
 #include "support/naive_tadd.hpp"
 #include "support/read_loop.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "grafverif/syntax/print_network.hpp"
+#include "support/print_network.hpp"
 #include "support/law_size.hpp"
 #include "support/naive_tadd.hpp"
 #include "support/random_network.hpp"

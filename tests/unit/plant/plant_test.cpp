@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "grafverif/syntax/print_network.hpp"
+#include "support/print_network.hpp"
 #include "support/component_builder.hpp"
 #include "support/naive_tadd.hpp"
 

@@ -14,7 +14,7 @@
 #include "grafverif/read/text.hpp"
 #include "grafverif/syntax/format.hpp"
 #include "grafverif/syntax/parse.hpp"
-#include "grafverif/syntax/print_model.hpp"
+#include "support/print_model.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"
 

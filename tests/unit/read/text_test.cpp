@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/syntax/print_model.hpp"
+#include "support/print_model.hpp"
 
 namespace grafverif {
 namespace {

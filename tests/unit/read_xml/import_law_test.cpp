@@ -14,7 +14,7 @@
 #include "grafverif/syntax/format.hpp"
 #include "grafverif/syntax/parse.hpp"
 #include "grafverif/syntax/print_equations.hpp"
-#include "grafverif/syntax/print_model.hpp"
+#include "support/print_model.hpp"
 #include "random_files.hpp"
 #include "support/law_size.hpp"
 

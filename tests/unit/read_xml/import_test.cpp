@@ -9,7 +9,7 @@
 #include "grafverif/read/formats.hpp"
 #include "grafverif/read/text.hpp"
 #include "grafverif/syntax/format.hpp"
-#include "grafverif/syntax/print_model.hpp"
+#include "support/print_model.hpp"
 
 namespace grafverif {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/ir/network_run.hpp"
-#include "grafverif/syntax/print_network.hpp"
+#include "support/print_network.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_walk.hpp"

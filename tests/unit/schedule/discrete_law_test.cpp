@@ -65,7 +65,7 @@ TEST(DiscreteTimeLaw, ARandomLoopHasTheStatesAndVerdictsOfTheTimedEngine) {
         const auto plant_network = plant(model, loop, diagnostics);
         if (!plant_network || !equations) continue;
         for (const Grain grain : {Grain::Atomic, Grain::Phased}) {
-            const auto network = compose(*plant_network, model, loop, *equations, {grain, {}, {}}, diagnostics);
+            const auto network = compose(*plant_network, loop, *equations, {grain, {}, {}}, diagnostics);
             if (!network) continue;
             if (clock_count(*network) > most_clocks) {
                 ++tally.left_out;

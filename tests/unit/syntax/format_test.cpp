@@ -29,9 +29,10 @@ std::string formatted_text(const std::string& text) {
 std::string formatted_condition(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;
-    const Id<Source> source = sources.add({"test", text});
-    const auto lone = parse_condition({source, 0, static_cast<std::uint32_t>(text.size())}, sources, diagnostics);
-    return lone ? formatted(lone->file, lone->condition) : "?";
+    const Id<Source> source = sources.add({"test", "grafcet c { initial step 1; transition t: 1 -> 1 when " + text + "; }"});
+    const tree::File file = parse_file(source, sources, diagnostics);
+    if (file.broken) return "?";
+    return formatted(file, std::get<tree::Transition>(std::get<tree::Chart>(file.declarations.front()).items.back()).condition);
 }
 
 struct Case {

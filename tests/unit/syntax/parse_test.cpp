@@ -32,8 +32,13 @@ Sources one(std::string text) {
     return sources;
 }
 
-Span whole(const Sources& sources) {
-    return {Id<Source>{0}, 0, static_cast<std::uint32_t>(sources[Id<Source>{0}].text.size())};
+/// A chart whose only condition is `text`, from the third line on.
+std::string chart_with(const std::string& text) {
+    return "grafcet c {\n    initial step 1; transition t: 1 -> 1 when\n" + text + "\n;\n}\n";
+}
+
+Id<tree::Expr> only_condition(const tree::File& file) {
+    return std::get<tree::Transition>(std::get<tree::Chart>(file.declarations.front()).items.back()).condition;
 }
 
 /// The place and code of each error, one a line.
@@ -79,41 +84,37 @@ TEST(ParseCondition, BindsOperatorsAsTheLanguageSays) {
     };
     for (const Case& example : cases) {
         SCOPED_TRACE(example.in);
-        const Sources sources = one(example.in);
+        const Sources sources = one(chart_with(example.in));
         Diagnostics diagnostics;
-        const auto lone = parse_condition(whole(sources), sources, diagnostics);
-        ASSERT_TRUE(lone) << errors(diagnostics, sources);
-        EXPECT_EQ(shape(lone->file, lone->condition), example.out);
+        const tree::File file = parse_file(Id<Source>{0}, sources, diagnostics);
+        ASSERT_FALSE(file.broken) << errors(diagnostics, sources);
+        EXPECT_EQ(shape(file, only_condition(file)), example.out);
     }
 }
 
 TEST(ParseCondition, RefusesWhatIsNoCondition) {
     const std::vector<Case> cases = {
-        {"", "1:1 unexpected-end\n"},
-        {"a b", "1:3 unexpected\n"},
-        {"a < b < c", "1:7 unexpected\n"},
-        {"a = b", "1:3 single-equals\n"},
-        {"(a", "1:3 unexpected-end\n"},
-        {"a && 3x", "1:6 unknown-unit\n"},
-        {"always a", "1:1 unexpected\n"},
-        {"a <> b", "1:3 other-spelling\n"},
+        {"", "4:1 unexpected\n"},
+        {"a b", "3:3 unexpected\n"},
+        {"a < b < c", "3:7 unexpected\n"},
+        {"a = b", "3:3 single-equals\n"},
+        {"(a", "4:1 unexpected\n"},
+        {"a && 3x", "3:6 unknown-unit\n"},
+        {"always a", "3:1 unexpected\n"},
+        {"a <> b", "3:3 other-spelling\n"},
     };
     for (const Case& example : cases) {
         SCOPED_TRACE(example.in);
-        const Sources sources = one(example.in);
-        Diagnostics diagnostics;
-        EXPECT_FALSE(parse_condition(whole(sources), sources, diagnostics));
-        EXPECT_EQ(errors(diagnostics, sources), example.out);
+        EXPECT_EQ(errors_of(chart_with(example.in)), example.out);
     }
 }
 
-TEST(ParseCondition, ReadsAPartOfItsSourceAndKeepsThePlaces) {
-    const Sources sources = one("<condition>a && b</condition>");
+TEST(ParseCondition, KeepsThePlaces) {
+    const Sources sources = one(chart_with("a && b"));
     Diagnostics diagnostics;
-    const auto lone = parse_condition({Id<Source>{0}, 11, 17}, sources, diagnostics);
-    ASSERT_TRUE(lone);
-    EXPECT_EQ(lone->file.exprs[lone->condition].where.begin, 11u);
-    EXPECT_EQ(lone->file.exprs[lone->condition].where.end, 17u);
+    const tree::File file = parse_file(Id<Source>{0}, sources, diagnostics);
+    const Span where = file.exprs[only_condition(file)].where;
+    EXPECT_EQ(sources[where.source].text.substr(where.begin, where.end - where.begin), "a && b");
 }
 
 TEST(ParseProperty, KnowsEveryPattern) {
@@ -134,11 +135,11 @@ TEST(ParseProperty, KnowsEveryPattern) {
     };
     for (const auto& [text, pattern] : cases) {
         SCOPED_TRACE(text);
-        const Sources sources = one(text);
+        const Sources sources = one("closed_loop l {\n    property P:" + text + ";\n}\n");
         Diagnostics diagnostics;
-        const auto lone = parse_property(whole(sources), sources, diagnostics);
-        ASSERT_TRUE(lone) << errors(diagnostics, sources);
-        EXPECT_EQ(lone->property.pattern, pattern);
+        const tree::File file = parse_file(Id<Source>{0}, sources, diagnostics);
+        ASSERT_FALSE(file.broken) << errors(diagnostics, sources);
+        EXPECT_EQ(std::get<tree::Property>(std::get<tree::ClosedLoop>(file.declarations.front()).items.back()).pattern, pattern);
     }
 }
 
@@ -218,12 +219,7 @@ TEST(ParseFile, RefusesBytesThatAreNoText) {
 
 // -- limits -----------------------------------------------------------------------------------------------------------
 
-std::string condition_errors(const std::string& text) {
-    const Sources sources = one(text);
-    Diagnostics diagnostics;
-    parse_condition(whole(sources), sources, diagnostics);
-    return errors(diagnostics, sources);
-}
+std::string condition_errors(const std::string& text) { return errors_of(chart_with(text)); }
 
 std::string repeated(const std::string& part, int count) {
     std::string text;
@@ -233,20 +229,20 @@ std::string repeated(const std::string& part, int count) {
 
 TEST(Limits, ExpressionsNestAThousandLevels) {
     EXPECT_EQ(condition_errors(repeated("(", 1000) + "a" + repeated(")", 1000)), "");
-    EXPECT_EQ(condition_errors(repeated("(", 10001) + "a" + repeated(")", 10001)), "1:1001 too-deep\n");
-    EXPECT_EQ(condition_errors(repeated("!", 10001) + "a"), "1:1001 too-deep\n");
-    EXPECT_EQ(condition_errors(repeated("!(", 5000) + "a" + repeated(")", 5000)), "1:1001 too-deep\n");
-    EXPECT_EQ(condition_errors("a" + repeated(" + a", 10001) + " > 1"), "1:1 too-deep\n");
+    EXPECT_EQ(condition_errors(repeated("(", 10001) + "a" + repeated(")", 10001)), "3:1001 too-deep\n");
+    EXPECT_EQ(condition_errors(repeated("!", 10001) + "a"), "3:1001 too-deep\n");
+    EXPECT_EQ(condition_errors(repeated("!(", 5000) + "a" + repeated(")", 5000)), "3:1001 too-deep\n");
+    EXPECT_EQ(condition_errors("a" + repeated(" + a", 10001) + " > 1"), "3:1 too-deep\n");
     EXPECT_EQ(condition_errors(repeated("(a && ", 900) + "b" + repeated(")", 900)), "");
-    EXPECT_EQ(condition_errors("a" + repeated(".b", 10001)), "1:1 too-deep\n");
+    EXPECT_EQ(condition_errors("a" + repeated(".b", 10001)), "3:1 too-deep\n");
 }
 
 TEST(Limits, ConjunctionsMayBeWide) { EXPECT_EQ(condition_errors("a" + repeated(" && a", 100000)), ""); }
 
 TEST(Limits, NamesHaveAThousandBytes) {
     EXPECT_EQ(condition_errors(repeated("a", 1000)), "");
-    EXPECT_EQ(condition_errors(repeated("a", 1001)), "1:1 name-too-long\n");
-    EXPECT_EQ(condition_errors(repeated("a", 1 << 20)), "1:1 name-too-long\n");
+    EXPECT_EQ(condition_errors(repeated("a", 1001)), "3:1 name-too-long\n");
+    EXPECT_EQ(condition_errors(repeated("a", 1 << 20)), "3:1 name-too-long\n");
 }
 
 TEST(Limits, FilesHave256MiB) {

@@ -2,13 +2,11 @@
 // A closed loop as a tree. Arguments that have their default value are written all the same: the IR does not tell.
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "grafverif/support/overloaded.hpp"
-#include "grafverif/syntax/dialect.hpp"
-#include "grafverif/syntax/print_model.hpp"
-#include "syntax/print_model.hpp"
+#include "support/model_trees.hpp"
 
 namespace grafverif {
 
@@ -182,16 +180,6 @@ private:
 };
 
 }  // namespace
-
-std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& constraint) {
-    constexpr std::size_t longest = 400;
-    const std::string text =
-        expr_text(loop.exprs, constraint.condition, chart_spelling, [&loop](std::ostream& out, const Expr& leaf) {
-            const ClosedLoop::Symbol& symbol = loop.symbols[{static_cast<std::uint32_t>(leaf.value)}];
-            out << loop.shared[std::get<ClosedLoop::SharedSymbol>(symbol).shared].name;   // it reads inputs only
-        });
-    return text.size() > longest ? "a long constraint holds of this plant" : text + " holds of this plant";
-}
 
 tree::ClosedLoop tree_of(const ClosedLoop& loop, const Model& model, tree::File&, Trees& trees) {
     return LoopPrinter(loop, model, trees).print();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/syntax/print_network.hpp"
+#include "support/print_network.hpp"
 
 #include <ostream>
 #include <sstream>

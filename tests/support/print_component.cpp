@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "syntax/print_model.hpp"
+#include "support/model_trees.hpp"
 
 namespace grafverif {
 

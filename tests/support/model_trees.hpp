@@ -4,7 +4,7 @@
 
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/syntax/tree.hpp"
-#include "syntax/trees.hpp"
+#include "support/trees.hpp"
 
 namespace grafverif {
 

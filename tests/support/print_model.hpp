@@ -4,7 +4,6 @@
 #pragma once
 
 #include <iosfwd>
-#include <string>
 
 #include "grafverif/ir/closed_loop.hpp"
 
@@ -14,8 +13,6 @@ void print(std::ostream& out, const Chart& chart);
 void print(std::ostream& out, const Component& component);
 /// Requires verify(loop, model).empty().
 void print(std::ostream& out, const ClosedLoop& loop, const Model& model);
-/// What is to prove of a constraint beside a plant, in words: `!(IN && OUT)` holds of it.
-std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& constraint);
 /// Charts, components and loops, in this order.
 void print(std::ostream& out, const Model& model);
 

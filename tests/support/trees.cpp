@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "syntax/trees.hpp"
+#include "support/trees.hpp"
 
 #include <limits>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grafverif/support/overloaded.hpp"
-#include "syntax/print_model.hpp"
+#include "support/model_trees.hpp"
 
 namespace grafverif {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/syntax/print_model.hpp"
+#include "support/print_model.hpp"
 
 #include "grafverif/syntax/format.hpp"
-#include "syntax/print_model.hpp"
+#include "support/model_trees.hpp"
 
 namespace grafverif {
 
