@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "analyse/questions.hpp"
+#include "analyse/analyst.hpp"
 
 #include <algorithm>
 
-#include "analyse/memory.hpp"
 #include "analyse/structure.hpp"
 
 namespace grafverif::analysis {

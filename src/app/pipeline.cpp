@@ -2,18 +2,20 @@
 #include "app/pipeline.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <sstream>
+#include <string>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <vector>
 
 #include "app/files.hpp"
 #include "app/library.hpp"
 #include "app/outputs.hpp"
 #include "app/progress_line.hpp"
-#include "app/reach.hpp"
 #include "grafverif/compose/compose.hpp"
 #include "grafverif/conform/automaton.hpp"
 #include "grafverif/conform/mealy.hpp"
@@ -33,6 +35,61 @@
 namespace grafverif::app {
 
 namespace {
+
+// Reach: which files a file may include. A chart does not decide which other files of the machine are read: those below
+// the folder of the main file, below the folder of its project, and below folders that the user names. The current
+// folder has no part in it. The folder of the project is the nearest above the main file, its own included, that holds
+// `.git` or `grafverif.project`.
+
+class Reach {
+public:
+    /// `main`: the main file. `folders`: those of `-I`.
+    Reach(const std::filesystem::path& main, const std::vector<std::string>& folders);
+
+    /// The content of the regular file at `path`, if it is in reach; else nothing, and `why`.
+    std::optional<std::string> read(const std::string& path, std::string& why) const;
+
+private:
+    std::vector<std::filesystem::path> roots_ = {};   ///< links followed
+};
+
+namespace fs = std::filesystem;
+
+std::optional<fs::path> project_of(fs::path folder) {
+    for (;; folder = folder.parent_path()) {
+        std::error_code ignored;
+        for (const char* mark : {".git", "grafverif.project"})
+            if (fs::exists(folder / mark, ignored)) return folder;
+        if (!folder.has_relative_path()) return {};
+    }
+}
+
+bool is_below(const fs::path& file, const fs::path& root) {
+    return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+}
+
+/// What tells the file at `path` from others (see file_identity); empty: nothing is there.
+std::string identity_of_existing(const std::string& path) {
+    struct stat status = {};
+    return ::stat(path.c_str(), &status) == 0 ? fmt::format("{}:{}", status.st_dev, status.st_ino) : std::string();
+}
+
+Reach::Reach(const fs::path& main, const std::vector<std::string>& folders) {
+    roots_.push_back(fs::weakly_canonical(fs::absolute(main).parent_path()));
+    if (auto project = project_of(roots_.front())) roots_.push_back(std::move(*project));
+    for (const std::string& folder : folders) roots_.push_back(fs::weakly_canonical(fs::absolute(folder)));
+}
+
+std::optional<std::string> Reach::read(const std::string& path, std::string& why) const {
+    std::error_code failure;
+    const fs::path file = fs::canonical(path, failure);
+    if (!failure && std::ranges::none_of(roots_, [&](const fs::path& root) { return is_below(file, root); })) {
+        why = "it lies neither below the folder of the main file nor below that of its project, which `.git` or `grafverif.project` "
+              "marks; let it be read with `-I FOLDER`";
+        return {};
+    }
+    return read_file(failure ? fs::path(path) : file, why);
+}
 
 std::optional<std::string> read_named(const std::string& path, const Job& job, std::string& why) {
     const auto own = path == "-" ? std::optional(STDIN_FILENO) : own_descriptor(path);
@@ -236,7 +293,7 @@ structured_text::Form structured_text_form(const Job& job) {
 std::string structured_text_controller(const Equations& equations, ExecutionMode mode, Job& job) {
     if (!structured_text::expressible(equations, job.diagnostics)) return {};
     std::ostringstream out;
-    structured_text::emit(equations, {mode, job.options.max_evolutions, structured_text_form(job)}, out);
+    structured_text::emit(equations, {mode, static_cast<std::uint32_t>(job.options.max_evolutions), structured_text_form(job)}, out);
     return std::move(out).str();
 }
 

@@ -9,12 +9,22 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "check/clocks.hpp"
 #include "grafverif/ir/network.hpp"
+#include "grafverif/ir/network_clocks.hpp"
 
 namespace grafverif::timed {
+
+// The clocks of a network (ir/network_clocks) as the timed engine takes them, and where integer time is not exact.
+
+using Interval = ClockInterval;
+
+/// The first place that integer time does not decide exactly: a strict constraint, or an urgent edge that time may
+/// switch off. Empty where there is none.
+std::optional<std::string> inexact_place(const Network& network);
 
 using Word = std::uint64_t;
 

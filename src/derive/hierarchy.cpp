@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "derive/hierarchy.hpp"
+#include "derive/derivation.hpp"
 
 #include <algorithm>
 

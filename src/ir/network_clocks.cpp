@@ -70,9 +70,8 @@ ProcessClocks analyse(const Network& network, const Network::Template& automaton
 
 }  // namespace
 
-ClockInterval admitted(const Network& network, const Network::ClockConstraint& constraint) {
-    const std::int64_t bound = constant(network, constraint.bound);
-    switch (constraint.relation) {
+ClockInterval admitted(Op relation, std::int64_t bound) {
+    switch (relation) {
     case Op::Less:         return {0, bound - 1};
     case Op::LessEqual:    return {0, bound};
     case Op::Equal:        return {bound, bound};
@@ -80,6 +79,10 @@ ClockInterval admitted(const Network& network, const Network::ClockConstraint& c
     case Op::Greater:      return {bound + 1, ClockInterval::unbounded};
     default:               unreachable();
     }
+}
+
+ClockInterval admitted(const Network& network, const Network::ClockConstraint& constraint) {
+    return admitted(constraint.relation, constant(network, constraint.bound));
 }
 
 std::vector<ClockInterval> admitted(const Network& network, const std::vector<Network::ClockConstraint>& constraints, std::size_t clocks) {

@@ -56,14 +56,6 @@ std::int64_t AgrafeReader::number(pugi::xml_node node, std::string_view attribut
     return otherwise;
 }
 
-bool AgrafeReader::flag(pugi::xml_node node, std::string_view attribute) {
-    const auto found = truth(node, attribute);
-    if (!found)
-        diagnostics().add(messages::bad_value(xml.where(node, attribute), '`' + std::string(attribute) + '`',
-                                              value(node, attribute), "`true` or `false`"));
-    return found.value_or(false);
-}
-
 namespace {
 
 bool is_expansion(Kind kind) { return kind == Kind::Expansion; }

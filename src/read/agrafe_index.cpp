@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "read/agrafe_index.hpp"
+#include "read/agrafe_reader.hpp"
 
 #include <utility>
 

@@ -9,12 +9,45 @@
 #include <unordered_set>
 #include <vector>
 
-#include "read/agrafe_index.hpp"
 #include "read/draft.hpp"
 #include "read/integer_ranges.hpp"
 #include "read/xml.hpp"
 
 namespace grafverif {
+
+// What an AGRAFE document consists of, and what its references name.
+
+struct AgrafeEntity {
+    enum class Kind { Main, Partial, Expansion, Step, Enclosing, Macro, Entry, Exit, Transition, Synchronization, Action, Declaration };
+    Kind kind = Kind::Main;
+    pugi::xml_node node = {};
+    std::size_t partial = 0;      ///< the partial chart it belongs to; of a partial chart: itself
+    std::string name = {};        ///< in our language; set by the reader
+    std::vector<std::size_t> in = {}, out = {};   ///< arcs: entities before and after it
+};
+
+class AgrafeIndex {
+public:
+    using Kind = AgrafeEntity::Kind;
+
+    /// Walks the whole document; partial charts within partial charts stand beside them.
+    explicit AgrafeIndex(pugi::xml_node root);
+
+    std::vector<AgrafeEntity>& all() { return entities_; }
+    AgrafeEntity& operator[](std::size_t entity) { return entities_[entity]; }
+    const AgrafeEntity& operator[](std::size_t entity) const { return entities_[entity]; }
+    std::optional<std::size_t> find(const std::string& reference) const;
+
+private:
+    std::size_t add(Kind kind, pugi::xml_node node, std::size_t partial, std::string path);
+
+    std::vector<AgrafeEntity> entities_ = {};
+    std::unordered_map<std::string, std::size_t> paths_ = {};
+};
+
+bool is_step(AgrafeEntity::Kind kind);
+inline bool is_declaration(AgrafeEntity::Kind kind) { return kind == AgrafeEntity::Kind::Declaration; }
+bool is_partial(AgrafeEntity::Kind kind);
 
 struct AgrafeReader {
     const Xml& xml;
@@ -36,7 +69,7 @@ struct AgrafeReader {
                                         bool (*accepts)(AgrafeEntity::Kind));
     /// A whole number; `otherwise` where it is missing, or wrong and reported.
     std::int64_t number(pugi::xml_node node, std::string_view attribute, std::int64_t otherwise);
-    bool flag(pugi::xml_node node, std::string_view attribute);
+    bool flag(pugi::xml_node node, std::string_view attribute) { return xml.flag(node, attribute, diagnostics()); }
 };
 
 // -- agrafe_terms.cpp

@@ -16,14 +16,6 @@ st::Block PlcopenReader::statements(const st::Text& text) {
     return st::parse_statements(text, file, sources, diagnostics()).value_or(st::Block{});
 }
 
-bool PlcopenReader::flag(pugi::xml_node node, std::string_view attribute) {
-    const auto found = truth(node, attribute);
-    if (!found)
-        diagnostics().add(messages::bad_value(xml.where(node, attribute), '`' + std::string(attribute) + '`',
-                                              value(node, attribute), "`true` or `false`"));
-    return found.value_or(false);
-}
-
 Id<st::Expr> PlcopenReader::make(st::Op op, const std::vector<Id<st::Expr>>& operands, Span where) {
     st::Expr expr;
     expr.op = op;

@@ -24,8 +24,7 @@ struct PlcopenReader {
     Id<st::Expr> expression(const st::Text& text);
     /// Empty after an error.
     st::Block statements(const st::Text& text);
-    /// The value of an xsd:boolean, false where there is none.
-    bool flag(pugi::xml_node node, std::string_view attribute);
+    bool flag(pugi::xml_node node, std::string_view attribute) { return xml.flag(node, attribute, diagnostics()); }
     st::Expr& node(Id<st::Expr> id) { return file.exprs[id]; }
     Id<st::Expr> make(st::Op op, const std::vector<Id<st::Expr>>& operands, Span where);
 };

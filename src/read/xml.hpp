@@ -34,6 +34,8 @@ public:
     st::Text text(pugi::xml_node node) const;
     /// The value of an attribute as a text.
     st::Text text(pugi::xml_node node, std::string_view attribute) const;
+    /// The value of an xsd:boolean, false where there is none, or after an error.
+    bool flag(pugi::xml_node node, std::string_view attribute, Diagnostics& diagnostics) const;
     /// What text() stands for.
     std::string content(pugi::xml_node node) const;
 
@@ -56,8 +58,6 @@ std::vector<pugi::xml_node> children(pugi::xml_node node, std::string_view name)
 pugi::xml_attribute attribute(pugi::xml_node node, std::string_view name);
 /// Empty where there is none.
 std::string value(pugi::xml_node node, std::string_view attribute);
-/// The value of an xsd:boolean, false where there is none; empty where it is no such value.
-std::optional<bool> truth(pugi::xml_node node, std::string_view attribute);
 /// The text of a comment of XML as lines of ours, `// ...`.
 std::vector<std::string> comment_lines(std::string_view text);
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "schedule/automaton_module.hpp"
+#include "schedule/plant_instances.hpp"
 
 #include <algorithm>
 #include <map>
 
 #include "schedule/automaton_edges.hpp"
-#include "schedule/location_values.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif::schedule {
@@ -158,14 +157,7 @@ private:
 
     /// The values that a constraint admits, under the arguments of the process.
     ClockInterval interval_of(const Network::ClockConstraint& constraint) const {
-        const std::int64_t bound = bound_value(network(), slots_.process, constraint.bound);
-        switch (constraint.relation) {
-        case Op::Less:         return {0, bound - 1};
-        case Op::LessEqual:    return {0, bound};
-        case Op::Equal:        return {bound, bound};
-        case Op::GreaterEqual: return {bound, ClockInterval::unbounded};
-        default:               return {bound + 1, ClockInterval::unbounded};
-        }
+        return admitted(constraint.relation, bound_value(network(), slots_.process, constraint.bound));
     }
     Id<Expr> admits(const ClockInterval& interval, Id<Expr> value) {
         const Id<Expr> low = interval.low <= 0 ? exprs_.constant(true)

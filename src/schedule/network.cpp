@@ -127,9 +127,7 @@ private:
             const std::uint32_t process = at_process(leaf), location = at_location(leaf);
             if (process >= network_.processes.size())
                 return is_at(system_, observers_[process - network_.processes.size()], location);
-            const Id<Symbol> held = plant_.automata[process].location;
-            if (!held.valid()) return exprs().constant(true);
-            return exprs().apply(Op::Equal, plant_.inner(process, held), exprs().integer(location));
+            return plant_.at(process, location);
         });
     }
 

@@ -101,11 +101,7 @@ private:
         meaning.judged_when_settled = sequenced_;
         meaning.term = [this, before = meaning.term](const ClosedLoop::Symbol& symbol, std::string& reason) {
             const auto* location = std::get_if<ClosedLoop::LocationSymbol>(&symbol);
-            if (location == nullptr) return before(symbol, reason);
-            const std::size_t process = location->instance.index;
-            const Id<Symbol> held = plant_.automata[process].location;
-            if (!held.valid()) return exprs().constant(true);
-            return exprs().apply(Op::Equal, plant_.inner(process, held), exprs().integer(location->location.index));
+            return location == nullptr ? before(symbol, reason) : plant_.at(location->instance.index, location->location.index);
         };
         return meaning;
     }

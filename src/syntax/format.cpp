@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "grafverif/syntax/format.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
 #include <limits>
 #include <ostream>
 #include <sstream>
@@ -8,12 +12,118 @@
 #include <vector>
 
 #include "grafverif/support/overloaded.hpp"
+#include "grafverif/syntax/tree.hpp"
 #include "syntax/format_items.hpp"
-#include "syntax/page.hpp"
 
 namespace grafverif {
 
 namespace {
+
+// Page: the lines of a text under way, and the comments and blank lines that go between them. Everything is placed by
+// position: before a thing is written, the comments that stand before it are.
+
+class Page {
+public:
+    explicit Page(const tree::File& file) : file_(&file) {}
+
+    /// What was written at `begin` follows: its comments, and a blank line if there was one. `apart`: in any case.
+    void before(std::uint32_t begin, bool apart = false);
+    /// Comments that stand inside something without lines of its own.
+    void within(std::uint32_t end);
+    void line(std::string text);
+    /// The comments behind what ended at `end`, on its line; those at `limit` and after it belong to what follows.
+    void behind(std::uint32_t limit);
+    /// Comments up to the end of a block or of the file.
+    void remaining(std::uint32_t end);
+
+    void indent() { ++depth_; fresh_ = true; }
+    void outdent() { --depth_; fresh_ = false; }
+    std::size_t column() const { return 4 * depth_; }
+    bool has_comment_before(std::uint32_t end) const;
+
+    void write(std::ostream& out) const;
+
+private:
+    struct Line {
+        std::string text = {};
+        std::string comment = {};
+    };
+
+    void own_line(const tree::Comment& comment);
+    bool gap_at(std::uint32_t position) const;
+
+    const tree::File* file_;
+    std::vector<Line> lines_ = {};
+    std::size_t next_ = 0;       ///< comment to be placed
+    std::size_t depth_ = 0;
+    bool fresh_ = true;          ///< at the start of a block or of the file: no blank line
+};
+
+bool Page::gap_at(std::uint32_t position) const { return std::ranges::binary_search(file_->gaps, position); }
+
+void Page::before(std::uint32_t begin, bool apart) {
+    bool commented = false;
+    for (; has_comment_before(begin); ++next_) {
+        const tree::Comment& comment = file_->comments[next_];
+        if (!fresh_ && ((apart && !commented) || gap_at(comment.where.begin))) lines_.emplace_back();
+        own_line(comment);
+        commented = true;
+    }
+    if (!fresh_ && ((apart && !commented) || gap_at(begin))) lines_.emplace_back();
+    fresh_ = false;
+}
+
+void Page::within(std::uint32_t end) {
+    for (; has_comment_before(end); ++next_) own_line(file_->comments[next_]);
+}
+
+void Page::line(std::string text) {
+    lines_.push_back({text.empty() ? text : std::string(column(), ' ') + text, {}});
+    fresh_ = false;
+}
+
+void Page::behind(std::uint32_t limit) {
+    for (; has_comment_before(limit); ++next_) {
+        const tree::Comment& comment = file_->comments[next_];
+        if (comment.own_line || comment.text.find('\n') != std::string::npos) return;
+        std::string& behind = lines_.back().comment;
+        if (behind.starts_with("//")) return;
+        if (!behind.empty()) behind += ' ';
+        behind += comment.text;
+    }
+}
+
+void Page::remaining(std::uint32_t end) {
+    for (; has_comment_before(end); ++next_) {
+        const tree::Comment& comment = file_->comments[next_];
+        if (!fresh_ && gap_at(comment.where.begin)) lines_.emplace_back();
+        own_line(comment);
+    }
+}
+
+bool Page::has_comment_before(std::uint32_t end) const {
+    return next_ < file_->comments.size() && file_->comments[next_].where.begin < end;
+}
+
+void Page::own_line(const tree::Comment& comment) {
+    lines_.push_back({std::string(column(), ' ') + comment.text, {}});
+    fresh_ = false;
+}
+
+/// Comments behind neighbouring lines stand in one column.
+void Page::write(std::ostream& out) const {
+    for (std::size_t from = 0; from < lines_.size();) {
+        std::size_t to = from, width = 0;
+        while (to < lines_.size() && !lines_[to].comment.empty()) width = std::max(width, lines_[to++].text.size());
+        to = std::max(to, from + 1);
+        for (; from < to; ++from) {
+            const auto& [text, comment] = lines_[from];
+            out << text;
+            if (!comment.empty()) out << std::string(width - text.size() + 2, ' ') << comment;
+            out << '\n';
+        }
+    }
+}
 
 constexpr std::uint32_t end_of_file = std::numeric_limits<std::uint32_t>::max();
 

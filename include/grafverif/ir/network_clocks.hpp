@@ -25,6 +25,8 @@ struct ClockInterval {
     bool contains(std::int64_t value) const { return low <= value && value <= high; }
 };
 
+/// The values that stand so to `bound`.
+ClockInterval admitted(Op relation, std::int64_t bound);
 /// The values that a constraint admits.
 ClockInterval admitted(const Network& network, const Network::ClockConstraint& constraint);
 /// The meet of `constraints` per clock, `clocks` entries.
