@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "analyse/memory.hpp"
 #include "analyse/order.hpp"
 
 namespace grafverif::analysis {
@@ -188,13 +187,12 @@ private:
 
 Dependencies::Dependencies(const Equations& equations) : reads_(equations.variables.size()) {
     for (const Equations::Firing& firing : equations.firings) add_leaves(equations, firing.condition, reads_[firing.variable.index]);
-    for (const Equations::StepActivity& step : equations.steps) add_leaves(equations, step.next, reads_[step.variable.index]);
+    for (const Kept& each : kept(equations)) add_leaves(equations, each.next, reads_[each.variable.index]);
     for (const Equations::Output& output : equations.outputs) add_leaves(equations, output.value, reads_[output.variable.index]);
-    for (const Remembered& each : remembered(equations)) add_leaves(equations, each.value, reads_[each.variable.index]);
-    for (const Clock& clock : clocks(equations)) reads_[clock.end.index].push_back(clock.watched.index);
+    for (const Equations::Timer& timer : equations.timers) reads_[timer.end.index].push_back(timer.watched.index);
     for (const Equations::Stored& stored : equations.stored) {
         Numbers& reads = reads_[stored.variable.index];
-        for (const Id<Expr> term : {stored.next, stored.race, stored.first, stored.first_race}) add_leaves(equations, term, reads);
+        for (const Id<Expr> term : {stored.race, stored.first, stored.first_race}) add_leaves(equations, term, reads);
         for (const Equations::Write& write : stored.writes) {
             add_leaves(equations, write.trigger, reads);
             add_leaves(equations, write.value, reads);

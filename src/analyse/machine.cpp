@@ -40,8 +40,8 @@ BddTerm at_most(const BddTerm& term, std::int64_t most) {
 
 Machine::Machine(const Equations& equations, const AnalyseOptions& options, const Cone& cone, BddSpace& space)
     : equations_(equations), space_(space), cone_(cone), whole_(std::ranges::find(cone, false) == cone.end()),
-      clocks_(analysis::clocks(equations)) {
-    std::erase_if(clocks_, [&](const Clock& clock) { return !cone_[clock.end.index]; });
+      clocks_(equations.timers) {
+    std::erase_if(clocks_, [&](const Equations::Timer& clock) { return !cone_[clock.end.index]; });
     look_inside();
     choose_counters(options);
     add_words(options);
@@ -261,11 +261,11 @@ void Machine::add_remembered() {
     for (const Next& each : nexts_) next[each.variable.index] = &each;
     BddTerms later(equations_.exprs, after(false)), at_first(equations_.exprs, after(true));
     std::vector<Next> found;
-    for (const Remembered& each : remembered(equations_)) {
-        if (!matters_[each.variable.index] || !covers(each.value)) continue;
+    for (const Kept& each : remembered(equations_)) {
+        if (!matters_[each.variable.index] || !covers(each.next)) continue;
         BddTerms& terms = each.after ? later : *terms_;
         BddTerms& firsts = each.after ? at_first : *first_terms_;
-        const BddTerm &value = terms(each.value), &first = firsts(each.value);
+        const BddTerm &value = terms(each.next), &first = firsts(each.next);
         Break undefined;
         undefined.no_value = value.undefined;
         undefined.first_no_value = first.undefined;
@@ -278,15 +278,15 @@ void Machine::add_remembered() {
 /// No time passes within an evolution: an end goes on while what it watches lasts, or, where there is a fall time, even
 /// after it; it begins at once where there is no rise time.
 void Machine::add_timers() {
-    for (const Clock& clock : clocks_) {
+    for (const Equations::Timer& clock : clocks_) {
         if (!matters_[clock.end.index]) continue;
         const auto watched =
             std::ranges::find(nexts_, clock.watched, [](const Next& next) { return next.variable; });
         const Bdd end = word_term(clock.end).bits.front();
         const Bdd level = watched->value.bits.front(), first = watched->first.bits.front();
         Next next{clock.end, bdd_boolean(end), bdd_boolean(falsehood())};
-        if (clock.fall == 0) next.value = bdd_boolean(end & level);
-        if (clock.rise == 0) next = {clock.end, bdd_boolean(end | level), bdd_boolean(first)};
+        if (clock.fall_ms == 0) next.value = bdd_boolean(end & level);
+        if (clock.rise_ms == 0) next = {clock.end, bdd_boolean(end | level), bdd_boolean(first)};
         keep(std::move(next));
     }
 }
@@ -363,10 +363,10 @@ Bdd Machine::with_inputs_of(const Bdd& points, const Point& other) const {
 /// Of clocks without fall time on one watched variable, shorter ones end first.
 Bdd Machine::allowed_ends(const Bdd& points) const {
     Bdd result = points;
-    for (const Clock& longer : clocks_)
-        for (const Clock& shorter : clocks_) {
-            const bool ordered = longer.watched == shorter.watched && longer.fall == 0 && shorter.fall == 0 &&
-                                 longer.rise > shorter.rise;
+    for (const Equations::Timer& longer : clocks_)
+        for (const Equations::Timer& shorter : clocks_) {
+            const bool ordered = longer.watched == shorter.watched && longer.fall_ms == 0 && shorter.fall_ms == 0 &&
+                                 longer.rise_ms > shorter.rise_ms;
             if (!ordered || !matters_[longer.end.index] || !matters_[shorter.end.index]) continue;
             result &= implies(word_term(longer.end).bits.front(), word_term(shorter.end).bits.front());
         }
@@ -377,12 +377,12 @@ Bdd Machine::allowed_ends(const Bdd& points) const {
 /// false. With both a rise and a fall time an old end may run out while a new one is not yet due.
 Bdd Machine::sampled(const Bdd& rest) const {
     Bdd result = rest;
-    for (const Clock& clock : clocks_) {
+    for (const Equations::Timer& clock : clocks_) {
         if (!matters_[clock.end.index]) continue;
         const std::uint32_t bit = words_[clock.end.index].bits.front();
         const Bdd end = space_.variable(bit), level = word_term(clock.watched).bits.front();
         const Bdd was_false = cofactor(result, ~end), was_true = cofactor(result, end);
-        const Bdd may_end = clock.fall == 0 ? falsehood() : clock.rise == 0 ? ~level : Bdd::constant(true);
+        const Bdd may_end = clock.fall_ms == 0 ? falsehood() : clock.rise_ms == 0 ? ~level : Bdd::constant(true);
         result = ite(end, was_true | (was_false & level), was_false | (was_true & may_end));
     }
     return allowed_ends(result) & possible_;
@@ -390,7 +390,7 @@ Bdd Machine::sampled(const Bdd& rest) const {
 
 Bdd Machine::without_ends(const Bdd& points) const {
     std::vector<std::uint32_t> ends;
-    for (const Clock& clock : clocks_)
+    for (const Equations::Timer& clock : clocks_)
         if (matters_[clock.end.index]) ends.push_back(words_[clock.end.index].bits.front());
     return exists(points, variable_set(space_, ends));
 }
@@ -399,12 +399,12 @@ Bdd Machine::origins_in_time(const Bdd& rest, const Point& next) const {
     std::vector<BddLiteral> same;
     for (const KeptBit& bit : kept_) same.push_back({bit.before, next[bit.before]});
     Bdd result = rest;
-    for (const Clock& clock : clocks_) {
+    for (const Equations::Timer& clock : clocks_) {
         if (!matters_[clock.end.index]) continue;
         const std::uint32_t bit = words_[clock.end.index].bits.front();
         std::erase_if(same, [bit](const BddLiteral& literal) { return literal.variable == bit; });
         const Bdd end = space_.variable(bit), level = word_term(clock.watched).bits.front();
-        const Bdd may_end = clock.fall == 0 ? falsehood() : clock.rise == 0 ? ~level : Bdd::constant(true);
+        const Bdd may_end = clock.fall_ms == 0 ? falsehood() : clock.rise_ms == 0 ? ~level : Bdd::constant(true);
         result &= next[bit] ? end | level : ~end | may_end;
     }
     return result & cube(space_, same);

@@ -14,7 +14,6 @@
 
 #include "analyse/cones.hpp"
 #include "analyse/counters.hpp"
-#include "analyse/memory.hpp"
 #include "bdd/relation.hpp"
 #include "grafverif/analyse/analyse.hpp"
 #include "grafverif/bdd/terms.hpp"
@@ -102,7 +101,7 @@ public:
     Point pick(const Bdd& points) const;
     Bdd only(const Point& point) const;
     std::int64_t value(const Point& point, Id<Equations::Variable> variable) const;
-    const std::vector<Clock>& clocks() const { return clocks_; }
+    const std::vector<Equations::Timer>& clocks() const { return clocks_; }
 
 private:
     struct KeptBit {
@@ -141,7 +140,7 @@ private:
     Cone cone_;
     bool whole_ = true, watches_ = false;
     std::vector<bool> inside_ = {};                         ///< per term: whether it reads the cone alone
-    std::vector<Clock> clocks_;
+    std::vector<Equations::Timer> clocks_;
     std::vector<bool> matters_ = {};
     std::vector<std::optional<Counter>> counters_ = {};
     std::int64_t exact_evolutions_ = 0;

@@ -14,7 +14,7 @@ struct Constraint {
 /// What one clock asks of the moments, going along the way.
 class Asks {
 public:
-    Asks(const Machine& machine, const Clock& clock, std::vector<Constraint>& constraints)
+    Asks(const Machine& machine, const Equations::Timer& clock, std::vector<Constraint>& constraints)
         : machine_(machine), clock_(clock), constraints_(constraints) {}
 
     void go(const Way& way) {
@@ -36,8 +36,8 @@ private:
 
     void sample(std::size_t instant, const Point& point) {
         const bool ended = machine_.value(point, clock_.end) != 0;
-        if (level_ && clock_.rise > 0) ask(risen_, instant, clock_.rise, ended);
-        if (!level_ && clock_.fall > 0 && fallen_) ask(*fallen_, instant, clock_.fall, !ended);
+        if (level_ && clock_.rise_ms > 0) ask(risen_, instant, clock_.rise_ms, ended);
+        if (!level_ && clock_.fall_ms > 0 && fallen_) ask(*fallen_, instant, clock_.fall_ms, !ended);
     }
 
     void ask(std::size_t since, std::size_t now, std::int64_t duration, bool over) {
@@ -46,7 +46,7 @@ private:
     }
 
     const Machine& machine_;
-    const Clock& clock_;
+    const Equations::Timer& clock_;
     std::vector<Constraint>& constraints_;
     bool level_ = false;
     std::size_t risen_ = 0;
@@ -59,7 +59,7 @@ std::optional<std::vector<std::int64_t>> moments(const Machine& machine, const W
     const std::size_t count = way.instants.size();
     std::vector<Constraint> constraints;
     for (std::size_t instant = 1; instant < count; ++instant) constraints.push_back({instant - 1, instant, 0});
-    for (const Clock& clock : machine.clocks())
+    for (const Equations::Timer& clock : machine.clocks())
         if (machine.matters(clock.end)) Asks(machine, clock, constraints).go(way);
     std::vector<std::int64_t> result(count);
     bool changed = true;

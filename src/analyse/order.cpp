@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "analyse/cones.hpp"
-#include "analyse/memory.hpp"
+#include "ir/reads.hpp"
 #include "support/force.hpp"
 
 namespace grafverif::analysis {
@@ -16,17 +16,10 @@ namespace {
 
 using Variable = Equations::Variable;
 
-/// Marks `index`; whether it was marked before.
-bool mark_again(std::vector<bool>& marks, std::size_t index) {
-    const bool before = marks[index];
-    marks[index] = true;
-    return before;
-}
-
 class Order {
 public:
     Order(const Equations& equations, const std::vector<bool>& wanted)
-        : equations_(equations), seen_(equations.exprs.size()), open_(wanted), written_(equations.variables.size()) {
+        : equations_(equations), reads_(equations.exprs), open_(wanted), written_(equations.variables.size()) {
         for (const Equations::Stored& stored : equations.stored)
             for (const Equations::Write& write : stored.writes)
                 for (const Id<Expr> leaf : leaves(equations.exprs, write.trigger))
@@ -46,16 +39,7 @@ public:
 private:
     /// Places the variables that `root` reads, from left to right.
     void read(Id<Expr> root) {
-        std::vector<Id<Expr>> open{root};
-        while (!open.empty()) {
-            const Id<Expr> term = open.back();
-            open.pop_back();
-            if (mark_again(seen_, term.index)) continue;
-            const Expr& node = equations_.exprs[term];
-            if (node.op == Op::Variable) place({static_cast<std::uint32_t>(node.value)});
-            const auto operands = equations_.exprs.operands(term);
-            open.insert(open.end(), operands.rbegin(), operands.rend());
-        }
+        reads_.each(root, [&](std::uint32_t variable) { place({variable}); });
     }
 
     /// Places `id`, and what is written when it changes right after it.
@@ -70,7 +54,7 @@ private:
     }
 
     const Equations& equations_;
-    std::vector<bool> seen_;
+    Reads reads_;
     std::vector<bool> open_;
     std::vector<std::vector<Id<Variable>>> written_;   ///< per variable: the stored ones that its change may write
     std::vector<Id<Variable>> order_ = {};
@@ -80,31 +64,21 @@ private:
 class Marks {
 public:
     explicit Marks(const Equations& equations)
-        : equations_(equations), seen_(equations.exprs.size()), marks_(equations.variables.size()),
+        : timers_(equations.timers), reads_(equations.exprs), marks_(equations.variables.size()),
           values_(equations.variables.size()) {
-        for (const Equations::Stored& stored : equations.stored) values_[stored.variable.index] = stored.next;
-        for (const Remembered& each : remembered(equations)) values_[each.variable.index] = each.value;
-        for (const Clock& clock : clocks(equations)) watched_.emplace_back(clock.end, clock.watched);
+        for (const Kept& each : kept(equations)) values_[each.variable.index] = each.next;
     }
 
     void mark(Id<Variable> id) {
-        if (mark_again(marks_, id.index)) return;
+        if (marks_[id.index]) return;
+        marks_[id.index] = true;
         if (values_[id.index].valid()) mark(values_[id.index]);
-        for (const auto& [end, watched] : watched_)
-            if (end == id) mark(watched);
+        for (const Equations::Timer& timer : timers_)
+            if (timer.end == id) mark(timer.watched);
     }
 
     void mark(Id<Expr> root) {
-        std::vector<Id<Expr>> open{root};
-        while (!open.empty()) {
-            const Id<Expr> term = open.back();
-            open.pop_back();
-            if (mark_again(seen_, term.index)) continue;
-            const Expr& node = equations_.exprs[term];
-            if (node.op == Op::Variable) pending_.emplace_back(static_cast<std::uint32_t>(node.value));
-            const auto operands = equations_.exprs.operands(term);
-            open.insert(open.end(), operands.begin(), operands.end());
-        }
+        reads_.each(root, [&](std::uint32_t variable) { pending_.push_back(variable); });
     }
 
     std::vector<bool> all() {
@@ -117,10 +91,10 @@ public:
     }
 
 private:
-    const Equations& equations_;
-    std::vector<bool> seen_, marks_;
+    const std::vector<Equations::Timer>& timers_;
+    Reads reads_;
+    std::vector<bool> marks_;
     std::vector<Id<Expr>> values_;   ///< per variable: what it becomes, where that is a term
-    std::vector<std::pair<Id<Variable>, Id<Variable>>> watched_ = {};
     std::vector<std::uint32_t> pending_ = {};
 };
 
@@ -196,19 +170,15 @@ std::vector<Id<Variable>> variable_order(const Equations& equations, const std::
 std::vector<bool> variables_that_matter(const Equations& equations) {
     Marks marks(equations);
     for (const Equations::Firing& firing : equations.firings) marks.mark(firing.condition);
-    for (const Equations::StepActivity& step : equations.steps) {
-        marks.mark(step.next);
-        marks.mark(step.variable);
-    }
-    for (const Equations::Stored& stored : equations.stored) {
-        marks.mark(stored.race);
-        marks.mark(stored.first_race);
-        // What is stored may be out of range, or have no value; a Boolean constant is neither.
+    for (const Equations::StepActivity& step : equations.steps) marks.mark(step.variable);
+    for (const Fault& fault : faults(equations))
+        for (const Id<Expr> condition : {fault.condition, fault.first})
+            if (condition.valid()) marks.mark(condition);
+    // What is stored may be out of range, or have no value; a Boolean constant is neither.
+    for (const Equations::Stored& stored : equations.stored)
         for (const Equations::Write& write : stored.writes)
             if (!is_constant(equations.exprs[write.value].op)) marks.mark(write.value);
-    }
     for (const Equations::Output& output : equations.outputs) marks.mark(output.value);
-    for (const Equations::Conflict& conflict : equations.conflicts) marks.mark(conflict.condition);
     marks.mark(equations.stable);
     std::vector<bool> all = marks.all();
     for (const Id<Variable> id : equations.variables.ids())

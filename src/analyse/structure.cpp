@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "analyse/memory.hpp"
+#include "ir/reads.hpp"
+
 
 namespace grafverif::analysis {
 
@@ -12,28 +13,16 @@ namespace {
 
 using OrderId = Id<Chart::ForcingOrder>;
 
-void mark_leaves(const Exprs& exprs, Id<Expr> root, std::vector<bool>& seen, std::vector<bool>& marks) {
-    std::vector<Id<Expr>> open{root};
-    while (!open.empty()) {
-        const Id<Expr> term = open.back();
-        open.pop_back();
-        if (!term.valid() || seen[term.index]) continue;
-        seen[term.index] = true;
-        if (exprs[term].op == Op::Variable) marks[static_cast<std::size_t>(exprs[term].value)] = true;
-        const auto operands = exprs.operands(term);
-        open.insert(open.end(), operands.begin(), operands.end());
-    }
-}
-
 }  // namespace
 
 std::vector<bool> variables_read(const Equations& equations) {
-    std::vector<bool> seen(equations.exprs.size()), marks(equations.variables.size());
-    const auto mark = [&](Id<Expr> root) { mark_leaves(equations.exprs, root, seen, marks); };
+    std::vector<bool> marks(equations.variables.size());
+    Reads reads(equations.exprs);
+    const auto mark = [&](Id<Expr> root) { reads.each(root, [&](std::uint32_t variable) { marks[variable] = true; }); };
     for (const Equations::Firing& firing : equations.firings) mark(firing.condition);
     for (const Equations::StepActivity& step : equations.steps) mark(step.next);
     for (const Equations::Output& output : equations.outputs) mark(output.value);
-    for (const Remembered& each : remembered(equations)) mark(each.value);
+    for (const Kept& each : remembered(equations)) mark(each.next);
     for (const Equations::Stored& stored : equations.stored)
         for (const Equations::Write& write : stored.writes) {
             mark(write.trigger);

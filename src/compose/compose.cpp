@@ -45,12 +45,6 @@ void check_writers(const Composition& composition, const ClosedLoop& loop, Diagn
     }
 }
 
-bool can_race(const Equations& equations) {
-    return !equations.conflicts.empty() || std::ranges::any_of(equations.stored, [&](const Equations::Stored& stored) {
-        return !is_false(equations.exprs, stored.race) || !is_false(equations.exprs, stored.first_race);
-    });
-}
-
 void find_readers(Composition& composition) {
     composition.readers.resize(composition.network.variables.size());
     for (std::uint32_t controller = 0; controller < composition.controllers.size(); ++controller) {
@@ -82,7 +76,7 @@ std::optional<Network> compose(const Network& plant, const ClosedLoop& loop, std
     check_writers(composition, loop, diagnostics);
     if (diagnostics.errors() != errors) return {};
 
-    if (std::ranges::any_of(equations, can_race))
+    if (std::ranges::any_of(equations, [](const Equations& of) { return !faults(of).empty(); }))
         composition.race =
             network.variables.add({.name = composition.names.fresh("race"), .role = Network::Role::Flag});
     network.race = composition.race;

@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "compose/controller.hpp"
-#include "compose/reads.hpp"
+#include "ir/reads.hpp"
 
 namespace grafverif {
 
@@ -29,17 +29,13 @@ std::vector<Id<Equations::Variable>> late_inputs(const Equations& equations, std
         reads.each(root, [&](std::uint32_t variable) { read[variable] = true; });
     };
     evolve(equations.stable);
-    for (const Equations::StepActivity& step : equations.steps) evolve(step.next);
-    for (const Equations::Conflict& conflict : equations.conflicts) evolve(conflict.condition);
-    for (const Equations::Previous& previous : equations.previous) evolve(previous.value);
-    for (const Equations::Watch& watch : equations.watches) evolve(watch.value);
-    for (const Equations::Stored& stored : equations.stored) {
-        evolve(stored.race);
+    for (const Kept& each : kept(equations)) evolve(each.next);
+    for (const Fault& fault : faults(equations)) evolve(fault.condition);
+    for (const Equations::Stored& stored : equations.stored)
         for (const Equations::Write& write : stored.writes) {
             evolve(write.trigger);
             evolve(write.value);
         }
-    }
     reads.start();
     for (const Equations::Output& output : equations.outputs)
         reads.each(output.value, [&](std::uint32_t variable) { written[variable] = true; });

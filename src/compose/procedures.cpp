@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "compose/reads.hpp"
+#include "ir/reads.hpp"
 
 namespace grafverif {
 
@@ -18,12 +18,6 @@ struct Update {
     std::vector<Id<Expr>> terms = {};
 };
 
-/// Whether the first evolution leaves the variable as it is.
-bool keeps(const Equations& equations, const Equations::Stored& stored) {
-    const Expr& first = equations.exprs[stored.first];
-    return first.op == Op::Variable && first.value == stored.variable.index;
-}
-
 class Builder {
 public:
     Builder(Composition& composition, const ControllerParts& parts)
@@ -33,6 +27,7 @@ public:
           parts_(parts),
           phased_(network_.grain == Grain::Phased),
           every_cycle_(parts.mode == ExecutionMode::EveryCycle),
+          kept_(kept(equations_)),
           stored_(equations_.variables.size()),
           old_(equations_.variables.size()) {}
 
@@ -92,18 +87,14 @@ private:
         TermCopier before = reading(true);
         Assignments list = pending(before);
         list.push_back({leaf_of(parts_.stable), before(equations_.stable)});
-        std::vector<Id<Expr>> races;
-        for (const Equations::Stored& stored : equations_.stored) races.push_back(before(stored.race));
-        for (const Equations::Conflict& conflict : equations_.conflicts) races.push_back(before(conflict.condition));
-        note_race(races, list);
+        note_race(&Fault::condition, before, list);
 
         std::vector<Update> updates;
         for (const Equations::Stored& stored : equations_.stored)
             for (const Equations::Write& write : stored.writes)
                 updates.push_back({stored.variable, {write.trigger, write.value}});
-        for (const Equations::Previous& previous : equations_.previous)
-            updates.push_back({previous.variable, {previous.value}});
-        for (const Equations::StepActivity& step : equations_.steps) updates.push_back({step.variable, {step.next}});
+        for (std::size_t k = equations_.stored.size(); k < kept_.size(); ++k)
+            if (!kept_[k].after) updates.push_back({kept_[k].variable, {kept_[k].next}});
         const std::vector<Variable> olds = keep_old(updates, list);
         TermCopier kept = reading(true, olds);
         TermCopier& old = olds.empty() ? before : kept;
@@ -158,7 +149,10 @@ private:
         return list;
     }
 
-    void note_race(std::vector<Id<Expr>> races, Assignments& list) {
+    void note_race(Id<Expr> Fault::*condition, TermCopier& copy, Assignments& list) {
+        std::vector<Id<Expr>> races;
+        for (const Fault& fault : faults(equations_))
+            if ((fault.*condition).valid()) races.push_back(copy(fault.*condition));
         if (!composition_.race.valid() || exprs().disjunction(races) == exprs().constant(false)) return;
         races.insert(races.begin(), leaf_of(composition_.race));
         list.push_back({races.front(), exprs().disjunction(races)});
@@ -225,14 +219,13 @@ private:
     Assignments start() {
         Assignments list;
         TermCopier now = reading(false);
-        std::vector<Id<Expr>> races;
-        for (const Equations::Stored& stored : equations_.stored) races.push_back(now(stored.first_race));
-        note_race(races, list);
+        note_race(&Fault::first, now, list);
         std::vector<Update> updates;
-        for (const Equations::Previous& previous : equations_.previous)
-            updates.push_back({previous.variable, {previous.value}});
-        for (const Equations::Stored& stored : equations_.stored)
-            if (!keeps(equations_, stored)) updates.push_back({stored.variable, {stored.first}});
+        for (const Kept& each : kept_)
+            if (each.first.valid() && !each.after) updates.push_back({each.variable, {each.first}});
+        std::ranges::stable_partition(updates, [&](const Update& update) {   // what edges compare with comes first
+            return equations_.variables[update.target].role == Equations::Role::Previous;
+        });
         const std::vector<Variable> olds = keep_old(updates, list);
         TermCopier old = reading(false, olds);
         for (const Update& update : updates) list.push_back({stored_[update.target.index], old(update.terms[0])});
@@ -253,6 +246,7 @@ private:
     const ControllerParts& parts_;
     bool phased_;
     bool every_cycle_;
+    std::vector<Kept> kept_;
     std::vector<Id<Expr>> stored_;            ///< per variable of the equations: the leaf of its storage
     std::vector<Id<Network::Variable>> old_;  ///< likewise: what holds its value while it is overwritten
 };
@@ -260,10 +254,7 @@ private:
 }  // namespace
 
 bool starts(const Equations& equations, ExecutionMode mode) {
-    if (mode == ExecutionMode::EveryCycle || !equations.previous.empty() || !equations.watches.empty()) return true;
-    return std::ranges::any_of(equations.stored, [&](const Equations::Stored& stored) {
-        return !keeps(equations, stored) || !is_false(equations.exprs, stored.first_race);
-    });
+    return mode == ExecutionMode::EveryCycle || !remembered(equations).empty() || acts_at_first(equations);
 }
 
 Procedures procedures(Composition& composition, const ControllerParts& parts) {

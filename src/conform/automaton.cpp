@@ -38,7 +38,7 @@ public:
     Search(const Equations& equations, const AutomatonOptions& options, const std::vector<std::optional<std::size_t>>& inputs,
            const InputSpace& space, Automaton& automaton, Diagnostics& diagnostics)
         : equations_(equations), options_(options), space_(space), automaton_(automaton), diagnostics_(diagnostics),
-          moves_(equations, inputs, space, diagnostics), conditions_(space, automaton.exprs) {}
+          moves_(equations, inputs, space, diagnostics), conditions_(space, automaton.exprs), kept_(kept(equations)) {}
 
     /// False after an error.
     bool run() {
@@ -209,11 +209,9 @@ private:
 
     Location described(StateId state) {
         Location result{situation(state), {}, {}};
-        for (const Equations::Stored& stored : equations_.stored)
-            result.values.push_back(moves_.load(state)[stored.variable.index]);
-        for (const Equations::Previous& previous : equations_.previous)
-            result.values.push_back(moves_.load(state)[previous.variable.index]);
-        for (const Equations::Watch& watch : equations_.watches) result.values.push_back(moves_.load(state)[watch.variable.index]);
+        const std::vector<std::int64_t>& values = moves_.load(state);
+        for (const Kept& each : kept_)
+            if (equations_.variables[each.variable].role != Role::Step) result.values.push_back(values[each.variable.index]);
         result.emissions = stored_emissions(result.values);
         for (const Equations::Output& output : equations_.outputs) {
             Bdd undefined;
@@ -273,6 +271,7 @@ private:
     Diagnostics& diagnostics_;
     Moves moves_;
     Conditions conditions_;
+    std::vector<Kept> kept_;
     std::vector<StateId> states_ = {};                ///< per location; INIT has none
     std::vector<Id<Location>> location_of_ = {};      ///< per state
     std::map<Id<Equations::Variable>, Id<Automaton::Output>> outputs_ = {};
@@ -313,13 +312,9 @@ bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diag
     for (const Equations::Variable& variable : equations.variables)
         if (variable.role == Role::Output) automaton.outputs.add({variable.name, variable.type});
     for (const Equations::StepActivity& step : equations.steps) automaton.steps.add({step.step});
-    const auto remember = [&](Id<Equations::Variable> id) {
-        const Equations::Variable& variable = equations.variables[id];
-        automaton.stored.add({variable.name, variable.type, variable.initial});
-    };
-    for (const Equations::Stored& stored : equations.stored) remember(stored.variable);
-    for (const Equations::Previous& previous : equations.previous) remember(previous.variable);
-    for (const Equations::Watch& watch : equations.watches) remember(watch.variable);
+    for (const Kept& each : kept(equations))
+        if (const Equations::Variable& variable = equations.variables[each.variable]; variable.role != Role::Step)
+            automaton.stored.add({variable.name, variable.type, variable.initial});
     const bool inputs = !automaton.inputs.empty(), outputs = !automaton.outputs.empty();
     if (!inputs) diagnostics.add(messages::nothing_to_test(equations.origin, equations.name, "inputs"));
     if (!outputs) diagnostics.add(messages::nothing_to_test(equations.origin, equations.name, "outputs"));

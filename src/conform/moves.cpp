@@ -12,11 +12,8 @@ namespace grafverif::conform {
 Moves::Moves(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs, const InputSpace& space,
              Diagnostics& diagnostics)
     : equations_(equations), inputs_(inputs), space_(space), diagnostics_(diagnostics), terms_(equations, inputs, space) {
-    for (const Equations::StepActivity& step : equations.steps) add_field(step.variable, step.next, {});
-    for (const Equations::Stored& stored : equations.stored) add_field(stored.variable, stored.next, stored.first);
-    for (const Equations::Previous& previous : equations.previous) add_field(previous.variable, previous.value, previous.value);
-    evolving_ = fields_.size();
-    for (const Equations::Watch& watch : equations.watches) add_field(watch.variable, {}, {});
+    for (const Kept& each : kept(equations)) add_field(each);
+    evolving_ = fields_.size() - equations.watches.size();
     std::uint32_t bit = fields_.empty() ? 0 : 64 * fields_.back().word + fields_.back().shift + 1;
     if (!fields_.empty()) {
         for (std::uint64_t mask = fields_.back().mask >> 1U; mask != 0; mask >>= 1U) ++bit;
@@ -31,10 +28,10 @@ Moves::Moves(const Equations& equations, const std::vector<std::optional<std::si
     index_fields();
 }
 
-void Moves::add_field(Id<Equations::Variable> variable, Id<Expr> next, Id<Expr> first) {
-    const Type type = equations_.variables[variable].type;
+void Moves::add_field(const Kept& kept) {
+    const Type type = equations_.variables[kept.variable].type;
     const auto bits = static_cast<std::uint32_t>(std::max<std::size_t>(1, bit_count(type)));
-    StateField field{variable, type, 0, 0, (std::uint64_t{1} << bits) - 1, next, first};
+    StateField field{kept.variable, type, 0, 0, (std::uint64_t{1} << bits) - 1, kept.next, kept.first};
     if (!fields_.empty()) {
         const StateField& before = fields_.back();
         const auto width = static_cast<std::uint32_t>(std::max<std::size_t>(1, bit_count(before.type)));

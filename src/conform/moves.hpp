@@ -12,18 +12,45 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "conform/input_space.hpp"
 #include "conform/location_terms.hpp"
-#include "conform/state_store.hpp"
 #include "grafverif/ir/equations.hpp"
 #include "grafverif/support/diagnostic.hpp"
 
 namespace grafverif::conform {
+
+// Packed states, each stored once and numbered in the order of discovery.
+
+using StateId = std::uint32_t;
+inline constexpr StateId no_state = std::numeric_limits<StateId>::max();
+
+class StateStore {
+public:
+    /// The number of 64-bit words of a state. Called once, before the first state.
+    void shape(std::size_t words) { words_ = words; }
+
+    std::size_t words() const { return words_; }
+    std::size_t size() const { return words_ == 0 ? 0 : packed_.size() / words_; }
+    std::span<const std::uint64_t> at(StateId state) const { return {packed_.data() + std::size_t{state} * words_, words_}; }
+
+    /// The number of the state, new or known.
+    StateId intern(std::span<const std::uint64_t> state);
+
+private:
+    bool is(StateId state, std::span<const std::uint64_t> words) const;
+    void grow();
+
+    std::size_t words_ = 0;
+    std::vector<std::uint64_t> packed_ = {};
+    std::vector<StateId> slots_ = std::vector<StateId>(64, no_state);   ///< open addressing
+};
 
 struct StateMove {
     Bdd set = {};
@@ -37,7 +64,7 @@ struct StateField {
     Type type = {};
     std::uint32_t word = 0, shift = 0;
     std::uint64_t mask = 0;           ///< before the shift
-    Id<Expr> next = {}, first = {};   ///< `first` not valid: the initial value; `next` not valid: a watched level
+    Id<Expr> next = {}, first = {};   ///< as in Kept
 };
 
 class Moves {
@@ -76,7 +103,7 @@ private:
         Changes changes = {};
     };
 
-    void add_field(Id<Equations::Variable> variable, Id<Expr> next, Id<Expr> first);
+    void add_field(const Kept& kept);
     void index_firings();
     void index_fields();
     Id<Expr> while_quiet(Id<Expr> term, Exprs& scratch) const;

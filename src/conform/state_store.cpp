@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "conform/state_store.hpp"
+#include "conform/moves.hpp"
 
 #include <algorithm>
 #include <utility>

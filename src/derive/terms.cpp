@@ -33,68 +33,48 @@ std::uint64_t replaced_size(Derivation& derivation, Id<Expr> root,
     return size;
 }
 
-/// Copies terms of the chart into the equations, under one reading.
-class Copier {
-public:
-    Copier(Derivation& derivation, Reading reading, Span where)
-        : derivation_(derivation), exprs_(derivation.equations.exprs), reading_(reading), where_(where) {}
+Id<Expr> copied(Derivation& derivation, Id<Expr> root, Reading reading, Span where);
 
-    Id<Expr> operator()(Id<Expr> root) {
-        const Expr node = derivation_.chart.exprs[root];
-        if (is_constant(node.op) || is_leaf(node.op)) return leaf(node);
-        if (const auto known = copies_.find(root.index); known != copies_.end()) return known->second;
-        std::vector<Id<Expr>> operands;
-        for (const Id<Expr> operand : derivation_.chart.exprs.operands(root)) operands.push_back((*this)(operand));
-        const bool is_edge = node.op == Op::Rise || node.op == Op::Fall;
-        const Id<Expr> result =
-            is_edge ? edge(operands[0], node.op == Op::Rise) : exprs_.apply(node.op, operands);
-        copies_.emplace(root.index, result);
-        return result;
+/// `e and not P_e`, `P_e and not e`; the edge of a complement is the other edge.
+Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, Reading reading, Span where) {
+    Exprs& exprs = derivation.equations.exprs;
+    if (exprs[now].op == Op::Not) {
+        now = exprs.operands(now)[0];
+        rises = !rises;
     }
+    if (reading == Reading::First || is_constant(exprs[now].op)) return exprs.constant(false);
+    const Id<Expr> before = previous_value(derivation, now, where);
+    return rises ? exprs.conjunction(now, exprs.negation(before)) : exprs.conjunction(before, exprs.negation(now));
+}
 
-private:
-    Id<Expr> leaf(const Expr& node) {
+/// `t1/v/t2`. The end of a timer is that of the level after the last cycle; an input may have changed it since, and an
+/// untimed model ends timers whether v is true or not: without t2, v itself must be true now.
+Id<Expr> timed(Derivation& derivation, Id<Chart::TimeCondition> id) {
+    Exprs& exprs = derivation.equations.exprs;
+    const Chart::TimeCondition& written = derivation.chart.time_conditions[id];
+    const Id<Expr> watched = copied(derivation, written.watched, Reading::After, written.origin);
+    const Id<Equations::Variable> variable = level(derivation, watched, written.origin);
+    const Id<Equations::Timer> running = timer(derivation, variable, written.rise_ms, written.fall_ms, written.origin);
+    derivation.equations.conditions[id.index] = running;
+    const Id<Expr> end = end_leaf(derivation, running);
+    if (written.fall_ms > 0) return written.rise_ms > 0 ? end : exprs.disjunction(watched, end);
+    return exprs.conjunction(watched, end);
+}
+
+/// A term of the chart in the equations, under one reading.
+Id<Expr> copied(Derivation& derivation, Id<Expr> root, Reading reading, Span where) {
+    Exprs& exprs = derivation.equations.exprs;
+    const auto leaf = [&](const Expr& node) {
         const auto index = static_cast<std::uint32_t>(node.value);
-        if (node.op == Op::Step) return derivation_.step_leaves[index];
-        if (node.op == Op::Timed) return timed({index});
-        if (node.op == Op::Integer) return exprs_.integer(node.value);
-        if (is_constant(node.op)) return exprs_.constant(node.op == Op::True);
-        const Id<Expr> value = derivation_.values[index];
-        return value.valid() ? value : exprs_.leaf(Op::Variable, index);
-    }
-
-    /// `e and not P_e`, `P_e and not e`; the edge of a complement is the other edge.
-    Id<Expr> edge(Id<Expr> now, bool rises) {
-        if (exprs_[now].op == Op::Not) {
-            now = exprs_.operands(now)[0];
-            rises = !rises;
-        }
-        if (reading_ == Reading::First || is_constant(exprs_[now].op)) return exprs_.constant(false);
-        const Id<Expr> before = previous_value(derivation_, now, where_);
-        return rises ? exprs_.conjunction(now, exprs_.negation(before))
-                     : exprs_.conjunction(before, exprs_.negation(now));
-    }
-
-    /// `t1/v/t2`. The end of a timer is that of the level after the last cycle; an input may have changed it since, and an
-    /// untimed model ends timers whether v is true or not: without t2, v itself must be true now.
-    Id<Expr> timed(Id<Chart::TimeCondition> id) {
-        const Chart::TimeCondition& written = derivation_.chart.time_conditions[id];
-        const Id<Expr> watched = Copier(derivation_, Reading::After, written.origin)(written.watched);
-        const Id<Equations::Variable> variable = level(derivation_, watched, written.origin);
-        const Id<Equations::Timer> running =
-            timer(derivation_, variable, written.rise_ms, written.fall_ms, written.origin);
-        derivation_.equations.conditions[id.index] = running;
-        const Id<Expr> end = end_leaf(derivation_, running);
-        if (written.fall_ms > 0) return written.rise_ms > 0 ? end : exprs_.disjunction(watched, end);
-        return exprs_.conjunction(watched, end);
-    }
-
-    Derivation& derivation_;
-    Exprs& exprs_;
-    Reading reading_;
-    Span where_;
-    std::unordered_map<std::uint32_t, Id<Expr>> copies_ = {};
-};
+        if (node.op == Op::Step) return derivation.step_leaves[index];
+        if (node.op == Op::Timed) return timed(derivation, {index});
+        const Id<Expr> value = derivation.values[index];
+        return value.valid() ? value : exprs.leaf(Op::Variable, index);
+    };
+    return TermCopier(derivation.chart.exprs, exprs, leaf, [&](Op op, Id<Expr> now) {
+        return edge(derivation, now, op == Op::Rise, reading, where);
+    })(root);
+}
 
 }  // namespace
 
@@ -160,7 +140,7 @@ Id<Expr> over_equations(Derivation& derivation, Id<Expr> root, Reading reading, 
         }
         if (!afford(derivation, size)) return {};
     }
-    const Id<Expr> term = Copier(derivation, reading, where)(root);
+    const Id<Expr> term = copied(derivation, root, reading, where);
     if (derivation.measures.depth(derivation.equations.exprs, term) <= term_depth_limit) return term;
     derivation.diagnostics.add(messages::term_too_deep(where, what, term_depth_limit));
     return {};

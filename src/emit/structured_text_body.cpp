@@ -128,26 +128,22 @@ private:
     void first_evolution() {
         line("{} := TRUE;", names_.started);
         if (options_.mode == ExecutionMode::StabilitySearch) line("{} := FALSE;", names_.stable);
+        change(&Fault::first, &Kept::first, {});
+    }
+
+    /// Faults, and the values after the evolution, as those members say; `title` stands before the values.
+    void change(Id<Expr> Fault::*condition, Id<Expr> Kept::*value, std::string_view title) {
+        for (const Fault& fault : faults(equations_))
+            if ((fault.*condition).valid()) refuse(fault.*condition, fault.variable.valid() ? 2 : 4);
         std::vector<Assignment> updates;
-        for (const Equations::Stored& stored : equations_.stored) {
-            refuse(stored.first_race, 2);
-            updates.push_back({stored.variable, stored.first});
-        }
-        remember(updates);
-        assign_at_once(updates);
+        const std::vector<Kept> all = kept(equations_);
+        for (const Kept& each : all)
+            if (!each.after && (each.*value).valid()) updates.push_back({each.variable, each.*value});
+        if (!updates.empty() && !title.empty()) heading(title);
+        assign_at_once(std::move(updates));
         keep_ranges();
-        watch();
-    }
-
-    void remember(std::vector<Assignment>& updates) const {
-        for (const Equations::Previous& previous : equations_.previous)
-            updates.push_back({previous.variable, previous.value});
-    }
-
-    /// What timers watch, as the evolution leaves it.
-    void watch() {
-        for (const Equations::Watch& watched : equations_.watches)
-            line("{} := {};", stored_in(watched.variable), text(watched.value));
+        for (const Kept& each : all)
+            if (each.after) line("{} := {};", stored_in(each.variable), text(each.*value));
     }
 
     void evolution() {
@@ -155,18 +151,7 @@ private:
         for (const Equations::Firing& firing : equations_.firings)
             line("{} := {};", stored_in(firing.variable), text(firing.condition));
         if (options_.mode == ExecutionMode::StabilitySearch) line("{} := {};", names_.stable, text(equations_.stable));
-        std::vector<Assignment> updates;
-        for (const Equations::Stored& stored : equations_.stored) {
-            refuse(stored.race, 2);
-            updates.push_back({stored.variable, stored.next});
-        }
-        for (const Equations::Conflict& conflict : equations_.conflicts) refuse(conflict.condition, 4);
-        remember(updates);
-        for (const Equations::StepActivity& step : equations_.steps) updates.push_back({step.variable, step.next});
-        if (!updates.empty()) heading("steps and stored values");
-        assign_at_once(updates);
-        keep_ranges();
-        watch();
+        change(&Fault::condition, &Kept::next, "steps and stored values");
     }
 
     /// Sets the fault where `condition` holds.

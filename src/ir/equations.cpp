@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grafverif/ir/equations.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <unordered_set>
 
@@ -169,6 +170,48 @@ std::vector<std::string> verify(const Equations& equations) {
     check.cycle();
     check.complete();
     return check.faults;
+}
+
+std::vector<Kept> kept(const Equations& equations) {
+    std::vector<Kept> all;
+    for (const Equations::Stored& stored : equations.stored) {
+        const Expr& first = equations.exprs[stored.first];
+        const bool stays = first.op == Op::Variable && first.value == stored.variable.index;
+        all.push_back({stored.variable, stored.next, stays ? Id<Expr>{} : stored.first});
+    }
+    for (const Equations::Previous& previous : equations.previous)
+        all.push_back({previous.variable, previous.value, previous.value});
+    for (const Equations::StepActivity& step : equations.steps) all.push_back({step.variable, step.next});
+    for (const Equations::Watch& watch : equations.watches) all.push_back({watch.variable, watch.value, watch.value, true});
+    return all;
+}
+
+std::vector<Kept> remembered(const Equations& equations) {
+    std::vector<Kept> all = kept(equations);
+    std::erase_if(all, [&](const Kept& each) {
+        const Role role = equations.variables[each.variable].role;
+        return role != Role::Previous && role != Role::Watched;
+    });
+    return all;
+}
+
+std::vector<Fault> faults(const Equations& equations) {
+    const Exprs& exprs = equations.exprs;
+    std::vector<Fault> all;
+    for (const Equations::Stored& stored : equations.stored)
+        if (!is_false(exprs, stored.race) || !is_false(exprs, stored.first_race))
+            all.push_back({stored.variable, stored.race, stored.first_race});
+    for (const Equations::Conflict& conflict : equations.conflicts) all.push_back({{}, conflict.condition, {}});
+    return all;
+}
+
+bool acts_at_first(const Equations& equations) {
+    return std::ranges::any_of(kept(equations), [&](const Kept& each) {
+               return each.first.valid() && equations.variables[each.variable].role != Role::Previous && !each.after;
+           }) ||
+           std::ranges::any_of(faults(equations), [&](const Fault& each) {
+               return each.first.valid() && !is_false(equations.exprs, each.first);
+           });
 }
 
 }  // namespace grafverif

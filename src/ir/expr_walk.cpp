@@ -25,7 +25,8 @@ Id<Expr> TermCopier::operator()(Id<Expr> root) {
     if (const auto known = copies_.find(root.index); known != copies_.end()) return known->second;
     std::vector<Id<Expr>> operands(from_->operands(root).begin(), from_->operands(root).end());
     for (Id<Expr>& operand : operands) operand = (*this)(operand);
-    const Id<Expr> result = operands.empty() ? leaf_(node) : to_->apply(node.op, operands);
+    const bool is_edge = edge_ && (node.op == Op::Rise || node.op == Op::Fall);
+    const Id<Expr> result = operands.empty() ? leaf_(node) : is_edge ? edge_(node.op, operands[0]) : to_->apply(node.op, operands);
     copies_.emplace(root.index, result);
     return result;
 }

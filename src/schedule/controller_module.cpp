@@ -34,7 +34,6 @@ struct Builder {
     std::vector<Id<Expr>> next = {};   ///< per variable, where it changes: its value after the step at hand
     std::vector<Id<Expr>> faults = {};
     Id<Symbol> stable = {};
-    std::vector<Id<Expr>> copies_in_cycle = {}, copies_after_cycle = {};
     bool divides = false;   ///< some equation does
 
     const Variable& variable(std::size_t index) const {
@@ -62,39 +61,17 @@ struct Builder {
         result.module.symbols[symbol].kind = TransitionSystem::StateSymbol{initial, value};
     }
 
-    /// A copy of `term`, each shared subterm copied once for all terms; `leaf_of` says what variable `index` becomes.
-    template <class LeafOf>
-    Id<Expr> copied(Id<Expr> term, std::vector<Id<Expr>>& copies, const LeafOf& leaf_of) {
-        if (copies[term.index].valid()) return copies[term.index];
-        const Expr& node = equations.exprs[term];
-        if (node.op == Op::Variable) return copies[term.index] = leaf_of(static_cast<std::size_t>(node.value));
-        if (node.op == Op::Integer) return copies[term.index] = exprs.integer(node.value);
-        if (is_constant(node.op)) return copies[term.index] = exprs.constant(node.op == Op::True);
-        std::vector<Id<Expr>> operands;
-        operands.reserve(node.count);
-        for (const Id<Expr> operand : equations.exprs.operands(term))
-            operands.push_back(copied(operand, copies, leaf_of));
-        return copies[term.index] = exprs.apply(node.op, operands);
-    }
-
-    Id<Expr> in_cycle(Id<Expr> term) {
-        return copied(term, copies_in_cycle, [&](std::size_t index) { return leaf(read[index]); });
-    }
-
-    Id<Expr> after_cycle(Id<Expr> term) {
-        return copied(term, copies_after_cycle,
-                      [&](std::size_t index) { return next[index].valid() ? next[index] : leaf(read[index]); });
-    }
-
-    /// `term` over the initial values: as the first evolution reads it.
-    Id<Expr> at_first(Id<Expr> term) {
-        return translate(equations.exprs, term, exprs, [&](const Expr& node) {
-            const auto index = static_cast<std::size_t>(node.value);
-            const Variable& read_there = variable(index);
-            if (read_there.role == Role::TimerEnd) return exprs.constant(false);
-            return read_there.role == Role::Input ? leaf(read[index]) : initial(index);
-        });
-    }
+    TermCopier in_cycle{equations.exprs, exprs, [this](const Expr& node) { return leaf(read[static_cast<std::size_t>(node.value)]); }};
+    TermCopier after_cycle{equations.exprs, exprs, [this](const Expr& node) {
+        const auto index = static_cast<std::size_t>(node.value);
+        return next[index].valid() ? next[index] : leaf(read[index]);
+    }};
+    /// Over the initial values: as the first evolution reads a term.
+    TermCopier at_first{equations.exprs, exprs, [this](const Expr& node) {
+        const auto index = static_cast<std::size_t>(node.value);
+        const Role role = variable(index).role;
+        return role == Role::TimerEnd ? exprs.constant(false) : role == Role::Input ? leaf(read[index]) : initial(index);
+    }};
 
     Id<Expr> initial(std::size_t index) { return constant(variable(index).type, variable(index).initial); }
 
@@ -173,12 +150,7 @@ void set_timers(Builder& builder) {
 /// Whether anybody can tell the state after the first evolution from power-on.
 bool first_evolution_shows(Builder& builder) {
     const Equations& equations = builder.equations;
-    const bool acts = std::ranges::any_of(equations.stored, [&](const Equations::Stored& stored) {
-        const Expr& first = equations.exprs[stored.first];
-        const bool keeps = first.op == Op::Variable && first.value == stored.variable.index;
-        return !keeps || !is_false(equations.exprs, stored.first_race);
-    });
-    if (acts || !equations.previous.empty()) return true;
+    if (acts_at_first(equations) || !equations.previous.empty()) return true;
     return builder.mode == ExecutionMode::EveryCycle &&
            std::ranges::any_of(equations.outputs, [&](const Equations::Output& output) {
                return builder.at_first(output.value) != builder.initial(output.variable.index);
@@ -392,12 +364,11 @@ void set_flags(Builder& builder) {
     Exprs& exprs = builder.exprs;
     const Id<Expr> off = exprs.constant(false), in_cycles = builder.in_cycles(), at_start = exprs.negation(in_cycles);
     std::vector<Id<Expr>> races;
-    for (const Equations::Stored& stored : builder.equations.stored)
-        for (const Id<Expr> race : {exprs.conjunction(at_start, builder.at_first(stored.first_race)),
-                                    exprs.conjunction(in_cycles, builder.in_cycle(stored.race))})
-            races.push_back(total(builder, race, off, builder.faults));
-    for (const Equations::Conflict& conflict : builder.equations.conflicts)
-        races.push_back(exprs.conjunction(in_cycles, builder.in_cycle(conflict.condition)));
+    for (const Fault& fault : faults(builder.equations)) {
+        if (fault.first.valid())
+            races.push_back(total(builder, exprs.conjunction(at_start, builder.at_first(fault.first)), off, builder.faults));
+        races.push_back(total(builder, exprs.conjunction(in_cycles, builder.in_cycle(fault.condition)), off, builder.faults));
+    }
     builder.result.race = sticky(builder, "race", exprs.disjunction(races));
     builder.result.out_of_range = sticky(builder, "out_of_range", exprs.disjunction(builder.faults));
     std::ranges::sort(builder.result.bounded);
@@ -415,8 +386,6 @@ ControllerModule controller_module(const Equations& equations, const ControllerS
         const Op op = equations.exprs[Id<Expr>{term}].op;
         builder.divides = builder.divides || op == Op::Divide || op == Op::Modulo;
     }
-    builder.copies_in_cycle.resize(equations.exprs.size());
-    builder.copies_after_cycle.resize(equations.exprs.size());
     builder.read.resize(size);
     builder.stored.resize(size);
     builder.next.resize(size);

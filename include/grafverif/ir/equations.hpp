@@ -156,4 +156,30 @@ struct Equations {
 
 std::vector<std::string> verify(const Equations& equations);
 
+/// What a cycle leaves for the next one. All next values are taken before any is changed, but of those `after`.
+struct Kept {
+    Id<Equations::Variable> variable = {};
+    Id<Expr> next = {};
+    Id<Expr> first = {};           ///< after the first evolution; not valid: as at power-on
+    bool after = false;            ///< both are over the values after the cycle; else over those before it
+};
+/// Stored variables (`next` as a whole), previous values, step activities, watched levels, in this order.
+std::vector<Kept> kept(const Equations& equations);
+/// The previous values and watched levels among them: what is remembered besides the situation and stored variables.
+std::vector<Kept> remembered(const Equations& equations);
+
+/// What ends a run where it holds in a cycle: two writes of different values to `variable`, or (`variable` not valid) two
+/// orders that cannot be obeyed together. Values outside of their range, and those that do not exist, are faults too, but
+/// of the terms that are stored.
+struct Fault {
+    Id<Equations::Variable> variable = {};
+    Id<Expr> condition = {};
+    Id<Expr> first = {};           ///< the same of the first evolution
+};
+/// Those that can happen at all, and every conflict of orders.
+std::vector<Fault> faults(const Equations& equations);
+
+/// Whether stored actions run, or race, in the first evolution.
+bool acts_at_first(const Equations& equations);
+
 }  // namespace grafverif

@@ -110,16 +110,21 @@ std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
 /// however many of those copied share it.
 class TermCopier {
 public:
-    /// `leaf` returns what stands in `to` for a leaf or a duration. Both tables outlive this.
-    TermCopier(const Exprs& from, Exprs& to, std::function<Id<Expr>(const Expr&)> leaf)
-        : from_(&from), to_(&to), leaf_(std::move(leaf)) {}
+    using Leaf = std::function<Id<Expr>(const Expr&)>;
+    using Edge = std::function<Id<Expr>(Op, Id<Expr>)>;
+
+    /// `leaf` returns what stands in `to` for a leaf or a duration, `edge`, if there is one, what stands there for the
+    /// edge (Rise, Fall) of a term of `to`. Both tables outlive this.
+    TermCopier(const Exprs& from, Exprs& to, Leaf leaf, Edge edge = {})
+        : from_(&from), to_(&to), leaf_(std::move(leaf)), edge_(std::move(edge)) {}
 
     Id<Expr> operator()(Id<Expr> root);
 
 private:
     const Exprs* from_;
     Exprs* to_;
-    std::function<Id<Expr>(const Expr&)> leaf_;
+    Leaf leaf_;
+    Edge edge_;
     std::unordered_map<std::uint32_t, Id<Expr>> copies_ = {};
 };
 

@@ -14,6 +14,7 @@ class Reads {
 public:
     explicit Reads(const Exprs& exprs) : exprs_(exprs), seen_(exprs.size(), 0) {}
 
+    /// A new walk, which visits again what was visited before.
     void start() { ++walk_; }
 
     template <class Visit>
@@ -27,7 +28,7 @@ public:
 private:
     const Exprs& exprs_;
     std::vector<std::uint32_t> seen_;
-    std::uint32_t walk_ = 0;
+    std::uint32_t walk_ = 1;
 };
 
 }  // namespace grafverif
