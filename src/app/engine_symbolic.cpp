@@ -7,7 +7,6 @@
 #include <ranges>
 #include <sstream>
 #include <string_view>
-#include <unordered_map>
 
 #include "app/process.hpp"
 #include "app/progress_line.hpp"
@@ -41,7 +40,6 @@ public:
         findings_.report = {check.system.name,
                             basis_of(check.system, std::move(engine), check.abstraction.words), {}, {}};
         findings_.report.basis.grain = check.abstraction.grain;
-        for (const Id<Property> id : check.system.properties.ids()) named_.try_emplace(check.system.properties[id].name, id);
     }
 
     void add(Verdict verdict, std::optional<SystemRun> run) {
@@ -57,8 +55,7 @@ public:
             verdict.notes.push_back(fmt::format("no plant gives this run: {}/{} is over in it, and {}/{} is not",
                                                 duration_text(found->longer_ms), step_variable_name(found->step),
                                                 duration_text(found->shorter_ms), step_variable_name(found->step)));
-        const Property& property = check_.system.properties[named_.at(verdict.property)];
-        std::string carries = carries_words(check_, property, verdict, unproven_);
+        std::string carries = carries_words(check_, check_.system.properties[verdict.about], verdict, unproven_);
         Answer answer = answer_of(check_.system, std::move(verdict), run, detail_);
         answer.carries = std::move(carries);
         findings_.report.answers.push_back(std::move(answer));
@@ -76,12 +73,10 @@ public:
             const Property& property = omitted.property;
             if (!asked.empty() && !is_asked(property.name, asked)) continue;
             Answer answer{.text = property.text};
-            answer.verdict = {.property = property.name,
-                              .pattern = property.pattern,
-                              .obstacle = Obstacle::Unsupported,
-                              .reason = omitted.reason,
-                              .expected_violated = property.expected_violated,
-                              .origin = property.origin};
+            answer.verdict = verdict_on({}, property);
+            answer.verdict.obstacle = Obstacle::Unsupported;
+            answer.verdict.reason = omitted.reason;
+            answer.verdict.declared = true;
             const std::size_t place = asked.empty() ? std::min(omitted.before, answers.size()) : answers.size();
             answers.insert(answers.begin() + static_cast<std::ptrdiff_t>(place), std::move(answer));
         }
@@ -101,7 +96,6 @@ private:
     std::vector<std::string> unproven_;
     Detail detail_;
     bool witnesses_;   ///< whether anybody looks at them
-    std::unordered_map<std::string_view, Id<Property>> named_ = {};
     Findings findings_ = {};
 };
 

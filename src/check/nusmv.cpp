@@ -255,11 +255,8 @@ NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spe
     result.states = state_count(answers.section("states"));
     for (const std::size_t index : properties) {
         const Property& property = system.properties[{static_cast<std::uint32_t>(index)}];
-        Verdict verdict{.property = property.name,
-                        .pattern = property.pattern,
-                        .expected_violated = property.expected_violated,
-                        .states = result.states,
-                        .origin = property.origin};
+        Verdict verdict = verdict_on({static_cast<std::uint32_t>(index)}, property);
+        verdict.states = result.states;
         std::optional<SystemRun> run;
         if (!totality.empty() && !result.total) undecided(verdict, Obstacle::Faulty, "some reachable state has no step");
         else if (totality.empty()) undecided(verdict, obstacle_of(said), failure_of(said));

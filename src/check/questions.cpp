@@ -60,13 +60,9 @@ void Questions::ask_steps(const Property& property, const Question& prototype) {
     }
 }
 
-void Questions::ask(const Property& property, bool declared) {
+void Questions::ask(Id<Property> about, const Property& property) {
     Question question{.property = &property, .at_stable = property.at_stable};
-    question.verdict.property = property.name;
-    question.verdict.pattern = property.pattern;
-    question.verdict.declared = declared;
-    question.verdict.expected_violated = property.expected_violated;
-    question.verdict.origin = property.origin;
+    question.verdict = verdict_on(about, property);
     if (property.at_stable && is_judged(property.pattern) && !network_.settled.valid()) {
         question.verdict.obstacle = Obstacle::Unsupported;
         question.verdict.reason = "nothing says which states of this network are settled";

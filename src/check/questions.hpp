@@ -16,7 +16,7 @@ class Questions {
 public:
     Questions(const Network& network, Machine& machine, Watch& watch);
 
-    void ask(const Property& property, bool declared);
+    void ask(Id<Property> about, const Property& property);
     /// The verdicts, after a search that `ended`.
     std::vector<Verdict> answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors, const Limits& limits);
 

@@ -23,8 +23,8 @@ public:
           space_({options.max_memory, options.deadline, options.stop}),
           questions_(system, flat_) {
         const std::unordered_set<std::string_view> asked(options.properties.begin(), options.properties.end());
-        for (const Property& property : system.properties)
-            if (asked.empty() || asked.contains(property.name)) questions_.ask(property);
+        for (const Id<Property> id : system.properties.ids())
+            if (asked.empty() || asked.contains(system.properties[id].name)) questions_.ask(id);
     }
 
     SymbolicResult result() {

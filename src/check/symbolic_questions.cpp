@@ -58,8 +58,9 @@ Id<Expr> Questions::exactly_one(const std::vector<Id<Expr>>& operands) {
     return one;
 }
 
-void Questions::ask(const Property& property) {
-    Question question{&property, {}};
+void Questions::ask(Id<Property> about) {
+    const Property& property = system_.properties[about];
+    Question question{about, {}};
     for (const Id<Expr> operand : property.operands) question.operands.push_back(flattened(system_, flat_, operand));
     Exprs& exprs = flat_.exprs;
     // What is about every state is asked as: which state breaks it?
@@ -74,7 +75,7 @@ std::vector<Found> Questions::answers(const StateSpace* model, const Search& sea
     Obstacle obstacle = model == nullptr ? search.obstacle : Obstacle::None;   // met by every question to come
     std::string reason = search.reason;
     for (const Question& question : questions_) {
-        Found found;
+        Found found{verdict_on(question.about, of(question)), {}};
         const auto exhausted = [&](Obstacle what, std::string why) {
             unknown(found.verdict, what, why);
             if (what != Obstacle::Stopped) return;   // with less to do, the memory may do
@@ -91,11 +92,6 @@ std::vector<Found> Questions::answers(const StateSpace* model, const Search& sea
         } catch (const std::bad_alloc&) {
             exhausted(Obstacle::Memory, no_memory());
         }
-        const Property& property = *question.property;
-        found.verdict.property = property.name;
-        found.verdict.pattern = property.pattern;
-        found.verdict.expected_violated = property.expected_violated;
-        found.verdict.origin = property.origin;
         all.push_back(std::move(found));
     }
     return all;
@@ -113,9 +109,9 @@ Questions::Sets Questions::sets(const Question& question, const StateSpace& mode
 }
 
 Found Questions::answer(const Question& question, const StateSpace& model, const Search& search) {
-    Found found;
+    Found found{verdict_on(question.about, of(question)), {}};
     Verdict& verdict = found.verdict;
-    const Pattern pattern = question.property->pattern;
+    const Pattern pattern = of(question).pattern;
     if (const std::string reason = refusal(pattern); !reason.empty()) {
         unknown(verdict, Obstacle::Unsupported, reason);
         return found;
@@ -137,7 +133,7 @@ void Questions::answer_state(Found& found, const Question& question, const Sets&
     Verdict& verdict = found.verdict;
     const bool seen = !sets.operands.front().is_false();
     if (!seen && search.obstacle != Obstacle::None) return unknown(verdict, search.obstacle, search.reason);
-    const bool wanted = question.property->pattern == Pattern::Reachable;
+    const bool wanted = of(question).pattern == Pattern::Reachable;
     verdict.outcome = seen == wanted ? Outcome::Holds : Outcome::Violated;
     if (seen) found.run = run_of(model, flat_, {way(model, search.rings, sets.operands.front()), {}});
 }
@@ -158,7 +154,7 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
     const Bdd& p = sets.operands.front();
     Verdict& verdict = found.verdict;
     verdict.outcome = Outcome::Holds;
-    if (question.property->pattern == Pattern::AlwaysPossible) {
+    if (of(question).pattern == Pattern::AlwaysPossible) {
         const Bdd lost = fair_ & ~can_reach(model, search.reached, p & fair_);
         if (lost.is_false()) return;
         verdict.outcome = Outcome::Violated;
@@ -166,7 +162,7 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
         found.run = run_of(model, flat_, {way(model, search.rings, lost), {}});
         return;
     }
-    const bool leads = question.property->pattern == Pattern::LeadsTo;
+    const bool leads = of(question).pattern == Pattern::LeadsTo;
     const Bdd without = search.reached & ~(leads ? sets.operands[1] : p);
     const Bdd staying = can_stay(model, without, justice_);
     const Bdd from = staying & (leads ? p : model.initial());
@@ -186,7 +182,7 @@ Path Questions::lasso(const StateSpace& model, const Search& search, const Bdd& 
 
 void Questions::mark_vacuous(Verdict& verdict, const Question& question, const Sets& sets, const StateSpace& model,
                              const Search& search) {
-    const Property& property = *question.property;
+    const Property& property = of(question);
     const auto vacuous = [&](const char* why) { verdict.vacuous = true; verdict.notes.emplace_back(why); };
     const bool universal = property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
                            property.pattern == Pattern::ExactlyOneOf;

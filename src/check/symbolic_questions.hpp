@@ -29,13 +29,13 @@ public:
     Questions(const TransitionSystem& system, FlatSystem& flat);
 
     /// Translates what is asked; before this, the terms of `flat` may still grow.
-    void ask(const Property& property);
+    void ask(Id<Property> property);
     /// The verdicts, in the order asked. `model` may be missing where the search did not get far enough to have one.
     std::vector<Found> answers(const StateSpace* model, const Search& search, const SymbolicOptions& options);
 
 private:
     struct Question {
-        const Property* property = nullptr;
+        Id<Property> about = {};
         std::vector<Id<Expr>> operands = {};   ///< over the variables of the flat system, `at stable` resolved
     };
     /// The sets of states that a question is about.
@@ -44,6 +44,7 @@ private:
         bool undefined = false;   ///< some operand has no value in some reachable state
     };
 
+    const Property& of(const Question& question) const { return system_.properties[question.about]; }
     Id<Expr> settled_and(const Property& property, Id<Expr> operand);
     Id<Expr> exactly_one(const std::vector<Id<Expr>>& operands);
     Found answer(const Question& question, const StateSpace& model, const Search& search);

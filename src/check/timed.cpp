@@ -54,12 +54,13 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     timed::Questions questions(flat, machine, watch);
     const Property timelock = no_timelock(flat);
     bool timelock_asked = false;
-    for (const Property& property : flat.properties) {
+    for (const Id<Property> id : flat.properties.ids()) {
+        const Property& property = flat.properties[id];
         if (!asked(options, property)) continue;
-        questions.ask(property, true);
+        questions.ask(id, property);
         timelock_asked = timelock_asked || about_time(property);
     }
-    if (!timelock_asked) questions.ask(timelock, false);
+    if (!timelock_asked) questions.ask({}, timelock);
 
     timed::Graph graph(machine);
     graph.linked = options.keep_links;

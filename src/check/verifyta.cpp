@@ -62,11 +62,9 @@ std::optional<ExternalAnswer> ended_early(const ProgramResult& result) {
 }
 
 Verdict verdict_on(const Network& network, const ExternalQuestion& question) {
-    const Property& property = network.properties[question.property];
-    return {.property = question.name,
-            .pattern = property.pattern,
-            .expected_violated = property.expected_violated,
-            .origin = property.origin};
+    Verdict verdict = grafverif::verdict_on(question.property, network.properties[question.property]);
+    verdict.property = question.name;
+    return verdict;
 }
 
 /// Whether the question is the one for races: that the flag is never set.

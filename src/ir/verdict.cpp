@@ -38,6 +38,11 @@ std::string_view word(ModelError::Kind kind) {
     unreachable();
 }
 
+Verdict verdict_on(Id<Property> about, const Property& property) {
+    return {.about = about, .property = property.name, .pattern = property.pattern, .declared = about.valid(),
+            .expected_violated = property.expected_violated, .origin = property.origin};
+}
+
 void distrust(Verdict& verdict, std::string_view why) {
     verdict.outcome = Outcome::Unknown;
     verdict.obstacle = Obstacle::Disagrees;

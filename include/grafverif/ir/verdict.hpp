@@ -56,6 +56,7 @@ enum class Obstacle {
 };
 
 struct Verdict {
+    Id<Property> about = {};            ///< of the model checked; not valid: the model does not ask (see `declared`)
     std::string property = {};          ///< its name; of one that expands: `S.X7`
     Pattern pattern = Pattern::Always;
     Outcome outcome = Outcome::Unknown;
@@ -97,6 +98,9 @@ std::string_view word(Outcome outcome);
 std::string_view word(Obstacle obstacle);
 /// The code of a model error: `out-of-range`, `action-race`, `no-value`.
 std::string_view word(ModelError::Kind kind);
+
+/// The verdict on `property`, the one called `about` in its model, before anything is known.
+Verdict verdict_on(Id<Property> about, const Property& property);
 
 /// Makes the verdict of an external program unknown (`engine-disagrees`), for this reason.
 void distrust(Verdict& verdict, std::string_view why);

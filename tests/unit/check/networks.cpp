@@ -94,6 +94,8 @@ TimedResult checked(const Network& network, const TimedOptions& options) {
         SCOPED_TRACE(verdict.property);
         EXPECT_EQ(verdict.outcome == Outcome::Unknown, verdict.obstacle != Obstacle::None);
         EXPECT_EQ(verdict.outcome == Outcome::Unknown, !verdict.reason.empty());
+        EXPECT_EQ(verdict.about.valid(), verdict.declared);
+        if (verdict.about.valid()) { EXPECT_TRUE(verdict.property.starts_with(network.properties[verdict.about].name)); }
         if (!verdict.run) continue;
         const auto property = std::ranges::find(network.properties, verdict.property, &Property::name);
         if (property != network.properties.end()) confirm(network, *property, verdict);

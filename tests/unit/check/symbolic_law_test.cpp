@@ -141,6 +141,7 @@ std::size_t expect_replays(const System& system, const std::vector<const Chart*>
     std::size_t count = 0;
     const SymbolicResult result = check_symbolic(system);
     for (std::size_t i = 0; i < result.runs.size(); ++i) {
+        EXPECT_EQ(system.properties[result.verdicts[i].about].name, result.verdicts[i].property);
         if (!result.runs[i]) continue;
         const auto found = disagreement(system, charts, *result.runs[i]);
         EXPECT_FALSE(found) << result.verdicts[i].property << ", step " << found->move << ", " << found->where << ": "
