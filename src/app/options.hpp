@@ -33,6 +33,7 @@ struct Options {
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
     ScheduleOptions untimed = {};                    ///< of untimed models; its mode is the one above
+    std::optional<PlantApproach> plant = {};         ///< of untimed models, as asked for
     Target target = Target::Both;
     Clock clock = Clock::Simulated;
     Format format = Format::Text;                    ///< of `testgen`: Csv
@@ -64,16 +65,17 @@ struct Options {
     std::string against = {};                        ///< of `test`: the command that runs the controller
     std::optional<std::string> sequence = {};        ///< of `test`: the table to run; else it is made of the chart
     std::optional<std::uint64_t> patience_ms = {};   ///< of `test`: for one answer
-    bool go_on = false;
-    std::uint32_t max_evolutions = 1000;             ///< of `st`
+    bool stop_on_failure = false, go_on = false;     ///< of `test`
+    std::uint64_t max_evolutions = 1000;             ///< of `st`; in 32 bits
     std::optional<std::string> script = {};          ///< of `simulate`
     std::optional<std::string> exclusions = {};      ///< of `analyse`
     std::optional<std::uint64_t> random_seed = {};
     std::uint64_t steps = 100;                       ///< of a random walk
 };
 
-/// The options a verb may take besides --help, --quiet, --color and --diagnostics, which all take.
-enum class Accepts { Output, OutputDirectory, Loop, Chart, Mode, Grain, Untimed, Target, Format, FormatLatex, InPlace,
+/// The groups of options a verb may take besides those that all take; File: those of verbs that read one; Timeout: of those
+/// that have no other.
+enum class Accepts { Always, File, Timeout, Output, OutputDirectory, Loop, Chart, Mode, Grain, Untimed, Target, Format, FormatLatex, InPlace,
                      Search, Traces, Walk, Verbose, Ablations, Clock, Bench, Sequence, FormatXml, MaxEvolutions, Analysis,
                      FormatDiagram, FormatTest, Cover, Minimise, Limits };
 
