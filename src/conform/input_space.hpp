@@ -18,6 +18,13 @@ namespace grafverif::conform {
 /// The error of a search that decision diagrams stopped: at their memory, at the deadline, or by `stop`.
 Diagnostic limit_reached(const BddExhausted& exhausted, Span origin, const std::atomic<bool>* stop);
 
+template <class Inputs>
+std::vector<Type> types_of(const Inputs& inputs) {
+    std::vector<Type> all;
+    for (const auto& input : inputs) all.push_back(input.type);
+    return all;
+}
+
 /// Input k is word k; its bits are neighbours, the most significant on top.
 class InputSpace {
 public:

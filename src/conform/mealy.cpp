@@ -49,7 +49,7 @@ class Builder {
 public:
     Builder(const Automaton& automaton, const MealyOptions& options, Diagnostics& diagnostics)
         : automaton_(automaton), options_(options), diagnostics_(diagnostics),
-          space_(types(automaton), {options.max_memory, options.deadline, options.stop}),
+          space_(types_of(automaton.inputs), {options.max_memory, options.deadline, options.stop}),
           terms_(automaton.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }),
           conditions_(space_, machine_.exprs) {
         space_.assume(condition(automaton.assumed));
@@ -88,12 +88,6 @@ public:
 private:
     bool over() const {
         return (options_.stop != nullptr && options_.stop->load()) || (options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline);
-    }
-
-    static std::vector<Type> types(const Automaton& automaton) {
-        std::vector<Type> all;
-        for (const Automaton::Input& input : automaton.inputs) all.push_back(input.type);
-        return all;
     }
 
     Bdd condition(Id<Expr> term) {

@@ -18,7 +18,7 @@ using namespace conform;
 class Minimiser {
 public:
     Minimiser(const MealyMachine& machine, const BddLimits& limits)
-        : machine_(machine), space_(types(machine), limits),
+        : machine_(machine), space_(types_of(machine.inputs), limits),
           terms_(machine.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }),
           class_of_(machine.states.size()) {
         space_.assume(condition(machine.assumed));
@@ -35,12 +35,6 @@ private:
     using Deed = std::tuple<std::uint32_t, std::uint32_t, std::int64_t>;
     using Behaviour = std::map<Deed, Bdd>;
     static constexpr std::uint32_t no_class = 0xFFFFFFFFU;
-
-    static std::vector<Type> types(const MealyMachine& machine) {
-        std::vector<Type> all;
-        for (const MealyMachine::Variable& input : machine.inputs) all.push_back(input.type);
-        return all;
-    }
 
     Bdd condition(Id<Expr> term) {
         const BddTerm& found = terms_(term);

@@ -18,7 +18,7 @@ using State = MealyMachine::State;
 class Writer {
 public:
     Writer(const MealyMachine& machine, const TestOptions& options)
-        : machine_(machine), options_(options), space_(types(machine), {}),
+        : machine_(machine), options_(options), space_(types_of(machine.inputs), {}),
           terms_(machine.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }) {
         space_.assume(condition(machine.assumed));
         std::uint32_t stride = 1;   // meant for TestCover::Transitions, whose combinations are few
@@ -56,12 +56,6 @@ public:
     }
 
 private:
-    static std::vector<Type> types(const MealyMachine& machine) {
-        std::vector<Type> all;
-        for (const MealyMachine::Variable& input : machine.inputs) all.push_back(input.type);
-        return all;
-    }
-
     Bdd condition(Id<Expr> term) {
         const BddTerm& found = terms_(term);
         return found.bits.front() & ~found.undefined & space_.assumed();

@@ -29,24 +29,6 @@ private:
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_ = {};
 };
 
-std::string emission_line(const LocationAutomaton& automaton, const LocationAutomaton::Emission& emission) {
-    const std::string& name = automaton.outputs[emission.output].name;
-    const Expr& value = automaton.exprs[emission.value];
-    if (value.op == Op::True) return name;
-    return name + (value.op == Op::Integer ? " = " : " if ") + condition_text(automaton, emission.value);
-}
-
-std::string answer_line(const MealyMachine& machine, Id<MealyMachine::Answer> answer) {
-    std::string text;
-    for (std::size_t k = 0; k < machine.outputs.size(); ++k) {
-        const std::int64_t value = machine.answers[answer].values[k];
-        if (value == 0) continue;
-        text += (text.empty() ? "" : ", ") + machine.outputs[k].name;
-        if (!machine.outputs[k].type.boolean) text += " = " + std::to_string(value);
-    }
-    return text.empty() ? "-" : text;
-}
-
 /// In quotes, as DOT wants it; lines end with `\n`.
 std::string dot_label(const std::vector<std::string>& lines) {
     std::string text = "\"";
@@ -72,7 +54,7 @@ Diagram diagram(const LocationAutomaton& automaton) {
             node.lines.push_back(automaton.stored[stored].name + " = " + std::to_string(location.values[stored.index]));
         std::string outputs;
         for (const LocationAutomaton::Emission& emission : location.emissions)
-            outputs += (outputs.empty() ? "" : ", ") + emission_line(automaton, emission);
+            outputs += (outputs.empty() ? "" : ", ") + emission_text(automaton, emission);
         if (!outputs.empty()) node.lines.push_back(outputs);
         result.nodes.push_back(std::move(node));
         for (const LocationAutomaton::Evolution& evolution : evolutions_from(automaton, id))
@@ -96,7 +78,7 @@ Diagram diagram(const MealyMachine& machine) {
     for (const MealyMachine::Transition& one : machine.transitions)
         arrows.add(one.from.index, one.to.index,
                    (one.wait_ms != 0 ? "wait " + duration_text(one.wait_ms) + ", " : "") + condition_text(machine, one.condition) + " / " +
-                       answer_line(machine, one.answer));
+                       answer_text(machine, one.answer, "-"));
     for (const MealyMachine::Unstable& one : machine.unstable) arrows.add_unstable(one.from.index, condition_text(machine, one.condition));
     result.arrows = arrows.take();
     return result;

@@ -16,16 +16,7 @@ namespace {
 using Automaton = LocationAutomaton;
 using Json = nlohmann::ordered_json;
 
-std::string emission_text(const Automaton& automaton, const Automaton::Emission& emission) {
-    const std::string& name = automaton.outputs[emission.output].name;
-    const Expr& value = automaton.exprs[emission.value];
-    if (value.op == Op::True) return name;
-    return name + (value.op == Op::Integer ? " = " : " if ") + condition_text(automaton, emission.value);
-}
-
 std::string count_text(std::optional<std::uint64_t> count) { return count ? std::to_string(*count) : "very many"; }
-
-Json count_json(std::optional<std::uint64_t> count) { return count ? Json(*count) : Json(nullptr); }
 
 std::string location_line(const Automaton& automaton, Id<Automaton::Location> id) {
     const Automaton::Location& location = automaton.locations[id];
@@ -98,10 +89,6 @@ void print_members(std::ostream& out, const Json& object) {
     }
 }
 
-const char* mode_text(ExecutionMode mode) {
-    return mode == ExecutionMode::StabilitySearch ? "stability-search" : "every-cycle";
-}
-
 }  // namespace
 
 AutomatonCounts counts(const Automaton& automaton) {
@@ -119,10 +106,17 @@ std::string condition_text(const Automaton& automaton, Id<Expr> condition) {
     });
 }
 
+std::string emission_text(const Automaton& automaton, const Automaton::Emission& emission) {
+    const std::string& name = automaton.outputs[emission.output].name;
+    const Expr& value = automaton.exprs[emission.value];
+    if (value.op == Op::True) return name;
+    return name + (value.op == Op::Integer ? " = " : " if ") + condition_text(automaton, emission.value);
+}
+
 void print_automaton(std::ostream& out, const Automaton& automaton, bool details) {
     const AutomatonCounts count = counts(automaton);
     const char* const least = automaton.complete ? "" : "at least ";
-    out << fmt::format("Location automaton of {}, {}\n", automaton.name, mode_text(automaton.mode));
+    out << fmt::format("Location automaton of {}, {}\n", automaton.name, word(automaton.mode));
     if (!automaton.complete)
         out << fmt::format("not searched to its end: the evolutions of {} locations are known, {} were found and not looked at\n",
                            automaton.looked_at, count.locations - automaton.looked_at);
@@ -156,14 +150,14 @@ void print_automaton(std::ostream& out, const Automaton& automaton, bool details
 void print_automaton_json(std::ostream& out, const Automaton& automaton, bool details) {
     const AutomatonCounts count = counts(automaton);
     Json head = {{"name", automaton.name},
-                 {"mode", mode_text(automaton.mode)},
+                 {"mode", word(automaton.mode)},
                  {"complete", automaton.complete},
                  {"looked_at", automaton.looked_at},
                  {"locations", count.locations},
                  {"evolutions", count.evolutions},
                  {"evolutions_from_init", count.evolutions_from_init},
-                 {"unstable", count_json(count.unstable)},
-                 {"unstable_from_init", count_json(count.unstable_from_init)}};
+                 {"unstable", optional_json(count.unstable)},
+                 {"unstable_from_init", optional_json(count.unstable_from_init)}};
     if (details) {
         Json inputs = Json::array(), outputs = Json::array();
         for (const Automaton::Input& input : automaton.inputs) {

@@ -21,18 +21,6 @@ std::string state_text(const Machine& machine, Id<Machine::State> id) {
     return fmt::format("{} {}{}{}", id.index, state.situation, state.detail.empty() ? "" : "  ", state.detail);
 }
 
-/// `V1, SPEED = 2`: the outputs that are not 0.
-std::string answer_text(const Machine& machine, Id<Machine::Answer> answer) {
-    std::string text;
-    for (std::size_t k = 0; k < machine.outputs.size(); ++k) {
-        const std::int64_t value = machine.answers[answer].values[k];
-        if (value == 0) continue;
-        text += (text.empty() ? "" : ", ") + machine.outputs[k].name;
-        if (!machine.outputs[k].type.boolean) text += " = " + std::to_string(value);
-    }
-    return text.empty() ? "no output" : text;
-}
-
 OrderedJson values_json(const std::vector<std::int64_t>& values, const auto& variables) {
     OrderedJson object = OrderedJson::object();
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -47,12 +35,6 @@ OrderedJson names_json(const std::vector<T>& variables) {
     OrderedJson names = OrderedJson::array();
     for (const T& variable : variables) names.push_back(variable.name);
     return names;
-}
-
-OrderedJson optional_json(std::optional<std::uint64_t> count) { return count ? OrderedJson(*count) : OrderedJson(nullptr); }
-
-const char* mode_word(ExecutionMode mode) {
-    return mode == ExecutionMode::StabilitySearch ? "stability-search" : "every-cycle";
 }
 
 void add_details(const Machine& machine, OrderedJson& head) {
@@ -87,6 +69,17 @@ OrderedJson step_json(const TestSequence& test, const TestSequence::Step& step, 
 
 }  // namespace
 
+std::string answer_text(const Machine& machine, Id<Machine::Answer> answer, std::string_view none) {
+    std::string text;
+    for (std::size_t k = 0; k < machine.outputs.size(); ++k) {
+        const std::int64_t value = machine.answers[answer].values[k];
+        if (value == 0) continue;
+        text += (text.empty() ? "" : ", ") + machine.outputs[k].name;
+        if (!machine.outputs[k].type.boolean) text += " = " + std::to_string(value);
+    }
+    return text.empty() ? std::string(none) : text;
+}
+
 std::optional<std::uint64_t> transition_count(const Machine& machine) {
     if (!machine.combinations) return {};
     std::uint64_t count = 0;
@@ -103,19 +96,19 @@ std::string condition_text(const Machine& machine, Id<Expr> condition) {
 void print_mealy(std::ostream& out, const Machine& machine, bool details) {
     const auto text = [](std::optional<std::uint64_t> count) { return count ? std::to_string(*count) : "very many"; };
     out << fmt::format("Mealy machine of {}, {}\n{} states\n{} transitions, one per state and combination of inputs", machine.name,
-                       mode_word(machine.mode), machine.states.size(), text(transition_count(machine)));
+                       word(machine.mode), machine.states.size(), text(transition_count(machine)));
     if (machine.unstable_pairs != 0) out << "; " << text(machine.unstable_pairs) << " of them never stabilise";
     out << '\n';
     if (!is_true(machine.exprs, machine.assumed)) out << "assumed: " << condition_text(machine, machine.assumed) << '\n';
     for (const Machine::Activation& one : machine.activation)
-        out << fmt::format("first cycle, which activates the initial steps: {}{}\n", answer_text(machine, one.answer),
+        out << fmt::format("first cycle, which activates the initial steps: {}{}\n", answer_text(machine, one.answer, "no output"),
                            machine.activation.size() == 1 ? "" : " when " + condition_text(machine, one.condition));
     if (!details) return;
     for (const Id<Machine::State> id : machine.states.ids()) {
         out << '\n' << state_text(machine, id) << (id == machine.initial ? "  (initial)" : "") << '\n';
         for (const Machine::Transition& one : transitions_from(machine, id))
             out << fmt::format("    {}{} -> {} / {}\n", one.wait_ms != 0 ? "wait " + duration_text(one.wait_ms) + ", " : "",
-                               condition_text(machine, one.condition), one.to.index, answer_text(machine, one.answer));
+                               condition_text(machine, one.condition), one.to.index, answer_text(machine, one.answer, "no output"));
         for (const Machine::Unstable& one : machine.unstable)
             if (one.from == id) out << "    " << condition_text(machine, one.condition) << " never stabilises\n";
     }
@@ -123,7 +116,7 @@ void print_mealy(std::ostream& out, const Machine& machine, bool details) {
 
 void print_mealy_json(std::ostream& out, const Machine& machine, bool details) {
     OrderedJson head = {{"name", machine.name},
-                        {"mode", mode_word(machine.mode)},
+                        {"mode", word(machine.mode)},
                         {"states", machine.states.size()},
                         {"transitions", optional_json(transition_count(machine))},
                         {"unstable_pairs", optional_json(machine.unstable_pairs)},
@@ -142,7 +135,7 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
         sequences.push_back(std::move(steps));
     }
     const OrderedJson whole = {{"chart", test.chart},
-                               {"mode", mode_word(test.mode)},
+                               {"mode", word(test.mode)},
                                {"cover", word(test.cover)},
                                {"hold", test.one_cycle_each ? "one" : "stable"},
                                {"steps", step_count(test)},

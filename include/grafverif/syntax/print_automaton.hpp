@@ -8,6 +8,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "grafverif/ir/location_automaton.hpp"
 #include "grafverif/ir/mealy.hpp"
@@ -27,6 +28,11 @@ std::optional<std::uint64_t> transition_count(const MealyMachine& machine);
 /// A condition of the automaton, of the machine: `s and not h1`.
 std::string condition_text(const LocationAutomaton& automaton, Id<Expr> condition);
 std::string condition_text(const MealyMachine& machine, Id<Expr> condition);
+
+/// `V1 if s and not h1`, `SPEED = 2`.
+std::string emission_text(const LocationAutomaton& automaton, const LocationAutomaton::Emission& emission);
+/// `V1, SPEED = 2`: the outputs that are not 0; `none` where all are.
+std::string answer_text(const MealyMachine& machine, Id<MealyMachine::Answer> answer, std::string_view none);
 
 /// `details`: also each location and evolution, each state and transition.
 void print_automaton(std::ostream& out, const LocationAutomaton& automaton, bool details);
