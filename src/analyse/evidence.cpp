@@ -2,7 +2,6 @@
 #include "analyse/evidence.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "analyse/moments.hpp"
@@ -42,7 +41,7 @@ public:
         make_signals();
         const std::size_t last = way_.instants.size() - 1;
         begin(0);
-        result_.trace.steps.push_back(row("power-on", {}));
+        add_row("power-on", {});
         for (std::size_t instant = 0; instant < last && result_.failure.empty(); ++instant) whole_instant(instant);
         if (result_.failure.empty()) last_instant(last, demand);
         return std::move(result_);
@@ -52,23 +51,24 @@ private:
     using Fired = std::vector<std::vector<Id<Chart::Transition>>>;
 
     void make_signals() {
-        std::map<std::string, int> uses;
-        for (const Chart::Step& step : chart_.steps) ++uses[step.name];
-        for (const Id<Chart::Step> id : chart_.steps.ids()) {
-            const std::string& qualified = equations_.steps[id.index].step;
-            result_.trace.steps_of_charts.push_back(qualified);
-            result_.trace.short_names.push_back(uses[chart_.steps[id].name] == 1 ? chart_.steps[id].name : qualified);
+        ChartRun& run = result_.trace;
+        ChartRun::Controller controller{.name = equations_.name, .mode = mode_};
+        run.name = equations_.name;
+        for (const Equations::StepActivity& step : equations_.steps)
+            controller.steps.push_back(run.steps.add({step.step, step.step, ""}));
+        shorten_names(run.steps);
+        for (const Chart::Transition& transition : chart_.transitions)
+            controller.transitions.push_back(run.transitions.add({transition.name}));
+        for (const Chart::Variable& variable : chart_.variables) {
+            const auto add = [&](ChartRun::Role role) { return run.signals.add({role, variable.name, variable.type}); };
+            switch (variable.kind) {
+            case Kind::Input:    controller.inputs.push_back(add(ChartRun::Role::Input)); break;
+            case Kind::Output:   controller.outputs.push_back(add(ChartRun::Role::Output)); break;
+            case Kind::Internal: controller.internals.push_back(add(ChartRun::Role::Internal)); break;
+            }
         }
-        for (const Chart::Variable& variable : chart_.variables) signals(variable.kind).push_back({variable.name, variable.type});
-    }
-
-    std::vector<Trace::Signal>& signals(Kind kind) {
-        switch (kind) {
-        case Kind::Input:    return result_.trace.inputs;
-        case Kind::Output:   return result_.trace.outputs;
-        case Kind::Internal: return result_.trace.internals;
-        }
-        return result_.trace.internals;
+        controller.images.resize(controller.outputs.size());
+        run.controllers.add(std::move(controller));
     }
 
     /// Time passes, and the inputs of `instant` are there.
@@ -92,7 +92,7 @@ private:
         Cycle done = cycle(chart_, state_, inputs_, mode_);
         if (const std::string found = problem(done); !found.empty()) return fail(instant, found);
         state_ = std::move(done.state);
-        result_.trace.steps.push_back(row("", std::move(done.fired)));
+        add_row("", done.fired);
     }
 
     void last_instant(std::size_t instant, const Demand& demand) {
@@ -109,42 +109,43 @@ private:
         }
         if (!way_.at_first && !is_at(points.back())) return fail(instant, "the situation is another one");
         if (!demand.ends && !demand.endless) {
-            result_.trace.steps.push_back(row("in this instant", std::move(fired)));
+            add_row("in this instant", fired);
             return;
         }
         const Evolution shown = evolve();
         if (!shows(shown, demand)) return fail(instant, "the last evolution does not show it");
-        if (demand.endless) return tell_loop(instant, std::move(fired));
+        if (demand.endless) return tell_loop(instant, fired);
         if (shown.race && shown.race->variable == demand.race) result_.racing = {shown.race->first, shown.race->second};
         if (shown.fault) result_.fault = shown.fault->where;
         if (shown.race || shown.fault) {
             fired.push_back(shown.fired);
             state_.situation = shown.state.situation;
-            result_.trace.steps.push_back(row(shown.race ? "race" : fault_words(shown.fault->kind), std::move(fired)));
+            add_row(shown.race ? "race" : fault_words(shown.fault->kind), fired);
             return;
         }
         fired.push_back(shown.fired);
-        tell_rest(at_start, shown, std::move(fired));
+        tell_rest(at_start, shown, fired);
     }
 
     /// The whole instant, or, where it never ends or breaks off later, as far as the way goes.
-    void tell_rest(const State& at_start, const Evolution& shown, Fired fired) {
+    void tell_rest(const State& at_start, const Evolution& shown, const Fired& fired) {
         Cycle done = cycle(chart_, at_start, inputs_, mode_);
         const bool ends = problem(done).empty();
         state_ = ends ? std::move(done.state) : shown.state;
-        result_.trace.steps.push_back(ends ? row("", std::move(done.fired)) : row("in this instant", std::move(fired)));
+        ends ? add_row("", done.fired) : add_row("in this instant", fired);
     }
 
     /// The way ends on the loop.
-    void tell_loop(std::size_t instant, Fired fired) {
+    void tell_loop(std::size_t instant, const Fired& fired) {
         result_.endless = cycle(chart_, state_, inputs_, mode_).endless;
         if (result_.endless.empty()) return fail(instant, "the instant ends");
-        if (!fired.empty()) result_.trace.steps.push_back(row("", std::move(fired)));
-        if (result_.endless.size() <= told_of_loop) result_.trace.loop_from = result_.trace.steps.size();
+        if (!fired.empty()) add_row("", fired);
+        ChartRun& run = result_.trace;
+        if (result_.endless.size() <= told_of_loop) run.loop = run.loop_from = run.rows.size();
         for (std::size_t k = 0; k < std::min(result_.endless.size(), told_of_loop); ++k) {
             Evolution made = evolve();
             state_ = std::move(made.state);
-            result_.trace.steps.push_back(row("at once", {std::move(made.fired)}));
+            add_row("at once", {made.fired});
         }
     }
 
@@ -168,24 +169,29 @@ private:
         result_.failure = "instant " + std::to_string(instant + 1) + ": by the rules " + what;
     }
 
-    Trace::Step row(std::string what, Fired fired) const {
-        Trace::Step step{Trace::Kind::Controller, "", std::move(what), {}, false, {}};
+    /// A moment, told as a row: `fired` per evolution of the instant.
+    void add_row(std::string what, const Fired& fired) {
+        ChartRun& run = result_.trace;
+        ChartRun::Moment moment;
+        ChartRun::Row row{.kind = ChartRun::Kind::Controller, .what = std::move(what), .moment = run.moments.size()};
         for (const std::vector<Id<Chart::Transition>>& evolution : fired) {
-            if (evolution.empty()) continue;
-            step.fired.emplace_back();
-            for (const Id<Chart::Transition> id : evolution) step.fired.back().push_back(chart_.transitions[id].name);
+            ChartRun::Act act{.controller = {0}, .evolves = true};
+            for (const Id<Chart::Transition> id : evolution) act.fired.push_back({id.index});
+            if (!act.fired.empty()) row.fired.push_back(act.fired);
+            moment.acts.push_back(std::move(act));
         }
-        step.after.time_ms = time_;
+        moment.after.time_ms = time_;
         for (const Id<Chart::Step> id : chart_.steps.ids())
-            if (state_.situation[id.index]) step.after.situation.push_back(id.index);
+            if (state_.situation[id.index]) moment.after.situation.push_back({id.index});
         for (const Id<Chart::Variable> id : chart_.variables.ids()) {
             switch (chart_.variables[id].kind) {
-            case Kind::Input:    step.after.inputs.push_back(inputs_[id.index]); break;
-            case Kind::Output:   step.after.outputs.push_back(state_.outputs[id.index]); break;
-            case Kind::Internal: step.after.internals.push_back(state_.values[id.index]); break;
+            case Kind::Input:    moment.after.values.push_back(inputs_[id.index]); break;
+            case Kind::Output:   moment.after.values.push_back(state_.outputs[id.index]); break;
+            case Kind::Internal: moment.after.values.push_back(state_.values[id.index]); break;
             }
         }
-        return step;
+        run.moments.push_back(std::move(moment));
+        run.rows.push_back(std::move(row));
     }
 
     const Chart& chart_;

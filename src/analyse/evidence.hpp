@@ -22,7 +22,7 @@ struct Demand {
 };
 
 struct Evidence {
-    Trace trace = {};
+    ChartRun trace = {};
     Finding::Timing timing = Finding::Timing::Untimed;
     std::vector<Id<Chart::StoredAction>> racing = {};        ///< the two actions of a race
     std::vector<std::vector<bool>> endless = {};             ///< the situations that follow each other for ever

@@ -93,11 +93,11 @@ std::optional<Findings> untimed_findings(const Model& model, Job& job, const Str
 /// The trace that goes to files: of the first place where the model breaks off, of the first verdict against
 /// expectation, of the first that has one.
 struct Chosen {
-    const Trace* trace = nullptr;
+    const ChartRun* trace = nullptr;
     std::string title = {};
 };
 Chosen first_trace(const Report& report) {
-    if (!report.breakdowns.empty() && !report.breakdowns.front().trace.steps.empty())
+    if (!report.breakdowns.empty() && !report.breakdowns.front().trace.rows.empty())
         return {&report.breakdowns.front().trace, report.model + ": " + report.breakdowns.front().code};
     for (const bool unexpected : {true, false})
         for (const Answer& answer : report.answers)

@@ -16,7 +16,8 @@
 #include "grafverif/check/symbolic.hpp"
 #include "grafverif/emit/nusmv.hpp"
 #include "grafverif/ir/step_names.hpp"
-#include "grafverif/run/replay_system.hpp"
+#include "grafverif/run/project.hpp"
+#include "grafverif/run/replay.hpp"
 #include "grafverif/support/messages.hpp"
 #include "grafverif/syntax/dialect.hpp"
 
@@ -45,13 +46,13 @@ public:
     void add(Verdict verdict, std::optional<SystemRun> run) {
         const bool told = verdict.outcome != Outcome::Holds || witnesses_;
         if (run && of_ == Of::Program) {
-            if (const auto found = disagreement(check_.system, check_.charts, *run))
+            if (const auto found = disagreement(project(check_.system, *run), check_.charts))
                 distrust(verdict, replay_failure("its trace", *found));
         } else if (run && told && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) {
             run.reset();
         }
         if (!told || verdict.outcome == Outcome::Unknown) run.reset();
-        if (const auto found = run ? untimely(check_.system, *run) : std::nullopt)
+        if (const auto found = run ? untimely(project(check_.system, *run)) : std::nullopt)
             verdict.notes.push_back(fmt::format("no plant gives this run: {}/{} is over in it, and {}/{} is not",
                                                 duration_text(found->longer_ms), step_variable_name(found->step),
                                                 duration_text(found->shorter_ms), step_variable_name(found->step)));
@@ -86,7 +87,7 @@ public:
 
 private:
     bool replays(const SystemRun& run, const std::string& what) {
-        const std::optional<Disagreement> found = disagreement(check_.system, check_.charts, run);
+        const std::optional<Disagreement> found = disagreement(project(check_.system, run), check_.charts);
         if (found) findings_.failures.push_back(replay_failure(what, *found));
         return !found;
     }

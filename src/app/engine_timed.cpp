@@ -7,6 +7,7 @@
 #include "app/engines.hpp"
 #include "app/progress_line.hpp"
 #include "app/traces.hpp"
+#include "grafverif/run/project.hpp"
 #include "grafverif/check/timed.hpp"
 
 namespace grafverif::app {
@@ -68,7 +69,7 @@ public:
 
 private:
     void name_race(Breakdown& breakdown, const Run& run) const {
-        const std::optional<Clash> found = clash(network_, charts_, run);
+        const std::optional<Clash> found = clash(project(network_, run), charts_);
         if (!found) return;
         const std::string what = found->variable.empty()
                                      ? "forcing orders contradict each other"
@@ -78,7 +79,7 @@ private:
 
     bool replays(const Run& run, const std::string& what) {
         if (cures_left_out_) return true;   // not the runs of a chart: that is their point
-        const std::optional<Disagreement> found = disagreement(network_, charts_, run);
+        const std::optional<Disagreement> found = disagreement(project(network_, run), charts_);
         if (found) failures_.push_back(replay_failure(what, *found));
         return !found;
     }

@@ -52,13 +52,13 @@ public:
 
     /// Shows the new steps, what went wrong, and in a conversation what may be chosen.
     void answer(const std::string& problem) {
-        const Trace& trace = simulation_.trace();
-        if (trace.steps.size() < shown_) {
-            shown_ = trace.steps.size() - 1;
+        const ChartRun& run = simulation_.told();
+        if (run.rows.size() < shown_) {
+            shown_ = run.rows.size() - 1;
             out_ << "back to:\n";
         }
-        for (; shown_ < trace.steps.size(); ++shown_)
-            if (is_shown(trace, shown_)) print_row(trace, shown_, shown_ + 1 == trace.steps.size(), usual_widths, out_);
+        for (; shown_ < run.rows.size(); ++shown_)
+            if (is_shown(run, shown_)) print_row(run, shown_, shown_ + 1 == run.rows.size(), usual_widths, out_);
         if (!problem.empty()) out_ << "! " << printable(problem) << '\n';
         if (prompts_ && !over_) prompt();
         out_ << std::flush;
@@ -180,27 +180,24 @@ ExitCode simulate(Job& job, const Streams& streams) {
 
     const Detail detail = job.options.verbose ? Detail::Everything : Detail::Chart;
     ExitCode code = ExitCode::Done;
-    Run run;
-    Trace trace;
+    ChartRun run;
     if (job.options.random_seed) {
         Simulation simulation(*network, Detail::Everything);  // every edge is drawn
         const std::string problem = walk(simulation, *job.options.random_seed, job.options.steps);
-        run = simulation.run();
-        trace = tell(*network, run, detail);
-        print_trace(trace, streams.out);
+        run = tell(project(*network, simulation.run()), detail);
+        print_trace(run, streams.out);
         if (!problem.empty()) streams.out << "! " << problem << '\n';
     } else {
         Simulation simulation(*network, detail);
         code = job.options.script ? follow_script(simulation, *job.options.script, streams, job)
                                   : converse(simulation, streams);
-        run = simulation.run();
-        trace = simulation.trace();
+        run = simulation.told();
     }
-    if (const auto found = disagreement(*network, charts_of(*model, model->loops[*loop]), run)) {
+    if (const auto found = disagreement(run, charts_of(*model, model->loops[*loop]))) {
         streams.err << "grafverif: internal failure: " << replay_failure("this run", *found) << '\n';
         return ExitCode::Failure;
     }
-    write_outputs(trace_files(trace, network->name, job.options), job, streams);
+    write_outputs(trace_files(run, network->name, job.options), job, streams);
     return code;
 }
 

@@ -31,7 +31,17 @@ std::string listed(const std::vector<std::string>& words) {
 }  // namespace
 
 Simulation::Simulation(const Network& network, Detail detail)
-    : network_(network), detail_(detail), state_(initial_state(network)), teller_(std::in_place, network, detail) {}
+    : network_(network), detail_(detail) {
+    power_on();
+}
+
+void Simulation::power_on() {
+    state_ = initial_state(network_);
+    run_ = {};
+    told_ = {};
+    projection_.emplace(network_, state_, told_);
+    teller_.emplace(told_, detail_);
+}
 
 std::vector<Fire> Simulation::choices() const {
     if (network_.race.valid() && state_.variables[network_.race.index] != 0) return {};
@@ -58,7 +68,8 @@ bool Simulation::move(const Move& move, std::string& problem) {
         return false;
     }
     run_.moves.push_back(move);
-    teller_->move(move, before, state_);
+    projection_->append(move, before, state_);
+    teller_->catch_up();
     if (!network_.race.valid() || state_.variables[network_.race.index] == 0) return true;
     broken_ = true;
     problem = "two stored actions give one variable different values in one evolution";
@@ -110,7 +121,7 @@ std::string Simulation::follow() {
 
 std::string Simulation::settle() {
     std::string problem = follow();
-    teller_->flush(state_);
+    teller_->flush();
     return problem;
 }
 
@@ -147,7 +158,7 @@ std::string Simulation::pass(std::int64_t units) {
 std::string Simulation::wait(std::int64_t units) {
     commands_.push_back(run_.moves.size());
     std::string problem = pass(units);
-    teller_->flush(state_);
+    teller_->flush();
     return problem;
 }
 
@@ -190,17 +201,15 @@ bool Simulation::back() {
     Run shorter = std::move(run_);
     shorter.moves.resize(commands_.back());
     commands_.pop_back();
-    state_ = initial_state(network_);
-    teller_.emplace(network_, detail_);
-    run_ = {};
+    power_on();
     broken_ = false;
     std::string ignored;
     auto command = commands_.begin();
     for (std::size_t i = 0; i < shorter.moves.size(); ++i) {
-        for (; command != commands_.end() && *command == i; ++command) teller_->flush(state_);
+        for (; command != commands_.end() && *command == i; ++command) teller_->flush();
         move(shorter.moves[i], ignored);
     }
-    teller_->flush(state_);
+    teller_->flush();
     return true;
 }
 

@@ -19,6 +19,7 @@
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/network_run.hpp"
 #include "grafverif/report/tell.hpp"
+#include "grafverif/run/project.hpp"
 
 namespace grafverif::app {
 
@@ -30,7 +31,7 @@ public:
     const Network& network() const { return network_; }
     const NetworkState& state() const { return state_; }
     const Run& run() const { return run_; }
-    const Trace& trace() const { return teller_->trace(); }
+    const ChartRun& told() const { return told_; }
 
     /// What may be chosen now; empty after a race.
     std::vector<Fire> choices() const;
@@ -55,6 +56,7 @@ public:
     bool move(const Move& move, std::string& problem);
 
 private:
+    void power_on();
     std::string follow();
     std::optional<Fire> next_by_itself() const;
     std::string pass(std::int64_t units);
@@ -65,6 +67,8 @@ private:
     Detail detail_;
     NetworkState state_;
     Run run_ = {};
+    ChartRun told_ = {};
+    std::optional<NetworkProjection> projection_;   ///< of the run, into `told_`
     std::optional<Teller> teller_;
     std::vector<std::size_t> commands_ = {};  ///< the length of the run before each
     bool broken_ = false;

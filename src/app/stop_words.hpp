@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/options.hpp"
-#include "grafverif/ir/trace.hpp"
+#include "grafverif/ir/chart_run.hpp"
 
 namespace grafverif::app {
 

@@ -21,16 +21,16 @@ std::string replay_failure(std::string_view what, const Disagreement& disagreeme
                        disagreement.what, disagreement.move);
 }
 
-std::vector<OutputFile> trace_files(const Trace& trace, std::string_view title, const Options& options) {
+std::vector<OutputFile> trace_files(const ChartRun& run, std::string_view title, const Options& options) {
     std::vector<OutputFile> files;
     if (options.trace_vcd) {
         std::ostringstream text;
-        print_vcd(trace, text);
+        print_vcd(run, text);
         files.push_back({*options.trace_vcd, std::move(text).str()});
     }
     if (options.trace_svg) {
         std::ostringstream text;
-        print_svg(trace, title, text);
+        print_svg(run, title, text);
         files.push_back({*options.trace_svg, std::move(text).str()});
     }
     return files;

@@ -8,7 +8,7 @@
 
 #include "app/files.hpp"
 #include "app/pipeline.hpp"
-#include "grafverif/ir/trace.hpp"
+#include "grafverif/ir/chart_run.hpp"
 #include "grafverif/run/replay.hpp"
 
 namespace grafverif::app {
@@ -19,7 +19,7 @@ std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop);
 /// `the counterexample of P15 does not replay: controller press, evolution 3: ...`
 std::string replay_failure(std::string_view what, const Disagreement& disagreement);
 
-/// `trace` as the files of --trace-vcd and --trace-svg, where they are asked for.
-std::vector<OutputFile> trace_files(const Trace& trace, std::string_view title, const Options& options);
+/// `run` as the files of --trace-vcd and --trace-svg, where they are asked for.
+std::vector<OutputFile> trace_files(const ChartRun& run, std::string_view title, const Options& options);
 
 }  // namespace grafverif::app

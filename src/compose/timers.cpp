@@ -14,13 +14,17 @@
 //   run -> done     on -> fall            fall -> both (the level is up again), both -> done, both -> run, both -> fall
 //   done -> idle    fall -> on, off
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "compose/controller.hpp"
+#include "grafverif/ir/step_names.hpp"
 
 namespace grafverif {
 
 namespace {
+
+constexpr Id<Network::Location> done{2};   ///< where t1 is over, in every template that has a t1
 
 enum class Delays { Rise, Fall, Both };
 
@@ -83,6 +87,11 @@ private:
         return automaton_.locations.add(std::move(location));
     }
 
+    void add_done() {
+        [[maybe_unused]] const Location added = location("done");
+        assert(added == done);
+    }
+
     /// Q becomes `value`, which starts a cycle.
     std::vector<Network::Assignment> change(bool value) {
         return {{end_, exprs_.constant(value)}, {flag_, exprs_.constant(true)}};
@@ -108,7 +117,8 @@ private:
     }
 
     void add_rise() {
-        const Location idle = location("idle"), run = location("run", {rise_}), done = location("done");
+        const Location idle = location("idle"), run = location("run", {rise_});
+        add_done();
         take(idle, run, up_, {}, rise_.clock);
         take(idle, idle, down_, {});
         elapse(run, done, rise_, change(true));
@@ -119,7 +129,8 @@ private:
     }
 
     void add_published() {
-        const Location idle = location("idle"), run = location("run", {rise_}), done = location("done");
+        const Location idle = location("idle"), run = location("run", {rise_});
+        add_done();
         take(idle, run, up_, {}, rise_.clock);
         elapse(run, done, rise_, change(true));
         take(run, idle, down_, {});
@@ -135,8 +146,9 @@ private:
     }
 
     void add_both() {
-        const Location idle = location("idle"), run = location("run", {rise_}), done = location("done"),
-                       fall = location("fall", {fall_}), both = location("both", {rise_, fall_});
+        const Location idle = location("idle"), run = location("run", {rise_});
+        add_done();
+        const Location fall = location("fall", {fall_}), both = location("both", {rise_, fall_});
         take(idle, run, up_, {}, rise_.clock);
         elapse(run, done, rise_, change(true));
         take(run, idle, down_, {});
@@ -182,6 +194,15 @@ Id<Network::Template> template_for(Composition& composition, const Equations::Ti
     return automaton;
 }
 
+/// As conditions write it; of a longer term nothing.
+std::string watched_name(const Equations& equations, Id<Equations::Variable> watched) {
+    for (const Equations::StepActivity& step : equations.steps)
+        if (step.variable == watched) return step_variable_name(step.step);
+    const auto watch = std::ranges::find(equations.watches, watched, &Equations::Watch::variable);
+    const Expr& term = equations.exprs[watch->value];
+    return term.op == Op::Variable ? equations.variables[{static_cast<std::uint32_t>(term.value)}].name : "";
+}
+
 }  // namespace
 
 void add_timers(Composition& composition, const ControllerParts& parts) {
@@ -191,6 +212,8 @@ void add_timers(Composition& composition, const ControllerParts& parts) {
     const Id<Network::Controller> controller{static_cast<std::uint32_t>(network.controllers.size() - 1)};
     for (std::size_t i = 0; i < timers.size(); ++i) {
         Network::TimerVariables timing{.watched = parts.variable[timers[i].watched.index],
+                                       .watched_name = watched_name(*parts.equations, timers[i].watched),
+                                       .done = timers[i].rise_ms > 0 ? done : Id<Network::Location>{},
                                        .pending = parts.pending.empty() ? Id<Network::Variable>{} : parts.pending[i],
                                        .end = parts.variable[timers[i].end.index],
                                        .rise = timers[i].rise_ms / network.time_unit_ms,

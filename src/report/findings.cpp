@@ -110,12 +110,13 @@ std::string open_text(const OpenQuestion& question) {
     return (never ? "so it is in " : "none in ") + first + (least.empty() ? "" : ", " + least);
 }
 
-std::string inputs_text(const Trace& trace) {
+std::string inputs_text(const ChartRun& run) {
     std::string text;
-    for (std::size_t k = 0; k < trace.steps.size(); ++k) {
-        const std::string changed = cells(trace, k, false)[2];
+    for (std::size_t k = 0; k < run.rows.size(); ++k) {
+        const std::string changed = cells(run, k, false)[2];
         if (changed.empty()) continue;
-        text += fmt::format("{}{} at {}", text.empty() ? "" : "; ", changed, seconds_text(trace.steps[k].after.time_ms));
+        const std::string moment = seconds_text(run.after(run.rows[k]).time_ms);
+        text += fmt::format("{}{} at {}", text.empty() ? "" : "; ", changed, moment);
     }
     return text;
 }

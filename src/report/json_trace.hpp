@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A trace as a JSON value, for every report that has one.
+// A run as a JSON value, for every report that has one.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
-#include "grafverif/ir/trace.hpp"
+#include "grafverif/ir/chart_run.hpp"
 
 namespace grafverif {
 
-nlohmann::ordered_json trace_json(const Trace& trace);
+nlohmann::ordered_json trace_json(const ChartRun& run);
 
 }  // namespace grafverif

@@ -19,9 +19,9 @@ std::string data(std::string_view text) {
     return xml;
 }
 
-std::string told(const Trace& trace) {
+std::string told(const ChartRun& run) {
     std::ostringstream text;
-    print_trace(trace, text);
+    print_trace(run, text);
     return data(text.str());
 }
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "grafverif/report/tell_system.hpp"
+#include "grafverif/run/project.hpp"
 #include "grafverif/support/overloaded.hpp"
 
 namespace grafverif {
@@ -85,13 +85,14 @@ std::string message_of(const SystemFault& fault) {
 
 Breakdown breakdown_of(const TransitionSystem& system, const SystemFault& fault, Detail detail) {
     const bool shown = !fault.run.states.empty();
-    return {std::string(word(fault.kind)), message_of(fault), shown ? tell(system, fault.run, detail) : Trace{}};
+    return {std::string(word(fault.kind)), message_of(fault),
+            shown ? tell(project(system, fault.run), detail) : ChartRun{}};
 }
 
 Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run, Detail detail) {
     Answer answer;
     if (const Property* property = property_of(system.properties, verdict.property)) answer.text = property->text;
-    if (run) answer.trace = tell(system, *run, detail);
+    if (run) answer.trace = tell(project(system, *run), detail);
     answer.verdict = std::move(verdict);
     return answer;
 }
@@ -99,14 +100,14 @@ Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::opt
 Answer answer_of(const Network& network, Verdict verdict, Detail detail) {
     Answer answer;
     if (const Property* property = property_of(network.properties, verdict.property)) answer.text = property->text;
-    if (verdict.run) answer.trace = tell(network, *verdict.run, detail);
+    if (verdict.run) answer.trace = tell(project(network, *verdict.run), detail);
     verdict.run.reset();
     answer.verdict = std::move(verdict);
     return answer;
 }
 
 Breakdown breakdown_of(const Network& network, const ModelError& error, Detail detail) {
-    return {std::string(word(error.kind)), message_of(network, error), tell(network, error.run, detail)};
+    return {std::string(word(error.kind)), message_of(network, error), tell(project(network, error.run), detail)};
 }
 
 Tally tally(const Report& report) {

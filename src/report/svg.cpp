@@ -40,43 +40,42 @@ std::string shortened(std::string text, std::size_t length) {
     return text;
 }
 
-/// The trace as it is drawn: what is shown of it, one step a column.
-using Columns = std::vector<const Trace::Step*>;
+/// The run as it is drawn: what is shown of it, the state behind one row a column.
+using Columns = std::vector<const ChartRun::State*>;
 
-Group group(std::string title, const Columns& columns, const std::vector<Trace::Signal>& signals,
-            std::vector<std::int64_t> Trace::State::*values) {
+Group group(std::string title, const Columns& columns, const ChartRun& run, ChartRun::Role role) {
     Group group{title, title, {}};
-    for (std::size_t i = 0; i < signals.size(); ++i) {
-        Row row{signals[i].name, signals[i].type.boolean, {}};
-        for (const Trace::Step* step : columns) row.values.push_back((step->after.*values)[i]);
+    for (const Id<ChartRun::Signal> id : signals_of(run, role)) {
+        Row row{run.signals[id].name, run.signals[id].type.boolean, {}};
+        for (const ChartRun::State* state : columns) row.values.push_back(state->values[id.index]);
         group.rows.push_back(std::move(row));
     }
     return group;
 }
 
-Group steps(const Trace& trace, const Columns& columns) {
+Group steps(const ChartRun& run, const Columns& columns) {
     Group group{"steps", "steps", {}};
-    for (const std::string& name : trace.short_names)
-        group.rows.push_back({name, true, std::vector<std::int64_t>(columns.size(), 0)});
+    for (const ChartRun::Step& step : run.steps)
+        group.rows.push_back({step.short_name, true, std::vector<std::int64_t>(columns.size(), 0)});
     for (std::size_t i = 0; i < columns.size(); ++i)
-        for (const std::uint32_t active : columns[i]->after.situation) group.rows[active].values[i] = 1;
+        for (const Id<ChartRun::Step> active : columns[i]->situation) group.rows[active.index].values[i] = 1;
     return group;
 }
 
 class Drawing {
 public:
-    Drawing(const Trace& trace, std::string_view title) : trace_(trace), title_(title) {
-        for (const std::size_t index : shown_steps(trace)) {
-            if (trace.loop_from == index) loop_from_ = columns_.size();
-            columns_.push_back(&trace.steps[index]);
-            const std::string cleared = cleared_words(trace.steps[index]);
+    Drawing(const ChartRun& run, std::string_view title) : run_(run), title_(title) {
+        for (const std::size_t index : shown_rows(run)) {
+            if (run.loop_from == index) loop_from_ = columns_.size();
+            columns_.push_back(&run.after(run.rows[index]));
+            const std::string cleared = cleared_words(run, run.rows[index]);
             labels_.push_back(
-                shortened(happening(trace, index) + (cleared.empty() ? "" : ": " + cleared), longest_label));
+                shortened(happening(run, index) + (cleared.empty() ? "" : ": " + cleared), longest_label));
         }
-        groups_ = {group("inputs", columns_, trace.inputs, &Trace::State::inputs),
-                   group("outputs", columns_, trace.outputs, &Trace::State::outputs),
-                   group("internals", columns_, trace.internals, &Trace::State::internals),
-                   group("plant", columns_, trace.plant, &Trace::State::plant), steps(trace, columns_)};
+        groups_ = {group("inputs", columns_, run, ChartRun::Role::Input),
+                   group("outputs", columns_, run, ChartRun::Role::Output),
+                   group("internals", columns_, run, ChartRun::Role::Internal),
+                   group("plant", columns_, run, ChartRun::Role::Plant), steps(run, columns_)};
         drop_idle();
         measure();
     }
@@ -187,9 +186,9 @@ private:
             body_ += fmt::format("<text class=\"event\" transform=\"translate({},{}) rotate(-60)\">", at, y);
             escape_xml(labels_[i], body_);
             body_ += "</text>\n";
-            if (i > 0 && columns_[i]->after.time_ms == columns_[i - 1]->after.time_ms) continue;
+            if (i > 0 && columns_[i]->time_ms == columns_[i - 1]->time_ms) continue;
             rules_.push_back(x(i));
-            text(x(i) + 3, top_ - 8, "time", moment_text(trace_, columns_[i]->after));
+            text(x(i) + 3, top_ - 8, "time", moment_text(run_, *columns_[i]));
         }
     }
 
@@ -232,7 +231,7 @@ private:
         text((x(begin) + x(end)) / 2, low - 4, "value", std::to_string(value));
     }
 
-    const Trace& trace_;
+    const ChartRun& run_;
     std::string title_;
     Columns columns_ = {};
     std::optional<std::size_t> loop_from_ = {};  ///< a column
@@ -245,6 +244,6 @@ private:
 
 }  // namespace
 
-void print_svg(const Trace& trace, std::string_view title, std::ostream& out) { Drawing(trace, title).print(out); }
+void print_svg(const ChartRun& run, std::string_view title, std::ostream& out) { Drawing(run, title).print(out); }
 
 }  // namespace grafverif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report/table.hpp"
 
+#include <vector>
+
 #include "report/words.hpp"
 
 namespace grafverif {
@@ -9,68 +11,67 @@ namespace {
 
 void append(std::string& list, const std::string& word) { list += (list.empty() ? "" : ", ") + word; }
 
-/// The inputs that have changed since the step before, as they are now.
-std::string changed_words(const std::vector<Trace::Signal>& signals, const std::vector<std::int64_t>& before,
-                          const std::vector<std::int64_t>& now) {
-    std::string list;
-    for (std::size_t i = 0; i < signals.size(); ++i)
-        if (before[i] != now[i]) append(list, value_words(signals[i].name, signals[i].type, now[i]));
-    return list;
+/// The signals of the role that are not as they were.
+std::vector<Id<ChartRun::Signal>> changed(const ChartRun& run, ChartRun::Role role, const ChartRun::State& before,
+                                          const ChartRun::State& now) {
+    std::vector<Id<ChartRun::Signal>> found = signals_of(run, role);
+    std::erase_if(found, [&](Id<ChartRun::Signal> id) { return before.values[id.index] == now.values[id.index]; });
+    return found;
 }
 
 }  // namespace
 
-std::string cleared_words(const Trace::Step& step) {
+std::string cleared_words(const ChartRun& run, const ChartRun::Row& row) {
     std::string list;
-    for (const std::vector<std::string>& evolution : step.fired) {
+    for (const std::vector<Id<ChartRun::Transition>>& evolution : row.fired) {
         std::string names;
-        for (const std::string& name : evolution) append(names, name);
+        for (const Id<ChartRun::Transition> id : evolution) append(names, run.transitions[id].name);
         list += (list.empty() ? "" : "; ") + names;
     }
     return list;
 }
 
-std::string standing_words(const std::vector<Trace::Signal>& signals, const std::vector<std::int64_t>& values) {
+std::string standing_words(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state) {
     std::string list;
-    for (std::size_t i = 0; i < signals.size(); ++i)
-        if (values[i] != 0) append(list, value_words(signals[i].name, signals[i].type, values[i]));
+    for (const Id<ChartRun::Signal> id : signals_of(run, role))
+        if (state.values[id.index] != 0) append(list, value_words(run.signals[id], state.values[id.index]));
     return list.empty() ? "none" : list;
 }
 
-std::string situation_words(const Trace& trace, const Trace::State& state) {
+std::string situation_words(const ChartRun& run, const ChartRun::State& state) {
     std::string list;
-    for (const std::uint32_t step : state.situation) append(list, trace.short_names[step]);
+    for (const Id<ChartRun::Step> step : state.situation) append(list, run.steps[step].short_name);
     return list.empty() ? "none" : list;
 }
 
-std::string happening(const Trace& trace, std::size_t index) {
-    const Trace::Step& step = trace.steps[index];
-    std::string words = step.what;
+std::string happening(const ChartRun& run, std::size_t index) {
+    const ChartRun::Row& row = run.rows[index];
+    std::string words = row.what;
     if (index > 0) {
-        const std::vector<std::int64_t>& before = trace.steps[index - 1].after.internals;
-        const std::vector<std::int64_t>& now = step.after.internals;
-        for (std::size_t i = 0; i < now.size(); ++i)
-            if (before[i] != now[i])
-                append(words, change_words(trace.internals[i].name, trace.internals[i].type, before[i], now[i]));
+        const ChartRun::State &before = run.after(run.rows[index - 1]), &now = run.after(row);
+        for (const Id<ChartRun::Signal> id : changed(run, ChartRun::Role::Internal, before, now))
+            append(words, change_words(run.signals[id], before.values[id.index], now.values[id.index]));
     }
-    if (step.component.empty()) return words;
-    return words.empty() ? step.component : step.component + ": " + words;
+    if (row.component.empty()) return words;
+    return words.empty() ? row.component : row.component + ": " + words;
 }
 
-Cells cells(const Trace& trace, std::size_t index, bool complete) {
-    const Trace::State& now = trace.steps[index].after;
+Cells cells(const ChartRun& run, std::size_t index, bool complete) {
+    const ChartRun::State& now = run.after(run.rows[index]);
     const bool first = index == 0;
     std::size_t previous = first ? 0 : index - 1;
-    while (previous > 0 && !is_shown(trace, previous)) --previous;
-    const Trace::State& before = trace.steps[previous].after;
+    while (previous > 0 && !is_shown(run, previous)) --previous;
+    const ChartRun::State& before = run.after(run.rows[previous]);
     Cells cells;
-    if (first || now.time_ms != before.time_ms) cells[0] = moment_text(trace, now);
-    cells[1] = happening(trace, index);
-    cells[2] =
-        first ? standing_words(trace.inputs, now.inputs) : changed_words(trace.inputs, before.inputs, now.inputs);
-    cells[3] = cleared_words(trace.steps[index]);
-    if (first || complete || now.situation != before.situation) cells[4] = situation_words(trace, now);
-    if (first || complete || now.outputs != before.outputs) cells[5] = standing_words(trace.outputs, now.outputs);
+    if (first || now.time_ms != before.time_ms) cells[0] = moment_text(run, now);
+    cells[1] = happening(run, index);
+    if (first) cells[2] = standing_words(run, ChartRun::Role::Input, now);
+    for (const Id<ChartRun::Signal> id : changed(run, ChartRun::Role::Input, before, now))
+        append(cells[2], value_words(run.signals[id], now.values[id.index]));
+    cells[3] = cleared_words(run, run.rows[index]);
+    if (first || complete || now.situation != before.situation) cells[4] = situation_words(run, now);
+    if (first || complete || !changed(run, ChartRun::Role::Output, before, now).empty())
+        cells[5] = standing_words(run, ChartRun::Role::Output, now);
     return cells;
 }
 

@@ -2,296 +2,183 @@
 #include "grafverif/report/tell.hpp"
 
 #include <algorithm>
-#include <unordered_set>
+#include <utility>
 
-#include "grafverif/support/overloaded.hpp"
 #include "report/words.hpp"
 
 namespace grafverif {
 
 namespace {
 
-constexpr std::uint32_t nobody = Id<Network::Controller>::none;
+using Kind = ChartRun::Kind;
+using Act = ChartRun::Act;
 
-std::vector<std::int64_t> values(const NetworkState& state, const std::vector<Id<Network::Variable>>& variables) {
-    std::vector<std::int64_t> list;
-    list.reserve(variables.size());
-    for (const Id<Network::Variable> variable : variables) list.push_back(state.variables[variable.index]);
-    return list;
-}
-
-bool differ(const NetworkState& left, const NetworkState& right, Id<Network::Variable> variable) {
-    return left.variables[variable.index] != right.variables[variable.index];
-}
-
-Trace::Kind kind_of(Network::ProcessKind kind) {
-    switch (kind) {
-        case Network::ProcessKind::Plant: return Trace::Kind::Plant;
-        case Network::ProcessKind::Environment: return Trace::Kind::Environment;
-        case Network::ProcessKind::Controller: return Trace::Kind::Controller;
-        case Network::ProcessKind::Timer: return Trace::Kind::Timer;
-    }
-    unreachable();
-}
-
-bool calls(const Network::Edge& edge, Id<Network::Procedure> procedure) {
-    return procedure.valid() && std::ranges::find(edge.calls, procedure) != edge.calls.end();
-}
-
-const Network::Edge& edge_of(const Network& network, const Fire& fire) {
-    return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
-}
-
-const char* phase_word(const Network::Controller& controller, const Network::Edge& edge) {
-    if (calls(edge, controller.start)) return "first evolution";
-    if (edge.calls.size() > 1) return "cycle";
-    if (calls(edge, controller.fire)) return "inputs sampled";
-    if (calls(edge, controller.evolve)) return "evolution";
-    if (calls(edge, controller.write)) return "outputs written";
-    return edge.to == controller.waiting ? "cycle ends" : "cycle begins";
-}
-
-std::vector<std::string> cleared(const Network::Controller& controller, const NetworkState& state) {
-    std::vector<std::string> names;
-    for (const Network::Named& transition : controller.transitions)
-        if (state.variables[transition.variable.index] != 0) names.push_back(transition.name);
-    return names;
+const char* phase_word(const Act& act) {
+    if (act.starts) return "first evolution";
+    if (act.samples && act.evolves) return "cycle";
+    if (act.samples) return "inputs sampled";
+    if (act.evolves) return "evolution";
+    if (act.writes != Act::Writes::No) return "outputs written";
+    return act.begins ? "cycle begins" : "cycle ends";
 }
 
 }  // namespace
 
-Teller::Teller(const Network& network, Detail detail) : network_(network), detail_(detail) {
-    make_signals();
-    index_processes();
-    open_.resize(network.controllers.size());
-    const bool alone = network.controllers.size() == 1;
-    add({.kind = Trace::Kind::Controller,
-         .component = alone ? network.controllers.begin()->name : network.name,
-         .what = "power on"},
-        initial_state(network));
+void Teller::add(ChartRun::Row row, std::size_t moment) {
+    close_delay();
+    row.moment = moment;
+    run_.rows.push_back(std::move(row));
 }
 
-void Teller::make_signals() {
-    std::unordered_set<std::uint32_t> written;
-    for (const Network::Controller& controller : network_.controllers)
-        for (const Network::Symbol& symbol : controller.symbols)
-            if (symbol.role == Network::Role::Output) written.insert(symbol.variable.index);
-    std::unordered_set<std::uint32_t> told;
-    const auto signal = [&](Id<Network::Variable> id, std::vector<Id<Network::Variable>>& ids,
-                            std::vector<Trace::Signal>& list) {
-        if (!told.insert(id.index).second) return;
-        ids.push_back(id);
-        list.push_back({network_.variables[id].name, network_.variables[id].type});
-    };
-    for (const Network::Controller& controller : network_.controllers) {
-        const std::string prefix = network_.controllers.size() == 1 ? "" : controller.name + ".";
-        for (const Network::Named& step : controller.steps) {
-            steps_.push_back(step.variable);
-            trace_.steps_of_charts.push_back(prefix + step.name);
-        }
-        for (const auto& [role, variable, image, name] : controller.symbols) {
-            if (role == Network::Role::Input && !written.contains(variable.index))
-                signal(variable, inputs_, trace_.inputs);
-            if (role == Network::Role::Output) signal(variable, outputs_, trace_.outputs);
-            if (role == Network::Role::Internal) signal(variable, internals_, trace_.internals);
-        }
-    }
-    trace_.short_names = shortened_names(trace_.steps_of_charts);
-    for (const Id<Network::Variable> id : network_.variables.ids())
-        if (network_.variables[id].role == Network::Role::Plant && !network_.variables[id].scratch)
-            signal(id, plant_, trace_.plant);
+void Teller::close_delay() {
+    if (!delay_) return;
+    const std::size_t moment = *std::exchange(delay_, {});
+    const std::int64_t ms = std::exchange(delay_ms_, 0);
+    add({.kind = Kind::Delay,
+         .what = !run_.searches ? "time passes" : seconds_text(ms) + (ms == 1000 ? " passes" : " pass")},
+        moment);
 }
 
-void Teller::index_processes() {
-    controller_of_.assign(network_.processes.size(), nobody);
-    for (const Id<Network::Controller> id : network_.controllers.ids()) {
-        controller_of_[network_.controllers[id].process.index] = id.index;
-        for (const Id<Network::Process> timer : network_.controllers[id].timers) controller_of_[timer.index] = id.index;
+void Teller::close(std::size_t controller, std::size_t moment) {
+    const Open open = std::exchange(open_[controller], {});
+    if (open.fired.empty() && !open.changed) return;
+    ChartRun::Row row{.kind = Kind::Controller,
+                      .component = run_.controllers[{static_cast<std::uint32_t>(controller)}].name,
+                      .fired = open.fired};
+    if (open.first) row.what = "first evolution";
+    else if (!open.written && run_.searches) row.what = "outputs not yet written";
+    add(std::move(row), moment);
+}
+
+void Teller::close_all(std::size_t moment) {
+    for (std::size_t controller = 0; controller < open_.size(); ++controller) close(controller, moment);
+}
+
+void Teller::begin_loop() {
+    close_delay();
+    close_all(next_ - 1);
+    run_.loop_from = run_.rows.size();
+}
+
+void Teller::catch_up() {
+    for (; next_ < run_.moments.size(); ++next_) {
+        if (run_.loop == next_) begin_loop();
+        tell(next_);
     }
 }
 
-Trace::State Teller::snapshot(const NetworkState& state) const {
-    Trace::State told{.time_ms = time_ms_,
-                      .inputs = values(state, inputs_),
-                      .outputs = values(state, outputs_),
-                      .internals = values(state, internals_),
-                      .plant = values(state, plant_)};
-    for (std::uint32_t i = 0; i < steps_.size(); ++i)
-        if (state.variables[steps_[i].index] != 0) told.situation.push_back(i);
-    return told;
+void Teller::flush() {
+    catch_up();
+    close_delay();
+    close_all(next_ - 1);
 }
 
-void Teller::add(Trace::Step step, const NetworkState& state) {
-    step.after = snapshot(state);
-    trace_.steps.push_back(std::move(step));
-}
-
-void Teller::close_delay(const NetworkState& state) {
-    if (delay_ms_ == 0) return;
-    time_ms_ += delay_ms_;
-    const std::string what = seconds_text(delay_ms_) + (delay_ms_ == 1000 ? " passes" : " pass");
-    delay_ms_ = 0;
-    add({.kind = Trace::Kind::Delay, .what = what}, state);
-}
-
-void Teller::close(std::size_t controller, const NetworkState& state) {
-    Open& open = open_[controller];
-    const bool sampled = open.sampled;
-    if (!open.fired.empty() || open.changed) {
-        Trace::Step step{.kind = Trace::Kind::Controller,
-                         .component = network_.controllers[{static_cast<std::uint32_t>(controller)}].name};
-        if (open.first) step.what = "first evolution";
-        else if (!open.written) step.what = "outputs not yet written";
-        step.fired = std::move(open.fired);
-        add(std::move(step), state);
+void Teller::finish() {
+    flush();
+    if (run_.loop == run_.moments.size()) begin_loop();
+    if (!run_.loop_from) return;
+    const auto loop = run_.rows.begin() + static_cast<std::ptrdiff_t>(*run_.loop_from);
+    if (loop == run_.rows.end()) {
+        ChartRun::Row row{.kind = Kind::Environment, .what = "nothing changes, for ever"};
+        if (run_.searches) row = {Kind::Controller, "", "cycles go on for ever, no time passes, nothing changes"};
+        return add(std::move(row), next_ - 1);
     }
-    open = {};
-    open.sampled = sampled;
+    const bool waits = std::all_of(loop, run_.rows.end(), [](const auto& row) { return row.kind == Kind::Delay; });
+    if (waits && run_.searches) loop->what = "time passes, for ever";
 }
 
-void Teller::flush(const NetworkState& now) {
-    close_delay(now);
-    for (std::size_t controller = 0; controller < open_.size(); ++controller) close(controller, now);
-}
-
-void Teller::begin_loop(const NetworkState& now) {
-    flush(now);
-    trace_.loop_from = trace_.steps.size();
-}
-
-void Teller::finish(const NetworkState& now) {
-    flush(now);
-    if (!trace_.loop_from) return;
-    const auto loop = trace_.steps.begin() + static_cast<std::ptrdiff_t>(*trace_.loop_from);
-    if (loop == trace_.steps.end()) {
-        add({.kind = Trace::Kind::Controller, .what = "cycles go on for ever, no time passes, nothing changes"}, now);
+void Teller::tell(std::size_t moment) {
+    const ChartRun::Moment& told = run_.moments[moment];
+    if (moment == 0) {
+        const bool alone = run_.controllers.size() == 1;
+        return add({Kind::Controller, alone ? run_.controllers.begin()->name : run_.name, "power on"}, moment);
+    }
+    if (told.kind == Kind::Delay) {
+        close_all(moment - 1);
+        delay_ = moment;
+        delay_ms_ += told.after.time_ms - run_.moments[moment - 1].after.time_ms;
         return;
     }
-    const bool waits =
-        std::all_of(loop, trace_.steps.end(), [](const Trace::Step& step) { return step.kind == Trace::Kind::Delay; });
-    if (waits) loop->what = "time passes, for ever";
-}
-
-void Teller::move(const Move& move, const NetworkState& before, const NetworkState& after) {
-    std::visit(overloaded{
-                   [&](const Delay& delay) {
-                       for (std::size_t controller = 0; controller < open_.size(); ++controller)
-                           close(controller, before);
-                       delay_ms_ += delay.units * network_.time_unit_ms;
-                   },
-                   [&](const Fire& fire) {
-                       close_delay(before);
-                       switch (network_.processes[fire.process].kind) {
-                           case Network::ProcessKind::Plant:
-                           case Network::ProcessKind::Environment: return tell_instance(fire, before, after);
-                           case Network::ProcessKind::Timer: return tell_timer(fire, before, after);
-                           case Network::ProcessKind::Controller: return tell_controller(fire, before, after);
-                       }
-                   },
-               },
-               move);
+    if (run_.searches) close_delay();
+    for (const Act& act : told.acts) tell_act(moment, act);
+    if (told.timer.valid()) return tell_timer(moment);
+    if (told.kind != Kind::Controller && !told.internal) return tell_instance(moment);
+    if (told.internal && told.instance.valid() && detail_ == Detail::Everything)
+        add({.kind = told.kind,
+             .component = run_.instances[told.instance].name,
+             .what = instance_words(run_, moment),
+             .internal = true},
+            moment);
 }
 
 /// The sampling of a cycle matters where a sampled input changes before the evolution that reads it.
-void Teller::tell_sampling(const NetworkState& before, const NetworkState& after) {
-    for (const Id<Network::Controller> id : network_.controllers.ids()) {
-        Open& open = open_[id.index];
-        const Network::Controller& controller = network_.controllers[id];
-        if (!open.sampled || detail_ == Detail::Everything || cleared(controller, before).empty()) continue;
-        const bool changes = std::ranges::any_of(controller.symbols, [&](const Network::Symbol& symbol) {
-            return symbol.role == Network::Role::Input && differ(before, after, symbol.variable);
-        });
-        if (!changes) continue;
-        add({.kind = Trace::Kind::Controller, .component = controller.name, .what = "inputs sampled"}, before);
-        open.sampled = false;
+void Teller::tell_sampling(std::size_t moment) {
+    const std::vector<std::int64_t>& before = run_.moments[moment - 1].after.values;
+    const std::vector<std::int64_t>& after = run_.moments[moment].after.values;
+    for (const Id<ChartRun::Controller> id : run_.controllers.ids()) {
+        const ChartRun::Controller& controller = run_.controllers[id];
+        const bool changes = std::ranges::any_of(
+            controller.inputs, [&](Id<ChartRun::Signal> input) { return before[input.index] != after[input.index]; });
+        if (!sampled_[id.index] || !changes || detail_ == Detail::Everything) continue;
+        add({Kind::Controller, controller.name, "inputs sampled"}, moment - 1);
+        sampled_[id.index] = false;
     }
 }
 
-void Teller::tell_instance(const Fire& fire, const NetworkState& before, const NetworkState& after) {
-    for (std::size_t controller = 0; controller < open_.size(); ++controller) close(controller, before);
-    tell_sampling(before, after);
-    const Network::Process& process = network_.processes[fire.process];
-    add({.kind = kind_of(process.kind),
-         .component = process.name,
-         .what = instance_words(network_, fire, before, after)},
-        after);
-}
-
-void Teller::tell_timer(const Fire& fire, const NetworkState& before, const NetworkState& after) {
-    const Id<Network::Controller> id{controller_of_[fire.process.index]};
-    const std::string& name = network_.processes[fire.process].name;
-    if (id.index != nobody) {
-        const Network::Controller& controller = network_.controllers[id];
-        const auto place = std::ranges::find(controller.timers, fire.process) - controller.timers.begin();
-        const Network::TimerVariables& timing = controller.timing[static_cast<std::size_t>(place)];
-        const bool value = after.variables[timing.end.index] != 0;
-        // Without a delay the end variable only follows what the timer watches.
-        if (differ(before, after, timing.end) && (value ? timing.rise : timing.fall) > 0) {
-            for (std::size_t other = 0; other < open_.size(); ++other) close(other, before);
-            return add({.kind = Trace::Kind::Timer,
-                        .component = name,
-                        .what = timer_words(network_, controller, timing, value)},
-                       after);
-        }
+void Teller::tell_instance(std::size_t moment) {
+    close_all(moment - 1);
+    tell_sampling(moment);
+    const ChartRun::Moment& told = run_.moments[moment];
+    ChartRun::Row row{.kind = told.kind, .what = "inputs change"};
+    if (told.instance.valid()) {
+        row.component = run_.instances[told.instance].name;
+        row.what = instance_words(run_, moment);
     }
-    if (detail_ == Detail::Everything)
-        add({.kind = Trace::Kind::Timer, .component = name, .what = location_word(network_, fire), .internal = true},
-            after);
+    add(std::move(row), moment);
 }
 
-void Teller::tell_controller(const Fire& fire, const NetworkState& before, const NetworkState& after) {
-    const std::uint32_t index = controller_of_[fire.process.index];
-    const Network::Controller& controller = network_.controllers[{index}];
-    const Network::Edge& edge = edge_of(network_, fire);
+void Teller::tell_timer(std::size_t moment) {
+    close_all(moment - 1);
+    const ChartRun::Moment& told = run_.moments[moment];
+    const ChartRun::Timer& timer = run_.timers[told.timer];
+    add({Kind::Timer, timer.name, timer_words(timer, told.timer_holds)}, moment);
+}
+
+void Teller::tell_act(std::size_t moment, const Act& act) {
+    const ChartRun::State &before = run_.moments[moment - 1].after, &after = run_.moments[moment].after;
+    const std::size_t index = act.controller.index;
     for (std::size_t other = 0; other < open_.size(); ++other)
-        if (other != index) close(other, before);
-
+        if (other != index) close(other, moment - 1);
     Open& open = open_[index];
-    const bool fires = calls(edge, controller.fire);
-    if (fires) open.sampled = true;
-    if (calls(edge, controller.evolve)) {
-        // Firing conditions are forgotten by the evolution where it is an edge of its own.
-        std::vector<std::string> names = cleared(controller, fires ? after : before);
-        if (!names.empty()) open.fired.push_back(std::move(names));
-        open.sampled = false;
+    if (act.samples || act.evolves) sampled_[index] = run_.searches && !act.evolves && !act.fired.empty();
+    if (act.evolves) {
+        if (!act.fired.empty()) open.fired.push_back(act.fired);
         open.written = false;
     }
-    for (const auto& [role, variable, image, name] : controller.symbols)
-        if (role != Network::Role::Input &&
-            (differ(before, after, variable) || (image.valid() && differ(before, after, image))))
-            open.changed = true;
-    open.first = open.first || (open.changed && calls(edge, controller.start));
-    const bool writes = calls(edge, controller.write) &&
-                        (network_.grain == Grain::Phased || controller.mode == ExecutionMode::EveryCycle ||
-                         after.variables[controller.stable.index] != 0);
-    open.written = open.written || writes;
-    if (detail_ == Detail::Everything) return tell_phase(index, edge, open, after);
-    if (writes) close(index, after);
+    open.changed =
+        open.changed || before.values != after.values || (!run_.searches && before.situation != after.situation);
+    open.first = open.first || (open.changed && act.starts);
+    open.written = open.written || act.writes == Act::Writes::Yes;
+    if (detail_ == Detail::Everything) return tell_phase(moment, act);
+    if (act.writes == Act::Writes::Yes || !run_.searches) close(index, moment);
 }
 
-void Teller::tell_phase(std::size_t controller, const Network::Edge& edge, const Open& open,
-                        const NetworkState& after) {
-    const Network::Controller& words = network_.controllers[{static_cast<std::uint32_t>(controller)}];
-    Trace::Step step{
-        .kind = Trace::Kind::Controller, .component = words.name, .what = phase_word(words, edge), .fired = open.fired};
-    step.internal = open.fired.empty() && !open.changed;
-    add(std::move(step), after);
-    const bool sampled = open.sampled;
-    open_[controller] = {};
-    open_[controller].sampled = sampled;
+/// Of a run that counts steps, the evolutions are the phases.
+void Teller::tell_phase(std::size_t moment, const Act& act) {
+    const Open open = std::exchange(open_[act.controller.index], {});
+    const bool internal = open.fired.empty() && !open.changed;
+    if (!run_.searches && internal && !act.evolves) return;
+    add({.kind = Kind::Controller,
+         .component = run_.controllers[act.controller].name,
+         .what = run_.searches || act.starts ? phase_word(act) : "",
+         .fired = open.fired,
+         .internal = internal},
+        moment);
 }
 
-Trace tell(const Network& network, const Run& run, Detail detail) {
-    Teller teller(network, detail);
-    NetworkState state = initial_state(network);
-    for (std::size_t i = 0; i < run.moves.size(); ++i) {
-        if (run.loop == i) teller.begin_loop(state);
-        const NetworkState before = state;
-        perform(network, state, run.moves[i]);
-        teller.move(run.moves[i], before, state);
-    }
-    teller.finish(state);
-    return teller.trace();
+ChartRun tell(ChartRun run, Detail detail) {
+    Teller(run, detail).finish();
+    return run;
 }
 
 }  // namespace grafverif

@@ -54,11 +54,11 @@ void print_cells(const Cells& cells, std::string_view bar, const TableWidths& wi
 }
 
 /// As wide as the contents, the widest columns narrowed until all fit.
-TableWidths fitting(const Trace& trace) {
+TableWidths fitting(const ChartRun& run) {
     TableWidths widths{};
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = column_titles[i].size();
-    for (const std::size_t step : shown_steps(trace)) {
-        const Cells row = cells(trace, step, step + 1 == trace.steps.size());
+    for (const std::size_t index : shown_rows(run)) {
+        const Cells row = cells(run, index, index + 1 == run.rows.size());
         for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
     }
     const std::size_t room = widest_line - gutter - between * (widths.size() - 1);
@@ -76,7 +76,7 @@ TableWidths fitting(const Trace& trace) {
     return widths;
 }
 
-bool in_loop(const Trace& trace, std::size_t index) { return trace.loop_from && index >= *trace.loop_from; }
+bool in_loop(const ChartRun& run, std::size_t index) { return run.loop_from && index >= *run.loop_from; }
 
 }  // namespace
 
@@ -84,18 +84,18 @@ void print_header(const TableWidths& widths, std::ostream& out) {
     print_cells(column_titles, std::string(gutter, ' '), widths, out);
 }
 
-void print_row(const Trace& trace, std::size_t index, bool complete, const TableWidths& widths, std::ostream& out) {
-    print_cells(cells(trace, index, complete), in_loop(trace, index) ? "| " : "  ", widths, out);
+void print_row(const ChartRun& run, std::size_t index, bool complete, const TableWidths& widths, std::ostream& out) {
+    print_cells(cells(run, index, complete), in_loop(run, index) ? "| " : "  ", widths, out);
 }
 
-void print_trace(const Trace& trace, std::ostream& out) {
-    const TableWidths widths = fitting(trace);
+void print_trace(const ChartRun& run, std::ostream& out) {
+    const TableWidths widths = fitting(run);
     Cells titles = column_titles;
-    if (!trace.timed) titles[0] = "step";
+    if (!run.timed) titles[0] = "step";
     print_cells(titles, std::string(gutter, ' '), widths, out);
-    for (const std::size_t i : shown_steps(trace)) {
-        if (trace.loop_from == i) out << "+-- from here on, for ever:\n";
-        print_row(trace, i, i + 1 == trace.steps.size(), widths, out);
+    for (const std::size_t i : shown_rows(run)) {
+        if (run.loop_from == i) out << "+-- from here on, for ever:\n";
+        print_row(run, i, i + 1 == run.rows.size(), widths, out);
     }
 }
 

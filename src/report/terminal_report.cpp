@@ -74,10 +74,10 @@ private:
     }
 
     /// `end`: said of a trace that does not repeat.
-    void print_told(std::string_view what, const Trace& trace, std::string_view end) {
+    void print_told(std::string_view what, const ChartRun& run, std::string_view end) {
         out_ << '\n' << what << ":\n";
-        print_trace(trace, out_);
-        if (!trace.loop_from && !end.empty()) out_ << "    " << end << '\n';
+        print_trace(run, out_);
+        if (!run.loop_from && !end.empty()) out_ << "    " << end << '\n';
         out_ << '\n';
     }
 

@@ -4,14 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 namespace grafverif {
 
 namespace {
 
-/// One variable of the dump: where its values are, and the last one written.
+/// One variable of the dump and the last value written.
 struct Wire {
     bool boolean = true;
     std::string code = {};
@@ -29,35 +31,37 @@ std::string code(std::size_t index) {
     return text;
 }
 
-/// All values of a step in the order of the wires.
-std::vector<std::int64_t> all_values(const Trace& trace, std::size_t index) {
-    const Trace::State& state = trace.steps[index].after;
+constexpr std::array<std::pair<const char*, ChartRun::Role>, 4> scopes{{{"inputs", ChartRun::Role::Input},
+                                                                       {"outputs", ChartRun::Role::Output},
+                                                                       {"internals", ChartRun::Role::Internal},
+                                                                       {"plant", ChartRun::Role::Plant}}};
+
+/// All values of a row in the order of the wires.
+std::vector<std::int64_t> all_values(const ChartRun& run, std::size_t index) {
+    const ChartRun::State& state = run.after(run.rows[index]);
     std::vector<std::int64_t> list;
-    for (const auto* part : {&state.inputs, &state.outputs, &state.internals, &state.plant})
-        list.insert(list.end(), part->begin(), part->end());
+    for (const auto& [name, role] : scopes)
+        for (const Id<ChartRun::Signal> id : signals_of(run, role)) list.push_back(state.values[id.index]);
     const std::size_t steps = list.size();
-    list.resize(steps + trace.steps_of_charts.size(), 0);
-    for (const std::uint32_t active : state.situation) list[steps + active] = 1;
-    list.push_back(trace.loop_from && index >= *trace.loop_from ? 1 : 0);
+    list.resize(steps + run.steps.size(), 0);
+    for (const Id<ChartRun::Step> active : state.situation) list[steps + active.index] = 1;
+    list.push_back(run.loop_from && index >= *run.loop_from ? 1 : 0);
     return list;
 }
 
 class Dump {
 public:
-    Dump(const Trace& trace, std::ostream& out) : trace_(trace), out_(out) {}
+    Dump(const ChartRun& run, std::ostream& out) : run_(run), out_(out) {}
 
     void print() {
         out_ << "$comment one unit within an instant keeps the order of its steps $end\n$timescale 1us $end\n";
-        scope("inputs", trace_.inputs);
-        scope("outputs", trace_.outputs);
-        scope("internals", trace_.internals);
-        scope("plant", trace_.plant);
+        for (const auto& [name, role] : scopes) scope(name, signals_of(run_, role));
         steps();
         wire("loop", true);
         out_ << "$enddefinitions $end\n";
         std::int64_t time = -1;
-        for (std::size_t i = 0; i < trace_.steps.size(); ++i) {
-            time = std::max(time + 1, trace_.steps[i].after.time_ms * 1000);
+        for (std::size_t i = 0; i < run_.rows.size(); ++i) {
+            time = std::max(time + 1, run_.after(run_.rows[i]).time_ms * 1000);
             changes(i, time);
         }
         out_ << fmt::format("#{}\n", time + 1000);  // the last step is seen for a while
@@ -69,17 +73,18 @@ private:
         out_ << fmt::format("$var {} {} {} $end\n", boolean ? "wire 1" : "integer 32", wires_.back().code, name);
     }
 
-    void scope(const char* name, const std::vector<Trace::Signal>& signals) {
+    void scope(const char* name, const std::vector<Id<ChartRun::Signal>>& signals) {
         if (signals.empty()) return;
         out_ << "$scope module " << name << " $end\n";
-        for (const Trace::Signal& signal : signals) wire(signal.name, signal.type.boolean);
+        for (const Id<ChartRun::Signal> id : signals) wire(run_.signals[id].name, run_.signals[id].type.boolean);
         out_ << "$upscope $end\n";
     }
 
     /// `G2.2` is X2 in a module G2 of its own.
     void steps() {
         out_ << "$scope module steps $end\n";
-        for (const std::string& name : trace_.steps_of_charts) {
+        for (const ChartRun::Step& step : run_.steps) {
+            const std::string& name = step.full_name;
             std::size_t begin = 0;
             std::size_t depth = 0;
             for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', begin), ++depth) {
@@ -93,7 +98,7 @@ private:
     }
 
     void changes(std::size_t index, std::int64_t time) {
-        const std::vector<std::int64_t> now = all_values(trace_, index);
+        const std::vector<std::int64_t> now = all_values(run_, index);
         out_ << '#' << time << '\n';
         if (index == 0) out_ << "$dumpvars\n";
         for (std::size_t i = 0; i < wires_.size(); ++i) {
@@ -106,13 +111,13 @@ private:
         if (index == 0) out_ << "$end\n";
     }
 
-    const Trace& trace_;
+    const ChartRun& run_;
     std::ostream& out_;
     std::vector<Wire> wires_ = {};
 };
 
 }  // namespace
 
-void print_vcd(const Trace& trace, std::ostream& out) { Dump(trace, out).print(); }
+void print_vcd(const ChartRun& run, std::ostream& out) { Dump(run, out).print(); }
 
 }  // namespace grafverif

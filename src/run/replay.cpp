@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <vector>
 
-#include "grafverif/ir/network_run.hpp"
 #include "grafverif/run/interpreter.hpp"
-#include "grafverif/support/overloaded.hpp"
 
 namespace grafverif {
 
 namespace {
+
+using Values = std::vector<std::int64_t>;
 
 std::string number(std::int64_t value) { return std::to_string(value); }
 
@@ -20,30 +20,33 @@ std::string listed(const std::vector<std::string>& names) {
     return text + "}";
 }
 
-/// One controller of the network beside its chart.
+/// One controller of the run beside its chart.
 class Twin {
 public:
-    Twin(const Network& network, const Network::Controller& controller, const Chart& chart)
-        : network_(network), controller_(controller), chart_(chart), elements_(timed_elements(chart)), state_(power_on(chart)) {
+    Twin(const ChartRun& run, const ChartRun::Controller& controller, const Chart& chart)
+        : run_(run), controller_(controller), chart_(chart), elements_(timed_elements(chart)), state_(power_on(chart)) {
         inputs_.resize(chart.variables.size());
-        index_time_conditions();
-        // No location before W: the first evolution has nothing to do.
-        if (!controller.start.valid()) state_ = evolve(chart, state_, inputs_, timed_).state;
+        timed_.resize(elements_.size());
+        for (std::size_t k = 0; k < elements_.size(); ++k) timers_.push_back(timer_of(k));
     }
 
     void pass(std::int64_t milliseconds) { state_ = pass_time(std::move(state_), milliseconds); }
 
-    /// What the network has that the rules do not give; empty: they agree.
-    std::string fire(const Network::Edge& edge, const NetworkState& before, const NetworkState& after) {
-        for (const Id<Network::Procedure> call : edge.calls) {
-            std::string fault;
-            if (call == controller_.start) fault = start(before, after);
-            else if (call == controller_.fire) fault = sample(before);
-            else if (call == controller_.evolve) fault = evolution(before, edge.calls.size() > 1 ? after : before, after);
-            else if (call == controller_.write) fault = write(after);
-            if (!fault.empty() || raced_) return fault;
+    /// What the run has that the rules do not give; empty: they agree.
+    std::string does(const ChartRun::Act& act, const ChartRun::State& before, const ChartRun::State& after) {
+        if (over_) return {};
+        if (act.starts || act.samples) read_inputs(act);
+        if (act.samples)
+            if (std::string fault = timers_fault(); !fault.empty()) return fault;
+        bool writes = act.writes == ChartRun::Act::Writes::Yes;
+        if (act.starts || act.evolves) {
+            evolutions_ += act.evolves ? 1 : 0;
+            Evolution result = evolve(chart_, state_, inputs_, timed_, ended(act));
+            writes = writes || (act.writes == ChartRun::Act::Writes::IfStable && result.stable);
+            if (std::string fault = evolution_fault(act, result, after); !fault.empty() || over_) return fault;
         }
-        return {};
+        if (writes) return outputs_fault(act, after);
+        return act.starts ? "" : kept_fault(before, after);
     }
 
     std::size_t evolutions() const { return evolutions_; }
@@ -53,57 +56,49 @@ public:
     const std::string& name() const { return controller_.name; }
 
 private:
-    void index_time_conditions() {
-        for (std::size_t k = 0; k < elements_.size(); ++k) {
-            if (elements_[k].watched.valid()) {
-                const std::optional<std::size_t> timer = controller_.conditions[k];
-                timers_.push_back(timer ? &controller_.timing[*timer] : nullptr);
-                continue;
-            }
-            const auto found = std::ranges::find_if(controller_.timing, [&](const Network::TimerVariables& timing) {
-                return timing.watched == controller_.steps[elements_[k].step.index].variable && timing.fall == 0 &&
-                       timing.rise * network_.time_unit_ms == elements_[k].rise_ms;
-            });
-            timers_.push_back(found == controller_.timing.end() ? nullptr : &*found);
-        }
-        timed_.assign(timers_.size(), false);
-    }
-
-    void read_inputs(const NetworkState& now) {
-        for (std::size_t i = 0; i < controller_.symbols.size(); ++i)
-            if (controller_.symbols[i].role == Network::Role::Input)
-                inputs_[i] = now.variables[controller_.symbols[i].variable.index];
-    }
-
-    std::string start(const NetworkState& before, const NetworkState& after) {
-        read_inputs(before);
-        return evolved(evolve(chart_, state_, inputs_, timed_), after);
-    }
-
-    std::string sample(const NetworkState& before) {
-        read_inputs(before);
-        for (std::size_t i = 0; i < timers_.size(); ++i) {
-            if (timers_[i] == nullptr) continue;   // nothing waits for it
-            timed_[i] = before.variables[timers_[i]->end.index] != 0;
-            if (std::string fault = timer_fault(i); !fault.empty()) return fault;
+    /// The place among the controller's timers of the one that waits for the element.
+    std::optional<std::size_t> timer_of(std::size_t element) const {
+        const TimedElement& wanted = elements_[element];
+        if (wanted.watched.valid()) return controller_.conditions[element];
+        for (std::size_t k = 0; k < controller_.timers.size(); ++k) {
+            const ChartRun::Timer& timer = run_.timers[controller_.timers[k]];
+            if (timer.step == wanted.step.index && timer.rise_ms == wanted.rise_ms && timer.fall_ms == 0) return k;
         }
         return {};
     }
 
+    /// The variables of a kind, in order: those that the controller's signals of that kind stand for.
+    template <class Visit>
+    void each(Chart::VariableKind kind, Visit visit) const {
+        std::size_t place = 0;
+        for (const Id<Chart::Variable> id : chart_.variables.ids())
+            if (chart_.variables[id].kind == kind) visit(id, place++);
+    }
+
+    void read_inputs(const ChartRun::Act& act) {
+        each(Chart::VariableKind::Input,
+             [&](Id<Chart::Variable> id, std::size_t place) { inputs_[id.index] = act.inputs[place]; });
+        for (std::size_t k = 0; k < timers_.size(); ++k)
+            timed_[k] = act.samples && timers_[k] && act.timers[*timers_[k]];
+    }
+
     /// A timer changes when its duration is over; at that very moment it may not have done so yet.
-    std::string timer_fault(std::size_t index) const {
-        if (!timers_[index]->pending.valid()) return {};  // timers as published are wrong, and are meant to be
-        const TimedElement& element = elements_[index];
-        const Timing& timing = state_.timing[index];
-        const bool lasts = timing.risen >= 0 && timing.risen >= element.rise_ms;
-        const bool remains = element.fall_ms > 0 && timing.fallen >= 0 && timing.fallen <= element.fall_ms;
-        const bool just_over = element.rise_ms > 0 && timing.risen == element.rise_ms;
-        const bool may = lasts || remains;
-        const bool must = (lasts && !just_over) || (remains && timing.fallen < element.fall_ms);
-        if (timed_[index] ? may : !must) return {};
-        return "the timer of " + number(element.rise_ms > 0 ? element.rise_ms : element.fall_ms) + " ms of " +
-               watched_name(element) + " is " + (timed_[index] ? "over" : "not over") + ", but by the rules its age is " +
-               number(timing.fallen < 0 ? timing.risen : timing.fallen) + " ms";
+    std::string timers_fault() const {
+        for (std::size_t k = 0; k < timers_.size(); ++k) {
+            if (!timers_[k] || !run_.timers[controller_.timers[*timers_[k]]].exact) continue;
+            const TimedElement& element = elements_[k];
+            const Timing& timing = state_.timing[k];
+            const bool lasts = timing.risen >= 0 && timing.risen >= element.rise_ms;
+            const bool remains = element.fall_ms > 0 && timing.fallen >= 0 && timing.fallen <= element.fall_ms;
+            const bool just_over = element.rise_ms > 0 && timing.risen == element.rise_ms;
+            const bool may = lasts || remains;
+            const bool must = (lasts && !just_over) || (remains && timing.fallen < element.fall_ms);
+            if (timed_[k] ? may : !must) continue;
+            return "the timer of " + number(element.rise_ms > 0 ? element.rise_ms : element.fall_ms) + " ms of " +
+                   watched_name(element) + " is " + (timed_[k] ? "over" : "not over") +
+                   ", but by the rules its age is " + number(timing.fallen < 0 ? timing.risen : timing.fallen) + " ms";
+        }
+        return {};
     }
 
     std::string watched_name(const TimedElement& element) const {
@@ -113,148 +108,169 @@ private:
         return step_variable(chart_, {static_cast<std::uint32_t>(node.value)});
     }
 
-    /// Per element, whether its t1 is over: a timer may end in the instant of a cycle, after the inputs were sampled and
-    /// before the evolution. Its end variable does not tell, since it may still be true of an earlier rise.
-    std::vector<bool> ended(const NetworkState& now) const {
+    /// Per element, whether its t1 is over: a timer may end in the instant of a cycle, after the inputs were sampled
+    /// and before the evolution.
+    std::vector<bool> ended(const ChartRun::Act& act) const {
+        if (act.done.empty()) return timed_;
         std::vector<bool> ended;
-        for (const Network::TimerVariables* const timer : timers_) ended.push_back(timer != nullptr && is_done(*timer, now));
+        for (const std::optional<std::size_t>& timer : timers_) ended.push_back(timer && act.done[*timer]);
         return ended;
     }
 
-    bool is_done(const Network::TimerVariables& timer, const NetworkState& now) const {
-        const Id<Network::Process> process = controller_.timers[static_cast<std::size_t>(&timer - controller_.timing.data())];
-        const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
-        return automaton.locations[now.locations[process.index]].name == "done";
-    }
-
-    std::string evolution(const NetworkState& before, const NetworkState& fired_in, const NetworkState& after) {
-        ++evolutions_;
-        Evolution result = evolve(chart_, state_, inputs_, timed_, ended(before));
-        std::vector<std::string> network_fired, rules_fired;
-        for (const Network::Named& transition : controller_.transitions)
-            if (fired_in.variables[transition.variable.index] != 0) network_fired.push_back(transition.name);
-        for (const Id<Chart::Transition> id : result.fired) rules_fired.push_back(chart_.transitions[id].name);
-        if (network_fired != rules_fired)
-            return "transitions cleared: " + listed(network_fired) + ", by the rules " + listed(rules_fired);
-        const bool stable = after.variables[controller_.stable.index] != 0;
-        if (!result.race && !result.fault && stable != result.stable)
-            return std::string("the situation is ") + (stable ? "stable" : "not stable") + ", by the rules it is " +
-                   (result.stable ? "stable" : "not stable");
-        return evolved(std::move(result), after);
-    }
-
-    std::string evolved(Evolution result, const NetworkState& after) {
-        const bool flagged = network_.race.valid() && after.variables[network_.race.index] != 0;
-        // Which of several faults of one evolution is met first is left open.
-        raced_ = flagged && (result.race || result.fault);
-        if (result.race) racing_ = variable_name(result.race->variable);
-        if (raced_) return {};
-        if (result.race) return "no race, by the rules two actions race for " + variable_name(result.race->variable);
-        if (flagged) return "two actions race, by the rules none do";
-        if (result.fault) return "an evolution that by the rules has no result";
+    std::string evolution_fault(const ChartRun::Act& act, Evolution& result, const ChartRun::State& after) {
+        std::vector<std::string> theirs, ours;
+        for (const Id<ChartRun::Transition> id : act.fired) theirs.push_back(run_.transitions[id].name);
+        for (const Id<Chart::Transition> id : result.fired) ours.push_back(chart_.transitions[id].name);
+        if (act.evolves && theirs != ours)
+            return "transitions cleared: " + listed(theirs) + ", by the rules " + listed(ours);
+        if (act.stable && !result.race && !result.fault && *act.stable != result.stable)
+            return std::string("the situation is ") + (*act.stable ? "stable" : "not stable") +
+                   ", by the rules it is " + (result.stable ? "stable" : "not stable");
+        if (std::string fault = race_fault(act, result); !fault.empty() || over_) return fault;
         state_ = std::move(result.state);
         if (std::string fault = situation_fault(after); !fault.empty()) return fault;
         return stored_fault(after);
     }
 
-    std::string situation_fault(const NetworkState& now) const {
-        std::vector<std::string> network_steps, rules_steps;
+    /// Which of several faults of one evolution is met first is left open.
+    std::string race_fault(const ChartRun::Act& act, const Evolution& result) {
+        const bool broken = result.race || result.fault;
+        over_ = broken && act.race.value_or(true);  // a model that does not say goes on, the rules do not
+        raced_ = over_ && act.race.has_value();
+        if (result.race) racing_ = chart_.variables[result.race->variable].name;
+        if (over_ || (!broken && !act.race.value_or(false))) return {};
+        if (result.race) return "no race, by the rules two actions race for " + racing_;
+        return broken ? "an evolution that by the rules has no result" : "two actions race, by the rules none do";
+    }
+
+    std::string situation_fault(const ChartRun::State& now) const {
+        std::vector<std::string> theirs, ours;
         for (const Id<Chart::Step> id : chart_.steps.ids()) {
-            const Network::Named& step = controller_.steps[id.index];
-            if (now.variables[step.variable.index] != 0) network_steps.push_back(step.name);
-            if (state_.situation[id.index]) rules_steps.push_back(step.name);
+            const Id<ChartRun::Step> step = controller_.steps[id.index];
+            if (std::ranges::binary_search(now.situation, step)) theirs.push_back(run_.steps[step].name);
+            if (state_.situation[id.index]) ours.push_back(run_.steps[step].name);
         }
-        if (network_steps == rules_steps) return {};
-        return "situation " + listed(network_steps) + ", by the rules " + listed(rules_steps);
+        if (theirs == ours) return {};
+        return "situation " + listed(theirs) + ", by the rules " + listed(ours);
     }
 
-    std::string stored_fault(const NetworkState& now) const {
-        for (const Id<Chart::Variable> id : chart_.variables.ids()) {
-            const auto& [role, variable, image, name] = controller_.symbols[id.index];
-            if (role == Network::Role::Input || (role == Network::Role::Output && !image.valid())) continue;
-            const std::int64_t value = now.variables[(image.valid() ? image : variable).index];
-            if (value != state_.values[id.index])
-                return variable_name(id) + " holds " + number(value) + ", by the rules " +
-                       number(state_.values[id.index]);
-        }
+    std::string stored_fault(const ChartRun::State& now) const {
+        std::string fault;
+        const auto compare = [&](const std::vector<Id<ChartRun::Signal>>& signals) {
+            return [&](Id<Chart::Variable> id, std::size_t place) {
+                if (!signals[place].valid() || !fault.empty()) return;
+                const std::int64_t value = now.values[signals[place].index];
+                if (value != state_.values[id.index])
+                    fault = chart_.variables[id].name + " holds " + number(value) + ", by the rules " +
+                            number(state_.values[id.index]);
+            };
+        };
+        each(Chart::VariableKind::Internal, compare(controller_.internals));
+        each(Chart::VariableKind::Output, compare(controller_.images));
+        return fault;
+    }
+
+    std::string outputs_fault(const ChartRun::Act& act, const ChartRun::State& now) const {
+        const std::optional<Values> outputs = output_values(chart_, state_, inputs_, timed_);
+        if (!outputs) return act.race ? "outputs are written that by the rules have no value" : "";
+        std::string fault;
+        each(Chart::VariableKind::Output, [&](Id<Chart::Variable> id, std::size_t place) {
+            if (fault.empty()) fault = output_fault(place, now, (*outputs)[id.index]);
+        });
+        return fault;
+    }
+
+    std::string kept_fault(const ChartRun::State& before, const ChartRun::State& now) const {
+        for (std::size_t place = 0; place < controller_.outputs.size(); ++place)
+            if (std::string fault = output_fault(place, now, before.values[controller_.outputs[place].index]);
+                !fault.empty())
+                return fault;
         return {};
     }
 
-    std::string write(const NetworkState& now) {
-        const bool atomic_search =
-            network_.grain == Grain::Atomic && controller_.mode == ExecutionMode::StabilitySearch;
-        if (atomic_search && now.variables[controller_.stable.index] == 0) return {};  // nothing is written then
-        const auto outputs = output_values(chart_, state_, inputs_, timed_);
-        if (!outputs) return "outputs are written that by the rules have no value";
-        for (const Id<Chart::Variable> id : chart_.variables.ids()) {
-            if (chart_.variables[id].kind != Chart::VariableKind::Output) continue;
-            const std::int64_t value = now.variables[controller_.symbols[id.index].variable.index];
-            if (value != (*outputs)[id.index])
-                return "output " + variable_name(id) + " is " + number(value) + ", by the rules " +
-                       number((*outputs)[id.index]);
-        }
-        return {};
+    std::string output_fault(std::size_t place, const ChartRun::State& now, std::int64_t expected) const {
+        const Id<ChartRun::Signal> signal = controller_.outputs[place];
+        const std::int64_t value = now.values[signal.index];
+        if (value == expected) return {};
+        return "output " + run_.signals[signal].name + " is " + number(value) + ", by the rules " + number(expected);
     }
 
-    const std::string& variable_name(Id<Chart::Variable> id) const { return chart_.variables[id].name; }
-
-    const Network& network_;
-    const Network::Controller& controller_;
+    const ChartRun& run_;
+    const ChartRun::Controller& controller_;
     const Chart& chart_;
     std::vector<TimedElement> elements_;
     State state_;
-    std::vector<std::int64_t> inputs_ = {};                    ///< as sampled
-    std::vector<bool> timed_ = {};                             ///< as sampled
-    std::vector<const Network::TimerVariables*> timers_ = {};  ///< per element; null: nothing waits for it
+    Values inputs_ = {};                                   ///< as sampled, per variable of the chart
+    std::vector<bool> timed_ = {};                         ///< as sampled, per element
+    std::vector<std::optional<std::size_t>> timers_ = {};  ///< per element
     std::size_t evolutions_ = 0;
-    bool raced_ = false;
-    std::string racing_ = {};                                  ///< the variable
+    bool over_ = false, raced_ = false;
+    std::string racing_ = {};  ///< the variable
 };
 
 /// Replays the run on `twins`, one per controller, up to the first disagreement or race.
-std::optional<Disagreement> replay(const Network& network, std::span<const Chart* const> charts, const Run& run,
+std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* const> charts,
                                    std::vector<Twin>& twins) {
-    std::vector<Twin*> of_process(network.processes.size(), nullptr);
-    twins.reserve(charts.size());
-    for (const Id<Network::Controller> id : network.controllers.ids()) {
-        twins.emplace_back(network, network.controllers[id], *charts[id.index]);
-        of_process[network.controllers[id].process.index] = &twins.back();
-    }
-    NetworkState state = initial_state(network);
-    for (std::size_t i = 0; i < run.moves.size(); ++i) {
-        const NetworkState before = state;
-        if (perform(network, state, run.moves[i]).result != Step::Result::Done)
-            return Disagreement{i, "the network", "the move cannot be made there"};
-        if (const auto* delay = std::get_if<Delay>(&run.moves[i])) {
-            for (Twin& twin : twins) twin.pass(delay->units * network.time_unit_ms);
-            continue;
+    for (const Id<ChartRun::Controller> id : run.controllers.ids())
+        twins.emplace_back(run, run.controllers[id], *charts[id.index]);
+    const ChartRun::State* before = &run.moments.front().after;
+    for (const ChartRun::Moment& moment : run.moments) {
+        const std::int64_t passed = moment.after.time_ms - before->time_ms;
+        if (run.timed && passed > 0)
+            for (Twin& twin : twins) twin.pass(passed);
+        for (const ChartRun::Act& act : moment.acts) {
+            Twin& twin = twins[act.controller.index];
+            if (std::string what = twin.does(act, *before, moment.after); !what.empty())
+                return Disagreement{moment.move,
+                                    "controller " + twin.name() + ", evolution " + std::to_string(twin.evolutions()),
+                                    std::move(what)};
+            if (twin.raced()) return {};
         }
-        const Fire& fire = std::get<Fire>(run.moves[i]);
-        Twin* const twin = of_process[fire.process.index];
-        if (twin == nullptr) continue;
-        const Network::Edge& edge = network.templates[network.processes[fire.process].automaton].edges[fire.edge];
-        std::string what = twin->fire(edge, before, state);
-        if (twin->raced() && what.empty()) return {};
-        if (!what.empty())
-            return Disagreement{i, "controller " + twin->name() + ", evolution " + std::to_string(twin->evolutions()),
-                                std::move(what)};
+        before = &moment.after;
     }
+    if (run.broken_at) return Disagreement{*run.broken_at, "the network", "the move cannot be made there"};
     return {};
 }
 
 }  // namespace
 
-std::optional<Disagreement> disagreement(const Network& network, std::span<const Chart* const> charts, const Run& run) {
+std::optional<Disagreement> disagreement(const ChartRun& run, std::span<const Chart* const> charts) {
     std::vector<Twin> twins;
-    return replay(network, charts, run, twins);
+    return replay(run, charts, twins);
 }
 
-std::optional<Clash> clash(const Network& network, std::span<const Chart* const> charts, const Run& run) {
+std::optional<Clash> clash(const ChartRun& run, std::span<const Chart* const> charts) {
     std::vector<Twin> twins;
-    if (replay(network, charts, run, twins)) return {};
+    if (replay(run, charts, twins)) return {};
     const auto raced = std::ranges::find_if(twins, &Twin::raced);
     if (raced == twins.end()) return {};
     return Clash{raced->name(), raced->racing()};
+}
+
+namespace {
+
+std::optional<Untimely> untimely(const ChartRun& run, const ChartRun::Act& act, const ChartRun::State& before) {
+    const ChartRun::Controller& controller = run.controllers[act.controller];
+    for (std::size_t over = 0; over < act.timers.size(); ++over)
+        for (std::size_t not_over = 0; not_over < act.timers.size(); ++not_over) {
+            const ChartRun::Timer& longer = run.timers[controller.timers[over]];
+            const ChartRun::Timer& shorter = run.timers[controller.timers[not_over]];
+            const bool same = longer.step && longer.step == shorter.step && longer.fall_ms == 0 && shorter.fall_ms == 0;
+            if (!same || shorter.rise_ms >= longer.rise_ms || !act.timers[over] || act.timers[not_over]) continue;
+            const Id<ChartRun::Step> step = controller.steps[*longer.step];
+            if (std::ranges::binary_search(before.situation, step))
+                return Untimely{run.steps[step].name, longer.rise_ms, shorter.rise_ms};
+        }
+    return {};
+}
+
+}  // namespace
+
+std::optional<Untimely> untimely(const ChartRun& run) {
+    for (std::size_t i = 1; !run.timed && i < run.moments.size(); ++i)
+        for (const ChartRun::Act& act : run.moments[i].acts)
+            if (auto found = untimely(run, act, run.moments[i - 1].after)) return found;
+    return {};
 }
 
 }  // namespace grafverif

@@ -5,8 +5,9 @@
 #include "grafverif/check/nusmv.hpp"
 #include "grafverif/check/verifyta.hpp"
 #include "grafverif/emit/nusmv.hpp"
-#include "grafverif/report/tell_system.hpp"
-#include "grafverif/run/replay_system.hpp"
+#include "grafverif/report/tell.hpp"
+#include "grafverif/run/project.hpp"
+#include "grafverif/run/replay.hpp"
 #include "support/read_loop.hpp"
 #include "support/untimed_loop.hpp"
 
@@ -28,7 +29,8 @@ std::string nusmv_complaint(std::string_view bytes) {
         if (!result.runs[i]) continue;
         const SystemRun& run = *result.runs[i];
         if (run.states.empty() || (run.loop && *run.loop >= run.states.size())) return "a run of no states, or that loops to none";
-        if (!disagreement(system, loop.charts(), run)) tell(system, run);
+        ChartRun projected = project(system, run);
+        if (!disagreement(projected, loop.charts())) tell(std::move(projected));
     }
     return {};
 }

@@ -16,8 +16,8 @@
 #include "grafverif/check/symbolic.hpp"
 #include "grafverif/check/timed.hpp"
 #include "grafverif/ir/network_run.hpp"
+#include "grafverif/run/project.hpp"
 #include "grafverif/run/replay.hpp"
-#include "grafverif/run/replay_system.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
 #include "support/read_loop.hpp"
@@ -161,10 +161,10 @@ private:
         const TimedResult result = check_timed(network, {.max_states = 4000});
         for (const Verdict& verdict : result.verdicts) {
             timed.verdicts[verdict.property] = verdict;
-            if (verdict.run) expect_replay(disagreement(network, charts(), *verdict.run), verdict);
+            if (verdict.run) expect_replay(disagreement(project(network, *verdict.run), charts()), verdict);
         }
         for (const ModelError& error : result.errors)
-            expect_replay(disagreement(network, charts(), error.run), {.property = "a fault"});
+            expect_replay(disagreement(project(network, error.run), charts()), {.property = "a fault"});
         Verdict& ranges = timed.verdicts["no_out_of_range"];
         ranges.pattern = Pattern::Never;
         if (result.complete && result.errors.empty()) ranges.outcome = Outcome::Holds;
@@ -198,7 +198,7 @@ private:
         for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
             kind.verdicts[result.verdicts[i].property] = result.verdicts[i];
             if (result.runs[i])
-                expect_replay(disagreement(*kind.system, charts(), *result.runs[i]), result.verdicts[i]);
+                expect_replay(disagreement(project(*kind.system, *result.runs[i]), charts()), result.verdicts[i]);
         }
         for (const auto& [name, verdict] : kind.verdicts) try_notes(verdict, kind.verdicts);
     }

@@ -14,7 +14,8 @@
 #include "grafverif/check/nusmv.hpp"
 #include "grafverif/check/symbolic.hpp"
 #include "grafverif/emit/nusmv.hpp"
-#include "grafverif/run/replay_system.hpp"
+#include "grafverif/run/project.hpp"
+#include "grafverif/run/replay.hpp"
 #include "support/explicit_search.hpp"
 #include "support/law_size.hpp"
 #include "support/nusmv_specs.hpp"
@@ -128,7 +129,7 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
             SCOPED_TRACE(system.scope);
             for (const auto& run : asked_nusmv(system, program->string()).result.runs) {
                 if (!run) continue;
-                const auto found = disagreement(system, charts, *run);
+                const auto found = disagreement(project(system, *run), charts);
                 EXPECT_FALSE(found) << "step " << found->move << ", " << found->where << ": " << found->what;
                 ++replayed;
             }

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "grafverif/ir/execution_mode.hpp"
-#include "grafverif/ir/trace.hpp"
+#include "grafverif/ir/chart_run.hpp"
 #include "grafverif/support/source.hpp"
 
 namespace grafverif {
@@ -44,7 +44,7 @@ struct Finding {
     std::string message = {};                 ///< worded as a diagnostic
     Span origin = {};
     std::vector<Related> related = {};
-    std::optional<Trace> evidence = {};
+    std::optional<ChartRun> evidence = {};
     std::string evidence_shows = {};          ///< what happens at the end of the evidence
     Timing timing = Timing::Untimed;
     std::optional<std::string> accepted = {}; ///< the reason given in the source

@@ -141,6 +141,8 @@ struct Network {
     };
     struct TimerVariables {
         Id<Variable> watched = {};           ///< a step, or the level of a watched term
+        std::string watched_name = {};       ///< the same as conditions write it: `X2`, `a`; of a longer term empty
+        Id<Location> done = {};              ///< of the timer's process, where t1 is over; not valid: it has no t1
         Id<Variable> pending = {};           ///< not valid: the timer follows its step by level
         Id<Variable> end = {};
         std::int64_t rise = 0, fall = 0;     ///< t1 and t2, in time units

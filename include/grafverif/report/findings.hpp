@@ -30,6 +30,6 @@ void print_findings_sarif(const Analysis& analysis, const Sources& sources, cons
 std::string open_text(const OpenQuestion& question);
 
 /// The inputs of a run, change by change: `START at 0 s; !START, V_IN at 5 s`.
-std::string inputs_text(const Trace& trace);
+std::string inputs_text(const ChartRun& run);
 
 }  // namespace grafverif

@@ -10,7 +10,7 @@
 
 #include "grafverif/ir/flat_system.hpp"
 #include "grafverif/ir/network.hpp"
-#include "grafverif/ir/trace.hpp"
+#include "grafverif/ir/chart_run.hpp"
 #include "grafverif/ir/verdict.hpp"
 #include "grafverif/report/tell.hpp"
 
@@ -36,7 +36,7 @@ Basis basis_of(const TransitionSystem& system, std::string engine, std::string u
 struct Answer {
     Verdict verdict = {};
     std::string text = {};            ///< of the property, as the model has it
-    std::optional<Trace> trace = {};  ///< tells the verdict's run
+    std::optional<ChartRun> trace = {};  ///< tells the verdict's run
     std::string carries = {};         ///< of an untimed verdict: what it says of the timed loop
 
     bool operator==(const Answer&) const = default;
@@ -46,7 +46,7 @@ struct Answer {
 struct Breakdown {
     std::string code = {};  ///< `out-of-range`, `action-race`, `no-value`
     std::string message = {};
-    Trace trace = {};
+    ChartRun trace = {};
 
     bool operator==(const Breakdown&) const = default;
 };

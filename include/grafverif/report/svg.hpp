@@ -8,10 +8,10 @@
 #include <iosfwd>
 #include <string_view>
 
-#include "grafverif/ir/trace.hpp"
+#include "grafverif/ir/chart_run.hpp"
 
 namespace grafverif {
 
-void print_svg(const Trace& trace, std::string_view title, std::ostream& out);
+void print_svg(const ChartRun& run, std::string_view title, std::ostream& out);
 
 }  // namespace grafverif

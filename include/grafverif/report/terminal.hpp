@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <iosfwd>
 
-#include "grafverif/ir/trace.hpp"
+#include "grafverif/ir/chart_run.hpp"
 #include "grafverif/report/report.hpp"
 #include "grafverif/support/diagnostic.hpp"
 
@@ -24,14 +24,14 @@ struct TextOptions {
 void print_report(const Report& report, const TextOptions& options, std::ostream& out);
 
 /// The whole table, its columns as wide as their content asks for.
-void print_trace(const Trace& trace, std::ostream& out);
+void print_trace(const ChartRun& run, std::ostream& out);
 
 /// Widths of time, what happened, inputs, cleared, situation, outputs.
 using TableWidths = std::array<std::size_t, 6>;
 /// For a table whose rows are not known yet.
 inline constexpr TableWidths usual_widths = {8, 30, 16, 10, 12, 12};
 void print_header(const TableWidths& widths, std::ostream& out);
-/// Step `index` of the trace. `complete`: situation and outputs even where they have not changed.
-void print_row(const Trace& trace, std::size_t index, bool complete, const TableWidths& widths, std::ostream& out);
+/// Row `index` of the run. `complete`: situation and outputs even where they have not changed.
+void print_row(const ChartRun& run, std::size_t index, bool complete, const TableWidths& widths, std::ostream& out);
 
 }  // namespace grafverif

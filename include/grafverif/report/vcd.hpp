@@ -7,10 +7,10 @@
 
 #include <iosfwd>
 
-#include "grafverif/ir/trace.hpp"
+#include "grafverif/ir/chart_run.hpp"
 
 namespace grafverif {
 
-void print_vcd(const Trace& trace, std::ostream& out);
+void print_vcd(const ChartRun& run, std::ostream& out);
 
 }  // namespace grafverif

@@ -48,6 +48,16 @@ constexpr std::string_view sound = R"(
     transition t1: 1 -> 0 when b;
 )";
 
+/// What the last row clears, evolution by evolution.
+std::vector<std::vector<std::string>> cleared(const ChartRun& run) {
+    std::vector<std::vector<std::string>> names;
+    for (const std::vector<Id<ChartRun::Transition>>& evolution : run.rows.back().fired) {
+        names.emplace_back();
+        for (const Id<ChartRun::Transition> id : evolution) names.back().push_back(run.transitions[id].name);
+    }
+    return names;
+}
+
 TEST(Analyse, AChartWithoutFaultsHasNoFindings) {
     EXPECT_EQ(codes(analysed(sound)), Codes{});
     EXPECT_EQ(codes(analysed(sound, {.mode = ExecutionMode::EveryCycle})), Codes{});
@@ -107,7 +117,7 @@ TEST(Analyse, BranchesThatFireTogetherAreShownByTheInputsThatDoIt) {
     ASSERT_NE(both, nullptr);
     ASSERT_TRUE(both->evidence.has_value());
     EXPECT_EQ(inputs_text(*both->evidence), "a, b at 0 s");
-    EXPECT_EQ(both->evidence->steps.back().fired, (std::vector<std::vector<std::string>>{{"t0", "t1"}}));
+    EXPECT_EQ(cleared(*both->evidence), (std::vector<std::vector<std::string>>{{"t0", "t1"}}));
 }
 
 TEST(Analyse, AConstraintOrAnExclusionRulesOutWhatTheWiringRulesOut) {
@@ -139,7 +149,7 @@ TEST(Analyse, ARaceNamesBothActions) {
     ASSERT_NE(race, nullptr);
     EXPECT_EQ(race->related.size(), 2U);
     ASSERT_TRUE(race->evidence.has_value());
-    EXPECT_EQ(race->evidence->steps.back().what, "race");
+    EXPECT_EQ(race->evidence->rows.back().what, "race");
 }
 
 TEST(Analyse, ARaceInTheFirstEvolutionIsFoundThere) {
@@ -165,7 +175,7 @@ TEST(Analyse, ACounterThatLeavesItsRangeIsFoundAfterAsManyRoundsAsItTakes) {
     const Finding* const range = find(found, "out-of-range", "n");
     ASSERT_NE(range, nullptr);
     ASSERT_TRUE(range->evidence.has_value());
-    EXPECT_EQ(range->evidence->steps.size(), 1U + 5U) << "power-on; up and down, up and down, up";
+    EXPECT_EQ(range->evidence->rows.size(), 1U + 5U) << "power-on; up and down, up and down, up";
     ASSERT_NE(find(found, "transition-never-fired", "t2"), nullptr);
 }
 
@@ -181,7 +191,7 @@ TEST(Analyse, ADivisionByACounterThatReachesZeroIsFound) {
     const Finding* const none = find(found, "no-value");
     ASSERT_NE(none, nullptr);
     ASSERT_TRUE(none->evidence.has_value());
-    EXPECT_EQ(none->evidence->steps.size(), 2U) << "power-on with `a`; then `n` is 0";
+    EXPECT_EQ(none->evidence->rows.size(), 2U) << "power-on with `a`; then `n` is 0";
 }
 
 constexpr std::string_view two_orders = R"(
@@ -196,7 +206,7 @@ TEST(Analyse, TwoOrdersThatExcludeEachOtherAreShownTogether) {
     const Finding* const twice = find(found, "forced-twice");
     ASSERT_NE(twice, nullptr);
     ASSERT_TRUE(twice->evidence.has_value());
-    EXPECT_EQ(twice->evidence->steps.back().what, "orders that exclude each other");
+    EXPECT_EQ(twice->evidence->rows.back().what, "orders that exclude each other");
     EXPECT_EQ(found.notes.size(), 2U) << "what is said never to happen does not happen without them";
     const std::string exclusive = std::string(two_orders) + "constraint !(a && b);";
     EXPECT_EQ(find(analysed(exclusive), "forced-twice"), nullptr);
@@ -227,7 +237,7 @@ TEST(Analyse, AChartThatIsForcedWhileItsEnclosingStepGovernsItIsFound) {
     ASSERT_NE(both, nullptr);
     EXPECT_EQ(both->related.size(), 1U) << "the enclosing step";
     ASSERT_TRUE(both->evidence.has_value());
-    EXPECT_EQ(both->evidence->steps.size(), 2U);
+    EXPECT_EQ(both->evidence->rows.size(), 2U);
     EXPECT_EQ(find(analysed("input a, b; constraint !(a && b);" + std::string(body)), "forced-and-enclosed"), nullptr);
 }
 
@@ -245,9 +255,10 @@ TEST(Analyse, TotalInstabilityEndsInALoopOfSituations) {
     const Finding* const endless = find(found, "total-instability");
     ASSERT_NE(endless, nullptr);
     ASSERT_TRUE(endless->evidence.has_value());
-    const Trace& trace = *endless->evidence;
-    ASSERT_TRUE(trace.loop_from.has_value());
-    EXPECT_EQ(trace.steps.size() - *trace.loop_from, 2U);
+    const ChartRun& run = *endless->evidence;
+    ASSERT_TRUE(run.loop_from.has_value());
+    EXPECT_EQ(run.rows.size() - *run.loop_from, 2U);
+    EXPECT_EQ(verify(run), std::vector<std::string>{});
     EXPECT_EQ(endless->related.size(), 2U) << "t1 and t2, of the loops that are nearest";
     EXPECT_EQ(find(analysed(sound), "total-instability"), nullptr);
 }
@@ -297,7 +308,7 @@ TEST(Analyse, AnOutputThatIsSetAndResetInOneInstantNeverGetsOut) {
     ASSERT_NE(conflict, nullptr);
     EXPECT_EQ(conflict->message, "`O` can be set and reset in one instant, so that the first of the two never gets out");
     ASSERT_TRUE(conflict->evidence.has_value());
-    EXPECT_EQ(conflict->evidence->steps.back().fired, (std::vector<std::vector<std::string>>{{"t0"}, {"t1"}, {"t2"}}));
+    EXPECT_EQ(cleared(*conflict->evidence), (std::vector<std::vector<std::string>>{{"t0"}, {"t1"}, {"t2"}}));
     EXPECT_EQ(find(found, "action-race"), nullptr);
 }
 
@@ -336,7 +347,7 @@ TEST(Analyse, EvidenceThatNeedsTimeSaysWhen) {
     ASSERT_NE(race, nullptr);
     EXPECT_EQ(race->timing, Finding::Timing::Confirmed);
     ASSERT_TRUE(race->evidence.has_value());
-    EXPECT_EQ(race->evidence->steps.back().after.time_ms, 5000);
+    EXPECT_EQ(race->evidence->moments.back().after.time_ms, 5000);
 }
 
 TEST(Analyse, TheLongerOfTwoTimersOnOneStepNeverEndsFirst) {

@@ -7,8 +7,9 @@
 #include <iostream>
 
 #include "grafverif/check/symbolic.hpp"
-#include "grafverif/report/tell_system.hpp"
-#include "grafverif/run/replay_system.hpp"
+#include "grafverif/report/tell.hpp"
+#include "grafverif/run/project.hpp"
+#include "grafverif/run/replay.hpp"
 #include "grafverif/schedule/controller.hpp"
 #include "support/derived.hpp"
 #include "support/explicit_search.hpp"
@@ -143,10 +144,13 @@ std::size_t expect_replays(const System& system, const std::vector<const Chart*>
     for (std::size_t i = 0; i < result.runs.size(); ++i) {
         EXPECT_EQ(system.properties[result.verdicts[i].about].name, result.verdicts[i].property);
         if (!result.runs[i]) continue;
-        const auto found = disagreement(system, charts, *result.runs[i]);
+        const ChartRun run = project(system, *result.runs[i]);
+        const auto found = disagreement(run, charts);
         EXPECT_FALSE(found) << result.verdicts[i].property << ", step " << found->move << ", " << found->where << ": "
                             << found->what;
-        EXPECT_EQ(verify(tell(system, *result.runs[i])), std::vector<std::string>{});
+        EXPECT_EQ(verify(run), std::vector<std::string>{});
+        EXPECT_EQ(verify(tell(run, Detail::Everything)), std::vector<std::string>{});
+        EXPECT_EQ(verify(tell(run)), std::vector<std::string>{});
         ++count;
     }
     return count;

@@ -71,7 +71,7 @@ TEST(Json, GivesAllInputsAndOutputsInEveryStep) {
 
 TEST(Json, ListsThePlacesWhereTheModelBreaksOff) {
     Report report = sample_report();
-    report.breakdowns = {{"action-race", "two actions race", sample_trace()}};
+    report.breakdowns = {{"action-race", "two actions race", sample_run()}};
     const Json errors = json(report)["errors"];
     ASSERT_EQ(errors.size(), 1u);
     EXPECT_EQ(keys(errors[0]), (std::vector<std::string>{"code", "message", "trace"}));

@@ -57,7 +57,7 @@ TEST(Junit, PutsTheTraceIntoTheFailure) {
 
 TEST(Junit, CountsABreakdownAsAFailure) {
     Report report = sample_report();
-    report.breakdowns = {{"out-of-range", "`X` would leave \"its\" range\x01", sample_trace()}};
+    report.breakdowns = {{"out-of-range", "`X` would leave \"its\" range\x01", sample_run()}};
     Read result;
     read(report, result);
     EXPECT_EQ(result.suite.attribute("failures").as_int(), 2);

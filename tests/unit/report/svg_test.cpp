@@ -19,9 +19,9 @@ struct Drawn {
     double width = 0, height = 0;
 };
 
-void draw(const Trace& trace, Drawn& drawn) {
+void draw(const ChartRun& run, Drawn& drawn) {
     std::ostringstream out;
-    print_svg(trace, "station: P2 <violated>", out);
+    print_svg(run, "station: P2 <violated>", out);
     const auto parsed = drawn.document.load_string(out.str().c_str());
     ASSERT_TRUE(parsed) << parsed.description();
     drawn.svg = drawn.document.child("svg");
@@ -53,7 +53,7 @@ std::vector<pugi::xml_node> of_class(const Drawn& drawn, const std::string& name
 
 TEST(Svg, DrawsEverythingInsideItsSheet) {
     Drawn drawn;
-    draw(sample_trace(), drawn);
+    draw(sample_run(), drawn);
     for (const pugi::xml_node node : drawn.svg.children()) {
         const std::string kind = node.name();
         if (kind == "path")
@@ -69,7 +69,7 @@ TEST(Svg, DrawsEverythingInsideItsSheet) {
 
 TEST(Svg, DrawsAWavePerSignalThatIsEverNotZeroAndNamesTheOthers) {
     Drawn drawn;
-    draw(sample_trace(), drawn);
+    draw(sample_run(), drawn);
     std::vector<std::string> names;
     for (const pugi::xml_node node : of_class(drawn, "name")) names.push_back(node.text().get());
     EXPECT_EQ(names, (std::vector<std::string>{"START", "LEVEL", "GO", "COUNT", "X", "0", "1", "2"}));
@@ -80,7 +80,7 @@ TEST(Svg, DrawsAWavePerSignalThatIsEverNotZeroAndNamesTheOthers) {
 
 TEST(Svg, EveryWaveRunsFromTheFirstColumnToTheLastWithoutGaps) {
     Drawn drawn;
-    draw(sample_trace(), drawn);
+    draw(sample_run(), drawn);
     std::map<double, std::pair<double, double>> reach;  // by row: from, to
     const auto names = of_class(drawn, "name");
     for (const pugi::xml_node wave : of_class(drawn, "wave")) {
@@ -100,7 +100,7 @@ TEST(Svg, EveryWaveRunsFromTheFirstColumnToTheLastWithoutGaps) {
 
 TEST(Svg, ShadesWhatRepeatsAndRulesWhereTimeGoesOn) {
     Drawn drawn;
-    draw(sample_trace(), drawn);
+    draw(sample_run(), drawn);
     const auto loop = of_class(drawn, "loop");
     ASSERT_EQ(loop.size(), 1u);
     EXPECT_EQ(loop[0].attribute("width").as_int(), 2 * 36);
@@ -111,7 +111,7 @@ TEST(Svg, ShadesWhatRepeatsAndRulesWhereTimeGoesOn) {
     for (const pugi::xml_node node : of_class(drawn, "time")) times.push_back(node.text().get());
     EXPECT_EQ(times, (std::vector<std::string>{"0 s", "1.5 s"}));
     EXPECT_EQ(of_class(drawn, "event").size(), 5u);
-    Trace finite = sample_trace();
+    ChartRun finite = sample_run();
     finite.loop_from.reset();
     Drawn other;
     draw(finite, other);

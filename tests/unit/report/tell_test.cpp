@@ -7,6 +7,7 @@
 
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/report/terminal.hpp"
+#include "grafverif/run/project.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_walk.hpp"
@@ -56,11 +57,21 @@ private:
     Run run_ = {};
 };
 
-std::string table(const Trace& trace) {
-    EXPECT_EQ(verify(trace), std::vector<std::string>{});
+ChartRun told(const Network& network, const Run& run, Detail detail = Detail::Chart) {
+    return tell(project(network, run), detail);
+}
+
+std::string table(const ChartRun& run) {
+    EXPECT_EQ(verify(run), std::vector<std::string>{});
     std::ostringstream out;
-    print_trace(trace, out);
+    print_trace(run, out);
     return out.str();
+}
+
+std::vector<std::int64_t> values(const ChartRun& run, const ChartRun::Row& row, ChartRun::Role role) {
+    std::vector<std::int64_t> list;
+    for (const Id<ChartRun::Signal> id : signals_of(run, role)) list.push_back(run.after(row).values[id.index]);
+    return list;
 }
 
 TEST(Tell, TellsTheBlinkerInTheWordsOfItsChart) {
@@ -79,7 +90,7 @@ TEST(Tell, TellsTheBlinkerInTheWordsOfItsChart) {
     drive.exhaust("T_X1_2s");
     drive.exhaust("T_X2_1s");
     drive.exhaust("PLC");
-    EXPECT_EQ(table(tell(loop.network, drive.run())),
+    EXPECT_EQ(table(told(loop.network, drive.run())),
               "  time  what happened           inputs  cleared  situation  outputs\n"
               "   0 s  blinker: power on       none             0          none\n"
               "   1 s  Button                  BUTTON\n"
@@ -100,14 +111,14 @@ TEST(Tell, ListsTheEvolutionsOfOneSearchInOrder) {
     drive.exhaust("PLC");
     drive.fire("Go");
     drive.exhaust("PLC");
-    const Trace trace = tell(loop.network, drive.run());
-    ASSERT_EQ(trace.steps.size(), 3u);
-    const Trace::Step& search = trace.steps.back();
-    EXPECT_EQ(search.kind, Trace::Kind::Controller);
-    EXPECT_EQ(search.fired, (std::vector<std::vector<std::string>>{{"a"}, {"b"}}));
-    EXPECT_EQ(search.after.situation, (std::vector<std::uint32_t>{2}));
-    EXPECT_EQ(search.after.outputs, (std::vector<std::int64_t>{1}));
-    EXPECT_EQ(search.after.internals, (std::vector<std::int64_t>{2}));
+    const ChartRun trace = told(loop.network, drive.run());
+    ASSERT_EQ(trace.rows.size(), 3u);
+    const ChartRun::Row& search = trace.rows.back();
+    EXPECT_EQ(search.kind, ChartRun::Kind::Controller);
+    EXPECT_EQ(search.fired, (std::vector<std::vector<Id<ChartRun::Transition>>>{{{0}}, {{1}}}));
+    EXPECT_EQ(trace.after(search).situation, (std::vector<Id<ChartRun::Step>>{{2}}));
+    EXPECT_EQ(values(trace, search, ChartRun::Role::Output), (std::vector<std::int64_t>{1}));
+    EXPECT_EQ(values(trace, search, ChartRun::Role::Internal), (std::vector<std::int64_t>{2}));
     EXPECT_NE(table(trace).find("chain: N 0 -> 2"), std::string::npos);
 }
 
@@ -125,7 +136,7 @@ TEST(Tell, SplitsACycleWhereThePlantMovesInItsMidst) {
     drive.fire("PLC", "P2");
     drive.fire("Go");  // between the evolution and the outputs
     drive.exhaust("PLC");
-    EXPECT_EQ(table(tell(loop.network, drive.run())),
+    EXPECT_EQ(table(told(loop.network, drive.run())),
               "  time  what happened                   inputs  cleared  situation  outputs\n"
               "   0 s  watch: power on                 none             0          none\n"
               "        Go                              GO\n"
@@ -143,9 +154,9 @@ TEST(Tell, MarksTheLoop) {
     drive.wait(1);
     drive.loop_from_here();
     drive.wait(1);
-    const Trace trace = tell(loop.network, drive.run());
+    const ChartRun trace = told(loop.network, drive.run());
     ASSERT_EQ(trace.loop_from, 2u);
-    EXPECT_EQ(trace.steps[2].what, "time passes, for ever");
+    EXPECT_EQ(trace.rows[2].what, "time passes, for ever");
 }
 
 TEST(Tell, TellsALoopInWhichNothingCanBeSeen) {
@@ -155,22 +166,22 @@ TEST(Tell, TellsALoopInWhichNothingCanBeSeen) {
     for (int i = 0; i < 4; ++i) drive.fire("PLC");
     drive.loop_from_here();
     for (int i = 0; i < 4; ++i) drive.fire("PLC");
-    const Trace trace = tell(loop.network, drive.run());
+    const ChartRun trace = told(loop.network, drive.run());
     EXPECT_EQ(verify(trace), std::vector<std::string>{});
-    ASSERT_EQ(trace.loop_from, trace.steps.size() - 1);
-    EXPECT_EQ(trace.steps.back().what, "cycles go on for ever, no time passes, nothing changes");
+    ASSERT_EQ(trace.loop_from, trace.rows.size() - 1);
+    EXPECT_EQ(trace.rows.back().what, "cycles go on for ever, no time passes, nothing changes");
 }
 
 TEST(Tell, HidesWhatIsInternalUnlessAskedForEverything) {
     const LoopUnderTest loop = read_sample("testing_station/testing_station.grafcet");
     Random random(2);
     const auto run = random_walk(loop.network, random, 300);
-    const Trace plain = tell(loop.network, run);
-    const Trace all = tell(loop.network, run, Detail::Everything);
-    const auto hidden = [](const Trace::Step& step) { return step.internal; };
-    EXPECT_EQ(std::ranges::count_if(plain.steps, hidden), 0);
-    EXPECT_GT(std::ranges::count_if(all.steps, hidden), 20);
-    EXPECT_EQ(all.steps.back().after, plain.steps.back().after);
+    const ChartRun plain = told(loop.network, run);
+    const ChartRun all = told(loop.network, run, Detail::Everything);
+    const auto hidden = [](const ChartRun::Row& row) { return row.internal; };
+    EXPECT_EQ(std::ranges::count_if(plain.rows, hidden), 0);
+    EXPECT_GT(std::ranges::count_if(all.rows, hidden), 20);
+    EXPECT_EQ(all.after(all.rows.back()), plain.after(plain.rows.back()));
     const std::string text = table(plain);
     for (const char* inner : {"P0", "P1", "EVOL", "CF_", "stable", "X_"})
         EXPECT_EQ(text.find(inner), std::string::npos) << inner;
@@ -183,13 +194,18 @@ TEST(Tell, NamesStepsInFullOnlyWhereThatIsNeeded) {
             partial G2 { initial step 2; step 3; transition u: 2 -> 3 when !GO; } }
         closed_loop one { controller twins; environment Go = free(OUT = GO); }
     )");
-    const Trace trace = tell(loop.network, {});
-    EXPECT_EQ(trace.steps_of_charts, (std::vector<std::string>{"1", "2", "G2.2", "G2.3"}));
-    EXPECT_EQ(trace.short_names, (std::vector<std::string>{"1", "2", "G2.2", "3"}));
+    const ChartRun trace = told(loop.network, {});
+    std::vector<std::string> full, shorter;
+    for (const ChartRun::Step& step : trace.steps) {
+        full.push_back(step.full_name);
+        shorter.push_back(step.short_name);
+    }
+    EXPECT_EQ(full, (std::vector<std::string>{"1", "2", "G2.2", "G2.3"}));
+    EXPECT_EQ(shorter, (std::vector<std::string>{"1", "2", "G2.2", "3"}));
 }
 
 TEST(TellLaw, EveryWalkThroughARandomLoopIsToldWell) {
-    int told = 0;
+    int rows = 0;
     for (int seed = 1; seed <= law_size(40); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
@@ -201,15 +217,15 @@ TEST(TellLaw, EveryWalkThroughARandomLoopIsToldWell) {
             const LoopUnderTest loop = composed_loop(model, {.grain = grain});
             const auto run = random_walk(loop.network, random, 80);
             for (const Detail detail : {Detail::Chart, Detail::Everything}) {
-                const Trace trace = tell(loop.network, run, detail);
+                const ChartRun trace = told(loop.network, run, detail);
                 ASSERT_EQ(verify(trace), std::vector<std::string>{});
                 std::istringstream lines(table(trace));
                 for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u);
-                told += static_cast<int>(trace.steps.size());
+                rows += static_cast<int>(trace.rows.size());
             }
         }
     }
-    EXPECT_GT(told, law_size(1000));
+    EXPECT_GT(rows, law_size(1000));
 }
 
 /// Whatever is told, the last step is where the run is.
@@ -227,25 +243,21 @@ TEST(TellLaw, TheStepsOfATraceEndWhereTheRunEnds) {
                 std::int64_t ms = 0;
                 for (const Move& move : run.moves)
                     if (const auto* delay = std::get_if<Delay>(&move)) ms += delay->units * loop.network.time_unit_ms;
-                const Trace trace = tell(loop.network, run);
+                const ChartRun trace = told(loop.network, run);
                 EXPECT_EQ(verify(trace), std::vector<std::string>{});
-                const Trace::State& end = trace.steps.back().after;
+                const ChartRun::State& end = trace.after(trace.rows.back());
                 EXPECT_EQ(end.time_ms, ms);
                 const auto variable = [&](const std::string& name) {
                     return states->back().variables[static_cast<std::size_t>(
                         std::ranges::find(loop.network.variables, name, &Network::Variable::name) -
                         loop.network.variables.begin())];
                 };
-                for (std::size_t i = 0; i < trace.inputs.size(); ++i)
-                    EXPECT_EQ(end.inputs[i], variable(trace.inputs[i].name));
-                for (std::size_t i = 0; i < trace.outputs.size(); ++i)
-                    EXPECT_EQ(end.outputs[i], variable(trace.outputs[i].name));
-                for (std::size_t i = 0; i < trace.plant.size(); ++i)
-                    EXPECT_EQ(end.plant[i], variable(trace.plant[i].name));
-                std::vector<std::uint32_t> situation;
+                for (const Id<ChartRun::Signal> id : trace.signals.ids())
+                    EXPECT_EQ(end.values[id.index], variable(trace.signals[id].name)) << trace.signals[id].name;
+                std::vector<Id<ChartRun::Step>> situation;
                 const auto& steps = loop.network.controllers[{0}].steps;
                 for (std::uint32_t i = 0; i < steps.size(); ++i)
-                    if (states->back().variables[steps[i].variable.index] != 0) situation.push_back(i);
+                    if (states->back().variables[steps[i].variable.index] != 0) situation.push_back({i});
                 EXPECT_EQ(end.situation, situation);
             }
         }

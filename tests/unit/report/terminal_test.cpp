@@ -11,9 +11,9 @@
 namespace grafverif {
 namespace {
 
-std::string table(const Trace& trace) {
+std::string table(const ChartRun& run) {
     std::ostringstream out;
-    print_trace(trace, out);
+    print_trace(run, out);
     return out.str();
 }
 
@@ -24,7 +24,7 @@ std::string text(const Report& report, bool verbose = false) {
 }
 
 TEST(Terminal, TellsATraceAsATableWithItsLoopMarked) {
-    EXPECT_EQ(table(sample_trace()),
+    EXPECT_EQ(table(sample_run()),
               "   time  what happened               inputs     cleared     situation  outputs\n"
               "    0 s  press: power on             LEVEL = 2              0, 2       none\n"
               "         Start                       START\n"
@@ -32,7 +32,7 @@ TEST(Terminal, TellsATraceAsATableWithItsLoopMarked) {
               "+-- from here on, for ever:\n"
               "| 1.5 s  1.5 s pass\n"
               "|        Slide: going_out, X 0 -> 4  LEVEL = 3              1, 2       GO\n");
-    Trace finite = sample_trace();
+    ChartRun finite = sample_run();
     finite.loop_from.reset();
     EXPECT_EQ(table(finite).substr(table(finite).rfind("  1.5 s")),
               "  1.5 s  Slide: going_out, X 0 -> 4  LEVEL = 3              1, 2       GO\n")
@@ -40,18 +40,19 @@ TEST(Terminal, TellsATraceAsATableWithItsLoopMarked) {
 }
 
 TEST(Terminal, FitsAHundredColumnsWhateverTheNames) {
-    Trace trace = sample_trace();
-    trace.steps[1].component = std::string(300, 'n');
-    trace.steps[2].fired = {std::vector<std::string>(40, "a_transition")};
-    trace.steps[2].what =
+    ChartRun run = sample_run();
+    run.rows[1].component = std::string(300, 'n');
+    run.transitions[{0}].name = "a_transition";
+    run.rows[2].fired = {std::vector<Id<ChartRun::Transition>>(40, {0})};
+    run.rows[2].what =
         "words " + std::string(70, 'w') + " and more of them, many more than there is room for in one line";
-    trace.inputs[0].name = std::string(120, 'i');
-    std::istringstream lines(table(trace));
+    run.signals[{0}].name = std::string(120, 'i');
+    std::istringstream lines(table(run));
     int count = 0;
     for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 100u) << line;
     EXPECT_GT(count, 20);
     // Nothing is lost by wrapping.
-    const std::string whole = table(trace);
+    const std::string whole = table(run);
     EXPECT_EQ(std::count(whole.begin(), whole.end(), 'n') >= 300, true);
 }
 
@@ -72,14 +73,14 @@ TEST(Terminal, SaysUnderEachVerdictWhatItRestsOn) {
 TEST(Terminal, ShowsWitnessesOnlyWhereAskedFor) {
     Report report = sample_report();
     report.answers = {
-        {{.property = "R", .pattern = Pattern::Reachable, .outcome = Outcome::Holds}, "", sample_trace()}};
+        {{.property = "R", .pattern = Pattern::Reachable, .outcome = Outcome::Holds}, "", sample_run()}};
     EXPECT_EQ(text(report).find("witness"), std::string::npos);
     EXPECT_NE(text(report, true).find("witness:\n"), std::string::npos);
 }
 
 TEST(Terminal, ShowsThePlaceWhereAModelBreaksOffFirst) {
     Report report = sample_report();
-    report.breakdowns = {{"out-of-range", "`X` would leave its range 0..20", sample_trace()}};
+    report.breakdowns = {{"out-of-range", "`X` would leave its range 0..20", sample_run()}};
     EXPECT_TRUE(text(report).starts_with("the model breaks off: `X` would leave its range 0..20 [out-of-range]\n"))
         << text(report);
     EXPECT_NE(text(report).find("1 place where the model breaks off"), std::string::npos);

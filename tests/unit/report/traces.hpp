@@ -1,33 +1,37 @@
 // SPDX-License-Identifier: MIT
-// A small trace by hand, and a report around it.
+// A small run by hand, and a report around it.
 #pragma once
 
 #include "grafverif/report/report.hpp"
 
 namespace grafverif {
 
-/// A press of a button starts a motor that moves a slide; the steps from 3 on repeat for ever.
-inline Trace sample_trace() {
-    Trace trace;
-    trace.steps_of_charts = {"0", "1", "G2.2"};
-    trace.short_names = {"0", "1", "2"};
-    trace.inputs = {{"START", {}}, {"LEVEL", integer_type(0, 9)}};
-    trace.outputs = {{"GO", {}}, {"IDLE", {}}};
-    trace.internals = {{"COUNT", integer_type(-4, 4)}};
-    trace.plant = {{"X", integer_type(0, 20)}};
-    const auto state = [](std::int64_t ms, std::vector<std::uint32_t> situation, std::vector<std::int64_t> inputs,
-                          std::vector<std::int64_t> outputs, std::int64_t count, std::int64_t x) {
-        return Trace::State{ms, std::move(situation), std::move(inputs), std::move(outputs), {count}, {x}};
+/// A press of a button starts a motor that moves a slide; the rows from 3 on repeat for ever.
+inline ChartRun sample_run() {
+    using Kind = ChartRun::Kind;
+    using Role = ChartRun::Role;
+    ChartRun run;
+    for (const char* name : {"0", "1", "G2.2"}) run.steps.add({name, name, ""});
+    shorten_names(run.steps);
+    for (const char* name : {"t1", "t2", "t3"}) run.transitions.add({name});
+    run.signals.add({Role::Input, "START", {}});
+    run.signals.add({Role::Output, "GO", {}});
+    run.signals.add({Role::Input, "LEVEL", integer_type(0, 9)});
+    run.signals.add({Role::Output, "IDLE", {}});
+    run.signals.add({Role::Internal, "COUNT", integer_type(-4, 4)});
+    run.signals.add({Role::Plant, "X", integer_type(0, 20)});
+    const auto add = [&run](ChartRun::Row row, std::int64_t ms, std::uint32_t step, std::vector<std::int64_t> values) {
+        row.moment = run.moments.size();
+        run.moments.push_back({.kind = row.kind, .move = row.moment, .after = {ms, {{step}, {2}}, std::move(values)}});
+        run.rows.push_back(std::move(row));
     };
-    trace.steps = {
-        {Trace::Kind::Controller, "press", "power on", {}, false, state(0, {0, 2}, {0, 2}, {0, 0}, 0, 0)},
-        {Trace::Kind::Environment, "Start", "", {}, false, state(0, {0, 2}, {1, 2}, {0, 0}, 0, 0)},
-        {Trace::Kind::Controller, "press", "", {{"t1"}, {"t2", "t3"}}, false, state(0, {1, 2}, {1, 2}, {1, 0}, -1, 0)},
-        {Trace::Kind::Delay, "", "1.5 s pass", {}, false, state(1500, {1, 2}, {1, 2}, {1, 0}, -1, 0)},
-        {Trace::Kind::Plant, "Slide", "going_out, X 0 -> 4", {}, false, state(1500, {1, 2}, {1, 3}, {1, 0}, -1, 4)},
-    };
-    trace.loop_from = 3;
-    return trace;
+    add({Kind::Controller, "press", "power on"}, 0, 0, {0, 0, 2, 0, 0, 0});
+    add({Kind::Environment, "Start", ""}, 0, 0, {1, 0, 2, 0, 0, 0});
+    add({Kind::Controller, "press", "", {{{0}}, {{1}, {2}}}}, 0, 1, {1, 1, 2, 0, -1, 0});
+    add({Kind::Delay, "", "1.5 s pass"}, 1500, 1, {1, 1, 2, 0, -1, 0});
+    add({Kind::Plant, "Slide", "going_out, X 0 -> 4"}, 1500, 1, {1, 1, 3, 0, -1, 4});
+    run.loop = run.loop_from = 3;
+    return run;
 }
 
 inline Report sample_report() {
@@ -48,10 +52,10 @@ inline Report sample_report() {
     Verdict expected{.property = "P4", .outcome = Outcome::Violated, .expected_violated = true};
     Verdict vacuous{.property = "P5", .outcome = Outcome::Holds, .vacuous = true, .notes = {"time never passes"}};
     report.answers = {{holds, "all is well", {}},
-                      {violated, "a <dangerous> & \"quoted\" text", sample_trace()},
+                      {violated, "a <dangerous> & \"quoted\" text", sample_run()},
                       {unknown, "", {}},
                       {timelock, "", {}},
-                      {expected, "", sample_trace()},
+                      {expected, "", sample_run()},
                       {vacuous, "", {}}};
     return report;
 }

@@ -61,14 +61,14 @@ Waves read(const std::string& text) {
     return waves;
 }
 
-std::string dump(const Trace& trace) {
+std::string dump(const ChartRun& run) {
     std::ostringstream out;
-    print_vcd(trace, out);
+    print_vcd(run, out);
     return out.str();
 }
 
 TEST(Vcd, DeclaresEverySignalOnceWithACodeOfItsOwn) {
-    const Waves waves = read(dump(sample_trace()));
+    const Waves waves = read(dump(sample_run()));
     std::set<std::string> codes;
     for (const auto& [name, code] : waves.codes) codes.insert(code);
     EXPECT_EQ(codes.size(), waves.codes.size());
@@ -81,7 +81,7 @@ TEST(Vcd, DeclaresEverySignalOnceWithACodeOfItsOwn) {
 }
 
 TEST(Vcd, KeepsTheOrderOfStepsWithinAnInstant) {
-    const Waves waves = read(dump(sample_trace()));
+    const Waves waves = read(dump(sample_run()));
     EXPECT_EQ(waves.times, (std::vector<std::int64_t>{0, 1, 2, 1'500'000, 1'500'001, 1'501'001}));
     EXPECT_EQ(waves.at("inputs.START", 0), "0");
     EXPECT_EQ(waves.at("inputs.START", 1), "1");
@@ -95,17 +95,15 @@ TEST(Vcd, KeepsTheOrderOfStepsWithinAnInstant) {
 }
 
 TEST(Vcd, GivesEverySignalAValueAtTheStart) {
-    const Waves waves = read(dump(sample_trace()));
+    const Waves waves = read(dump(sample_run()));
     for (const auto& [name, code] : waves.codes) EXPECT_EQ(waves.changes.at(code).begin()->first, 0) << name;
 }
 
 TEST(Vcd, HasCodesForMoreSignalsThanCharacters) {
-    Trace trace = sample_trace();
-    for (int i = 0; i < 20'000; ++i) {
-        trace.plant.push_back({"p" + std::to_string(i), {}});
-        for (Trace::Step& step : trace.steps) step.after.plant.push_back(0);
-    }
-    const Waves waves = read(dump(trace));
+    ChartRun run = sample_run();
+    for (int i = 0; i < 20'000; ++i) run.signals.add({ChartRun::Role::Plant, "p" + std::to_string(i), {}});
+    for (ChartRun::Moment& moment : run.moments) moment.after.values.resize(run.signals.size());
+    const Waves waves = read(dump(run));
     std::set<std::string> codes;
     for (const auto& [name, code] : waves.codes) codes.insert(code);
     EXPECT_EQ(codes.size(), 20'010u);

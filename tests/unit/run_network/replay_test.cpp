@@ -5,6 +5,7 @@
 
 #include "grafverif/derive/derive.hpp"
 #include "grafverif/ir/network_run.hpp"
+#include "grafverif/run/project.hpp"
 #include "support/print_network.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
@@ -15,7 +16,7 @@ namespace grafverif {
 namespace {
 
 std::string complaint(const LoopUnderTest& loop, const Run& run) {
-    const auto found = disagreement(loop.network, loop.charts(), run);
+    const auto found = disagreement(project(loop.network, run), loop.charts());
     return found ? "move " + std::to_string(found->move) + ", " + found->where + ": " + found->what : "";
 }
 
@@ -149,7 +150,7 @@ TEST(Replay, SaysWhereARunLeavesTheRules) {
     ASSERT_FALSE(write.empty());
     write.front().value = loop.network.exprs.constant(true);
     Random random(1);
-    const auto found = disagreement(loop.network, loop.charts(), random_walk(loop.network, random, 50));
+    const auto found = disagreement(project(loop.network, random_walk(loop.network, random, 50)), loop.charts());
     ASSERT_TRUE(found);
     EXPECT_EQ(found->where, "controller blinker, evolution 1");
     EXPECT_EQ(found->what, "output LAMP is 1, by the rules 0");
@@ -157,7 +158,8 @@ TEST(Replay, SaysWhereARunLeavesTheRules) {
 
 TEST(Replay, RefusesAMoveThatCannotBeMade) {
     const LoopUnderTest loop = read_sample("blinker/blinker.grafcet");
-    const auto found = disagreement(loop.network, loop.charts(), {{Delay{5}}, {}});  // the first cycle comes first
+    const grafverif::Run too_early{{Delay{5}}, {}};  // the first cycle comes first
+    const auto found = disagreement(project(loop.network, too_early), loop.charts());
     ASSERT_TRUE(found);
     EXPECT_EQ(found->move, 0u);
     EXPECT_EQ(found->what, "the move cannot be made there");

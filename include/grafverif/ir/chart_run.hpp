@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// ChartRun: a run of a closed loop in the words of its charts: what each controller sampled, which transitions each of
+// its evolutions cleared, what it wrote, what the plant did meanwhile. Nothing of the model that the run was found in
+// remains: no location of the PLC, no flag, no variable of the translation. `project` (run/project.hpp) makes one of a
+// run of a Network or of a TransitionSystem, the replay (run/replay.hpp) checks it on the rules of IEC 60848, `tell`
+// (report/tell.hpp) adds the rows that people read, and whoever shows a run reads it and nothing else.
+//
+// The first moment is the power-on; each further one is one thing that happened, and the state of everything behind it.
+// A row sums up the moments since the row before it: a search for stability, from the sampling of the inputs to the
+// writing of the outputs, is one row, or two where the plant moves meanwhile.
+//
+// Invariants (see verify): ids in their tables; the values of a state are as many as there are signals; situations are
+// increasing; time never goes back; rows are in the order of their moments; the loop begins at a row.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grafverif/ir/execution_mode.hpp"
+#include "grafverif/ir/type.hpp"
+#include "grafverif/support/table.hpp"
+
+namespace grafverif {
+
+struct ChartRun {
+    enum class Kind { Plant, Environment, Timer, Controller, Delay };
+    enum class Role {
+        Input,     ///< what the controllers read of the plant
+        Output,    ///< what they have written
+        Internal,  ///< their internal variables
+        Image,     ///< outputs with stored actions, as they will be written
+        Plant,     ///< what only the plant knows
+    };
+    struct Signal {
+        Role role = Role::Input;
+        std::string name = {};
+        Type type = {};
+        bool operator==(const Signal&) const = default;
+    };
+    struct Step {
+        std::string name = {};        ///< in its chart: `2`, `G2.2`
+        std::string full_name = {};   ///< the same; of several controllers `press.2`
+        std::string short_name = {};  ///< without what is not needed to tell it from the others
+        bool operator==(const Step&) const = default;
+    };
+    struct Transition {
+        std::string name = {};
+        bool operator==(const Transition&) const = default;
+    };
+    struct Timer {
+        std::string name = {};                  ///< who is said to end: the timer, or its controller
+        std::string watched = {};               ///< as conditions write it: `X2`, `a`; of a longer term empty
+        std::optional<std::size_t> step = {};   ///< the step it watches, in Controller::steps
+        std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
+        bool exact = false;                     ///< it is to be over exactly when the rules say so
+        bool operator==(const Timer&) const = default;
+    };
+    /// Lists are in the order of the chart's tables; of variables, of those of the kind.
+    struct Controller {
+        std::string name = {};
+        ExecutionMode mode = ExecutionMode::StabilitySearch;
+        std::vector<Id<Step>> steps = {};
+        std::vector<Id<Transition>> transitions = {};
+        std::vector<Id<Signal>> inputs = {}, outputs = {}, internals = {};
+        std::vector<Id<Signal>> images = {};  ///< per output; not valid: it has none, or the model shows none
+        std::vector<Id<Timer>> timers = {};
+        std::vector<std::optional<std::size_t>> conditions = {};  ///< per time condition: its timer, if any
+        bool operator==(const Controller&) const = default;
+    };
+    /// An instance of the loop, or a timer that is told like one.
+    struct Instance {
+        Kind kind = Kind::Plant;
+        std::string name = {};
+        std::vector<std::string> locations = {};
+        bool operator==(const Instance&) const = default;
+    };
+
+    /// What one controller did in a moment: one phase of its cycle, or several at once.
+    struct Act {
+        enum class Writes { No, IfStable, Yes };
+        Id<Controller> controller = {};
+        bool begins = false;                    ///< a cycle begins
+        bool starts = false;                    ///< the first evolution after power-on; it finds no timer over
+        bool samples = false;                   ///< inputs and ends of timers are read
+        bool evolves = false;                   ///< one evolution
+        Writes writes = Writes::No;             ///< outputs are written
+        std::vector<std::int64_t> inputs = {};  ///< as sampled
+        std::vector<bool> timers = {};          ///< as sampled: whether it is over
+        /// Of an evolution: the timers whose t1 was over when the situation changed; empty: those sampled.
+        std::vector<bool> done = {};
+        std::vector<Id<Transition>> fired = {};      ///< cleared; of a sampling alone, those to be cleared
+        std::optional<bool> stable = {}, race = {};  ///< behind the evolution, where the model says so
+        bool operator==(const Act&) const = default;
+    };
+    struct State {
+        std::int64_t time_ms = 0;  ///< of an untimed run: steps of the model so far
+        std::vector<Id<Step>> situation = {};
+        std::vector<std::int64_t> values = {};  ///< per signal
+        bool operator==(const State&) const = default;
+    };
+    struct Moment {
+        Kind kind = Kind::Controller;
+        bool internal = false;  ///< of the model, not of the loop
+        std::size_t move = 0;   ///< of the run that this one was made of
+        std::vector<Act> acts = {};
+        Id<Instance> instance = {};                ///< the one that moved
+        std::optional<std::size_t> location = {};  ///< where it went
+        std::vector<Id<Signal>> changed = {};      ///< what it changed
+        Id<Timer> timer = {};                      ///< the one whose delay is over
+        bool timer_holds = false;                  ///< and what `t1/v/t2` is then
+        State after = {};
+        bool operator==(const Moment&) const = default;
+    };
+    struct Row {
+        Kind kind = Kind::Plant;
+        std::string component = {};  ///< the instance, the controller, the timer; of a delay empty
+        std::string what = {};       ///< `going_out, H 4 -> 6`; may be empty
+        std::vector<std::vector<Id<Transition>>> fired = {};  ///< one list per evolution that cleared any
+        bool internal = false;                                ///< of the translation, for those who want to see all
+        std::size_t moment = 0;                               ///< the state behind it is the one behind this moment
+        bool operator==(const Row&) const = default;
+    };
+
+    std::string name = {};  ///< the loop
+    bool timed = true;      ///< false: of a model that knows no time
+    bool searches = true;   ///< a search for stability is one row; false: each evolution is
+    Table<Controller> controllers = {};
+    Table<Step> steps = {};
+    Table<Transition> transitions = {};
+    Table<Timer> timers = {};
+    Table<Signal> signals = {};
+    Table<Instance> instances = {};
+    std::vector<Moment> moments = {};
+    std::optional<std::size_t> loop = {};       ///< the moments from here on repeat for ever; none: nothing happens
+    std::optional<std::size_t> broken_at = {};  ///< the move of the run that could not be made; the rest is missing
+    std::vector<Row> rows = {};
+    std::optional<std::size_t> loop_from = {};  ///< the same loop, in rows
+
+    const State& after(const Row& row) const { return moments[row.moment].after; }
+
+    bool operator==(const ChartRun&) const = default;
+};
+
+/// The rows to show to people: all but the delays whose end the next row tells anyhow, where the loop keeps its shape.
+std::vector<std::size_t> shown_rows(const ChartRun& run);
+/// Whether row `index` is one of them.
+bool is_shown(const ChartRun& run, std::size_t index);
+
+/// The signals of one role, in order.
+std::vector<Id<ChartRun::Signal>> signals_of(const ChartRun& run, ChartRun::Role role);
+
+std::vector<std::string> verify(const ChartRun& run);
+
+/// `plant`, `environment`, `timer`, `controller`, `delay`.
+std::string_view word(ChartRun::Kind kind);
+/// `input`, `output`, `internal`, `image`, `plant`.
+std::string_view word(ChartRun::Role role);
+
+/// Gives each step the last part of its full name for a short one, where that is enough to know it by.
+void shorten_names(Table<ChartRun::Step>& steps);
+
+/// When a state is: its time, `12 s`, or the number of steps, `3`.
+std::string moment_text(const ChartRun& run, const ChartRun::State& state);
+
+/// `0 s`, `12 s`, `0.25 s`.
+std::string seconds_text(std::int64_t milliseconds);
+
+}  // namespace grafverif

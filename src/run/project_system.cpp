@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <utility>
+
+#include "grafverif/ir/step_names.hpp"
+#include "grafverif/run/project.hpp"
+#include "grafverif/support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using System = TransitionSystem;
+using Values = std::vector<std::int64_t>;  ///< per symbol of main
+using Writes = ChartRun::Act::Writes;
+
+ChartRun::Kind kind_of(System::Component::Kind kind) {
+    switch (kind) {
+        case System::Component::Kind::Plant: return ChartRun::Kind::Plant;
+        case System::Component::Kind::Environment: return ChartRun::Kind::Environment;
+        case System::Component::Kind::Timer: return ChartRun::Kind::Timer;
+    }
+    unreachable();
+}
+
+class SystemProjection {
+public:
+    SystemProjection(const System& system, const SystemRun& run)
+        : system_(system),
+          run_(run),
+          shown_(run.states.front()),
+          view_(made_, shown_.size(), system.controllers.size() == 1) {
+        made_.name = system.name;
+        made_.timed = system.ticks.valid();
+        made_.searches = false;
+        add_controllers();
+        for (const System::Component& component : system.components) {
+            std::vector<std::string> locations;
+            if (component.location.valid()) locations = symbols()[component.location].values;
+            made_.instances.add({kind_of(component.kind), component.name, std::move(locations)});
+            for (const System::Named& variable : component.variables) add_signal(variable, ChartRun::Role::Plant);
+        }
+    }
+
+    ChartRun made() {
+        add(power_on());
+        for (std::size_t step = 0; step + 1 < run_.states.size(); ++step) project_step(step, run_.states[step + 1]);
+        if (run_.loop) project_step(run_.states.size() - 1, run_.states[*run_.loop]);
+        return std::move(made_);
+    }
+
+private:
+    const Table<System::Symbol>& symbols() const { return system_.modules[system_.main].symbols; }
+
+    Id<ChartRun::Signal> add_signal(const System::Named& named, ChartRun::Role role) {
+        return view_.add_signal(named.symbol.index, {role, named.name, symbols()[named.symbol].type});
+    }
+
+    void add_controllers() {
+        // What a controller has written is an output, even where another one reads it.
+        for (const System::Controller& from : system_.controllers)
+            for (const System::Named& output : from.outputs) add_signal(output, ChartRun::Role::Output);
+        for (const System::Controller& from : system_.controllers) {
+            ChartRun::Controller controller{.name = from.name, .mode = from.mode, .conditions = from.conditions};
+            for (const System::Named& step : from.steps) view_.add_step(controller, step.name, step.symbol.index);
+            for (const System::Named& transition : from.transitions)
+                controller.transitions.push_back(made_.transitions.add({transition.name}));
+            for (const System::Named& input : from.inputs)
+                controller.inputs.push_back(add_signal(input, ChartRun::Role::Input));
+            for (const System::Named& output : from.outputs)
+                controller.outputs.push_back(view_.signal(output.symbol.index));
+            controller.images.resize(controller.outputs.size());
+            for (const System::Named& internal : from.internals)
+                controller.internals.push_back(add_signal(internal, ChartRun::Role::Internal));
+            for (const System::TimerEnd& timer : from.timers)
+                controller.timers.push_back(
+                    made_.timers.add({from.name, timer.step ? step_variable_name(from.steps[*timer.step].name) : "",
+                                      timer.step, timer.rise_ms, timer.fall_ms, false}));
+            made_.controllers.add(std::move(controller));
+        }
+        shorten_names(made_.steps);
+    }
+
+    void add(ChartRun::Moment moment) {
+        moment.move = step_;
+        moment.after = view_.state(time_, shown_);
+        made_.moments.push_back(std::move(moment));
+    }
+
+    /// With the first evolutions that are no steps of the system.
+    ChartRun::Moment power_on() const {
+        ChartRun::Moment moment;
+        for (std::uint32_t index = 0; index < system_.controllers.size(); ++index) {
+            const System::Controller& from = system_.controllers[index];
+            if (from.starts.valid()) continue;
+            ChartRun::Act act{.controller = {index}, .starts = true, .inputs = Values(from.inputs.size())};
+            if (from.mode == ExecutionMode::EveryCycle && holds(from.writes, shown_, true)) act.writes = Writes::Yes;
+            moment.acts.push_back(std::move(act));
+        }
+        return moment;
+    }
+
+    bool holds(Id<Expr> condition, const Values& values, bool otherwise) const {
+        return condition.valid() ? value_in(system_, values, condition) != 0 : otherwise;
+    }
+
+    /// Shows the symbol as it is in `next`; whether that is a change.
+    bool take(Id<System::Symbol> symbol, const Values& next) {
+        std::int64_t& shown = shown_[symbol.index];
+        return std::exchange(shown, next[symbol.index]) != next[symbol.index];
+    }
+    bool take(const std::vector<System::Named>& list, const Values& next) {
+        bool changed = false;
+        for (const System::Named& named : list) changed = take(named.symbol, next) || changed;
+        return changed;
+    }
+
+    /// Step `index`, from its state to `next`.
+    void project_step(std::size_t index, const Values& next) {
+        const Values& before = run_.states[index];
+        step_ = index;
+        const std::size_t first = made_.moments.size();
+        if (run_.loop == index) made_.loop = first;
+        const bool ticks = holds(system_.ticks, before, false);
+        time_ += made_.timed ? (ticks ? system_.tick_ms : 0) : 1;
+        if (ticks) add({.kind = ChartRun::Kind::Delay});
+        for (std::uint32_t controller = 0; controller < system_.controllers.size(); ++controller)
+            project_controller(controller, before, next);
+        for (std::uint32_t controller = 0; controller < system_.controllers.size(); ++controller)
+            project_timers(controller, before, next);
+        for (std::uint32_t component = 0; component < system_.components.size(); ++component)
+            project_component(component, next);
+        ChartRun::Moment inputs{.kind = ChartRun::Kind::Environment};
+        for (const System::Controller& controller : system_.controllers)
+            for (const System::Named& input : controller.inputs)
+                if (take(input.symbol, next)) inputs.changed.push_back(view_.signal(input.symbol.index));
+        inputs.internal = inputs.changed.empty();
+        shown_ = next;
+        if (!inputs.internal || made_.moments.size() == first) add(std::move(inputs));
+    }
+
+    void project_controller(std::uint32_t index, const Values& before, const Values& next) {
+        const System::Controller& from = system_.controllers[index];
+        ChartRun::Act act{.controller = {index}, .starts = holds(from.starts, before, false)};
+        act.evolves = !act.starts && holds(from.evolves, before, true);
+        act.samples = !act.starts && holds(from.samples, before, act.evolves);
+        if (act.starts || act.samples)
+            for (const System::Named& input : from.inputs) act.inputs.push_back(before[input.symbol.index]);
+        if (act.samples)
+            for (const System::TimerEnd& timer : from.timers) act.timers.push_back(before[timer.symbol.index] != 0);
+        for (std::size_t k = 0; act.evolves && k < from.transitions.size(); ++k)
+            if (before[from.transitions[k].symbol.index] != 0)
+                act.fired.push_back(made_.controllers[act.controller].transitions[k]);
+        if (holds(from.writes, before, act.starts || act.evolves)) act.writes = writes(from, act);
+        bool changed = take(from.steps, next);
+        changed = take(from.outputs, next) || changed;
+        changed = take(from.internals, next) || changed;
+        if (changed || act.starts || act.samples || act.evolves || act.writes != Writes::No)
+            add({.kind = ChartRun::Kind::Controller, .acts = {std::move(act)}});
+    }
+
+    /// Whoever evolves and writes at once writes nothing as long as the search for stability goes on.
+    static Writes writes(const System::Controller& from, const ChartRun::Act& act) {
+        const bool searches = from.mode == ExecutionMode::StabilitySearch;
+        if (act.starts) return searches ? Writes::No : Writes::Yes;
+        return act.evolves && searches ? Writes::IfStable : Writes::Yes;
+    }
+
+    /// A timer t1/X matters while its step is active.
+    void project_timers(std::uint32_t index, const Values& before, const Values& next) {
+        const System::Controller& from = system_.controllers[index];
+        for (std::size_t k = 0; k < from.timers.size(); ++k) {
+            const System::TimerEnd& timer = from.timers[k];
+            const auto over = [&](const Values& values) {
+                const bool lapses = timer.step && timer.fall_ms == 0;
+                return values[timer.symbol.index] != 0 &&
+                       (!lapses || values[from.steps[*timer.step].symbol.index] != 0);
+            };
+            take(timer.symbol, next);
+            if (!over(before) && over(next))
+                add({.kind = ChartRun::Kind::Timer,
+                     .timer = made_.controllers[{index}].timers[k],
+                     .timer_holds = true});
+        }
+    }
+
+    void project_component(std::uint32_t index, const Values& next) {
+        const System::Component& component = system_.components[index];
+        ChartRun::Moment moment{.kind = kind_of(component.kind), .instance = {index}};
+        if (component.location.valid() && take(component.location, next))
+            moment.location =
+                static_cast<std::size_t>(next[component.location.index] - symbols()[component.location].type.low);
+        bool changed = moment.location.has_value();
+        for (const std::vector<System::Named>* list : {&component.variables, &component.inputs})
+            for (const System::Named& variable : *list) {
+                if (!take(variable.symbol, next)) continue;
+                changed = true;
+                if (const auto signal = view_.signal(variable.symbol.index); signal.valid())
+                    moment.changed.push_back(signal);
+            }
+        if (changed) add(std::move(moment));
+    }
+
+    const System& system_;
+    const SystemRun& run_;
+    Values shown_;  ///< as the run has it so far
+    ChartRun made_ = {};
+    ChartView view_;
+    std::size_t step_ = 0;
+    std::int64_t time_ = 0;
+};
+
+}  // namespace
+
+ChartRun project(const System& system, const SystemRun& run) { return SystemProjection(system, run).made(); }
+
+}  // namespace grafverif
