@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/json_trace.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace grafverif {
 
 namespace {
@@ -29,7 +32,129 @@ Json step(const ChartRun& run, const ChartRun::Row& row) {
             {"inputs", values(run, ChartRun::Role::Input, after)},
             {"fired", std::move(fired)},
             {"situation", std::move(situation)},
-            {"outputs", values(run, ChartRun::Role::Output, after)}};
+            {"outputs", values(run, ChartRun::Role::Output, after)},
+            {"moment", row.moment}};
+}
+
+/// The places of ids in their tables; one that is not valid is null.
+template <class T>
+Json place(Id<T> id) {
+    return id.valid() ? Json(id.index) : Json(nullptr);
+}
+template <class T>
+Json places(const std::vector<Id<T>>& ids) {
+    Json list = Json::array();
+    for (const Id<T> id : ids) list.push_back(place(id));
+    return list;
+}
+template <class T>
+Json or_null(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+template <class T, class Write>
+Json listed(const T& entities, Write write) {
+    Json list = Json::array();
+    for (const auto& entity : entities) list.push_back(write(entity));
+    return list;
+}
+
+Json controller_json(const ChartRun::Controller& controller) {
+    return {{"name", controller.name},
+            {"mode", controller.mode == ExecutionMode::EveryCycle ? "every-cycle" : "stability-search"},
+            {"steps", places(controller.steps)},
+            {"transitions", places(controller.transitions)},
+            {"inputs", places(controller.inputs)},
+            {"outputs", places(controller.outputs)},
+            {"images", places(controller.images)},
+            {"internals", places(controller.internals)},
+            {"timers", places(controller.timers)}};
+}
+
+Json signal_json(const ChartRun::Signal& signal) {
+    Json object = {{"name", signal.name}, {"role", word(signal.role)}};
+    if (signal.type.boolean) return object;
+    object["range"] = {signal.type.low, signal.type.high};
+    return object;
+}
+
+Json act_json(const ChartRun::Act& act) {
+    Json does = Json::array();
+    const auto add = [&does](bool done, const char* what) {
+        if (done) does.push_back(what);
+    };
+    add(act.begins, "begin");
+    add(act.starts, "start");
+    add(act.samples, "sample");
+    add(act.evolves, "evolve");
+    add(act.writes == ChartRun::Act::Writes::Yes, "write");
+    add(act.writes == ChartRun::Act::Writes::IfStable, "write-if-stable");
+    return {{"controller", place(act.controller)},
+            {"does", std::move(does)},
+            {"inputs", act.inputs},
+            {"timers", act.timers},
+            {"fired", places(act.fired)},
+            {"stable", or_null(act.stable)}};
+}
+
+/// The values that are not those of the state before, each with its signal.
+Json values_json(const ChartRun::State* before, const ChartRun::State& now) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < now.values.size(); ++i)
+        if (before == nullptr || before->values[i] != now.values[i]) list.push_back({i, now.values[i]});
+    return list;
+}
+
+Json moment_json(const ChartRun& run, std::size_t index) {
+    const ChartRun::Moment& moment = run.moments[index];
+    const ChartRun::State* const before = index == 0 ? nullptr : &run.moments[index - 1].after;
+    Json object = {{"time", moment.after.time_ms},
+                   {"kind", word(moment.kind)},
+                   {"internal", moment.internal},
+                   {"acts", listed(moment.acts, act_json)},
+                   {"instance", place(moment.instance)},
+                   {"location", or_null(moment.location)},
+                   {"timer", place(moment.timer)},
+                   {"timer_holds", moment.timer.valid() ? Json(moment.timer_holds) : Json(nullptr)},
+                   {"values", values_json(before, moment.after)}};
+    if (before == nullptr || before->situation != moment.after.situation)
+        object["situation"] = places(moment.after.situation);
+    return object;
+}
+
+/// All that there is to know of the run; see docs/trace.md.
+Json run_json(const ChartRun& run) {
+    Json moments = Json::array();
+    for (std::size_t i = 0; i < run.moments.size(); ++i) moments.push_back(moment_json(run, i));
+    return {
+        {"version", 1},
+        {"name", run.name},
+        {"timed", run.timed},
+        {"controllers", listed(run.controllers, controller_json)},
+        {"steps",
+         listed(run.steps,
+                [](const ChartRun::Step& step) {
+                    return Json{{"name", step.name}, {"full_name", step.full_name}, {"short_name", step.short_name}};
+                })},
+        {"transitions", listed(run.transitions,
+                               [](const ChartRun::Transition& each) {
+                                   return Json::object({{"name", each.name}});
+                               })},
+        {"timers", listed(run.timers,
+                          [](const ChartRun::Timer& timer) {
+                              return Json{{"name", timer.name},
+                                          {"watched", timer.watched.empty() ? Json(nullptr) : Json(timer.watched)},
+                                          {"rise", timer.rise_ms},
+                                          {"fall", timer.fall_ms}};
+                          })},
+        {"signals", listed(run.signals, signal_json)},
+        {"instances",
+         listed(run.instances,
+                [](const ChartRun::Instance& each) {
+                    return Json{{"name", each.name}, {"kind", word(each.kind)}, {"locations", each.locations}};
+                })},
+        {"moments", std::move(moments)},
+        {"loop", or_null(run.loop)}};
 }
 
 }  // namespace
@@ -37,7 +162,7 @@ Json step(const ChartRun& run, const ChartRun::Row& row) {
 Json trace_json(const ChartRun& run) {
     Json steps = Json::array();
     for (const ChartRun::Row& row : run.rows) steps.push_back(step(run, row));
-    return {{"loop_from", run.loop_from ? Json(*run.loop_from) : Json(nullptr)}, {"steps", std::move(steps)}};
+    return {{"loop_from", or_null(run.loop_from)}, {"steps", std::move(steps)}, {"run", run_json(run)}};
 }
 
 }  // namespace grafverif

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -34,10 +35,46 @@ TEST(Json, HasTheKeysThatItsReadersKnow) {
                   (std::vector<std::string>{"name", "text", "verdict", "expected", "engine", "mode", "grain", "states",
                                             "transitions", "seconds", "reason", "vacuous", "notes", "trace"}));
     const Json& trace = document["properties"][1]["trace"];
-    EXPECT_EQ(keys(trace), (std::vector<std::string>{"loop_from", "steps"}));
+    EXPECT_EQ(keys(trace), (std::vector<std::string>{"loop_from", "steps", "run"}));
     for (const Json& step : trace["steps"])
         EXPECT_EQ(keys(step),
-                  (std::vector<std::string>{"time", "kind", "component", "inputs", "fired", "situation", "outputs"}));
+                  (std::vector<std::string>{"time", "kind", "component", "inputs", "fired", "situation", "outputs",
+                                            "moment"}));
+    EXPECT_EQ(keys(trace["run"]),
+              (std::vector<std::string>{"version", "name", "timed", "controllers", "steps", "transitions", "timers",
+                                        "signals", "instances", "moments", "loop"}));
+}
+
+TEST(Json, TellsInMomentsWhatTheStepsSumUp) {
+    const Json trace = json(sample_report())["properties"][1]["trace"];
+    const Json& run = trace["run"];
+    EXPECT_EQ(run["version"], 1);
+    EXPECT_EQ(run["steps"][2], (Json{{"name", "G2.2"}, {"full_name", "G2.2"}, {"short_name", "2"}}));
+    EXPECT_EQ(run["transitions"][1], Json::object({{"name", "t2"}}));
+    EXPECT_EQ(run["signals"][1], (Json{{"name", "GO"}, {"role", "output"}}));
+    EXPECT_EQ(run["signals"][4], (Json{{"name", "COUNT"}, {"role", "internal"}, {"range", {-4, 4}}}));
+    EXPECT_EQ(run["loop"], 3);
+    // What is not said has stayed as it was.
+    std::map<int, int> values;
+    Json situation;
+    std::size_t told = 0;
+    for (std::size_t moment = 0; moment < run["moments"].size(); ++moment) {
+        const Json& now = run["moments"][moment];
+        for (const Json& value : now["values"]) values[value[0]] = value[1];
+        if (now.contains("situation")) situation = now["situation"];
+        const Json& step = trace["steps"][told];
+        if (step["moment"] != moment) continue;
+        EXPECT_EQ(step["time"], now["time"]);
+        for (std::size_t signal = 0; signal < run["signals"].size(); ++signal) {
+            if (run["signals"][signal]["role"] != "output") continue;
+            const std::string name = run["signals"][signal]["name"];
+            EXPECT_EQ(step["outputs"][name], values[static_cast<int>(signal)] != 0) << name;
+        }
+        for (std::size_t i = 0; i < situation.size(); ++i)
+            EXPECT_EQ(step["situation"][i], run["steps"][situation[i].get<std::size_t>()]["full_name"]);
+        ++told;
+    }
+    EXPECT_EQ(told, trace["steps"].size());
 }
 
 TEST(Json, GivesVerdictsAsTheyAre) {
