@@ -10,25 +10,24 @@ namespace grafverif {
 
 namespace {
 
-/// `text` with a blank for each of the escape sequences that programs colour and rewrite lines with: a word that one
-/// stands in is no word.
-std::string plain(std::string_view text) {
+constexpr char escape = '\033';
+
+/// `text` with one mark, `escape`, for each of the sequences that programs colour and rewrite lines with: what one stands
+/// in the midst of is not what was said.
+std::string marked(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] != '\033') {
-            result += text[i];
-            continue;
-        }
-        result += ' ';
+        result += text[i];
+        if (text[i] != escape) continue;
         if (i + 1 == text.size() || text[i + 1] != '[') continue;
         for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;   // to its final byte
     }
     return result;
 }
 
-/// How many lines of `text` are `wanted`, blanks around it apart.
+/// How many lines of `text` are `wanted`, blanks and marks around it apart.
 std::size_t lines(std::string_view text, std::string_view wanted) {
-    constexpr std::string_view blanks = " \t\r";
+    constexpr std::string_view blanks = " \t\r\033";
     std::size_t count = 0;
     while (!text.empty()) {
         std::string_view line = text.substr(0, text.find('\n'));
@@ -39,12 +38,13 @@ std::size_t lines(std::string_view text, std::string_view wanted) {
     return count;
 }
 
-/// The first line of `text` that says something.
-std::string first_line(std::string_view text) {
+/// The first line of `text` that says something, without marks.
+std::string first_line(std::string text) {
+    std::erase(text, escape);
     constexpr std::size_t longest = 200;
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos) return {};
-    return std::string(text.substr(begin, std::min(text.find_first_of("\r\n", begin) - begin, longest)));
+    if (begin == std::string::npos) return {};
+    return text.substr(begin, std::min(text.find_first_of("\r\n", begin) - begin, longest));
 }
 
 ExternalAnswer undecided(Obstacle obstacle, std::string reason) { return {Outcome::Unknown, obstacle, std::move(reason)}; }
@@ -104,13 +104,13 @@ void take_back(Verdict& verdict) {
 
 ExternalAnswer read_verifyta(const ProgramResult& result) {
     if (auto answer = ended_early(result)) return *answer;
-    const std::string text = plain(result.out);
+    const std::string text = marked(result.out);
     const std::size_t satisfied = lines(text, "-- Formula is satisfied."), refuted = lines(text, "-- Formula is NOT satisfied.");
     const std::size_t open = lines(text, "-- Formula MAY be satisfied.") + lines(text, "-- Formula MAY NOT be satisfied.");
     if (satisfied + refuted + open > 1) return undecided(Obstacle::Disagrees, "engine-disagrees: verifyta gave more than one verdict on one formula");
     if (open == 1) return undecided(Obstacle::Inexact, "verifyta says that the formula may or may not be satisfied");
     if (satisfied + refuted == 1) return {satisfied == 1 ? Outcome::Holds : Outcome::Violated, Obstacle::None, {}};
-    std::string said = first_line(plain(result.err));
+    std::string said = first_line(marked(result.err));
     if (said.empty()) said = "exit code " + std::to_string(result.status);
     return undecided(Obstacle::Failed, "verifyta gave no verdict: " + said);
 }

@@ -37,6 +37,7 @@ TEST(Verifyta, ReadsTheDocumentedLines) {
              Case{"I wonder whether -- Formula is satisfied.\n", Outcome::Unknown, Obstacle::Failed},
              Case{" -- Formula is satisfied. Or is it?\n", Outcome::Unknown, Obstacle::Failed},
              Case{" -- Formula is s\033[2Katisfied.\n", Outcome::Unknown, Obstacle::Failed},
+             Case{" -- Formula is\033satisfied.\n", Outcome::Unknown, Obstacle::Failed},
              Case{"", Outcome::Unknown, Obstacle::Failed},
              Case{"\033", Outcome::Unknown, Obstacle::Failed},
              Case{"\033[", Outcome::Unknown, Obstacle::Failed},
@@ -57,6 +58,7 @@ TEST(Verifyta, ExitCodesAreNotDocumentedAndDecideNothing) {
 TEST(Verifyta, WhatItComplainsOfIsTheReason) {
     EXPECT_EQ(read_verifyta(printed("", 1, "\n model.xml:1: [error] Syntax error.\nmore\n")).reason,
               "verifyta gave no verdict: model.xml:1: [error] Syntax error.");
+    EXPECT_EQ(read_verifyta(printed("", 1, "\033[31merror:\033[0m no licence\n")).reason, "verifyta gave no verdict: error: no licence");
 }
 
 TEST(Verifyta, AProgramThatWasEndedGaveNoVerdict) {
