@@ -3,24 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "grafverif/run/project.hpp"
 #include "grafverif/support/overloaded.hpp"
 
 namespace grafverif {
 
 namespace {
-
-/// The property that a verdict is about; one that expands is named before the first point (`S.X7`).
-const Property* property_of(const Table<Property>& properties, const std::string& name) {
-    const auto named = [&](std::string_view wanted) {
-        return std::ranges::find_if(properties, [&](const Property& property) { return property.name == wanted; });
-    };
-    auto found = named(name);
-    if (found == properties.end()) found = named(std::string_view(name).substr(0, name.find('.')));
-    return found == properties.end() ? nullptr : &*found;
-}
 
 std::string mode_words(bool searches, bool cycles) {
     std::string mode = searches ? "stability-search" : "";
@@ -91,7 +79,7 @@ Breakdown breakdown_of(const TransitionSystem& system, const SystemFault& fault,
 
 Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::optional<SystemRun>& run, Detail detail) {
     Answer answer;
-    if (const Property* property = property_of(system.properties, verdict.property)) answer.text = property->text;
+    if (verdict.about.valid()) answer.text = system.properties[verdict.about].text;
     if (run) answer.trace = tell(project(system, *run), detail);
     answer.verdict = std::move(verdict);
     return answer;
@@ -99,7 +87,7 @@ Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::opt
 
 Answer answer_of(const Network& network, Verdict verdict, Detail detail) {
     Answer answer;
-    if (const Property* property = property_of(network.properties, verdict.property)) answer.text = property->text;
+    if (verdict.about.valid()) answer.text = network.properties[verdict.about].text;
     if (verdict.run) answer.trace = tell(project(network, *verdict.run), detail);
     verdict.run.reset();
     answer.verdict = std::move(verdict);
