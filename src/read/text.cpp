@@ -118,14 +118,16 @@ void read_chart(Reading& reading, const tree::File& file, const tree::Chart& wri
     else reading.charts_in_error.insert(name);
 }
 
-bool in_library(const Reading& reading, std::string_view name) {
-    return std::ranges::find(reading.context.library, name, &LibraryEntry::name) != reading.context.library.end();
+/// The component of that name in the library; null: there is none.
+const LibraryEntry* library_entry(const Reading& reading, std::string_view name) {
+    const auto entry = std::ranges::find(reading.context.library, name, &LibraryEntry::name);
+    return entry == reading.context.library.end() ? nullptr : &*entry;
 }
 
 void read_component(Reading& reading, const tree::File& file, const tree::Component& written) {
     const std::string name(file.text(written.name));
     if (!is_new(reading, reading.components, "component", name, written.name.where)) return;
-    if (in_library(reading, name)) reading.diagnostics.add(messages::shadows_library(written.name.where, name));
+    if (library_entry(reading, name) != nullptr) reading.diagnostics.add(messages::shadows_library(written.name.where, name));
     auto component = written.broken ? std::nullopt : resolve_component(file, written, reading.diagnostics);
     if (component) reading.model.components.add(std::move(*component));
     else reading.components_in_error.insert(name);
@@ -145,9 +147,8 @@ void read_parts(Reading& reading, const tree::File& file) {
 
 /// The component of that name from the library, if the input has none and the library has it.
 void take_from_library(Reading& reading, const std::string& name) {
-    if (reading.components.contains(name)) return;
-    const auto entry = std::ranges::find(reading.context.library, name, &LibraryEntry::name);
-    if (entry == reading.context.library.end()) return;
+    const LibraryEntry* const entry = library_entry(reading, name);
+    if (entry == nullptr || reading.components.contains(name)) return;
     const Id<Source> source = reading.sources.add({std::string(entry->path), std::string(entry->text)});
     const tree::File file = parse_file(source, reading.sources, reading.diagnostics);
     for (const tree::Declaration& declaration : file.declarations) {
