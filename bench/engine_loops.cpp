@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "grafverif/compose/compose.hpp"
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/plant/plant.hpp"
-#include "grafverif/read/text.hpp"
+#include "compose/compose.hpp"
+#include "derive/derive.hpp"
+#include "plant/plant.hpp"
+#include "read/text.hpp"
 
 namespace grafverif::bench {
 

@@ -10,7 +10,7 @@
 #include <fmt/core.h>
 
 #include "engine_loops.hpp"
-#include "grafverif/check/timed.hpp"
+#include "check/timed/timed.hpp"
 
 namespace {
 

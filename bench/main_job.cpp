@@ -8,13 +8,13 @@
 
 #include "app/library.hpp"
 #include "generate.hpp"
-#include "grafverif/compose/compose.hpp"
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/emit/nusmv.hpp"
-#include "grafverif/emit/uppaal.hpp"
-#include "grafverif/plant/plant.hpp"
-#include "grafverif/read/text.hpp"
-#include "grafverif/schedule/controller.hpp"
+#include "compose/compose.hpp"
+#include "derive/derive.hpp"
+#include "emit/nusmv/nusmv.hpp"
+#include "emit/uppaal/uppaal.hpp"
+#include "plant/plant.hpp"
+#include "read/text.hpp"
+#include "schedule/controller.hpp"
 
 namespace grafverif {
 namespace {

@@ -13,13 +13,13 @@
 
 #include "engine_loops.hpp"
 #include "generate.hpp"
-#include "grafverif/check/symbolic.hpp"
-#include "grafverif/compose/compose.hpp"
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/read/text.hpp"
-#include "grafverif/schedule/controller.hpp"
-#include "grafverif/schedule/network.hpp"
-#include "grafverif/schedule/together.hpp"
+#include "check/symbolic/symbolic.hpp"
+#include "compose/compose.hpp"
+#include "derive/derive.hpp"
+#include "read/text.hpp"
+#include "schedule/controller.hpp"
+#include "schedule/network.hpp"
+#include "schedule/together.hpp"
 
 namespace {
 

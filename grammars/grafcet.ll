@@ -7,7 +7,7 @@
 %{
 #include <new>
 
-#include "syntax/lexer.hpp"
+#include "syntax/language/lexer.hpp"
 
 using Kind = grafverif::tree::Parser::token;
 

@@ -7,7 +7,7 @@
 %{
 #include <new>
 
-#include "syntax/st_lexer.hpp"
+#include "syntax/st/st_lexer.hpp"
 
 using Kind = grafverif::st::Parser::token;
 using Section = grafverif::st::Section;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/analyse/analyse.hpp"
+#include "analyse/analyse.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -17,7 +17,7 @@
 #include "analyse/evidence.hpp"
 #include "analyse/machine.hpp"
 #include "analyse/search.hpp"
-#include "grafverif/analyse/analyse.hpp"
+#include "analyse/analyse.hpp"
 
 namespace grafverif::analysis {
 

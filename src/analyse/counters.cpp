@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "grafverif/bdd/terms.hpp"
+#include "bdd/terms.hpp"
 
 namespace grafverif::analysis {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "analyse/moments.hpp"
-#include "grafverif/run/interpreter.hpp"
+#include "run/interpreter.hpp"
 
 namespace grafverif::analysis {
 

@@ -15,8 +15,8 @@
 #include "analyse/cones.hpp"
 #include "analyse/counters.hpp"
 #include "bdd/relation.hpp"
-#include "grafverif/analyse/analyse.hpp"
-#include "grafverif/bdd/terms.hpp"
+#include "analyse/analyse.hpp"
+#include "bdd/terms.hpp"
 
 namespace grafverif::analysis {
 

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <vector>
 
-#include "grafverif/syntax/dialect.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif::app {
 

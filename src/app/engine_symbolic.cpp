@@ -8,18 +8,18 @@
 #include <sstream>
 #include <string_view>
 
-#include "app/process.hpp"
+#include "app/system/process.hpp"
 #include "app/progress_line.hpp"
 #include "app/traces.hpp"
 #include "app/untimed.hpp"
-#include "grafverif/check/nusmv.hpp"
-#include "grafverif/check/symbolic.hpp"
-#include "grafverif/emit/nusmv.hpp"
-#include "grafverif/ir/step_names.hpp"
-#include "grafverif/run/project.hpp"
-#include "grafverif/run/replay.hpp"
-#include "grafverif/support/messages.hpp"
-#include "grafverif/syntax/dialect.hpp"
+#include "check/external/nusmv.hpp"
+#include "check/symbolic/symbolic.hpp"
+#include "emit/nusmv/nusmv.hpp"
+#include "ir/step_names.hpp"
+#include "run/project.hpp"
+#include "run/replay.hpp"
+#include "support/messages.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif::app {
 

@@ -7,8 +7,8 @@
 #include "app/engines.hpp"
 #include "app/progress_line.hpp"
 #include "app/traces.hpp"
-#include "grafverif/run/project.hpp"
-#include "grafverif/check/timed.hpp"
+#include "run/project.hpp"
+#include "check/timed/timed.hpp"
 
 namespace grafverif::app {
 

@@ -2,9 +2,9 @@
 // `check --engine verifyta`: our UPPAAL project in a temporary folder, and verifyta run on it once per query. Written
 // to its documented behaviour; its licence keeps it out of automated tests, which run a stand-in.
 #include "app/engines.hpp"
-#include "app/process.hpp"
-#include "grafverif/check/verifyta.hpp"
-#include "grafverif/support/messages.hpp"
+#include "app/system/process.hpp"
+#include "check/external/verifyta.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif::app {
 

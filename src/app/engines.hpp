@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/interrupt.hpp"
+#include "app/system/interrupt.hpp"
 #include "app/pipeline.hpp"
 #include "app/program.hpp"
-#include "grafverif/report/report.hpp"
+#include "report/report.hpp"
 
 namespace grafverif::app {
 

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "grafverif/read/text.hpp"
+#include "read/text.hpp"
 
 namespace grafverif::app {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/guard.hpp"
+#include "app/system/guard.hpp"
 #include "app/program.hpp"
 #include "support/printable.hpp"
 

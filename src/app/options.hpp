@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/compose/compose.hpp"
+#include "compose/compose.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/test_sequence.hpp"
-#include "grafverif/schedule/options.hpp"
+#include "schedule/options.hpp"
 
 namespace grafverif::app {
 

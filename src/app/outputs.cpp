@@ -5,8 +5,8 @@
 
 #include <ostream>
 
-#include "app/guard.hpp"
-#include "grafverif/support/messages.hpp"
+#include "app/system/guard.hpp"
+#include "support/messages.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif::app {

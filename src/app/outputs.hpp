@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files.hpp"
+#include "app/system/files.hpp"
 #include "app/pipeline.hpp"
 #include "app/program.hpp"
 

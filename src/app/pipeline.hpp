@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/interrupt.hpp"
+#include "app/system/interrupt.hpp"
 #include "app/options.hpp"
 #include "app/program.hpp"
-#include "grafverif/check/verifyta.hpp"
+#include "check/external/verifyta.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/location_automaton.hpp"

@@ -12,12 +12,12 @@
 #include <sstream>
 #include <system_error>
 
-#include "app/guard.hpp"
+#include "app/system/guard.hpp"
 #include "app/outputs.hpp"
 #include "app/verbs.hpp"
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 #include "support/printable.hpp"
-#include "syntax/nearest.hpp"
+#include "syntax/resolve/nearest.hpp"
 
 namespace grafverif::app {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "grafverif/report/report.hpp"
-#include "grafverif/run/network_walk.hpp"
+#include "report/report.hpp"
+#include "run/network_walk.hpp"
 
 namespace grafverif::app {
 

@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "grafverif/ir/network.hpp"
-#include "grafverif/ir/network_run.hpp"
-#include "grafverif/report/tell.hpp"
-#include "grafverif/run/project.hpp"
+#include "ir/network_run.hpp"
+#include "report/tell.hpp"
+#include "run/project.hpp"
 
 namespace grafverif::app {
 

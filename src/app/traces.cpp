@@ -5,8 +5,8 @@
 
 #include <sstream>
 
-#include "grafverif/report/svg.hpp"
-#include "grafverif/report/vcd.hpp"
+#include "report/svg.hpp"
+#include "report/vcd.hpp"
 
 namespace grafverif::app {
 

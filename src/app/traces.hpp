@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files.hpp"
+#include "app/system/files.hpp"
 #include "app/pipeline.hpp"
 #include "grafverif/ir/chart_run.hpp"
-#include "grafverif/run/replay.hpp"
+#include "run/replay.hpp"
 
 namespace grafverif::app {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/stop_words.hpp"
-#include "grafverif/analyse/analyse.hpp"
-#include "grafverif/ir/step_names.hpp"
+#include "analyse/analyse.hpp"
+#include "ir/step_names.hpp"
 
 namespace grafverif::app {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "grafverif/bdd/bdd.hpp"
+#include "bdd/bdd.hpp"
 
 namespace grafverif::bdd {
 

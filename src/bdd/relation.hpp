@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "grafverif/bdd/bdd.hpp"
+#include "bdd/bdd.hpp"
 
 namespace grafverif::bdd {
 

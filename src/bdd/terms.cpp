@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/bdd/terms.hpp"
+#include "bdd/terms.hpp"
 
 #include <cassert>
 #include <limits>
 #include <utility>
 
 #include "bdd/integers.hpp"
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

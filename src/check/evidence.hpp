@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/ir/flat_system.hpp"
+#include "ir/flat_system.hpp"
 
 namespace grafverif {
 

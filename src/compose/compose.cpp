@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/compose/compose.hpp"
+#include "compose/compose.hpp"
 
 #include <algorithm>
 #include <cassert>
 
 #include "compose/controller.hpp"
 #include "compose/procedures.hpp"
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 

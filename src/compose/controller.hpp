@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/compose/compose.hpp"
+#include "compose/compose.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif {

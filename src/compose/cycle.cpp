@@ -4,7 +4,7 @@
 
 #include "compose/controller.hpp"
 #include "compose/procedures.hpp"
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "compose/controller.hpp"
-#include "grafverif/support/overloaded.hpp"
-#include "syntax/sentence.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/sentence.hpp"
 
 namespace grafverif {
 

@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "compose/controller.hpp"
-#include "grafverif/ir/step_names.hpp"
+#include "ir/step_names.hpp"
 
 namespace grafverif {
 

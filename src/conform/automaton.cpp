@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The search for locations: each state found is looked at once, its evolutions are followed as the mode says.
-#include "grafverif/conform/automaton.hpp"
+#include "conform/automaton.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,7 @@
 
 #include "conform/moves.hpp"
 #include "conform/words.hpp"
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 

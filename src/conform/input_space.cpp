@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif::conform {
 

@@ -8,8 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "grafverif/bdd/bdd.hpp"
-#include "grafverif/bdd/terms.hpp"
+#include "bdd/bdd.hpp"
+#include "bdd/terms.hpp"
 #include "grafverif/ir/expr.hpp"
 #include "grafverif/support/diagnostic.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "conform/input_space.hpp"
-#include "grafverif/bdd/terms.hpp"
+#include "bdd/terms.hpp"
 #include "grafverif/ir/equations.hpp"
 
 namespace grafverif::conform {

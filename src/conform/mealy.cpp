@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/conform/mealy.hpp"
+#include "conform/mealy.hpp"
 
 #include <algorithm>
 #include <map>
 #include <tuple>
 
 #include "conform/input_space.hpp"
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "conform/input_space.hpp"
-#include "grafverif/conform/mealy.hpp"
+#include "conform/mealy.hpp"
 
 namespace grafverif {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "conform/moves.hpp"
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif::conform {
 

@@ -5,8 +5,8 @@
 
 #include "conform/input_space.hpp"
 #include "conform/tour.hpp"
-#include "grafverif/conform/test_sequence.hpp"
-#include "grafverif/support/messages.hpp"
+#include "conform/test_sequence.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The variables of all equations, what is stable, and the parts of derive in their order.
-#include "grafverif/derive/derive.hpp"
+#include "derive/derive.hpp"
 
 #include <algorithm>
 #include <span>
@@ -10,7 +10,7 @@
 #include "derivation.hpp"
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/support/diagnostic.hpp"
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 

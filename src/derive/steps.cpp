@@ -15,7 +15,7 @@
 #include <array>
 
 #include "derivation.hpp"
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "derivation.hpp"
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "derivation.hpp"
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 

@@ -3,7 +3,7 @@
 // (IEC 60848, 4.4 and 4.5; CEP13 Fig. 33b). Each is made where a term first asks for it, so nothing is remembered that
 // nobody reads.
 #include "derivation.hpp"
-#include "grafverif/syntax/dialect.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 

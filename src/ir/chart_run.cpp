@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

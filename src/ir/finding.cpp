@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/ir/flat_system.hpp"
+#include "ir/flat_system.hpp"
 
 #include <cassert>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/ir/interval.hpp"
+#include "ir/interval.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

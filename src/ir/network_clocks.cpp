@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/ir/network_clocks.hpp"
+#include "ir/network_clocks.hpp"
 
 #include <algorithm>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

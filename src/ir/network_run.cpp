@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/ir/network_run.hpp"
+#include "ir/network_run.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <utility>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

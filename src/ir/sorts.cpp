@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/ir/step_names.hpp"
+#include "ir/step_names.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grafverif/ir/test_sequence.hpp"
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 #include "ir/sorts.hpp"
 
 namespace grafverif {

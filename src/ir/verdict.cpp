@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grafverif/ir/verdict.hpp"
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 

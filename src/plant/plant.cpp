@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/plant/plant.hpp"
+#include "plant/plant.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -11,8 +11,8 @@
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/network.hpp"
 #include "grafverif/support/diagnostic.hpp"
-#include "grafverif/support/messages.hpp"
-#include "grafverif/support/overloaded.hpp"
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
 #include "plant/checks.hpp"
 #include "plant/variables.hpp"
 

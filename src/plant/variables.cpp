@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "grafverif/support/messages.hpp"
-#include "grafverif/support/overloaded.hpp"
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "syntax/readable.hpp"
+#include "syntax/language/readable.hpp"
 
 namespace grafverif {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "grafverif/support/diagnostic.hpp"
-#include "grafverif/syntax/tree.hpp"
+#include "syntax/language/tree.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif {

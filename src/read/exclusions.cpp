@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/read/exclusions.hpp"
+#include "read/exclusions.hpp"
 
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 #include "read/csv.hpp"
 
 namespace grafverif {

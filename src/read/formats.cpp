@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/read/formats.hpp"
+#include "read/formats.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "grafverif/support/diagnostic.hpp"
-#include "grafverif/support/messages.hpp"
-#include "grafverif/syntax/parse.hpp"
-#include "grafverif/syntax/parse_st.hpp"
-#include "grafverif/syntax/st_tree.hpp"
-#include "grafverif/syntax/tree.hpp"
-#include "read/agrafe.hpp"
+#include "support/messages.hpp"
+#include "syntax/language/parse.hpp"
+#include "syntax/st/parse_st.hpp"
+#include "syntax/st/st_tree.hpp"
+#include "syntax/language/tree.hpp"
+#include "read/agrafe/agrafe.hpp"
 #include "read/draft.hpp"
-#include "read/plcopen.hpp"
-#include "read/sfc.hpp"
+#include "read/plcopen/plcopen.hpp"
+#include "read/sfc/sfc.hpp"
 #include "read/xml.hpp"
-#include "syntax/readable.hpp"
+#include "syntax/language/readable.hpp"
 
 namespace grafverif {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

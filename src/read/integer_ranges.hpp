@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/syntax/tree.hpp"
+#include "syntax/language/tree.hpp"
 
 namespace grafverif {
 

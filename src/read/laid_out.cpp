@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "grafverif/support/overloaded.hpp"
-#include "grafverif/read/formats.hpp"
+#include "support/overloaded.hpp"
+#include "read/formats.hpp"
 
 namespace grafverif {
 

@@ -7,7 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif {

@@ -4,7 +4,7 @@
 // Function Charts that is what N and S together mean; elsewhere it is a reading that is warned of.
 #pragma once
 
-#include "grafverif/syntax/tree.hpp"
+#include "syntax/language/tree.hpp"
 #include "read/draft.hpp"
 
 namespace grafverif {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/read/test_csv.hpp"
+#include "read/test_csv.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "grafverif/support/messages.hpp"
-#include "grafverif/syntax/dialect.hpp"
-#include "grafverif/syntax/scan_line.hpp"
+#include "support/messages.hpp"
+#include "syntax/print/dialect.hpp"
+#include "syntax/print/scan_line.hpp"
 #include "read/csv.hpp"
 
 namespace grafverif {

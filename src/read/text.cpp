@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/read/text.hpp"
+#include "read/text.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -9,12 +9,12 @@
 #include <unordered_set>
 #include <vector>
 
-#include "grafverif/read/formats.hpp"
-#include "grafverif/support/messages.hpp"
-#include "grafverif/support/overloaded.hpp"
-#include "grafverif/syntax/parse.hpp"
-#include "grafverif/syntax/resolve.hpp"
-#include "grafverif/syntax/tree.hpp"
+#include "read/formats.hpp"
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/language/parse.hpp"
+#include "syntax/resolve/resolve.hpp"
+#include "syntax/language/tree.hpp"
 
 namespace grafverif {
 

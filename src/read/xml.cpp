@@ -11,11 +11,11 @@
 #include <unordered_set>
 
 #include "grafverif/support/diagnostic.hpp"
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 #include "grafverif/support/source.hpp"
-#include "grafverif/syntax/st_tree.hpp"
+#include "syntax/st/st_tree.hpp"
 #include "support/xml_text.hpp"
-#include "syntax/readable.hpp"
+#include "syntax/language/readable.hpp"
 
 namespace grafverif {
 

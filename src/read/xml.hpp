@@ -13,7 +13,7 @@
 
 #include "grafverif/support/diagnostic.hpp"
 #include "grafverif/support/source.hpp"
-#include "grafverif/syntax/parse_st.hpp"
+#include "syntax/st/parse_st.hpp"
 
 namespace grafverif {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Findings for people.
-#include "grafverif/report/findings.hpp"
+#include "report/findings.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "grafverif/report/terminal.hpp"
+#include "report/terminal.hpp"
 #include "report/table.hpp"
 #include "support/printable.hpp"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "grafverif/report/findings.hpp"
+#include "report/findings.hpp"
 #include "report/json_trace.hpp"
 #include "support/json_text.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/report/junit.hpp"
+#include "report/junit.hpp"
 
 #include <fmt/format.h>
 
 #include <ostream>
 #include <sstream>
 
-#include "grafverif/report/terminal.hpp"
+#include "report/terminal.hpp"
 #include "support/xml_text.hpp"
 
 namespace grafverif {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/report/report.hpp"
+#include "report/report.hpp"
 
 #include <fmt/format.h>
 
-#include "grafverif/run/project.hpp"
-#include "grafverif/support/overloaded.hpp"
+#include "run/project.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Layout: the title, then the header with slanted labels, then the times, then the rows in groups, then the foot. All
 // lengths are in pixels; a character is taken as `character` wide.
-#include "grafverif/report/svg.hpp"
+#include "report/svg.hpp"
 
 #include <fmt/format.h>
 

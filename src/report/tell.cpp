@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/report/tell.hpp"
+#include "report/tell.hpp"
 
 #include <algorithm>
 #include <utility>

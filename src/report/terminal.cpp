@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of a trace.
-#include "grafverif/report/terminal.hpp"
+#include "report/terminal.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "grafverif/report/terminal.hpp"
+#include "report/terminal.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif {

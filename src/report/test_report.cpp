@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a TestReport says, and its forms for programs: JSON and JUnit XML.
-#include "grafverif/report/test_report.hpp"
+#include "report/test_report.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <ostream>
 #include <tuple>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 #include "report/test_words.hpp"
 #include "support/xml_text.hpp"
 #include "support/json_text.hpp"

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <ostream>
 
-#include "grafverif/report/test_report.hpp"
-#include "grafverif/support/overloaded.hpp"
-#include "grafverif/syntax/dialect.hpp"
-#include "grafverif/syntax/scan_line.hpp"
+#include "report/test_report.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/dialect.hpp"
+#include "syntax/print/scan_line.hpp"
 #include "report/test_words.hpp"
 #include "support/printable.hpp"
 

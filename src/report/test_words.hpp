@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "grafverif/report/test_report.hpp"
+#include "report/test_report.hpp"
 
 namespace grafverif {
 

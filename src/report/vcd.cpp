@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/report/vcd.hpp"
+#include "report/vcd.hpp"
 
 #include <fmt/format.h>
 

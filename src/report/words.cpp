@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/words.hpp"
 
-#include "grafverif/report/tell.hpp"
-#include "grafverif/run/project.hpp"
-#include "grafverif/syntax/dialect.hpp"
+#include "report/tell.hpp"
+#include "run/project.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 

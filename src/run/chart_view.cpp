@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/run/project.hpp"
+#include "run/project.hpp"
 
 namespace grafverif {
 

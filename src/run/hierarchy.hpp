@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "grafverif/run/interpreter.hpp"
+#include "run/interpreter.hpp"
 
 namespace grafverif {
 

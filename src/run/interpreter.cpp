@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/run/interpreter.hpp"
+#include "run/interpreter.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/run/network_walk.hpp"
+#include "run/network_walk.hpp"
 
 #include <algorithm>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

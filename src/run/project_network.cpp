@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "grafverif/run/project.hpp"
-#include "grafverif/support/overloaded.hpp"
+#include "run/project.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

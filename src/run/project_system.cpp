@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "grafverif/ir/step_names.hpp"
-#include "grafverif/run/project.hpp"
-#include "grafverif/support/overloaded.hpp"
+#include "ir/step_names.hpp"
+#include "run/project.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

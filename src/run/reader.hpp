@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "grafverif/run/interpreter.hpp"
+#include "run/interpreter.hpp"
 
 namespace grafverif {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/run/replay.hpp"
+#include "run/replay.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "grafverif/run/interpreter.hpp"
+#include "run/interpreter.hpp"
 
 namespace grafverif {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/run/replay_test.hpp"
+#include "run/replay_test.hpp"
 
 #include <vector>
 
-#include "grafverif/run/interpreter.hpp"
+#include "run/interpreter.hpp"
 
 namespace grafverif {
 

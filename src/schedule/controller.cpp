@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // main: the free inputs and timer ends, and the instances of the controllers' modules wired to them.
-#include "grafverif/schedule/controller.hpp"
+#include "schedule/controller.hpp"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 
-#include "grafverif/bdd/terms.hpp"
-#include "grafverif/support/messages.hpp"
+#include "bdd/terms.hpp"
+#include "support/messages.hpp"
 #include "schedule/controller_instances.hpp"
 #include "schedule/observers.hpp"
 #include "schedule/scope.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/schedule/network.hpp"
+#include "schedule/network.hpp"
 
 #include <algorithm>
 #include <cassert>

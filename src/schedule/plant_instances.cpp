@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif::schedule {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "grafverif/ir/network.hpp"
-#include "grafverif/ir/network_clocks.hpp"
+#include "ir/network_clocks.hpp"
 #include "grafverif/ir/transition_system.hpp"
-#include "grafverif/schedule/options.hpp"
+#include "schedule/options.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "schedule/properties.hpp"
 #include "support/unique_names.hpp"

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "grafverif/ir/step_names.hpp"
-#include "grafverif/support/overloaded.hpp"
+#include "ir/step_names.hpp"
+#include "support/overloaded.hpp"
 #include "support/unique_names.hpp"
-#include "syntax/sentence.hpp"
+#include "syntax/print/sentence.hpp"
 
 namespace grafverif::schedule {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif::schedule {
 

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "grafverif/ir/expr.hpp"
-#include "grafverif/ir/interval.hpp"
+#include "ir/interval.hpp"
 #include "grafverif/ir/type.hpp"
 
 namespace grafverif::schedule {

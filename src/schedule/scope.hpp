@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "grafverif/schedule/options.hpp"
+#include "schedule/options.hpp"
 #include "schedule/controller_instances.hpp"
 #include "grafverif/ir/network.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/schedule/together.hpp"
+#include "schedule/together.hpp"
 
 #include <algorithm>
 #include <cassert>

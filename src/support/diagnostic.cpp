@@ -7,7 +7,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 #include "support/json_text.hpp"
 #include "support/printable.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // The wording of what is said about location automata, Mealy machines and test sequences.
 #include <fmt/format.h>
 
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {

@@ -2,7 +2,7 @@
 // The wording of what is said about charts that others wrote: XML and IEC 61131-3.
 #include <fmt/format.h>
 
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {

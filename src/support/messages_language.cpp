@@ -2,7 +2,7 @@
 // The wording of what is said while text is parsed; the rest of `reading` is in messages_names.cpp.
 #include <fmt/format.h>
 
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {

@@ -2,7 +2,7 @@
 // The wording of what is said about names and files.
 #include <fmt/format.h>
 
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {

@@ -2,7 +2,7 @@
 // Tests, their tables, and Structured Text.
 #include <fmt/format.h>
 
-#include "grafverif/support/messages.hpp"
+#include "support/messages.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 #include <cstdlib>
 

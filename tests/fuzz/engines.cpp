@@ -2,12 +2,12 @@
 // Answers of other programs: NuSMV and verifyta may say anything.
 #include "fuzz/common.hpp"
 #include "fuzz/targets.hpp"
-#include "grafverif/check/nusmv.hpp"
-#include "grafverif/check/verifyta.hpp"
-#include "grafverif/emit/nusmv.hpp"
-#include "grafverif/report/tell.hpp"
-#include "grafverif/run/project.hpp"
-#include "grafverif/run/replay.hpp"
+#include "check/external/nusmv.hpp"
+#include "check/external/verifyta.hpp"
+#include "emit/nusmv/nusmv.hpp"
+#include "report/tell.hpp"
+#include "run/project.hpp"
+#include "run/replay.hpp"
 #include "support/read_loop.hpp"
 #include "support/untimed_loop.hpp"
 

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "fuzz/common.hpp"
-#include "grafverif/read/test_csv.hpp"
-#include "grafverif/syntax/parse.hpp"
-#include "grafverif/syntax/parse_st.hpp"
+#include "read/test_csv.hpp"
+#include "syntax/language/parse.hpp"
+#include "syntax/st/parse_st.hpp"
 #include "support/nusmv_reader.hpp"
 #include "support/run_structured_text.hpp"
 #include "support/uppaal_reader.hpp"

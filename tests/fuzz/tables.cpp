@@ -4,11 +4,11 @@
 
 #include "fuzz/common.hpp"
 #include "fuzz/targets.hpp"
-#include "grafverif/read/exclusions.hpp"
-#include "grafverif/read/test_csv.hpp"
-#include "grafverif/read/text.hpp"
-#include "grafverif/syntax/scan_line.hpp"
-#include "grafverif/syntax/test_csv.hpp"
+#include "read/exclusions.hpp"
+#include "read/test_csv.hpp"
+#include "read/text.hpp"
+#include "syntax/print/scan_line.hpp"
+#include "syntax/print/test_csv.hpp"
 #include "unit/app/run_program.hpp"
 
 namespace grafverif::fuzz {

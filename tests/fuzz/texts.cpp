@@ -6,11 +6,11 @@
 
 #include "fuzz/common.hpp"
 #include "fuzz/targets.hpp"
-#include "grafverif/read/formats.hpp"
-#include "grafverif/read/text.hpp"
-#include "grafverif/syntax/format.hpp"
-#include "grafverif/syntax/parse.hpp"
-#include "grafverif/syntax/parse_st.hpp"
+#include "read/formats.hpp"
+#include "read/text.hpp"
+#include "syntax/language/format.hpp"
+#include "syntax/language/parse.hpp"
+#include "syntax/st/parse_st.hpp"
 #include "support/print_model.hpp"
 
 namespace grafverif::fuzz {

@@ -6,7 +6,7 @@
 #include "fuzz/byte_random.hpp"
 #include "fuzz/every_verb.hpp"
 #include "fuzz/targets.hpp"
-#include "grafverif/read/text.hpp"
+#include "read/text.hpp"
 #include "support/print_model.hpp"
 #include "support/random_loop.hpp"
 #include "unit/app/run_program.hpp"

@@ -12,7 +12,7 @@
 
 #include "app/pipeline.hpp"
 #include "support/print_model.hpp"
-#include "grafverif/syntax/print_equations.hpp"
+#include "syntax/print/equations.hpp"
 #include "support/print_network.hpp"
 
 namespace grafverif::app {

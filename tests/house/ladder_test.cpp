@@ -39,6 +39,15 @@ std::vector<fs::path> sources(const std::vector<fs::path>& folders) {
     return found;
 }
 
+/// The first folder of `file` below src or include/grafverif.
+std::string room_with(const fs::path& file) {
+    for (const char* base : {"src", "include/grafverif"}) {
+        const fs::path below = fs::relative(file, root / base);
+        if (*below.begin() != ".." && below.has_parent_path()) return below.begin()->string();
+    }
+    return "";
+}
+
 std::vector<Inclusion> inclusions() {
     static const std::regex pattern(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
     std::vector<Inclusion> found;
@@ -47,7 +56,7 @@ std::vector<Inclusion> inclusions() {
         for (std::string line; std::getline(lines, line);) {
             std::smatch match;
             if (std::regex_search(line, match, pattern))
-                found.push_back({file, file.parent_path().filename().string(), match[1]});
+                found.push_back({file, room_with(file), match[1]});
         }
     }
     return found;
@@ -63,7 +72,7 @@ std::string room_of(const std::string& header) {
 
 TEST(Ladder, EveryFolderIsARoomWithARung) {
     for (const fs::path& file : sources({"include/grafverif", "src"}))
-        EXPECT_TRUE(rungs.contains(file.parent_path().filename().string())) << file;
+        EXPECT_TRUE(rungs.contains(room_with(file))) << file;
 }
 
 TEST(Ladder, NobodyIncludesARoomAboveOrAnotherVerb) {
@@ -98,7 +107,7 @@ TEST(Ladder, EveryPlaceThatThePageOfTheHouseNamesIsThere) {
 TEST(Ladder, ThirdPartyLibrariesStayInTheirRooms) {
     struct Rule {
         std::string prefix = {};
-        std::set<std::string> places = {};   ///< rooms, or room/file prefixes
+        std::set<std::string> places = {};   ///< rooms, or folders of them
     };
     const std::vector<Rule> rules = {
         {"pugixml", {"read", "emit/uppaal"}}, {"boost/multiprecision", {"bdd"}}, {"boost/program_options", {"app"}}, {"gtest", {}},
@@ -106,7 +115,7 @@ TEST(Ladder, ThirdPartyLibrariesStayInTheirRooms) {
     for (const Inclusion& inclusion : inclusions()) {
         for (const Rule& rule : rules) {
             if (!inclusion.header.starts_with(rule.prefix)) continue;
-            const std::string place = inclusion.room + "/" + inclusion.file.filename().string();
+            const std::string place = fs::relative(inclusion.file, root / "src").string();
             const bool allowed = std::ranges::any_of(rule.places, [&](const std::string& where) {
                 return inclusion.room == where || place.starts_with(where);
             });
@@ -127,7 +136,7 @@ TEST(Ladder, PublicHeadersNameNoThirdParty) {
 TEST(Ladder, OnlyTheAppSeesStreamsOfTheProcessAndItsFiles) {
     static const std::regex pattern(R"(std::c(in|out|err)\b|std::(i|o)?fstream|std::filesystem(?!::path)|\bgetenv\b)");
     for (const fs::path& file : sources({"include/grafverif", "src"})) {
-        if (file.parent_path().filename() == "app") continue;
+        if (room_with(file) == "app") continue;
         EXPECT_FALSE(std::regex_search(text_of(file), pattern)) << file;
     }
 }
@@ -142,6 +151,13 @@ TEST(House, NoSourceGrowsOutOfHand) {
         const std::string text = text_of(file);
         EXPECT_LE(std::ranges::count(text, '\n'), 500) << file << ": split it by idea";
     }
+}
+
+TEST(House, NoFolderHoldsMoreThanTwentySources) {
+    std::map<fs::path, int> count;
+    for (const fs::path& file : sources({"src"}))
+        if (file.extension() == ".cpp") ++count[file.parent_path()];
+    for (const auto& [folder, files] : count) EXPECT_LE(files, 20) << folder << ": give what belongs together a folder of its own";
 }
 
 TEST(House, EveryPublicHeaderIsInstalled) {

@@ -13,11 +13,11 @@
 #include <set>
 
 #include "app/untimed.hpp"
-#include "grafverif/check/symbolic.hpp"
-#include "grafverif/check/timed.hpp"
-#include "grafverif/ir/network_run.hpp"
-#include "grafverif/run/project.hpp"
-#include "grafverif/run/replay.hpp"
+#include "check/symbolic/symbolic.hpp"
+#include "check/timed/timed.hpp"
+#include "ir/network_run.hpp"
+#include "run/project.hpp"
+#include "run/replay.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
 #include "support/read_loop.hpp"

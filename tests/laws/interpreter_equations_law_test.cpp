@@ -6,9 +6,9 @@
 
 #include <sstream>
 
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/run/interpreter.hpp"
-#include "grafverif/syntax/print_equations.hpp"
+#include "derive/derive.hpp"
+#include "run/interpreter.hpp"
+#include "syntax/print/equations.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"
 #include "support/run_equations.hpp"

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "grafverif/check/symbolic.hpp"
-#include "grafverif/emit/nusmv.hpp"
+#include "check/symbolic/symbolic.hpp"
+#include "emit/nusmv/nusmv.hpp"
 #include "support/law_size.hpp"
 #include "support/nusmv_specs.hpp"
 #include "support/random_loop.hpp"

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "grafverif/emit/nusmv.hpp"
-#include "grafverif/schedule/controller.hpp"
+#include "emit/nusmv/nusmv.hpp"
+#include "schedule/controller.hpp"
 #include "support/derived.hpp"
 #include "support/law_size.hpp"
 #include "support/nusmv_reader.hpp"

@@ -7,9 +7,9 @@
 #include <map>
 #include <sstream>
 
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/read/text.hpp"
-#include "grafverif/syntax/print_equations.hpp"
+#include "derive/derive.hpp"
+#include "read/text.hpp"
+#include "syntax/print/equations.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <iostream>
 
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/schedule/controller.hpp"
+#include "derive/derive.hpp"
+#include "schedule/controller.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"
 #include "support/run_equations.hpp"

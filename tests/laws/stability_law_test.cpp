@@ -2,7 +2,7 @@
 // Laws of the interpreter alone: what `stable` means, and that a total instability is one.
 #include <gtest/gtest.h>
 
-#include "grafverif/run/interpreter.hpp"
+#include "run/interpreter.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"
 

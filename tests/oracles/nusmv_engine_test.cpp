@@ -10,12 +10,12 @@
 #include <sstream>
 #include <utility>
 
-#include "app/process.hpp"
-#include "grafverif/check/nusmv.hpp"
-#include "grafverif/check/symbolic.hpp"
-#include "grafverif/emit/nusmv.hpp"
-#include "grafverif/run/project.hpp"
-#include "grafverif/run/replay.hpp"
+#include "app/system/process.hpp"
+#include "check/external/nusmv.hpp"
+#include "check/symbolic/symbolic.hpp"
+#include "emit/nusmv/nusmv.hpp"
+#include "run/project.hpp"
+#include "run/replay.hpp"
 #include "support/explicit_search.hpp"
 #include "support/law_size.hpp"
 #include "support/nusmv_specs.hpp"

@@ -13,7 +13,7 @@
 #include <optional>
 #include <sstream>
 
-#include "grafverif/emit/nusmv.hpp"
+#include "emit/nusmv/nusmv.hpp"
 #include "support/explicit_search.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"

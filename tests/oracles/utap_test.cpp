@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "grafverif/emit/uppaal.hpp"
+#include "emit/uppaal/uppaal.hpp"
 #include "support/law_size.hpp"
 #include "support/random_network.hpp"
 

@@ -12,18 +12,18 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/compose/compose.hpp"
-#include "grafverif/conform/automaton.hpp"
-#include "grafverif/conform/mealy.hpp"
-#include "grafverif/conform/test_sequence.hpp"
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/plant/plant.hpp"
-#include "grafverif/read/exclusions.hpp"
-#include "grafverif/read/text.hpp"
-#include "grafverif/schedule/controller.hpp"
-#include "grafverif/schedule/network.hpp"
-#include "grafverif/syntax/format.hpp"
-#include "grafverif/syntax/parse.hpp"
+#include "compose/compose.hpp"
+#include "conform/automaton.hpp"
+#include "conform/mealy.hpp"
+#include "conform/test_sequence.hpp"
+#include "derive/derive.hpp"
+#include "plant/plant.hpp"
+#include "read/exclusions.hpp"
+#include "read/text.hpp"
+#include "schedule/controller.hpp"
+#include "schedule/network.hpp"
+#include "syntax/language/format.hpp"
+#include "syntax/language/parse.hpp"
 
 namespace grafverif {
 namespace {

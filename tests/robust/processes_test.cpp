@@ -14,7 +14,7 @@
 #include <pugixml.hpp>
 #include <random>
 
-#include "app/process.hpp"
+#include "app/system/process.hpp"
 #include "support/law_size.hpp"
 #include "unit/app/run_program.hpp"
 

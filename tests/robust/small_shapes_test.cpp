@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "fuzz/every_verb.hpp"
-#include "grafverif/read/text.hpp"
+#include "read/text.hpp"
 #include "support/law_size.hpp"
 #include "unit/app/run_program.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/derived.hpp"
 
-#include "grafverif/derive/derive.hpp"
+#include "derive/derive.hpp"
 
 namespace grafverif {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "grafverif/ir/closed_loop.hpp"
-#include "grafverif/syntax/tree.hpp"
+#include "syntax/language/tree.hpp"
 #include "support/trees.hpp"
 
 namespace grafverif {

@@ -5,7 +5,7 @@
 #include <deque>
 #include <stdexcept>
 
-#include "grafverif/plant/plant.hpp"
+#include "plant/plant.hpp"
 
 namespace grafverif {
 

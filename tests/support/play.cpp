@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "grafverif/read/text.hpp"
+#include "read/text.hpp"
 
 namespace grafverif {
 

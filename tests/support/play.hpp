@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "grafverif/derive/derive.hpp"
+#include "derive/derive.hpp"
 #include "grafverif/ir/chart.hpp"
-#include "grafverif/run/interpreter.hpp"
+#include "run/interpreter.hpp"
 
 namespace grafverif {
 

@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 #include "support/model_trees.hpp"
 
 namespace grafverif {

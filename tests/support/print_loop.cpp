@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 #include "support/model_trees.hpp"
 
 namespace grafverif {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/print_model.hpp"
 
-#include "grafverif/syntax/format.hpp"
+#include "syntax/language/format.hpp"
 #include "support/model_trees.hpp"
 
 namespace grafverif {

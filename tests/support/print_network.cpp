@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "grafverif/support/overloaded.hpp"
-#include "grafverif/syntax/dialect.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "grafverif/run/network_walk.hpp"
+#include "run/network_walk.hpp"
 #include "support/random_chart.hpp"
 
 namespace grafverif {

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "grafverif/plant/plant.hpp"
-#include "grafverif/read/text.hpp"
+#include "plant/plant.hpp"
+#include "read/text.hpp"
 #include "support/derived.hpp"
 
 namespace grafverif {

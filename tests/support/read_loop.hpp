@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/compose/compose.hpp"
+#include "compose/compose.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/network.hpp"
 

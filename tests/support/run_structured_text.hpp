@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grafverif/syntax/parse_st.hpp"
+#include "syntax/st/parse_st.hpp"
 
 namespace grafverif {
 

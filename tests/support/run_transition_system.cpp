@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "grafverif/syntax/dialect.hpp"
+#include "syntax/print/dialect.hpp"
 #include "support/random_chart.hpp"
 
 namespace grafverif {

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "grafverif/support/overloaded.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

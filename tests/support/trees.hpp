@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "grafverif/ir/expr.hpp"
-#include "grafverif/syntax/tree.hpp"
+#include "syntax/language/tree.hpp"
 
 namespace grafverif {
 

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "grafverif/plant/plant.hpp"
-#include "grafverif/schedule/controller.hpp"
-#include "grafverif/schedule/network.hpp"
-#include "grafverif/schedule/together.hpp"
+#include "plant/plant.hpp"
+#include "schedule/controller.hpp"
+#include "schedule/network.hpp"
+#include "schedule/together.hpp"
 #include "support/derived.hpp"
 #include "support/read_loop.hpp"
 

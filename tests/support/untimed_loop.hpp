@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "grafverif/ir/transition_system.hpp"
-#include "grafverif/schedule/options.hpp"
+#include "schedule/options.hpp"
 
 namespace grafverif {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "grafverif/emit/uppaal.hpp"
+#include "emit/uppaal/uppaal.hpp"
 #include "support/print_network.hpp"
 #include "support/uppaal_queries_reader.hpp"
 #include "support/uppaal_terms.hpp"

@@ -2,9 +2,9 @@
 // Reads a chart and prints its equations through the installed headers.
 #include <iostream>
 
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/read/text.hpp"
-#include "grafverif/syntax/print_equations.hpp"
+#include "derive/derive.hpp"
+#include "read/text.hpp"
+#include "syntax/print/equations.hpp"
 
 int main() {
     using namespace grafverif;

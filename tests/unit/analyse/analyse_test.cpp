@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/analyse/analyse.hpp"
+#include "analyse/analyse.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <atomic>
 #include <chrono>
 
-#include "grafverif/report/findings.hpp"
+#include "report/findings.hpp"
 #include "support/play.hpp"
 
 namespace grafverif {

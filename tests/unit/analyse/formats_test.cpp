@@ -6,11 +6,11 @@
 #include <set>
 #include <sstream>
 
-#include "grafverif/analyse/analyse.hpp"
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/read/exclusions.hpp"
-#include "grafverif/read/text.hpp"
-#include "grafverif/report/findings.hpp"
+#include "analyse/analyse.hpp"
+#include "derive/derive.hpp"
+#include "read/exclusions.hpp"
+#include "read/text.hpp"
+#include "report/findings.hpp"
 
 namespace grafverif {
 namespace {

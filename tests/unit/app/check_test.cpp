@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
-#include "app/interrupt.hpp"
+#include "app/system/interrupt.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {

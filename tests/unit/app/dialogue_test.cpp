@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Dialogues with programs that behave, and with those that do not.
-#include "app/dialogue.hpp"
+#include "app/system/dialogue.hpp"
 
 #include <gtest/gtest.h>
 

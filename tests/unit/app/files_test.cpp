@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files as outputs: whole or not at all, whatever stands in their way, fails, or happens at the same time.
-#include "app/files.hpp"
+#include "app/system/files.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Other programs, run by the real system: a shell stands for them.
-#include "app/process.hpp"
+#include "app/system/process.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,10 +11,10 @@
 #include <pugixml.hpp>
 #include <thread>
 
-#include "app/child.hpp"
-#include "app/descriptor.hpp"
-#include "app/interrupt.hpp"
-#include "app/process.hpp"
+#include "app/system/child.hpp"
+#include "app/system/descriptor.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/system/process.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/bdd/bdd.hpp"
+#include "bdd/bdd.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <thread>
 
-#include "grafverif/bdd/bdd.hpp"
+#include "bdd/bdd.hpp"
 
 namespace grafverif {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Terms as Boolean functions, against `evaluate` under every assignment.
-#include "grafverif/bdd/terms.hpp"
+#include "bdd/terms.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "grafverif/ir/network_run.hpp"
+#include "ir/network_run.hpp"
 
 namespace grafverif {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/check/timed.hpp"
+#include "check/timed/timed.hpp"
 #include "grafverif/ir/network.hpp"
 
 namespace grafverif {

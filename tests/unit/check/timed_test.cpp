@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One small network per kind of property, and per thing that can keep a verdict from being given.
-#include "grafverif/check/timed.hpp"
+#include "check/timed/timed.hpp"
 
 #include <gtest/gtest.h>
 

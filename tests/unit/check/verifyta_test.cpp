@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What verifyta prints, read into verdicts. No text here was printed by the real program, whose licence keeps it out of
 // automated tests: it has the documented form of the verdict lines, with such lines around them as may be there.
-#include "grafverif/check/verifyta.hpp"
+#include "check/external/verifyta.hpp"
 
 #include <gtest/gtest.h>
 

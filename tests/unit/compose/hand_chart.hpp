@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/compose/compose.hpp"
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/plant/plant.hpp"
+#include "compose/compose.hpp"
+#include "derive/derive.hpp"
+#include "plant/plant.hpp"
 #include "support/derived.hpp"
 #include "support/random_loop.hpp"
 

@@ -6,10 +6,10 @@
 
 #include <string>
 
-#include "grafverif/conform/automaton.hpp"
-#include "grafverif/conform/mealy.hpp"
-#include "grafverif/conform/test_sequence.hpp"
-#include "grafverif/syntax/print_automaton.hpp"
+#include "conform/automaton.hpp"
+#include "conform/mealy.hpp"
+#include "conform/test_sequence.hpp"
+#include "syntax/print/automaton.hpp"
 #include "support/play.hpp"
 
 namespace grafverif {

@@ -3,8 +3,8 @@
 #include <set>
 #include <sstream>
 
-#include "grafverif/run/replay_test.hpp"
-#include "grafverif/syntax/test_csv.hpp"
+#include "run/replay_test.hpp"
+#include "syntax/print/test_csv.hpp"
 #include "unit/conform/conforming.hpp"
 
 namespace grafverif {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "grafverif/syntax/dialect.hpp"
+#include "syntax/print/dialect.hpp"
 #include "support/play.hpp"
 #include "support/run_equations.hpp"
 

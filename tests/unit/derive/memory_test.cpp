@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "grafverif/syntax/print_equations.hpp"
+#include "syntax/print/equations.hpp"
 #include "support/play.hpp"
 
 namespace grafverif {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "grafverif/ir/closed_loop.hpp"
-#include "grafverif/read/text.hpp"
+#include "read/text.hpp"
 
 namespace grafverif {
 namespace {

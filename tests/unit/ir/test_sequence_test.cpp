@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "grafverif/syntax/test_csv.hpp"
+#include "syntax/print/test_csv.hpp"
 
 namespace grafverif {
 namespace {

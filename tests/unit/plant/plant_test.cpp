@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/plant/plant.hpp"
+#include "plant/plant.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/read/text.hpp"
-#include "grafverif/syntax/format.hpp"
-#include "grafverif/syntax/parse.hpp"
+#include "read/text.hpp"
+#include "syntax/language/format.hpp"
+#include "syntax/language/parse.hpp"
 #include "support/print_model.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/read/text.hpp"
+#include "read/text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/report/json.hpp"
+#include "report/json.hpp"
 
 #include <gtest/gtest.h>
 

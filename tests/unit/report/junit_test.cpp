@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/report/junit.hpp"
+#include "report/junit.hpp"
 
 #include <gtest/gtest.h>
 

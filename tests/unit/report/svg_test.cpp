@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/report/svg.hpp"
+#include "report/svg.hpp"
 
 #include <gtest/gtest.h>
 

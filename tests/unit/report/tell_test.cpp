@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/report/tell.hpp"
+#include "report/tell.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/report/terminal.hpp"
-#include "grafverif/run/project.hpp"
+#include "derive/derive.hpp"
+#include "report/terminal.hpp"
+#include "run/project.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_walk.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/report/terminal.hpp"
+#include "report/terminal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // A small run by hand, and a report around it.
 #pragma once
 
-#include "grafverif/report/report.hpp"
+#include "report/report.hpp"
 
 namespace grafverif {
 

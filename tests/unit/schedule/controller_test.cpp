@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Single controllers as transition systems, stepped by hand.
-#include "grafverif/schedule/controller.hpp"
+#include "schedule/controller.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "grafverif/derive/derive.hpp"
-#include "grafverif/emit/nusmv.hpp"
-#include "grafverif/read/text.hpp"
-#include "grafverif/schedule/controller.hpp"
+#include "derive/derive.hpp"
+#include "emit/nusmv/nusmv.hpp"
+#include "read/text.hpp"
+#include "schedule/controller.hpp"
 #include "support/run_transition_system.hpp"
 
 namespace grafverif {

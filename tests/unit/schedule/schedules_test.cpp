@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "grafverif/check/symbolic.hpp"
+#include "check/symbolic/symbolic.hpp"
 #include "support/untimed_loop.hpp"
 
 namespace grafverif {

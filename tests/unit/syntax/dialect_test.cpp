@@ -4,7 +4,7 @@
 #include <array>
 #include <ostream>
 
-#include "grafverif/syntax/dialect.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 namespace {

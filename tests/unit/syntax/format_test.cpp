@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/syntax/format.hpp"
+#include "syntax/language/format.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/syntax/parse.hpp"
+#include "syntax/language/parse.hpp"
 
 namespace grafverif {
 namespace {

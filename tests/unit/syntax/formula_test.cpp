@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is a formula of NuSMV or UPPAAL, and where a text that is none goes wrong.
-#include "grafverif/syntax/formula.hpp"
+#include "syntax/print/formula.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "grafverif/syntax/parse_st.hpp"
+#include "syntax/st/parse_st.hpp"
 
 namespace grafverif::st {
 namespace {

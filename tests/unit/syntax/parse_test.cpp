@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grafverif/syntax/parse.hpp"
+#include "syntax/language/parse.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/syntax/format.hpp"
+#include "syntax/language/format.hpp"
 
 namespace grafverif {
 namespace {

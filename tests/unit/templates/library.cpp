@@ -9,8 +9,8 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "grafverif/plant/plant.hpp"
-#include "grafverif/read/text.hpp"
+#include "plant/plant.hpp"
+#include "read/text.hpp"
 
 namespace grafverif {
 

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "app/system/child.hpp"
+
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <fstream>
+#include <mutex>
+#include <set>
+#include <string_view>
+
+#include "app/system/descriptor.hpp"
+#include "app/system/interrupt.hpp"
+
+extern char** environ;
+
+namespace grafverif::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The programs that run, as a signal handler can read them. One too many is not in it.
+std::array<std::atomic<pid_t>, 64> running = {};
+static_assert(std::atomic<pid_t>::is_always_lock_free);
+
+void enlist(pid_t pid) {
+    for (std::atomic<pid_t>& place : running) {
+        pid_t none = 0;
+        if (place.compare_exchange_strong(none, pid)) return;
+    }
+}
+
+void strike_out(pid_t pid) {
+    for (std::atomic<pid_t>& place : running) {
+        pid_t listed = pid;
+        if (place.compare_exchange_strong(listed, 0)) return;
+    }
+}
+
+/// Whose child `pid` is; 0: unknown. /proc/PID/stat is `PID (NAME) STATE PARENT ...`, and NAME may hold anything.
+pid_t parent_of(std::string_view pid) {
+    std::ifstream file("/proc/" + std::string(pid) + "/stat");
+    std::string line;
+    std::getline(file, line, '\0');
+    const std::size_t end = line.rfind(") ");
+    if (end == std::string::npos || end + 4 >= line.size()) return 0;
+    pid_t parent = 0;
+    std::from_chars(line.data() + end + 4, line.data() + line.size(), parent);
+    return parent;
+}
+
+std::set<pid_t> our_children() {
+    std::set<pid_t> found;
+    siginfo_t info = {};
+    if (::waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) != 0 && errno == ECHILD) return found;
+    std::error_code failure;
+    for (auto entry = fs::directory_iterator("/proc", failure); !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
+        const std::string name = entry->path().filename().string();
+        pid_t pid = 0;
+        const auto [end, problem] = std::from_chars(name.data(), name.data() + name.size(), pid);
+        if (problem == std::errc() && end == name.data() + name.size() && parent_of(name) == ::getpid()) found.insert(pid);
+    }
+    return found;
+}
+
+void reap(pid_t pid) {
+    while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {}
+}
+
+/// What all programs that run now have in common: us.
+class Family {
+public:
+    void begin() {
+        const std::lock_guard hold(mutex_);
+        if (members_++ != 0) return;
+        ::prctl(PR_GET_CHILD_SUBREAPER, &adopted_before_);
+        ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+        strangers_ = our_children();
+    }
+
+    void end() {
+        const std::lock_guard hold(mutex_);
+        if (--members_ != 0) return;
+        end_adopted();
+        ::prctl(PR_SET_CHILD_SUBREAPER, static_cast<unsigned long>(adopted_before_));
+    }
+
+private:
+    /// Each that ends leaves us its children: the next round finds them. One that we may not end is left alone.
+    void end_adopted() {
+        constexpr int most_rounds = 1000;
+        for (int round = 0; round < most_rounds; ++round) {
+            bool found = false;
+            for (const pid_t pid : our_children()) {
+                if (strangers_.contains(pid)) continue;
+                found = true;
+                if (::getpgid(pid) == pid) ::kill(-pid, SIGKILL);
+                if (::kill(pid, SIGKILL) == 0) reap(pid);
+                else strangers_.insert(pid);
+            }
+            if (!found) return;
+        }
+    }
+
+    std::mutex mutex_ = {};
+    std::size_t members_ = 0;
+    int adopted_before_ = 0;
+    std::set<pid_t> strangers_ = {};
+};
+
+Family& family() {
+    static Family ours;
+    return ours;
+}
+
+pid_t spawn(const std::vector<std::string>& arguments, const ChildStreams& streams, const fs::path& folder) {
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawnattr_init(&attributes);
+    posix_spawn_file_actions_adddup2(&actions, streams.input, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, streams.output, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, streams.error, STDERR_FILENO);
+    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    sigset_t none, ours;
+    sigemptyset(&none);
+    sigemptyset(&ours);
+    for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) sigaddset(&ours, signal);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &ours);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    std::vector<std::string> copies = arguments;
+    std::vector<char*> pointers;
+    for (std::string& argument : copies) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    pid_t child = 0;
+    const int failure = posix_spawn(&child, pointers[0], &actions, &attributes, pointers.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
+    if (failure != 0) fail(failure, "cannot run `" + arguments.front() + "`");
+    return child;
+}
+
+}  // namespace
+
+Child::Child(const std::vector<std::string>& arguments, const ChildStreams& streams, const fs::path& folder) {
+    family().begin();
+    try {
+        pid_ = spawn(arguments, streams, folder);
+    } catch (...) {
+        family().end();
+        throw;
+    }
+    enlist(pid_);
+}
+
+std::optional<ChildEnd> Child::ended() {
+    siginfo_t info = {};
+    if (!over_ && !ended_ && ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid_)
+        ended_ = ChildEnd{info.si_code != CLD_EXITED, info.si_status};
+    return ended_;
+}
+
+void Child::send(int signal) const {
+    if (!over_) ::kill(-pid_, signal);
+}
+
+/// Its id is nobody else's before it is reaped, and then no signal is sent to it any more.
+void Child::end() {
+    if (over_) return;
+    const Uninterrupted whole;   // who is ended halfway leaves somebody behind
+    ::kill(-pid_, SIGKILL);
+    strike_out(pid_);
+    reap(pid_);
+    over_ = true;
+    family().end();
+}
+
+bool children_run() noexcept {
+    return std::ranges::any_of(running, [](const std::atomic<pid_t>& place) { return place.load() != 0; });
+}
+
+void kill_children_at_once() noexcept {
+    for (const std::atomic<pid_t>& place : running)
+        if (const pid_t pid = place.load(); pid != 0) ::kill(-pid, SIGKILL);
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// All three pipes are read and written as they get ready, so that a program that writes before it reads, or never reads,
+// blocks nobody. What it writes is kept up to a limit; what stands on its standard error is kept from the end.
+#include "app/system/dialogue.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <vector>
+
+#include "app/system/guard.hpp"
+#include "app/system/interrupt.hpp"
+#include "syntax/print/scan_line.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+
+/// Reads what is there, but no more than `most` bytes; closes at the end.
+std::string taken(Descriptor& from, std::size_t most) {
+    std::string text(most, '\0');
+    const ssize_t count = ::read(from.number(), text.data(), text.size());
+    const bool later = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+    if (count <= 0 && !later) from.close();
+    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return text;
+}
+
+constexpr std::size_t bytes_at_once = 65'536;   ///< bytes read at once
+constexpr int shell_found_nothing = 127, shell_could_not_run = 126;
+
+}  // namespace
+
+Dialogue::Dialogue(const std::string& command, const DialogueLimits& limits) : limits_(limits) {
+    const MemoryUnbounded unbounded;   // the bound of our memory is none of the program's
+    Pipe in = make_pipe(), out = make_pipe(), err = make_pipe();
+    program_.emplace(std::vector<std::string>{"/bin/sh", "-c", command},
+                     ChildStreams{in.read.number(), out.write.number(), err.write.number()});
+    to_ = std::move(in.write);
+    from_ = std::move(out.read);
+    errors_ = std::move(err.read);
+    for (const Descriptor* ours : {&to_, &from_, &errors_}) set_nonblocking(*ours);
+    pipe_signal_before_ = std::signal(SIGPIPE, SIG_IGN);   // who has ended does not read
+}
+
+Dialogue::~Dialogue() {
+    const Uninterrupted whole;
+    to_.close();
+    from_.close();
+    if (!wait_for_end(std::chrono::milliseconds(over_ ? 0 : 500))) {
+        program_->send(SIGTERM);
+        wait_for_end(std::chrono::milliseconds(200));
+    }
+    program_->end();
+    if (stopped()) work_is_done();   // what is known is told from here on
+    std::signal(SIGPIPE, pipe_signal_before_);
+}
+
+Reply Dialogue::ask(const std::string& line) {
+    Reply answer = answer_to(line);
+    over_ = answer.kind != Reply::Kind::Line;
+    return answer;
+}
+
+Reply Dialogue::answer_to(const std::string& line) {
+    receive();
+    if (const std::size_t end = heard_.find('\n'); end != std::string::npos)   // a line that nobody asked for
+        return {Reply::Kind::Flood, heard_.substr(0, end)};
+    tell(line);
+    const Steady::time_point deadline = Steady::now() + limits_.patience;
+    for (;;) {
+        const bool answered = heard_.find('\n') != std::string::npos;
+        if (answered || heard_.size() > limits_.longest_line || !from_.open()) return answer_so_far();
+        if (stopped()) return {Reply::Kind::Stopped, {}};
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Steady::now());
+        if (left.count() <= 0) return {Reply::Kind::Silent, {}};
+        wait(left);
+        send();
+        receive();
+        listen();
+    }
+}
+
+/// There is a line, there is more than a line, or there will be none.
+Reply Dialogue::answer_so_far() {
+    const std::size_t end = heard_.find('\n');
+    if (end == std::string::npos && heard_.size() <= limits_.longest_line) return {Reply::Kind::Ended, heard_};
+    if (end != heard_.size() - 1) return {Reply::Kind::Flood, heard_.substr(0, end)};
+    std::string line = std::exchange(heard_, {});
+    line.pop_back();
+    return {Reply::Kind::Line, std::move(line)};
+}
+
+void Dialogue::send() {
+    if (!to_.open() || unsent_.empty()) return;
+    const ssize_t count = ::write(to_.number(), unsent_.data(), unsent_.size());
+    if (count > 0) unsent_.erase(0, static_cast<std::size_t>(count));
+    else if (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) to_.close();
+}
+
+void Dialogue::receive() {
+    if (from_.open() && heard_.size() <= limits_.longest_line) heard_ += taken(from_, bytes_at_once);
+}
+
+void Dialogue::listen() {
+    constexpr std::size_t kept = 2000;
+    if (!errors_.open()) return;
+    said_ += taken(errors_, bytes_at_once);
+    if (said_.size() > kept) said_.erase(0, said_.size() - kept);
+}
+
+/// Until something can be read or written, but not much longer than somebody who asks us to stop would wait.
+void Dialogue::wait(std::chrono::milliseconds longest) {
+    constexpr std::chrono::milliseconds most{20};
+    const auto writing = static_cast<short>(unsent_.empty() ? 0 : POLLOUT);
+    std::array<pollfd, 3> waited = {pollfd{from_.number(), POLLIN, 0}, pollfd{errors_.number(), POLLIN, 0},
+                                    pollfd{writing != 0 ? to_.number() : -1, writing, 0}};
+    ::poll(waited.data(), waited.size(), static_cast<int>(std::min(longest, most).count()));
+}
+
+/// Its standard error is read meanwhile: nobody ends who cannot say why.
+bool Dialogue::wait_for_end(std::chrono::milliseconds longest) {
+    const Steady::time_point deadline = Steady::now() + longest;
+    while (!program_->ended() && Steady::now() < deadline) {
+        pollfd waited{errors_.number(), POLLIN, 0};
+        ::poll(&waited, 1, 2);
+        listen();
+    }
+    return program_->ended().has_value();
+}
+
+std::string Dialogue::end_text() {
+    std::string text = "it closed its output";
+    if (wait_for_end(std::chrono::milliseconds(500))) {
+        const ChildEnd end = *program_->ended();
+        text = end.by_signal ? fmt::format("it was ended by signal {} ({})", end.status, ::strsignal(end.status))
+                             : fmt::format("it ended with exit code {}", end.status);
+    }
+    if (!heard_.empty()) text += fmt::format(", in the midst of the line `{}`", shown_line(heard_));
+    listen();
+    std::string_view last = said_;
+    while (last.ends_with('\n')) last.remove_suffix(1);
+    last.remove_prefix(last.rfind('\n') + 1);   // npos + 1 is 0
+    if (!last.empty()) text += fmt::format("; it said: {}", shown_line(last));
+    return text;
+}
+
+bool Dialogue::not_found() {
+    if (!wait_for_end(std::chrono::milliseconds(500))) return false;
+    const ChildEnd end = *program_->ended();
+    return !end.by_signal && (end.status == shell_found_nothing || end.status == shell_could_not_run);
+}
+
+}  // namespace grafverif::app

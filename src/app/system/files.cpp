@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "app/system/files.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <istream>
+#include <string_view>
+#include <system_error>
+
+#include "app/system/descriptor.hpp"
+
+namespace grafverif::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string reason(int error) {
+    if (error == ENOENT || error == ENOTDIR) return "no such file";
+    return std::generic_category().message(error);
+}
+
+/// What a file is that is no regular one.
+std::string_view kind_of(mode_t mode) {
+    if (S_ISDIR(mode)) return "it is a directory";
+    if (S_ISFIFO(mode)) return "it is a pipe, not a file";
+    if (S_ISSOCK(mode)) return "it is a socket, not a file";
+    return "it is a device, not a file";
+}
+
+constexpr std::size_t block_size = std::size_t{1} << 20U;
+
+std::string too_large() { return fmt::format("larger than {} MiB", largest_input >> 20U); }
+
+std::string device_and_node(const struct stat& status) { return fmt::format("{}:{}", status.st_dev, status.st_ino); }
+
+}  // namespace
+
+std::optional<std::string> read_file(const fs::path& path, std::string& why) {
+    struct stat status = {};
+    if (::stat(path.c_str(), &status) != 0) return why = reason(errno), std::nullopt;
+    if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), std::nullopt;   // opening a device may do something
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
+    if (!file.open() || ::fstat(file.number(), &status) != 0) return why = reason(errno), std::nullopt;
+    if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), std::nullopt;
+    return read_descriptor(file.number(), why);
+}
+
+std::optional<int> own_descriptor(const fs::path& path) {
+    const std::string text = path.lexically_normal().string();
+    if (text == "/dev/stdin") return STDIN_FILENO;
+    if (text == "/dev/stdout") return STDOUT_FILENO;
+    if (text == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        if (!text.starts_with(folder)) continue;
+        int number = 0;
+        const char* const last = text.data() + text.size();
+        const auto [end, failure] = std::from_chars(text.data() + folder.size(), last, number);
+        if (failure == std::errc() && end == last && number >= 0) return number;
+    }
+    return {};
+}
+
+std::optional<std::string> read_descriptor(int descriptor, std::string& why) {
+    std::string content, block(block_size, '\0');
+    for (;;) {
+        const ssize_t count = ::read(descriptor, block.data(), block.size());
+        if (count == 0) return content;
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return why = reason(errno), std::nullopt;
+        content.append(block, 0, static_cast<std::size_t>(count));
+        if (content.size() > largest_input) return why = too_large(), std::nullopt;
+    }
+}
+
+std::optional<std::string> read_stream(std::istream& in, std::string& why) {
+    std::string content, block(block_size, '\0');
+    while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+        content.append(block, 0, static_cast<std::size_t>(in.gcount()));
+        if (content.size() > largest_input) return why = too_large(), std::nullopt;
+    }
+    return content;
+}
+
+std::string file_identity(const fs::path& path) {
+    struct stat status = {};
+    if (::stat(path.c_str(), &status) == 0) return S_ISREG(status.st_mode) ? device_and_node(status) : std::string();
+    std::error_code failure;
+    fs::path place = path;
+    for (int links = 0; links < 40 && fs::is_symlink(fs::symlink_status(place, failure)); ++links) {
+        const fs::path target = fs::read_symlink(place, failure);
+        place = target.is_absolute() ? target : place.parent_path() / target;
+    }
+    const fs::path folder = place.has_parent_path() ? place.parent_path() : ".";
+    if (::stat(folder.c_str(), &status) == 0) return device_and_node(status) + "/" + place.filename().string();
+    return fs::weakly_canonical(place, failure).string();
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// The thread of the guard allocates nothing and takes no lock but its own: the run may hold any other, and there may be
+// no memory left.
+#include "app/system/guard.hpp"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include "app/system/child.hpp"
+#include "app/program.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
+constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;   ///< of the program itself: code, library, buffers
+constexpr std::size_t kept_back = std::size_t{2} << 20U;         ///< to tell with that there is no more
+constexpr auto patience_with_programs = 3s;
+constexpr auto grace = 400ms, longest_grace = 60'000ms, look_every = 25ms;
+
+std::atomic<std::int64_t> telling = 0;   ///< since when, on the steady clock; 0: not yet
+std::atomic<char*> reserve = nullptr;
+
+void write_whole(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
+        if (count <= 0) return;
+        text.remove_prefix(static_cast<std::size_t>(count));
+    }
+}
+
+std::uint64_t with_margin(std::uint64_t allowed) {
+    constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+    return allowed > most / 2 ? most : allowed + allowed / 10 + own_memory;
+}
+
+std::uint64_t number_in(const char* file) {
+    std::array<char, 64> text = {};
+    const int descriptor = ::open(file, O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return 0;
+    const ssize_t count = ::read(descriptor, text.data(), text.size());
+    ::close(descriptor);
+    std::uint64_t number = 0;
+    if (count > 0) std::from_chars(text.data(), text.data() + count, number);
+    return number;
+}
+
+/// What the machine, or the container, has for us; 0: unknown.
+std::uint64_t memory_of_machine() {
+    const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+    const std::uint64_t machine = pages > 0 && page > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page) : 0;
+    const std::uint64_t container = number_in("/sys/fs/cgroup/memory.max");
+    return container != 0 && (machine == 0 || container < machine) ? container : machine;
+}
+
+/// Bytes of ours in memory that no file backs; 0: unknown.
+std::uint64_t resident() {
+    std::array<char, 128> text = {};
+    const int descriptor = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return 0;
+    const ssize_t count = ::read(descriptor, text.data(), text.size() - 1);
+    ::close(descriptor);
+    std::array<std::uint64_t, 3> pages = {};   // size, resident, shared
+    const char* at = text.data();
+    const char* const end = text.data() + std::max<ssize_t>(count, 0);
+    for (std::uint64_t& each : pages) {
+        while (at != end && *at == ' ') ++at;
+        at = std::from_chars(at, end, each).ptr;
+    }
+    return (pages[1] - std::min(pages[1], pages[2])) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void allow_memory(std::uint64_t bytes) {
+    rlimit limit = {};
+    if (sanitized || bytes == 0 || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+    ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+void give_back_reserve() { std::free(reserve.exchange(nullptr)); }
+
+void no_memory() {
+    give_back_reserve();
+    throw std::bad_alloc();
+}
+
+[[noreturn]] void give_up() {
+    ExitCode code = ExitCode::Failure;
+    std::string_view why = "grafverif: internal failure: an error where none can be told\n";
+    try {
+        if (const std::exception_ptr failure = std::current_exception()) std::rethrow_exception(failure);
+    } catch (const std::bad_alloc&) {
+        code = ExitCode::Unknown;
+        why = "error: the system gives no more memory [out-of-memory]\n";
+    } catch (...) {
+    }
+    write_whole(why);
+    ::_exit(static_cast<int>(code));
+}
+
+/// Lets the stack have its room now, where it may be refused later: a stack that cannot grow ends in a signal.
+void grow_stack() {
+    rlimit limit = {};
+    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+    std::array<volatile char, std::size_t{2} << 20U> room;
+    for (std::size_t at = 0; at < room.size(); at += 4096) room[room.size() - 1 - at] = 0;
+}
+
+}  // namespace
+
+void work_is_done() { telling = std::max<std::int64_t>(1, std::chrono::steady_clock::now().time_since_epoch().count()); }
+
+void expect_memory_to_end() {
+    grow_stack();
+    reserve = static_cast<char*>(std::malloc(kept_back));
+    if (char* const kept = reserve; kept != nullptr) std::memset(kept, 1, kept_back);
+    std::set_new_handler(no_memory);
+    std::set_terminate(give_up);
+}
+
+MemoryUnbounded::MemoryUnbounded() {
+    rlimit limit = {};
+    if (sanitized || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    before_ = std::exchange(limit.rlim_cur, limit.rlim_max);
+    ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+MemoryUnbounded::~MemoryUnbounded() {
+    if (before_) allow_memory(*before_);
+}
+
+Guard::Guard(GuardOrders orders) : orders_(std::move(orders)) {
+    telling = 0;
+    if (orders_.timeout)
+        last_moment_ = Steady::now() + *orders_.timeout + grace + std::min<std::chrono::milliseconds>(*orders_.timeout / 10, longest_grace);
+    if (orders_.max_memory) allow_memory(with_margin(*orders_.max_memory));
+    else allow_memory(memory_of_machine() / 10 * 9);
+
+    sigset_t all, before;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);   // signals are for the run
+    pthread_attr_t attributes;
+    ::pthread_attr_init(&attributes);
+    ::pthread_attr_setstacksize(&attributes, std::size_t{256} << 10U);
+    const int failure = ::pthread_create(&thread_, &attributes, watch, this);
+    ::pthread_attr_destroy(&attributes);
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    if (failure != 0) throw std::bad_alloc();
+}
+
+Guard::~Guard() {
+    {
+        const std::lock_guard lock(mutex_);   // whoever ends the run keeps it
+        done_ = true;
+    }
+    over_.notify_one();
+    ::pthread_join(thread_, nullptr);
+}
+
+void* Guard::watch(void* guard) {
+    static_cast<Guard*>(guard)->watch();
+    return nullptr;
+}
+
+void Guard::watch() {
+    std::unique_lock lock(mutex_);
+    while (!over_.wait_for(lock, look_every, [this] { return done_; }))
+        if (const std::string* const why = reason()) end(*why);
+}
+
+const std::string* Guard::reason() {
+    const Steady::time_point now = Steady::now();
+    if (!interrupted_ && interrupt_.asked()) interrupted_ = now;
+    const Steady::time_point told(Steady::duration(telling.load()));   // what is known may still be told
+    if (interrupted_ && now - std::max(*interrupted_, told) >= grace) return &orders_.interrupted;
+    if (last_moment_ && now >= *last_moment_ && telling == 0) return &orders_.timed_out;
+    constexpr std::uint64_t times = sanitized ? 4 : 1;
+    if (orders_.max_memory && resident() > times * with_margin(*orders_.max_memory)) return &orders_.out_of_memory;
+    return nullptr;
+}
+
+/// Files that are being written come first, and the end of programs that we have started: whoever runs them looks at
+/// the same bounds, and ends all that they have started.
+void Guard::end(const std::string& why) {
+    if (!ending_) ending_ = Steady::now();
+    if (children_run() && Steady::now() - *ending_ < patience_with_programs) return;
+    if (!Uninterrupted::none_from_now_on()) return;
+    kill_children_at_once();
+    write_whole(why);
+    ::_exit(static_cast<int>(ExitCode::Unknown));
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "app/system/interrupt.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <mutex>
+
+#include "app/system/child.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
+
+// A signal handler reaches nothing else.
+std::atomic<bool> interrupted = false;
+std::atomic<int> listeners = 0;   ///< Interrupts
+std::atomic<int> guards = 0;      ///< Uninterrupteds
+std::atomic<int> put_off = 0;     ///< the signal that ends us behind the last guard
+std::array<struct sigaction, signals.size()> before = {};   ///< written while no handler of ours is set
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+
+/// For who comes and goes; no handler holds it.
+std::mutex& door() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+/// As the signal would have done without us.
+void obey(int signal) {
+    kill_children_at_once();
+    for (std::size_t k = 0; k < signals.size(); ++k)
+        if (signals[k] == signal) ::sigaction(signal, &before[k], nullptr);
+    std::raise(signal);
+}
+
+extern "C" void note_signal(int signal) {
+    const int error = errno;
+    if (listeners == 0 || interrupted.exchange(true)) {
+        if (guards != 0) put_off = signal;
+        else obey(signal);
+    }
+    errno = error;
+}
+
+void watch() {
+    if (listeners + guards != 0) return;
+    struct sigaction ours = {};
+    ours.sa_handler = note_signal;
+    ours.sa_flags = SA_RESTART;
+    ::sigemptyset(&ours.sa_mask);
+    for (std::size_t k = 0; k < signals.size(); ++k) {
+        ::sigaction(signals[k], nullptr, &before[k]);
+        if (before[k].sa_handler != SIG_IGN) ::sigaction(signals[k], &ours, nullptr);
+    }
+}
+
+void unwatch() {
+    if (listeners + guards != 0) return;
+    for (std::size_t k = 0; k < signals.size(); ++k) ::sigaction(signals[k], &before[k], nullptr);
+}
+
+}  // namespace
+
+Interrupt::Interrupt() {
+    const std::lock_guard hold(door());
+    watch();
+    if (listeners == 0) interrupted = false;
+    ++listeners;
+}
+
+Interrupt::~Interrupt() {
+    const std::lock_guard hold(door());
+    --listeners;
+    unwatch();
+}
+
+const std::atomic<bool>& Interrupt::asked() const { return interrupted; }
+
+Uninterrupted::Uninterrupted() {
+    const std::lock_guard hold(door());
+    watch();
+    ++guards;
+}
+
+bool Uninterrupted::none_from_now_on() {
+    if (!door().try_lock()) return false;
+    if (guards == 0) return true;   // the door stays shut
+    door().unlock();
+    return false;
+}
+
+Uninterrupted::~Uninterrupted() {
+    const std::lock_guard hold(door());
+    --guards;
+    unwatch();
+    if (guards == 0)
+        if (const int signal = put_off.exchange(0); signal != 0) obey(signal);
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// `analyse`: what can go wrong in a chart and what never happens in it, whatever the inputs do.
+#include "analyse/analyse.hpp"
+
+#include <fmt/format.h>
+
+#include <ostream>
+#include <sstream>
+
+#include "app/system/guard.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/progress_line.hpp"
+#include "app/stop_words.hpp"
+#include "app/verbs.hpp"
+#include "read/exclusions.hpp"
+#include "report/findings.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+std::string printed(const Analysis& analysis, const Job& job) {
+    std::ostringstream out;
+    const bool coloured = job.options.colour == ColourChoice::Always;
+    switch (job.options.format) {
+    case Format::Json:  print_findings_json(analysis, job.sources, out); break;
+    case Format::Sarif: print_findings_sarif(analysis, job.sources, GRAFVERIF_VERSION, out); break;
+    case Format::Text:
+    case Format::Latex:
+    case Format::Xml: case Format::Dot: case Format::Svg: case Format::Csv:
+        print_findings(analysis, job.sources, coloured ? Colour::Ansi : Colour::Plain, out); break;
+    }
+    return std::move(out).str();
+}
+
+std::optional<std::vector<Exclusion>> exclusions_of(const Chart& chart, Job& job) {
+    if (!job.options.exclusions) return std::vector<Exclusion>{};
+    const auto table = read_source(*job.options.exclusions, job);
+    if (!table) return {};
+    const auto pairs = read_exclusions(*table, job.sources, chart, job.diagnostics);
+    if (!pairs) return {};
+    std::vector<Exclusion> exclusions;
+    for (const ExclusionRow& row : *pairs) exclusions.push_back({row.first, row.second, row.reason, row.origin});
+    return exclusions;
+}
+
+ExitCode exit_code(const Analysis& analysis) {
+    if (!analysis.failures.empty()) return ExitCode::Failure;
+    for (const Finding& finding : analysis.findings)
+        if (is_open(finding)) return ExitCode::Verdict;
+    return analysis.open.empty() ? ExitCode::Done : ExitCode::Unknown;
+}
+
+}  // namespace
+
+ExitCode analyse(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    const auto equations = chart ? equations_of(*model, *chart, job) : std::nullopt;
+    if (!equations) return ExitCode::Input;
+    auto exclusions = exclusions_of(model->charts[*chart], job);
+    if (!exclusions) return ExitCode::Input;
+
+    const Interrupt interrupt;
+    AnalyseOptions options;
+    options.mode = execution_mode(*model, *chart, job);
+    options.exclusions = std::move(*exclusions);
+    options.max_memory = job.options.max_memory.value_or(options.max_memory);
+    options.deadline = job.options.deadline;
+    options.stop = &interrupt.asked();
+    ProgressLine line(streams.err, streams.err_is_terminal && !job.options.quiet);
+    options.progress = [&line](const AnalyseProgress& now) {
+        line.show([&] {
+            return fmt::format("part {} of {}, {} instants; {} of {} questions decided, {} findings", now.part, now.parts,
+                               now.instant, now.questions - now.open, now.questions, now.findings);
+        });
+    };
+    Analysis analysis = grafverif::analyse(model->charts[*chart], *equations, options);
+    analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), interrupt.asked(), job.options);
+    const std::string text = printed(analysis, job);
+    work_is_done();
+    if (job.options.output) deliver(text, job, streams);
+    else streams.out << text;   // clean, but for our colours
+    for (const std::string& failure : analysis.failures) streams.err << "grafverif: internal failure: " << failure << '\n';
+    return exit_code(analysis);
+}
+
+Verb analyse_usage() {
+    return {"analyse",
+            "FILE",
+            1,
+            1,
+            "find what can go wrong in a chart, and what never happens in it",
+            "Searches all sequences of inputs of a chart at once and tells, each with a shortest sequence of inputs that\n"
+            "shows it: total instability, races and conflicts of stored actions, branches cleared together, steps activated\n"
+            "while active, partial charts forced twice or forced while enclosed; steps that are never active, transitions\n"
+            "never or always cleared, outputs never set, inputs never read. `constraint` in the chart and a table of pairs\n"
+            "of inputs that are never true together (`variable1,variable2,reason`) rule out impossible inputs;\n"
+            "`accept CODE \"reason\";` in the chart accepts findings. Exit code 1: a finding that nobody accepted; 3: none, and\n"
+            "something is not decided (--timeout, --max-memory, Ctrl-C); what is known is told, and how far the rest was looked into.",
+            {"grafverif analyse samples/oven_door/oven_door.grafcet",
+             "grafverif analyse station.grafcet --chart press --exclusions wiring.csv",
+             "grafverif analyse station.grafcet --format sarif -o findings.sarif"},
+            {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::Analysis}};
+}
+
+}  // namespace grafverif::app

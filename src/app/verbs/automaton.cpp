@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// `automaton` and `mealy`: what a controller does, as a location automaton and as a Mealy machine.
+#include <fmt/format.h>
+
+#include <ostream>
+#include <sstream>
+
+#include "app/system/interrupt.hpp"
+#include "app/verbs.hpp"
+#include "emit/layout/diagram.hpp"
+#include "support/messages.hpp"
+#include "syntax/print/automaton.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// To the file of `-o`, else straight to standard output: an automaton may be large.
+template <class Print>
+void print_to_output(Job& job, const Streams& streams, Print print) {
+    if (!job.options.output) return print(streams.out);
+    std::ostringstream text;
+    print(text);
+    deliver(std::move(text).str(), job, streams);
+}
+
+/// False after an error.
+bool draw(const Diagram& drawn, Job& job, const Streams& streams) {
+    if (job.options.format == Format::Svg && drawn.nodes.size() > largest_drawing) {
+        job.diagnostics.add(messages::too_many_nodes(drawn.nodes.size(), largest_drawing));
+        return false;
+    }
+    print_to_output(job, streams, [&](std::ostream& out) { job.options.format == Format::Svg ? emit_svg(drawn, out) : emit_dot(drawn, out); });
+    return true;
+}
+
+bool is_drawing(Format format) { return format == Format::Dot || format == Format::Svg; }
+
+}  // namespace
+
+ExitCode automaton(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    const Interrupt interrupt;
+    const bool partial = job.options.counts && !is_drawing(job.options.format);
+    const auto found = chart ? automaton_of(*model, *chart, job, streams, interrupt, partial) : std::nullopt;
+    if (!found) return interrupt.asked() ? ExitCode::Unknown : ExitCode::Input;
+    if (is_drawing(job.options.format)) return draw(diagram(*found), job, streams) ? ExitCode::Done : ExitCode::Input;
+    print_to_output(job, streams, [&](std::ostream& out) {
+        if (job.options.format == Format::Json) print_automaton_json(out, *found, !job.options.counts);
+        else print_automaton(out, *found, !job.options.counts);
+    });
+    return found->complete ? ExitCode::Done : ExitCode::Unknown;
+}
+
+ExitCode mealy(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    const Interrupt interrupt;
+    const auto found = chart ? mealy_of(*model, *chart, job, streams, interrupt) : std::nullopt;
+    if (!found) return interrupt.asked() ? ExitCode::Unknown : ExitCode::Input;
+    if (is_drawing(job.options.format)) return draw(diagram(*found), job, streams) ? ExitCode::Done : ExitCode::Input;
+    print_to_output(job, streams, [&](std::ostream& out) {
+        if (job.options.format == Format::Json) print_mealy_json(out, *found, !job.options.counts);
+        else print_mealy(out, *found, !job.options.counts);
+    });
+    return ExitCode::Done;
+}
+
+Verb automaton_usage() {
+    return {"automaton", "FILE", 1, 1, "print the location automaton of a chart",
+            "Prints what a controller that executes the chart does: a location per situation and values of stored variables, an\n"
+            "evolution per set of inputs, and the inputs that never stabilise. Constraints of the chart restrict the inputs. Without\n"
+            "--mode the mode is that of the closed loop that has the chart, else stability-search.\n"
+            "Formats: text, JSON, DOT (Graphviz), SVG.",
+            {"grafverif automaton samples/tanks/tanks.grafcet --mode every-cycle",
+             "grafverif automaton samples/tanks/tanks.grafcet --format svg -o tanks.svg",
+             "grafverif automaton samples/tanks/tanks.grafcet --format json --counts"},
+            {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::FormatDiagram, Accepts::Limits}};
+}
+
+Verb mealy_usage() {
+    return {"mealy", "FILE", 1, 1, "print the Mealy machine of a chart",
+            "Prints the machine that answers every combination of inputs in every state: the location automaton with INIT merged into\n"
+            "the location of the initial situation. Sets of inputs are conditions, not lists. A chart with timers gets transitions\n"
+            "that wait.\n"
+            "Formats: text, JSON, DOT (Graphviz), SVG.",
+            {"grafverif mealy samples/tanks/tanks.grafcet", "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},
+            {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::FormatDiagram, Accepts::Minimise, Accepts::Limits}};
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// `fmt`: canonical text.
+#include "app/system/files.hpp"
+#include "app/system/guard.hpp"
+#include "app/verbs.hpp"
+#include "syntax/language/format.hpp"
+#include "syntax/language/parse.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::app {
+
+ExitCode fmt(Job& job, const Streams& streams) {
+    const std::string& path = job.options.operands[0];
+    const auto source = read_source(path, job);
+    if (!source) return ExitCode::Input;
+    const tree::File file = parse_file(*source, job.sources, job.diagnostics);
+    if (job.diagnostics.has_errors()) return ExitCode::Input;
+    const std::string text = formatted(file);
+    const bool canonical = text == job.sources[*source].text;
+    if (job.options.check) {
+        if (!canonical && !job.options.quiet) streams.err << printable(path) << ": not in canonical form; `grafverif fmt -i` rewrites it\n";
+        return canonical ? ExitCode::Done : ExitCode::Verdict;
+    }
+    if (!job.options.in_place || path == "-") deliver(text, job, streams);
+    else if (!canonical) {
+        work_is_done();
+        write_files({{path, text}});
+    }
+    return ExitCode::Done;
+}
+
+Verb fmt_usage() {
+    return {"fmt", "FILE", 1, 1, "print a file in canonical form",
+            "Prints FILE as canonical text: one declaration a line, comments kept. Formatting canonical text changes nothing.",
+            {"grafverif fmt station.grafcet", "grafverif fmt -i station.grafcet", "grafverif fmt --check station.grafcet"},
+            {Accepts::Output, Accepts::InPlace}};
+}
+
+}  // namespace grafverif::app

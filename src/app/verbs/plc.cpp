@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// `plc`: a chart run as a PLC runs it, on standard input and output: the controller under test of `test --against`, for
+// trial. One line of inputs is one scan: inputs read, the whole stability search if the mode has one, outputs written.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <istream>
+#include <ostream>
+
+#include "app/commands.hpp"
+#include "app/verbs.hpp"
+#include "run/interpreter.hpp"
+#include "syntax/print/scan_line.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+std::vector<Id<Chart::Variable>> variables_of_kind(const Chart& chart, Chart::VariableKind kind) {
+    std::vector<Id<Chart::Variable>> found;
+    for (const Id<Chart::Variable> id : chart.variables.ids())
+        if (chart.variables[id].kind == kind) found.push_back(id);
+    return found;
+}
+
+/// `{2, 5}`
+std::string situation_text(const Chart& chart, const std::vector<bool>& situation) {
+    std::string text;
+    for (const Id<Chart::Step> step : chart.steps.ids())
+        if (situation[step.index]) text += (text.empty() ? "" : ", ") + step_variable(chart, step).substr(1);
+    return "{" + text + "}";
+}
+
+std::string instability_text(const Chart& chart, const std::vector<std::vector<bool>>& endless) {
+    constexpr std::size_t shown = 8;
+    std::string text = "total instability: with these inputs the situation never becomes stable: ";
+    for (std::size_t k = 0; k < endless.size() && k < shown; ++k) text += situation_text(chart, endless[k]) + ", ";
+    return text + (endless.size() > shown ? "..." : "and so on");
+}
+
+/// Why `cycle` is none that a PLC can make; empty: it is one.
+std::string problem_in(const Chart& chart, const Cycle& cycle) {
+    if (cycle.race)
+        return fmt::format("race: two actions store different values in `{}` in one evolution [action-race]",
+                           chart.variables[cycle.race->variable].name);
+    if (cycle.fault && cycle.fault->kind == RunFault::Kind::OutOfRange)
+        return fmt::format("the value {} for `{}` is outside its range [out-of-range]", cycle.fault->value,
+                           chart.variables[cycle.fault->variable].name);
+    if (cycle.fault && cycle.fault->kind == RunFault::Kind::ForcedApart)
+        return "two forcing orders that cannot be obeyed together are active [action-race]";
+    if (cycle.fault) return "a condition or a stored value cannot be computed [no-value]";
+    if (cycle.gave_up) return fmt::format("no stable situation within {} evolutions [total-instability]", evolution_limit);
+    if (!cycle.endless.empty()) return instability_text(chart, cycle.endless) + " [total-instability]";
+    return {};
+}
+
+class Plc {
+public:
+    Plc(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode), state_(power_on(chart)) {
+        for (const Id<Chart::Variable> id : inputs_)
+            columns_.push_back({chart.variables[id].name, chart.variables[id].type});
+    }
+
+    const std::vector<ScanColumn>& columns() const { return columns_; }
+
+    /// Time that passes before the first scan is before power-on.
+    void wait(std::int64_t milliseconds) {
+        if (state_.started) state_ = pass_time(std::move(state_), milliseconds);
+    }
+
+    /// One scan; what stops the PLC, or nothing.
+    std::string scan(const std::vector<std::int64_t>& values) {
+        std::vector<std::int64_t> inputs(chart_.variables.size());
+        for (std::size_t k = 0; k < inputs_.size(); ++k) inputs[inputs_[k].index] = values[k];
+        Cycle result = cycle(chart_, state_, inputs, mode_);
+        state_ = std::move(result.state);
+        return problem_in(chart_, result);
+    }
+
+    std::vector<std::int64_t> outputs() const {
+        std::vector<std::int64_t> values;
+        for (const Id<Chart::Variable> id : outputs_) values.push_back(state_.outputs[id.index]);
+        return values;
+    }
+
+private:
+    const Chart& chart_;
+    ExecutionMode mode_;
+    State state_;
+    std::vector<Id<Chart::Variable>> inputs_ = variables_of_kind(chart_, Chart::VariableKind::Input);
+    std::vector<Id<Chart::Variable>> outputs_ = variables_of_kind(chart_, Chart::VariableKind::Output);
+    std::vector<ScanColumn> columns_ = {};
+};
+
+/// The next line, or as much of it as is worth keeping: whatever is beyond `longest` is read and forgotten.
+bool next_line(std::istream& in, std::size_t longest, std::string& line) {
+    line.clear();
+    std::streambuf& bytes = *in.rdbuf();
+    int byte = bytes.sbumpc();
+    if (byte == std::char_traits<char>::eof()) return false;
+    for (; byte != std::char_traits<char>::eof() && byte != '\n'; byte = bytes.sbumpc())
+        if (line.size() <= longest) line += static_cast<char>(byte);
+    return true;
+}
+
+/// The PLC at its lines: each that is understood is obeyed, each that is not is answered by what is wrong with it.
+class PlcSession {
+public:
+    PlcSession(Plc& plc, Clock clock, const Streams& streams) : plc_(plc), clock_(clock), streams_(streams) {}
+
+    ExitCode run() {
+        const std::size_t longest = longest_scan_line(plc_.columns().size());
+        for (std::string line; code_ != ExitCode::Verdict && next_line(streams_.in, longest, line);) {
+            ++number_;
+            if (line.size() > longest) refuse(fmt::format("the line is longer than {} bytes", longest));
+            else obey(line);
+            streams_.out << std::flush;
+            if (!streams_.out) break;
+        }
+        return code_;
+    }
+
+private:
+    using Steady = std::chrono::steady_clock;
+
+    void obey(const std::string& line) {
+        if (line.starts_with("wait")) return obey_wait(line);
+        const ScanValues inputs = read_scan_line(line, plc_.columns());
+        if (!inputs.values) return refuse(inputs.problem);
+        if (clock_ == Clock::Real) let_real_time_pass();
+        const std::string problem = plc_.scan(*inputs.values);
+        if (problem.empty()) streams_.out << scan_line(plc_.outputs()) << '\n';
+        else fail(problem, ExitCode::Verdict);
+    }
+
+    void obey_wait(const std::string& line) {
+        const Command command = command_of(line);
+        const WaitCommand* const wait = std::get_if<WaitCommand>(&command);
+        if (clock_ == Clock::Real) refuse("`wait` is for `--clock simulated`; time passes by itself here");
+        else if (wait == nullptr || !wait->milliseconds) refuse("`wait` takes a duration such as `3s`, `250ms` or `2min`");
+        else plc_.wait(*wait->milliseconds);
+    }
+
+    void let_real_time_pass() {
+        const Steady::time_point now = Steady::now();
+        const auto passed = std::chrono::duration_cast<std::chrono::milliseconds>(now - last_);
+        plc_.wait(passed.count());
+        last_ += passed;
+    }
+
+    void refuse(const std::string& problem) { fail(problem, ExitCode::Input); }
+
+    void fail(const std::string& problem, ExitCode code) {
+        streams_.out << "error: " << problem << '\n';
+        streams_.err << fmt::format("grafverif: line {}: error: {}\n", number_, problem);
+        code_ = code;
+    }
+
+    Plc& plc_;
+    Clock clock_;
+    const Streams& streams_;
+    Steady::time_point last_ = Steady::now();
+    std::size_t number_ = 0;
+    ExitCode code_ = ExitCode::Done;
+};
+
+}  // namespace
+
+ExitCode plc(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    if (!chart || !equations_of(*model, *chart, job)) return ExitCode::Input;
+    Plc plc(model->charts[*chart], execution_mode(*model, *chart, job));
+    return PlcSession(plc, job.options.clock, streams).run();
+}
+
+Verb plc_usage() {
+    return {"plc",
+            "FILE",
+            1,
+            1,
+            "run a chart as a PLC would, on standard input and output",
+            "Runs a chart of FILE as a PLC does: each line of standard input holds the inputs of one scan, in the order\n"
+            "of their declaration; the answer is one line with the outputs, likewise. Booleans are 0 and 1.\n"
+            "  1,0,0,1,1          a scan with these inputs (commas or blanks)\n"
+            "  wait 5s            time passes before the next scan; no answer\n"
+            "A line that is not understood is answered by `error: ...`, and is no scan. A chart that never becomes stable,\n"
+            "a race or a value out of range is answered likewise and ends the program with exit code 1.",
+            {"grafverif plc station.grafcet --chart testing_station --mode every-cycle < inputs.csv",
+             "printf '0,0,0,1,1\\n1,1,0,1,1\\n' | grafverif plc samples/tanks/tanks.grafcet"},
+            {Accepts::Chart, Accepts::Mode, Accepts::Clock}};
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// `test`: does an implementation do what the chart says?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "app/system/dialogue.hpp"
+#include "app/system/guard.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/options.hpp"
+#include "app/outputs.hpp"
+#include "app/progress_line.hpp"
+#include "app/verbs.hpp"
+#include "report/test_report.hpp"
+#include "run/replay_test.hpp"
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/dialect.hpp"
+#include "syntax/print/scan_line.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+// The test bench: a controller is driven through a test sequence line by line and its outputs are compared in every scan
+// (JESA13 section 6). Each sequence starts the controller anew, which is its power-on.
+
+struct BenchOptions {
+    std::string controller = {};                     ///< the command that runs it, for the shell
+    Clock clock = Clock::Simulated;
+    bool go_on = false;                              ///< after a failure, as far as that is possible
+    std::chrono::milliseconds patience{10'000};      ///< for one answer
+    const std::atomic<bool>* stop = nullptr;         ///< set by somebody else: run no further step
+    std::function<void(std::size_t)> progress = {};  ///< called with the number of rows done
+};
+
+using Cause = TestReport::Cause;
+using Failure = TestReport::Failure;
+
+class Bench {
+public:
+    Bench(const TestSequence& test, const BenchOptions& options) : options_(options) {
+        report_.test = test;
+        report_.controller = options.controller;
+        for (const TestSequence::Variable& output : test.outputs) outputs_.push_back({output.name, output.type});
+        for (const TestSequence::Sequence& sequence : test.sequences)
+            report_.verdicts.emplace_back(rows_of(sequence).size(), StepVerdict::NotRun);
+    }
+
+    /// False: the shell found no program.
+    bool run() {
+        const auto start = std::chrono::steady_clock::now();
+        for (std::size_t k = 0; k < report_.test.sequences.size() && !stopped(); ++k) {
+            if (!run_sequence(k)) return false;
+            if (!report_.failures.empty() && !options_.go_on) break;
+        }
+        report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return true;
+    }
+
+    TestReport take() { return std::move(report_); }
+
+private:
+    /// A failure after which the controller cannot be driven on.
+    static bool is_fatal(Cause cause) { return cause != Cause::Different && cause != Cause::NotUnderstood; }
+
+    bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
+    bool run_sequence(std::size_t index) {
+        Dialogue dialogue(options_.controller, {options_.patience, longest_scan_line(outputs_.size()), options_.stop});
+        const std::vector<const TestSequence::Step*> rows = rows_of(report_.test.sequences[index]);
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            std::optional<Failure> failure = run_row(dialogue, *rows[row]);
+            if (stopped()) return true;
+            if (failure && failure->cause == Cause::Ended && done_ == 0 && dialogue.not_found()) return false;
+            report_.verdicts[index][row] = failure ? StepVerdict::Failed : StepVerdict::Passed;
+            ++done_;
+            if (options_.progress) options_.progress(done_);
+            if (!failure) continue;
+            failure->sequence = index;
+            failure->row = row;
+            report_.failures.push_back(*failure);
+            if (!options_.go_on || is_fatal(failure->cause)) return true;
+        }
+        return true;
+    }
+
+    /// The first failure of the scans of `step`; where the test goes on after it, so do the scans.
+    std::optional<Failure> run_row(Dialogue& dialogue, const TestSequence::Step& step) {
+        std::optional<Failure> first;
+        if (step.wait_ms != 0) wait(dialogue, step.wait_ms);
+        for (std::uint32_t scan = 1; scan <= step.cycles && !stopped(); ++scan) {
+            std::optional<Failure> failure = judge(dialogue, dialogue.ask(scan_line(step.inputs)), step);
+            if (!failure) continue;
+            failure->scan = scan;
+            if (!options_.go_on || is_fatal(failure->cause)) return first ? first : failure;
+            if (!first) first = std::move(failure);
+        }
+        return first;
+    }
+
+    /// A real controller is kept waiting a little longer: its clock may tick less often than ours.
+    void wait(Dialogue& dialogue, std::int64_t wait_ms) const {
+        if (options_.clock == Clock::Simulated) return dialogue.tell("wait " + duration_text(wait_ms));
+        constexpr std::chrono::milliseconds margin{20}, nap{50};
+        const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(wait_ms) + margin;
+        for (auto now = std::chrono::steady_clock::now(); now < end && !stopped(); now = std::chrono::steady_clock::now())
+            std::this_thread::sleep_for(std::min<std::chrono::nanoseconds>(end - now, nap));
+    }
+
+    std::optional<Failure> judge(Dialogue& dialogue, const Reply& answer, const TestSequence::Step& step) const {
+        Failure failure;
+        switch (answer.kind) {
+        case Reply::Kind::Line: return judge(answer.text, step);
+        case Reply::Kind::Stopped: return {};
+        case Reply::Kind::Silent:
+            failure.cause = Cause::Silent;
+            failure.message = fmt::format("no answer within {}", duration_text(options_.patience.count()));
+            break;
+        case Reply::Kind::Ended:
+            failure.cause = Cause::Ended;
+            failure.message = "no answer: " + dialogue.end_text();
+            break;
+        case Reply::Kind::Flood:
+            failure.cause = Cause::Flood;
+            failure.message = fmt::format("more than one line for one scan, or one without end: `{}`", shown_line(answer.text));
+            break;
+        }
+        return failure;
+    }
+
+    std::optional<Failure> judge(const std::string& line, const TestSequence::Step& step) const {
+        ScanValues read = read_scan_line(line, outputs_);
+        if (read.values && *read.values == step.outputs) return {};
+        Failure failure;
+        if (read.values) failure.answered = std::move(*read.values);
+        else {
+            failure.cause = Cause::NotUnderstood;
+            failure.message = fmt::format("the answer `{}` is no line of outputs: {}", shown_line(line), read.problem);
+        }
+        return failure;
+    }
+
+    const BenchOptions& options_;
+    TestReport report_ = {};
+    std::vector<ScanColumn> outputs_ = {};
+    std::size_t done_ = 0;
+};
+
+/// Empty where the shell finds no such program. Throws std::system_error where it cannot be started.
+std::optional<TestReport> run_test(const TestSequence& test, const BenchOptions& options) {
+    Bench bench(test, options);
+    if (!bench.run()) return {};
+    return bench.take();
+}
+
+/// The table of `--sequence`; or a test made of the chart, which passes on the rules of IEC 60848 before it is run.
+std::optional<TestSequence> sequence_to_run(const Model& model, Id<Chart> chart, Job& job, const Streams& streams,
+                                            const Interrupt& interrupt) {
+    if (job.options.sequence) return test_sequence(model, chart, job);
+    const auto machine = mealy_of(model, chart, job, streams, interrupt);
+    return machine ? test_of(model, chart, *machine, job) : std::nullopt;
+}
+
+void write_test_report(const TestReport& report, Job& job, const Streams& streams) {
+    const Options& options = job.options;
+    work_is_done();
+    if (options.format == Format::Json) print_json(report, streams.out);
+    else print_text(report, options.quiet, streams.out);
+    if (!options.junit) return;
+    std::ostringstream text;
+    print_junit(report, text);
+    write_outputs({{*options.junit, std::move(text).str()}}, job, streams);
+}
+
+std::optional<TestReport> bench_report(const TestSequence& sequence, const Options& options, const Streams& streams,
+                                       const Interrupt& interrupt) {
+    ProgressLine line(streams.err, streams.err_is_terminal && !options.quiet);
+    BenchOptions bench{options.against, options.clock, options.go_on};
+    bench.patience = std::chrono::milliseconds(options.patience_ms.value_or(10'000));
+    bench.stop = &interrupt.asked();
+    bench.progress = [&](std::size_t done) {
+        line.show([&] { return fmt::format("{} of {} steps", done, step_count(sequence)); });
+    };
+    return run_test(sequence, bench);
+}
+
+}  // namespace
+
+ExitCode test(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    const Interrupt interrupt;
+    const auto sequence = chart ? sequence_to_run(*model, *chart, job, streams, interrupt) : std::nullopt;
+    if (!sequence) return interrupt.asked() ? ExitCode::Unknown : ExitCode::Input;
+    if (const auto wrong = job.options.sequence ? std::nullopt : disagreement(model->charts[*chart], *sequence)) {
+        streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong << '\n';
+        return ExitCode::Failure;
+    }
+    const auto report = bench_report(*sequence, job.options, streams, interrupt);
+    if (!report) {
+        job.diagnostics.add(messages::cannot_run(job.options.against));
+        return ExitCode::Input;
+    }
+    write_test_report(*report, job, streams);
+    if (!report->failures.empty()) return ExitCode::Verdict;
+    return interrupt.asked() ? ExitCode::Unknown : ExitCode::Done;
+}
+
+Verb test_usage() {
+    return {"test",
+            "FILE",
+            1,
+            1,
+            "test an implementation against a chart, scan by scan",
+            "Runs the controller PROGRAM through a test sequence and compares its outputs with those of the chart in every\n"
+            "scan. PROGRAM is a command for the shell; it reads one line of inputs and answers by one line of outputs for each\n"
+            "scan (docs/conformance.md). Without --sequence the test is the one that `testgen` makes of the chart.\n"
+            "Exit code 1: the controller does not conform. Formats: text, JSON, JUnit XML (--junit).",
+            {"grafverif test tanks.grafcet --against ./my_controller",
+             "grafverif test tanks.grafcet --against ./my_controller --cover evolutions --go-on --junit report.xml",
+             "grafverif test tanks.grafcet --sequence table2.csv --against \"grafverif plc tanks.grafcet --mode every-cycle\""},
+            {Accepts::Bench, Accepts::Sequence, Accepts::Chart, Accepts::Mode, Accepts::Clock, Accepts::Format, Accepts::Cover,
+             Accepts::Minimise}};
+}
+
+}  // namespace grafverif::app

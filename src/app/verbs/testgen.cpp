@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// `testgen`: a test sequence for the program of a PLC. None is written that the interpreter of the rules does not pass.
+#include <fmt/format.h>
+
+#include <ostream>
+#include <sstream>
+
+#include "app/system/interrupt.hpp"
+#include "app/verbs.hpp"
+#include "conform/test_sequence.hpp"
+#include "run/replay_test.hpp"
+#include "syntax/print/automaton.hpp"
+#include "syntax/print/test_csv.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+std::string written(const TestSequence& test, const Job& job) {
+    if (job.options.format == Format::Text || job.options.format == Format::Xml) return structured_text_test(test, job);
+    std::ostringstream out;
+    if (job.options.format == Format::Json) print_test_json(out, test);
+    else print_test_csv(out, test);
+    return std::move(out).str();
+}
+
+}  // namespace
+
+ExitCode testgen(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    const Interrupt interrupt;
+    const auto machine = chart ? mealy_of(*model, *chart, job, streams, interrupt) : std::nullopt;
+    const auto test = machine ? test_of(*model, *chart, *machine, job) : std::nullopt;
+    if (!test) return interrupt.asked() ? ExitCode::Unknown : ExitCode::Input;
+    if (const auto wrong = disagreement(model->charts[*chart], *test)) {
+        streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong << '\n';
+        return ExitCode::Failure;
+    }
+    deliver(written(*test, job), job, streams);
+    if (!job.options.quiet) streams.err << summary(*test) << '\n';
+    return ExitCode::Done;
+}
+
+Verb testgen_usage() {
+    return {"testgen", "FILE", 1, 1, "make a test sequence for the program of a PLC",
+            "Writes inputs to apply and outputs to expect, step by step from power-on, and says on standard error how many steps there\n"
+            "are and whether fewer would do. Each step lasts `cycles` scans of the controller. Constraints of the chart restrict the\n"
+            "inputs. The test is run on the rules of IEC 60848 before it is written.\n"
+            "Formats: CSV, JSON, Structured Text (IEC 61131-3) alone or in PLCopen XML.",
+            {"grafverif testgen samples/tanks/tanks.grafcet -o tanks.csv", "grafverif testgen samples/tanks/tanks.grafcet --cover evolutions",
+             "grafverif testgen samples/tanks/tanks.grafcet --mode every-cycle --hold one --format json"},
+            {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::FormatTest, Accepts::Cover, Accepts::Minimise, Accepts::Limits}};
+}
+
+}  // namespace grafverif::app

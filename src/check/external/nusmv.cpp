@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "check/external/nusmv.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "check/evidence.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::string_view mark = "grafverif: ";
+/// Of a trace; more are not kept, and what is left shows nothing.
+constexpr std::size_t most_values = 50'000'000;
+
+/// What was printed behind each mark and before the next: of what comes last nobody knows whether it is whole.
+std::unordered_map<std::string, std::vector<std::string_view>> sections(std::string_view text) {
+    std::unordered_map<std::string, std::vector<std::string_view>> found;
+    for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
+        const std::size_t line_end = std::min(text.find('\n', at), text.size());
+        std::string_view name = text.substr(at + mark.size(), line_end - at - mark.size());
+        name = name.substr(0, name.find_last_not_of(" \r") + 1);   // `echo` adds a blank
+        const std::size_t next = text.find(mark, line_end);
+        if (next == std::string_view::npos) break;
+        found[std::string(name)].push_back(text.substr(line_end, next - line_end));
+        at = next;
+    }
+    return found;
+}
+
+std::string_view trimmed_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+    while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
+    return line;
+}
+
+/// Every answer that stands in a section.
+std::vector<bool> truths(std::string_view section) {
+    std::vector<bool> found;
+    while (!section.empty()) {
+        const std::string_view line = trimmed_line(section);
+        if (!line.starts_with("-- specification") && !line.starts_with("-- invariant") && !line.starts_with("-- LTL"))
+            continue;
+        if (line.ends_with("is true") || line.ends_with("is false")) found.push_back(line.ends_with("is true"));
+    }
+    return found;
+}
+
+/// A counterexample as NuSMV prints it: what did not change is left out; the choices of a step stand before the state
+/// that it leads to.
+class TraceReader {
+public:
+    TraceReader(const FlatSystem& flat, const SystemSpelling& spelling) : flat_(flat), spelling_(spelling) {
+        for (const Id<FlatSystem::Variable> id : flat.variables.ids()) places_[spelling.variables[id.index]] = id;
+        for (const FlatSystem::Variable& variable : flat.variables) now_.push_back(variable.type.low);
+    }
+
+    /// Empty: there is none, or it has a value of ours that means nothing to us. `repeats`: a loop matters.
+    std::optional<ToldRun> read(std::string_view section, bool repeats) {
+        bool in_trace = false;
+        while (!section.empty()) {
+            const std::string_view line = trimmed_line(section);
+            if (line.starts_with("Trace Type:")) in_trace = true;
+            if (!in_trace) continue;
+            if (line.starts_with("-- Loop starts here")) begin_loop();
+            else if (line.starts_with("-> Input:")) close_state();
+            else if (line.starts_with("-> State:")) begin_state();
+            else if (const std::size_t at = line.find(" = "); at != std::string_view::npos)
+                if (!assign(line.substr(0, at), line.substr(at + 3))) return {};
+        }
+        close_state();
+        return run(repeats);
+    }
+
+private:
+    void begin_loop() {
+        close_state();
+        if (!loop_) loop_ = states_.size();
+    }
+
+    void close_state() {
+        if (open_ && states_.size() * now_.size() < most_values) states_.push_back(now_);
+        open_ = false;
+    }
+
+    void begin_state() {
+        close_state();
+        for (const Id<FlatSystem::Variable> id : flat_.variables.ids())
+            if (flat_.variables[id].choice && !states_.empty()) states_.back()[id.index] = now_[id.index];
+        open_ = true;
+    }
+
+    bool assign(std::string_view name, std::string_view value) {
+        const auto place = places_.find(std::string(name));
+        if (place == places_.end()) return true;   // a definition
+        const auto number = value_of(place->second, value);
+        if (number) now_[place->second.index] = *number;
+        return number.has_value();
+    }
+
+    std::optional<std::int64_t> value_of(Id<FlatSystem::Variable> id, std::string_view text) const {
+        if (text == "TRUE" || text == "FALSE") return text == "TRUE";
+        const std::vector<std::string>& names = spelling_.values[id.index];
+        const auto named = std::ranges::find(names, text);
+        if (named != names.end()) return flat_.variables[id].type.low + (named - names.begin());
+        std::int64_t number = 0;
+        const std::from_chars_result read = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return {};
+        return number;
+    }
+
+    std::optional<ToldRun> run(bool repeats) {
+        if (states_.empty()) return {};
+        ToldRun run{std::move(states_), {}};
+        if (repeats && loop_ && *loop_ + 1 < run.states.size()) {
+            run.loop = loop_;
+            run.states.pop_back();   // it is the state where the loop began
+        }
+        return run;
+    }
+
+    const FlatSystem& flat_;
+    const SystemSpelling& spelling_;
+    std::unordered_map<std::string, Id<FlatSystem::Variable>> places_ = {};
+    std::vector<std::int64_t> now_ = {};
+    std::vector<std::vector<std::int64_t>> states_ = {};
+    bool open_ = false;
+    std::optional<std::size_t> loop_ = {};
+};
+
+/// `reachable states: 19456 (2^14.25) out of ...`; a large number is rounded (`1.2e+21`) and not taken.
+std::string state_count(std::string_view section) {
+    constexpr std::string_view before = "reachable states: ";
+    const std::size_t at = section.find(before);
+    if (at == std::string_view::npos) return {};
+    section.remove_prefix(at + before.size());
+    const std::size_t end = section.find_first_not_of("0123456789");
+    return end != std::string_view::npos && section[end] == ' ' ? std::string(section.substr(0, end)) : std::string();
+}
+
+std::string failure_of(const ProgramResult& said) {
+    switch (said.end) {
+    case ProgramResult::End::TimedOut: return "stopped at the time limit";
+    case ProgramResult::End::Stopped: return "stopped";
+    case ProgramResult::End::TooMuchOutput: return "the program wrote more than is read";
+    case ProgramResult::End::Signalled: return "the program was ended by signal " + std::to_string(said.status);
+    case ProgramResult::End::Exited: break;
+    }
+    std::string_view text = said.err;
+    std::string last;
+    while (!text.empty())
+        if (const std::string_view line = trimmed_line(text); !line.empty()) last = line;
+    constexpr std::size_t longest = 200;
+    if (last.size() > longest) last = last.substr(0, longest) + "...";
+    return last.empty() ? "the program gave no verdict" : "the program gave no verdict; its last words: " + last;
+}
+
+Obstacle obstacle_of(const ProgramResult& said) {
+    const bool stopped = said.end == ProgramResult::End::TimedOut || said.end == ProgramResult::End::Stopped;
+    return stopped ? Obstacle::Stopped : Obstacle::Failed;
+}
+
+void undecided(Verdict& verdict, Obstacle obstacle, std::string reason) {
+    verdict.outcome = Outcome::Unknown;
+    verdict.obstacle = obstacle;
+    verdict.reason = std::move(reason);
+}
+
+/// What the program said, by our marks. One that was ended by a signal has said nothing that counts.
+class Answers {
+public:
+    explicit Answers(const ProgramResult& said) {
+        if (said.end != ProgramResult::End::Signalled) sections_ = sections(said.out);
+    }
+
+    /// Empty: nothing stands there, or it stands there twice.
+    std::string_view section(const std::string& name) const {
+        const auto found = sections_.find(name);
+        return found == sections_.end() || found->second.size() != 1 ? std::string_view() : found->second.front();
+    }
+    std::vector<bool> truths_of(const std::string& name) const {
+        std::vector<bool> all;
+        if (const auto found = sections_.find(name); found != sections_.end())
+            for (const std::string_view section : found->second)
+                for (const bool truth : truths(section)) all.push_back(truth);
+        return all;
+    }
+
+private:
+    std::unordered_map<std::string, std::vector<std::string_view>> sections_ = {};
+};
+
+struct Question {
+    const TransitionSystem& system;
+    FlatSystem& flat;
+    const SystemSpelling& spelling;
+    const Property& property;
+};
+
+/// Fills in what the program answers, if it bears looking at, and returns the run that shows it.
+std::optional<SystemRun> judged(Verdict& verdict, const Answers& answers, const std::string& name, const Question& question,
+                                const ProgramResult& said) {
+    const std::vector<bool> truths = answers.truths_of(name);
+    if (truths.size() != 1) {
+        if (truths.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
+        else distrust(verdict, "the program gave more than one verdict");
+        return {};
+    }
+    const Pattern pattern = question.property.pattern;
+    const bool reachable = pattern == Pattern::Reachable;
+    verdict.outcome = truths.front() != reachable ? Outcome::Holds : Outcome::Violated;
+    if (truths.front()) return {};
+    const bool about_paths = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::RawLtl ||
+                             pattern == Pattern::RawCtl;
+    const auto told = TraceReader(question.flat, question.spelling).read(answers.section(name), about_paths);
+    const std::string why = !told ? "the program shows no run for its verdict"
+                                  : doubt(question.system, question.flat, question.property, *told);
+    if (!why.empty()) {
+        distrust(verdict, why);
+        return {};
+    }
+    SystemRun run{{}, told->loop};
+    for (const std::vector<std::int64_t>& state : told->states) run.states.push_back(symbol_values(question.flat, state));
+    return run;
+}
+
+}  // namespace
+
+std::string nusmv_commands(const std::string& model, const SystemSpelling& spelling,
+                           const std::vector<std::size_t>& properties) {
+    const auto section = [](std::string_view name) { return "echo " + std::string(mark) + std::string(name) + "\n"; };
+    std::string text = "set on_failure_script_quits\nset dynamic_reorder 1\nread_model -i " + model +
+                       "\nflatten_hierarchy\nencode_variables\nbuild_model\n";
+    text += section("fsm") + "check_fsm\n" + section("states") + "print_reachable_states\n";
+    for (const std::size_t property : properties)
+        text += section(std::to_string(property)) + "check_property -P \"" + spelling.properties[property] + "\"\n";
+    return text + section("end") + "quit\n";
+}
+
+NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spelling,
+                       const std::vector<std::size_t>& properties, const ProgramResult& said) {
+    FlatSystem flat = flattened(system);
+    const Answers answers(said);
+    NusmvResult result;
+    const std::string_view totality = answers.section("fsm");
+    for (const std::string_view words : {"The transition relation is total", "the machine is deadlock-free"})
+        result.total = result.total || totality.find(words) != std::string_view::npos;
+    result.states = state_count(answers.section("states"));
+    for (const std::size_t index : properties) {
+        const Property& property = system.properties[{static_cast<std::uint32_t>(index)}];
+        Verdict verdict = verdict_on({static_cast<std::uint32_t>(index)}, property);
+        verdict.states = result.states;
+        std::optional<SystemRun> run;
+        if (!totality.empty() && !result.total) undecided(verdict, Obstacle::Faulty, "some reachable state has no step");
+        else if (totality.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
+        else run = judged(verdict, answers, std::to_string(index), {system, flat, spelling, property}, said);
+        result.verdicts.push_back(std::move(verdict));
+        result.runs.push_back(std::move(run));
+    }
+    return result;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "check/external/verifyta.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr char escape = '\033';
+
+/// `text` with one mark, `escape`, for each of the sequences that programs colour and rewrite lines with: what one stands
+/// in the midst of is not what was said.
+std::string marked(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        result += text[i];
+        if (text[i] != escape) continue;
+        if (i + 1 == text.size() || text[i + 1] != '[') continue;
+        for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;   // to its final byte
+    }
+    return result;
+}
+
+/// How many lines of `text` are `wanted`, blanks and marks around it apart.
+std::size_t lines(std::string_view text, std::string_view wanted) {
+    constexpr std::string_view blanks = " \t\r\033";
+    std::size_t count = 0;
+    while (!text.empty()) {
+        std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+        if (line.substr(0, line.find_last_not_of(blanks) + 1) == wanted) ++count;
+    }
+    return count;
+}
+
+/// The first line of `text` that says something, without marks.
+std::string first_line(std::string text) {
+    std::erase(text, escape);
+    constexpr std::size_t longest = 200;
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string::npos) return {};
+    return text.substr(begin, std::min(text.find_first_of("\r\n", begin) - begin, longest));
+}
+
+ExternalAnswer undecided(Obstacle obstacle, std::string reason) { return {Outcome::Unknown, obstacle, std::move(reason)}; }
+
+/// What a program that did not come to its end has to say.
+std::optional<ExternalAnswer> ended_early(const ProgramResult& result) {
+    switch (result.end) {
+    case ProgramResult::End::Exited:        return {};
+    case ProgramResult::End::Signalled:     return undecided(Obstacle::Failed, "verifyta was ended by signal " + std::to_string(result.status));
+    case ProgramResult::End::TimedOut:      return undecided(Obstacle::Stopped, "verifyta was stopped at the time limit");
+    case ProgramResult::End::Stopped:       return undecided(Obstacle::Stopped, "verifyta was stopped");
+    case ProgramResult::End::TooMuchOutput: return undecided(Obstacle::Failed, "verifyta printed more than is read");
+    }
+    unreachable();
+}
+
+Verdict verdict_on(const Network& network, const ExternalQuestion& question) {
+    Verdict verdict = grafverif::verdict_on(question.property, network.properties[question.property]);
+    verdict.property = question.name;
+    return verdict;
+}
+
+/// Whether the question is the one for races: that the flag is never set.
+bool asks_for_race(const Network& network, const ExternalQuestion& question) {
+    const Property& property = network.properties[question.property];
+    if (!network.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
+    const Expr& operand = network.exprs[property.operands[0]];
+    return operand.op == Op::Variable && operand.value == network.race.index;
+}
+
+Verdict unasked(Verdict verdict) {
+    verdict.obstacle = Obstacle::Stopped;
+    verdict.reason = "stopped before it was asked";
+    return verdict;
+}
+
+Verdict ask(Verdict verdict, const ExternalQuestion& question, const ExternalOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    ExternalAnswer answer = question.formula.empty() ? undecided(Obstacle::Unsupported, question.reason)
+                                                     : read_verifyta(options.run(question.formula));
+    verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    verdict.outcome = answer.outcome;
+    verdict.obstacle = answer.obstacle;
+    verdict.reason = std::move(answer.reason);
+    return verdict;
+}
+
+/// What is said of a model in which two stored actions may race is nothing.
+void take_back(Verdict& verdict) {
+    if (verdict.outcome == Outcome::Unknown) return;
+    verdict.outcome = Outcome::Unknown;
+    verdict.obstacle = Obstacle::Faulty;
+    verdict.reason = "stored actions may race; see `no_race`";
+}
+
+}  // namespace
+
+ExternalAnswer read_verifyta(const ProgramResult& result) {
+    if (auto answer = ended_early(result)) return *answer;
+    const std::string text = marked(result.out);
+    const std::size_t satisfied = lines(text, "-- Formula is satisfied."), refuted = lines(text, "-- Formula is NOT satisfied.");
+    const std::size_t open = lines(text, "-- Formula MAY be satisfied.") + lines(text, "-- Formula MAY NOT be satisfied.");
+    if (satisfied + refuted + open > 1) return undecided(Obstacle::Disagrees, "engine-disagrees: verifyta gave more than one verdict on one formula");
+    if (open == 1) return undecided(Obstacle::Inexact, "verifyta says that the formula may or may not be satisfied");
+    if (satisfied + refuted == 1) return {satisfied == 1 ? Outcome::Holds : Outcome::Violated, Obstacle::None, {}};
+    std::string said = first_line(marked(result.err));
+    if (said.empty()) said = "exit code " + std::to_string(result.status);
+    return undecided(Obstacle::Failed, "verifyta gave no verdict: " + said);
+}
+
+std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuestion> questions, const ExternalOptions& options) {
+    const auto asked = [&](const Property& property) {
+        return options.properties.empty() || std::ranges::find(options.properties, property.name) != options.properties.end();
+    };
+    std::vector<Verdict> verdicts;
+    std::optional<std::size_t> race;   // the verdict on it
+    bool stopped = false;
+    for (const ExternalQuestion& question : questions) {
+        const Property& property = network.properties[question.property];
+        if (asks_for_race(network, question)) race = verdicts.size();
+        else if (!asked(property)) continue;
+        verdicts.push_back(stopped ? unasked(verdict_on(network, question)) : ask(verdict_on(network, question), question, options));
+        stopped = stopped || verdicts.back().obstacle == Obstacle::Stopped;
+    }
+    if (network.race.valid() && (!race || verdicts[*race].outcome != Outcome::Holds))
+        for (std::size_t i = 0; i < verdicts.size(); ++i)
+            if (i != race) take_back(verdicts[i]);
+    const auto about_time = [](const Property& property) { return property.pattern == Pattern::NoTimelock; };
+    if (std::ranges::none_of(network.properties, about_time))
+        verdicts.push_back({.property = "no_timelock",
+                            .pattern = Pattern::NoTimelock,
+                            .obstacle = Obstacle::Unsupported,
+                            .reason = "UPPAAL has no query for `no timelock`; `--engine timed` decides it",
+                            .declared = false});
+    return verdicts;
+}
+
+}  // namespace grafverif

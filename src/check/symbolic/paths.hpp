@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Searches through the states of a StateSpace, and the runs that show what they found.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "check/symbolic/model.hpp"
+
+namespace grafverif::symbolic {
+
+/// The states reached in 0, 1, 2, ... steps and in no fewer.
+using Rings = std::vector<Bdd>;
+
+/// A run as states of the model.
+struct Path {
+    std::vector<State> states = {};
+    std::optional<std::size_t> loop = {};
+};
+
+/// Adds rings to `rings` until one has a state of `goal` or no new state comes. Rings lie in `within`, which holds the
+/// first. Whether the goal was met; what lies in any ring is returned in `reached`.
+bool grow(const StateSpace& model, Rings& rings, Bdd& reached, const Bdd& within, const Bdd& goal,
+          const std::function<void(std::size_t)>& progress = {});
+
+/// A shortest way through `rings` to a state of `goal`; empty where no ring has one.
+std::vector<State> way(const StateSpace& model, const Rings& rings, const Bdd& goal);
+
+/// The states of `within` from which some path in it, of no step or more, leads to a state of `goal`.
+Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal);
+/// The states of `within` from which some infinite path stays in it and meets each of `justice` infinitely often
+/// (Emerson and Lei 1986).
+Bdd can_stay(const StateSpace& model, const Bdd& within, const std::vector<Bdd>& justice);
+
+/// An infinite path in `staying`, which is a result of can_stay, from its state `first`.
+Path stay(const StateSpace& model, const State& first, const Bdd& staying, const std::vector<Bdd>& justice);
+
+SystemRun run_of(const StateSpace& model, const FlatSystem& flat, const Path& path);
+
+}  // namespace grafverif::symbolic

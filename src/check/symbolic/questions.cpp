@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "check/symbolic/questions.hpp"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "support/overloaded.hpp"
+
+namespace grafverif::symbolic {
+
+namespace {
+
+void unknown(Verdict& verdict, Obstacle obstacle, std::string reason) {
+    verdict.outcome = Outcome::Unknown;
+    verdict.obstacle = obstacle;
+    verdict.reason = std::move(reason);
+}
+
+/// Why this engine does not take a property; empty: it does.
+std::string refusal(Pattern pattern) {
+    switch (pattern) {
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock: return "an untimed model has no deadlock and no time to lock";
+    case Pattern::RawUppaal:  return "UPPAAL's formulas are decided by UPPAAL only";
+    case Pattern::RawCtl:     return "CTL formulas of NuSMV are decided by NuSMV and nuXmv only";
+    case Pattern::RawLtl:     return "LTL formulas of NuSMV are decided by NuSMV and nuXmv only";
+    case Pattern::ReachableAllSteps: return "it is asked step by step";
+    case Pattern::Always: case Pattern::Never: case Pattern::Reachable: case Pattern::Inevitable: case Pattern::LeadsTo:
+    case Pattern::ExactlyOneOf: case Pattern::AlwaysPossible:
+        return {};
+    }
+    unreachable();
+}
+
+bool about_states(Pattern pattern) {
+    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf ||
+           pattern == Pattern::Reachable;
+}
+
+}  // namespace
+
+Questions::Questions(const TransitionSystem& system, FlatSystem& flat) : system_(system), flat_(flat) {
+    if (system.settled.valid()) settled_ = flattened(system, flat, system.settled);
+}
+
+Id<Expr> Questions::settled_and(const Property& property, Id<Expr> operand) {
+    return property.at_stable ? flat_.exprs.conjunction(settled_, operand) : operand;
+}
+
+Id<Expr> Questions::exactly_one(const std::vector<Id<Expr>>& operands) {
+    Exprs& exprs = flat_.exprs;
+    Id<Expr> none = exprs.constant(true), one = exprs.constant(false);
+    for (const Id<Expr> operand : operands) {
+        one = exprs.disjunction(exprs.conjunction(one, exprs.negation(operand)), exprs.conjunction(none, operand));
+        none = exprs.conjunction(none, exprs.negation(operand));
+    }
+    return one;
+}
+
+void Questions::ask(Id<Property> about) {
+    const Property& property = system_.properties[about];
+    Question question{about, {}};
+    for (const Id<Expr> operand : property.operands) question.operands.push_back(flattened(system_, flat_, operand));
+    Exprs& exprs = flat_.exprs;
+    // What is about every state is asked as: which state breaks it?
+    if (property.pattern == Pattern::ExactlyOneOf) question.operands = {exprs.negation(exactly_one(question.operands))};
+    if (property.pattern == Pattern::Always) question.operands = {exprs.negation(question.operands.front())};
+    for (Id<Expr>& operand : question.operands) operand = settled_and(property, operand);
+    questions_.push_back(std::move(question));
+}
+
+std::vector<Found> Questions::answers(const StateSpace* model, const Search& search, const SymbolicOptions& options) {
+    std::vector<Found> all;
+    Obstacle obstacle = model == nullptr ? search.obstacle : Obstacle::None;   // met by every question to come
+    std::string reason = search.reason;
+    for (const Question& question : questions_) {
+        Found found{verdict_on(question.about, of(question)), {}};
+        const auto exhausted = [&](Obstacle what, std::string why) {
+            unknown(found.verdict, what, why);
+            if (what != Obstacle::Stopped) return;   // with less to do, the memory may do
+            obstacle = what;
+            reason = std::move(why);
+        };
+        const auto no_memory = [&] { return "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up"; };
+        try {
+            if (obstacle == Obstacle::None) found = answer(question, *model, search);
+            else unknown(found.verdict, obstacle, reason);
+        } catch (const BddExhausted& failure) {
+            if (failure.cause() == BddExhausted::Cause::Memory) exhausted(Obstacle::Memory, no_memory());
+            else exhausted(Obstacle::Stopped, "stopped");
+        } catch (const std::bad_alloc&) {
+            exhausted(Obstacle::Memory, no_memory());
+        }
+        all.push_back(std::move(found));
+    }
+    return all;
+}
+
+Questions::Sets Questions::sets(const Question& question, const StateSpace& model, const Search& search) const {
+    Sets sets;
+    BddTerms terms = model.terms();
+    for (const Id<Expr> operand : question.operands) {
+        const BddTerm& term = terms(operand);
+        sets.undefined = sets.undefined || !(search.reached & term.undefined).is_false();
+        sets.operands.push_back(search.reached & term.bits.front());
+    }
+    return sets;
+}
+
+Found Questions::answer(const Question& question, const StateSpace& model, const Search& search) {
+    Found found{verdict_on(question.about, of(question)), {}};
+    Verdict& verdict = found.verdict;
+    const Pattern pattern = of(question).pattern;
+    if (const std::string reason = refusal(pattern); !reason.empty()) {
+        unknown(verdict, Obstacle::Unsupported, reason);
+        return found;
+    }
+    const Sets here = sets(question, model, search);
+    if (here.undefined) {
+        unknown(verdict, Obstacle::Faulty, "its condition divides by zero in some reachable state");
+        return found;
+    }
+    if (about_states(pattern)) answer_state(found, question, here, model, search);
+    else if (search.obstacle != Obstacle::None) unknown(verdict, search.obstacle, search.reason);
+    else answer_paths(found, question, here, model, search);
+    if (verdict.outcome == Outcome::Holds) mark_vacuous(verdict, question, here, model, search);
+    return found;
+}
+
+void Questions::answer_state(Found& found, const Question& question, const Sets& sets, const StateSpace& model,
+                             const Search& search) {
+    Verdict& verdict = found.verdict;
+    const bool seen = !sets.operands.front().is_false();
+    if (!seen && search.obstacle != Obstacle::None) return unknown(verdict, search.obstacle, search.reason);
+    const bool wanted = of(question).pattern == Pattern::Reachable;
+    verdict.outcome = seen == wanted ? Outcome::Holds : Outcome::Violated;
+    if (seen) found.run = run_of(model, flat_, {way(model, search.rings, sets.operands.front()), {}});
+}
+
+void Questions::prepare(const StateSpace& model, const Search& search) {
+    if (prepared_) return;
+    BddTerms terms = model.terms();
+    std::vector<Bdd> justice;
+    for (const Id<Expr> term : flat_.justice) justice.push_back(search.reached & terms(term).bits.front());
+    fair_ = justice.empty() ? search.reached : can_stay(model, search.reached, justice);
+    justice_ = std::move(justice);
+    prepared_ = true;
+}
+
+void Questions::answer_paths(Found& found, const Question& question, const Sets& sets, const StateSpace& model,
+                             const Search& search) {
+    prepare(model, search);
+    const Bdd& p = sets.operands.front();
+    Verdict& verdict = found.verdict;
+    verdict.outcome = Outcome::Holds;
+    if (of(question).pattern == Pattern::AlwaysPossible) {
+        const Bdd lost = fair_ & ~can_reach(model, search.reached, p & fair_);
+        if (lost.is_false()) return;
+        verdict.outcome = Outcome::Violated;
+        verdict.notes.emplace_back("from the last state of the trace on it is impossible");
+        found.run = run_of(model, flat_, {way(model, search.rings, lost), {}});
+        return;
+    }
+    const bool leads = of(question).pattern == Pattern::LeadsTo;
+    const Bdd without = search.reached & ~(leads ? sets.operands[1] : p);
+    const Bdd staying = can_stay(model, without, justice_);
+    const Bdd from = staying & (leads ? p : model.initial());
+    if (from.is_false()) return;
+    verdict.outcome = Outcome::Violated;
+    found.run = run_of(model, flat_, lasso(model, search, from, staying));
+}
+
+Path Questions::lasso(const StateSpace& model, const Search& search, const Bdd& from, const Bdd& staying) const {
+    Path path{way(model, search.rings, from), {}};
+    const std::size_t stem = path.states.size() - 1;
+    const Path forever = stay(model, path.states.back(), staying, justice_);
+    path.states.insert(path.states.end(), forever.states.begin() + 1, forever.states.end());
+    path.loop = *forever.loop + stem;
+    return path;
+}
+
+void Questions::mark_vacuous(Verdict& verdict, const Question& question, const Sets& sets, const StateSpace& model,
+                             const Search& search) {
+    const Property& property = of(question);
+    const auto vacuous = [&](const char* why) { verdict.vacuous = true; verdict.notes.emplace_back(why); };
+    const bool universal = property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
+                           property.pattern == Pattern::ExactlyOneOf;
+    if (universal && property.at_stable) {
+        BddTerms terms = model.terms();
+        if ((search.reached & terms(settled_).bits.front()).is_false()) vacuous("no state is ever settled");
+    }
+    if (property.pattern == Pattern::LeadsTo && sets.operands.front().is_false()) vacuous("the left side never holds");
+    if (!about_states(property.pattern) && !justice_.empty() && (fair_ & model.initial()).is_false())
+        vacuous("no run is fair: its fairness conditions exclude each other");
+}
+
+}  // namespace grafverif::symbolic

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Questions: the properties of a system as sets of states, and what the reachable states answer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "check/symbolic/paths.hpp"
+#include "check/symbolic/symbolic.hpp"
+
+namespace grafverif::symbolic {
+
+/// What a search of the reachable states came to.
+struct Search {
+    Rings rings = {};
+    Bdd reached = {};
+    Obstacle obstacle = Obstacle::None;   ///< None: all are reached
+    std::string reason = {};
+};
+
+/// One verdict, and the run that shows it.
+struct Found {
+    Verdict verdict = {};
+    std::optional<SystemRun> run = {};
+};
+
+class Questions {
+public:
+    Questions(const TransitionSystem& system, FlatSystem& flat);
+
+    /// Translates what is asked; before this, the terms of `flat` may still grow.
+    void ask(Id<Property> property);
+    /// The verdicts, in the order asked. `model` may be missing where the search did not get far enough to have one.
+    std::vector<Found> answers(const StateSpace* model, const Search& search, const SymbolicOptions& options);
+
+private:
+    struct Question {
+        Id<Property> about = {};
+        std::vector<Id<Expr>> operands = {};   ///< over the variables of the flat system, `at stable` resolved
+    };
+    /// The sets of states that a question is about.
+    struct Sets {
+        std::vector<Bdd> operands = {};
+        bool undefined = false;   ///< some operand has no value in some reachable state
+    };
+
+    const Property& of(const Question& question) const { return system_.properties[question.about]; }
+    Id<Expr> settled_and(const Property& property, Id<Expr> operand);
+    Id<Expr> exactly_one(const std::vector<Id<Expr>>& operands);
+    Found answer(const Question& question, const StateSpace& model, const Search& search);
+    void answer_state(Found& found, const Question& question, const Sets& sets, const StateSpace& model, const Search& search);
+    void answer_paths(Found& found, const Question& question, const Sets& sets, const StateSpace& model, const Search& search);
+    Sets sets(const Question& question, const StateSpace& model, const Search& search) const;
+    Path lasso(const StateSpace& model, const Search& search, const Bdd& from, const Bdd& staying) const;
+    void mark_vacuous(Verdict& verdict, const Question& question, const Sets& sets, const StateSpace& model,
+                      const Search& search);
+    void prepare(const StateSpace& model, const Search& search);
+
+    const TransitionSystem& system_;
+    FlatSystem& flat_;
+    Id<Expr> settled_ = {};
+    std::vector<Question> questions_ = {};
+    bool prepared_ = false;
+    std::vector<Bdd> justice_ = {};
+    Bdd fair_ = {};   ///< reachable states from which a fair run starts
+};
+
+}  // namespace grafverif::symbolic

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "check/symbolic/symbolic.hpp"
+
+#include <algorithm>
+#include <new>
+#include <string_view>
+#include <unordered_set>
+
+#include "check/symbolic/questions.hpp"
+
+namespace grafverif {
+
+namespace symbolic {
+
+namespace {
+
+/// One check, from the space of diagrams to the verdicts.
+class Check {
+public:
+    Check(const TransitionSystem& system, const SymbolicOptions& options)
+        : options_(options),
+          flat_(flattened(system)),
+          space_({options.max_memory, options.deadline, options.stop}),
+          questions_(system, flat_) {
+        const std::unordered_set<std::string_view> asked(options.properties.begin(), options.properties.end());
+        for (const Id<Property> id : system.properties.ids())
+            if (asked.empty() || asked.contains(system.properties[id].name)) questions_.ask(id);
+    }
+
+    SymbolicResult result() {
+        std::optional<StateSpace> model;
+        try {
+            model.emplace(flat_, space_);
+            search(*model);
+            result_.fault = fault(*model);
+        } catch (const BddExhausted& exhausted) {
+            note(exhausted);
+        } catch (const std::bad_alloc&) {
+            note(BddExhausted(BddExhausted::Cause::Memory));
+        }
+        if (!result_.fault && search_.obstacle == Obstacle::None) count_states(*model);
+        if (result_.fault) search_ = {.obstacle = Obstacle::Faulty, .reason = "the model breaks off; see its fault"};
+        answer(model);
+        result_.bytes = std::max(result_.bytes, space_.bytes());
+        result_.seconds = seconds();
+        for (Verdict& verdict : result_.verdicts) {
+            verdict.states = result_.states;
+            verdict.seconds = result_.seconds;
+        }
+        return std::move(result_);
+    }
+
+private:
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+    void note(const BddExhausted& exhausted) {
+        const std::string after = " after " + std::to_string(search_.rings.size()) + " steps of the search";
+        if (exhausted.cause() == BddExhausted::Cause::Stopped) {
+            search_.obstacle = Obstacle::Stopped;
+            search_.reason = "stopped" + after;
+        } else {
+            search_.obstacle = Obstacle::Memory;
+            search_.reason =
+                "the memory allowed, " + std::to_string(options_.max_memory >> 20U) + " MiB, is used up" + after;
+        }
+    }
+
+    void count_states(const StateSpace& model) {
+        try {
+            result_.states = count(search_.reached, model.state_bits());
+        } catch (const BddExhausted&) {   // then nobody knows
+        }
+    }
+
+    void search(const StateSpace& model) {
+        search_.rings = {model.initial()};
+        search_.reached = model.initial();
+        grow(model, search_.rings, search_.reached, model.invariant(), {}, [this](std::size_t depth) {
+            result_.bytes = std::max(result_.bytes, space_.bytes());
+            if (options_.progress) options_.progress({depth, space_.bytes(), seconds()});
+        });
+        result_.depth = search_.rings.empty() ? 0 : search_.rings.size() - 1;
+    }
+
+    std::optional<SystemFault> fault(const StateSpace& model) const {
+        using Kind = SystemFault::Kind;
+        if (search_.reached.is_false()) return SystemFault{Kind::NoInitialState, {}, {}};
+        const auto way_to = [&](const Bdd& states) {
+            return run_of(model, flat_, {way(model, search_.rings, states), {}});
+        };
+        if (const auto leak = model.leak(search_.reached))
+            return SystemFault{Kind::OutOfRange, flat_.variables[leak->variable].name, way_to(leak->states)};
+        const Bdd stuck = search_.reached & ~model.preimage(search_.reached);
+        if (!stuck.is_false()) return SystemFault{Kind::DeadEnd, {}, way_to(stuck)};
+        return {};
+    }
+
+    void answer(const std::optional<StateSpace>& model) {
+        for (Found& found : questions_.answers(model ? &*model : nullptr, search_, options_)) {
+            result_.verdicts.push_back(std::move(found.verdict));
+            result_.runs.push_back(std::move(found.run));
+        }
+    }
+
+    const SymbolicOptions& options_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    FlatSystem flat_;
+    BddSpace space_;
+    Questions questions_;
+    Search search_ = {};
+    SymbolicResult result_ = {};
+};
+
+}  // namespace
+
+}  // namespace symbolic
+
+SymbolicResult check_symbolic(const TransitionSystem& system, const SymbolicOptions& options) {
+    return symbolic::Check(system, options).result();
+}
+
+}  // namespace grafverif

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// Searches -> verdicts. A violation needs one run of integer time, which is a run of dense time as well. That a
+// property holds needs all of them: a search that came to its end, a model that breaks off nowhere, and integer time
+// that tells the truth about dense time.
+#include <algorithm>
+#include <new>
+
+#include "check/timed/questions.hpp"
+#include "support/overloaded.hpp"
+
+namespace grafverif::timed {
+
+namespace {
+
+void violated(Verdict& verdict, Run run) {
+    verdict.outcome = Outcome::Violated;
+    verdict.run = std::move(run);
+}
+
+void unknown(Verdict& verdict, Obstacle obstacle, std::string reason) {
+    verdict.outcome = Outcome::Unknown;
+    verdict.obstacle = obstacle;
+    verdict.reason = std::move(reason);
+}
+
+std::string text_of(Obstacle ended, const Graph& graph, const Limits& limits) {
+    const std::string states = std::to_string(graph.states()) + " states";
+    if (ended == Obstacle::Bound) return "the bound is reached: " + states;
+    if (ended == Obstacle::Memory && !limits.allowed_used()) return "there is no more memory after " + states;
+    if (ended == Obstacle::Memory) return "the memory allowed, " + std::to_string(limits.max_memory() >> 20U) + " MiB, is used up after " + states;
+    return "stopped after " + states;
+}
+
+std::string text_of(const ModelError& error, const Network& network) {
+    if (error.kind == ModelError::Kind::ActionRace) return "stored actions race; see the model error";
+    const Network::Process& process = network.processes[error.process];
+    const Network::Template& automaton = network.templates[process.automaton];
+    const Network::Edge& edge = automaton.edges[error.edge];
+    const std::string place = "edge `" + automaton.locations[edge.from].name + " -> " + automaton.locations[edge.to].name + "` of `" + process.name + "`";
+    if (error.kind == ModelError::Kind::NoValue) return place + " divides by zero";
+    return place + " takes `" + network.variables[error.variable].name + "` out of its range";
+}
+
+/// A run that shows a state from which time never passes again: on from there until it repeats or nothing can happen.
+Lasso without_time(Graph& graph, std::uint32_t state) {
+    Lasso lasso{.path = graph.path_to(state)};
+    StateSet seen(graph.states());
+    for (std::uint32_t now = state; !seen.has(now);) {
+        seen.add(now);
+        std::uint32_t next = Store::none;
+        graph.each_action(now, [&](std::uint32_t other) { next = next == Store::none ? other : next; });
+        if (next == Store::none) return lasso;
+        lasso.path.push_back(next);
+        now = next;
+    }
+    const auto first = std::ranges::find(lasso.path, lasso.path.back());
+    lasso.loop = static_cast<std::size_t>(first - lasso.path.begin());
+    return lasso;
+}
+
+}  // namespace
+
+std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors, const Limits& limits) {
+    if (ended == Obstacle::Unsupported) outcomes_ = {ended, "a state of this model takes more memory than the timed engine can address"};
+    else if (ended != Obstacle::None) outcomes_ = {ended, text_of(ended, graph, limits)};
+    else if (!errors.empty()) outcomes_ = {Obstacle::Faulty, text_of(errors.front(), network_)};
+    else if (inexact_) outcomes_ = {Obstacle::Inexact, inexact_reason()};
+    std::vector<Verdict> verdicts;
+    for (Question& question : questions_) {
+        try {
+            if (question.verdict.obstacle == Obstacle::None && graph.states() == 0) unknown(question.verdict, ended, outcomes_.reason);
+            if (question.verdict.obstacle == Obstacle::None) answer(question, graph, limits);
+        } catch (const Limits::Stop&) {
+            unknown(question.verdict, Obstacle::Stopped, "stopped");
+        } catch (const std::bad_alloc&) {
+            unknown(question.verdict, Obstacle::Memory, "no memory is left to judge what was searched");
+        }
+        if (question.verdict.outcome == Outcome::Holds) mark_vacuous(question, graph);
+        verdicts.push_back(std::move(question.verdict));
+    }
+    return verdicts;
+}
+
+std::string Questions::inexact_reason() const { return "integer time is not exact for " + inexact_.value_or(""); }
+
+void Questions::answer(Question& question, Graph& graph, const Limits& limits) {
+    switch (question.property->pattern) {
+    case Pattern::Always: case Pattern::Never: case Pattern::ExactlyOneOf:
+    case Pattern::Reachable: case Pattern::ReachableAllSteps: return answer_state(question, graph);
+    case Pattern::Inevitable: case Pattern::LeadsTo: return answer_liveness(question, graph, limits);
+    case Pattern::NoDeadlock: return answer_deadlock(question, graph, limits);
+    case Pattern::NoTimelock: return answer_timelock(question, graph, limits);
+    case Pattern::AlwaysPossible: return answer_possible(question, graph, limits);
+    case Pattern::RawUppaal: case Pattern::RawCtl: case Pattern::RawLtl: break;
+    }
+    unreachable();
+}
+
+void Questions::holds_unless(Question& question, Obstacle obstacle, const std::string& reason) const {
+    if (obstacle == Obstacle::None) question.verdict.outcome = Outcome::Holds;
+    else unknown(question.verdict, obstacle, reason);
+}
+
+void Questions::answer_state(Question& question, Graph& graph) const {
+    const std::uint32_t state = watch_.found(question.watch);
+    const Pattern pattern = question.property->pattern;
+    const bool wanted = pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
+    if (state != Watch::none) {
+        violated(question.verdict, graph.run_to(state));
+        if (wanted) question.verdict.outcome = Outcome::Holds;
+        return;
+    }
+    if (watch_.broken(question.watch)) return unknown(question.verdict, Obstacle::Faulty, "an operand divides by zero in some state");
+    holds_unless(question, outcomes_.obstacle, outcomes_.reason);
+    if (wanted && question.verdict.outcome == Outcome::Holds) question.verdict.outcome = Outcome::Violated;
+}
+
+/// The states where `predicate` holds; nothing, and the verdict unknown, where it has no value in some state.
+std::optional<StateSet> Questions::states_where(Question& question, Graph& graph, std::uint32_t predicate, const Limits& limits) const {
+    StateSet set(graph.states());
+    for (std::uint32_t state = 0; state < graph.states(); ++state) {
+        limits.poll();
+        const End end = graph.holds(predicate, state);
+        if (end == End::Yes) set.add(state);
+        if (end != End::NoValue) continue;
+        unknown(question.verdict, Obstacle::Faulty, "an operand divides by zero in some state");
+        return {};
+    }
+    return set;
+}
+
+void Questions::answer_liveness(Question& question, Graph& graph, const Limits& limits) {
+    if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
+    std::optional<StateSet> met = states_where(question, graph, question.q, limits);
+    if (!met) return;
+    std::vector<std::uint32_t> roots;
+    if (question.property->pattern == Pattern::Inevitable) {
+        if (!met->has(0)) roots.push_back(0);
+    } else {
+        const std::optional<StateSet> asked = states_where(question, graph, question.p, limits);
+        if (!asked) return;
+        for (std::uint32_t state = 0; state < graph.states(); ++state)
+            if (!met->has(state) && asked->has(state)) roots.push_back(state);
+    }
+    const std::optional<bool> holds = unavoidable(graph, *met, roots, limits);
+    if (!holds) return unknown(question.verdict, Obstacle::Stopped, "stopped");
+    if (*holds) return holds_if_dense(question, graph, graph.stuck_gap);
+    std::erase_if(roots, [&](std::uint32_t root) { return met->has(root); });
+    // Where integer time is stuck by a strict bound, dense time may pass a little more.
+    const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value());
+    if (lasso.path.empty()) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
+    violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
+}
+
+void Questions::answer_deadlock(Question& question, Graph& graph, const Limits& limits) {
+    const auto judged = [&](std::uint32_t state) { return graph.holds(question.p, state) == End::Yes; };
+    const std::optional<std::uint32_t> state = first_deadlock(graph, judged, limits);
+    if (state && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
+    if (state) return violated(question.verdict, graph.run_to(*state));
+    holds_if_dense(question, graph, graph.stuck_gap);
+}
+
+void Questions::answer_timelock(Question& question, Graph& graph, const Limits& limits) {
+    if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
+    StateSet passes(graph.states());
+    for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
+        limits.poll();
+        if (graph.passes(state)) passes.add(state);
+    }
+    auto locked = out_of_reach(graph, passes, Ways::Edges, limits);
+    if (!locked) return unknown(question.verdict, Obstacle::Stopped, "stopped");
+    std::erase_if(*locked, [&](std::uint32_t state) { return graph.holds(question.p, state) != End::Yes; });
+    if (!locked->empty()) {
+        if (inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
+        const Lasso lasso = without_time(graph, locked->front());
+        return violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
+    }
+    holds_if_dense(question, graph, graph.time_gap);
+    if (question.verdict.outcome != Outcome::Holds) return;
+    StateSet calm(graph.states());
+    for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
+        limits.poll();
+        if (graph.way(state) != Way::Urgent) calm.add(state);
+    }
+    const auto restless = out_of_reach(graph, calm, Ways::UrgentEdges, limits);
+    if (!restless) return unknown(question.verdict, Obstacle::Stopped, "stopped");
+    if (!restless->empty())
+        unknown(question.verdict, Obstacle::Inexact, "in some state no urgent edges lead to one where time may pass; only edges that wait do");
+}
+
+void Questions::answer_possible(Question& question, Graph& graph, const Limits& limits) {
+    if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
+    std::optional<StateSet> goal = states_where(question, graph, question.p, limits);
+    if (!goal) return;
+    const auto lost = out_of_reach(graph, *goal, Ways::All, limits);
+    if (!lost) return unknown(question.verdict, Obstacle::Stopped, "stopped");
+    if (!lost->empty() && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
+    if (!lost->empty()) return violated(question.verdict, graph.run_to(lost->front()));
+    holds_unless(question, outcomes_.obstacle, outcomes_.reason);
+    if (question.verdict.outcome == Outcome::Holds && machine_.timed())
+        unknown(question.verdict, Obstacle::Inexact, "integer time says nothing of the states between two ticks; `--untimed` decides it of a model without time");
+}
+
+void Questions::holds_if_dense(Question& question, Graph& graph, const std::optional<GapAt>& gap) const {
+    if (outcomes_.obstacle != Obstacle::None || !gap) return holds_unless(question, outcomes_.obstacle, outcomes_.reason);
+    unknown(question.verdict, Obstacle::Inexact, "a time-lock may hide between the ticks at " + place_of(graph, *gap));
+}
+
+std::string Questions::place_of(Graph& graph, const GapAt& at) const {
+    const Network::Process& process = network_.processes[{at.gap.process}];
+    const Network::Template& automaton = network_.templates[process.automaton];
+    const auto location = machine_.layout().locations[at.gap.process].get(graph.load(at.state));
+    const Network::Location& place = automaton.locations[{static_cast<std::uint32_t>(location)}];
+    const Network::ClockConstraint& bound = place.invariant[at.gap.bound];
+    const std::string clock = automaton.clocks[bound.clock].name;
+    return "`" + process.name + "." + place.name + "`: no edge that waits for `" + clock + "` alone can end the stay at `" + clock +
+           " == " + std::to_string(admitted(network_, bound).high) + "`";
+}
+
+void Questions::mark_vacuous(Question& question, const Graph& graph) const {
+    Verdict& verdict = question.verdict;
+    const Pattern pattern = question.property->pattern;
+    const auto vacuous = [&](const char* why) { verdict.vacuous = true; verdict.notes.emplace_back(why); };
+    if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps || pattern == Pattern::NoTimelock) return;
+    if (!graph.time_passes) vacuous("time stands still in this model");
+    if (pattern == Pattern::LeadsTo && watch_.found(question.watch) == Watch::none) vacuous("the left side never holds");
+    const bool universal = pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
+    if (universal && question.at_stable && watch_.found(settled_watch_) == Watch::none) vacuous("no state is ever settled");
+}
+
+}  // namespace grafverif::timed

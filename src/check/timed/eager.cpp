@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The shared form of a large term as code: one register per subterm, children before parents, no branches.
+#include <algorithm>
+#include <unordered_map>
+
+#include "check/timed/program.hpp"
+#include "support/overloaded.hpp"
+
+namespace grafverif::timed {
+
+namespace {
+
+/// The subterms of `root`, children first.
+std::vector<Id<Expr>> subterms(const Exprs& exprs, Id<Expr> root) {
+    std::vector<Id<Expr>> open = {root};
+    std::unordered_map<std::uint32_t, bool> seen = {{root.index, true}};
+    for (std::size_t next = 0; next < open.size(); ++next)
+        for (const Id<Expr> operand : exprs.operands(open[next]))
+            if (seen.emplace(operand.index, true).second) open.push_back(operand);
+    std::ranges::sort(open);
+    return open;
+}
+
+Do operation(Op op) {
+    switch (op) {
+    case Op::Not:      return Do::EagerNot;
+    case Op::And:      return Do::EagerAnd;
+    case Op::Or:       return Do::EagerOr;
+    case Op::Equal:    return Do::EagerEqual;
+    case Op::NotEqual: return Do::EagerUnequal;
+    case Op::Less: case Op::Greater:           return Do::EagerLess;        // with operands exchanged
+    case Op::LessEqual: case Op::GreaterEqual: return Do::EagerLessEqual;
+    case Op::Negate:   return Do::Negate;
+    case Op::Plus:     return Do::Add;
+    case Op::Minus:    return Do::Subtract;
+    case Op::Times:    return Do::Multiply;
+    case Op::Divide:   return Do::Divide;
+    case Op::Modulo:   return Do::Modulo;
+    case Op::Conditional: return Do::EagerChoice;
+    case Op::False: case Op::True: case Op::Integer: case Op::Duration: case Op::Variable: case Op::Step: case Op::Timed:
+    case Op::Parameter: case Op::At: case Op::Rise: case Op::Fall:
+        break;
+    }
+    unreachable();
+}
+
+}  // namespace
+
+std::uint32_t Compiler::eager(Id<Expr> term, std::uint32_t next, std::uint32_t& result) {
+    const Exprs& exprs = network_.exprs;
+    const std::vector<Id<Expr>> terms = subterms(exprs, term);
+    std::unordered_map<std::uint32_t, std::uint32_t> home;
+    for (std::uint32_t i = 0; i < terms.size(); ++i) home.emplace(terms[i].index, i);
+    reserve(static_cast<std::uint32_t>(terms.size()));
+    result = home.at(term.index);
+    std::uint32_t start = next;
+    for (auto walk = terms.rbegin(); walk != terms.rend(); ++walk) {
+        const Expr& node = exprs[*walk];
+        const auto operands = exprs.operands(*walk);
+        const std::uint32_t to = home.at(walk->index);
+        const auto in = [&](std::size_t i) { return home.at(operands[i].index); };
+        const auto constant = [&](Word value) { return emit({.value = value, .yes = start, .to = to, .op = Do::Constant}); };
+        if (const auto bits = literal(*walk); bits && is_leaf(node.op)) {
+            const std::uint32_t truth = constant(1);
+            start = test(*bits, truth, constant(0));
+        } else if (node.op == Op::Variable) {
+            start = load(layout_.variables[static_cast<std::size_t>(node.value)], to, start);
+        } else if (is_constant(node.op)) {
+            start = constant(node.op == Op::Integer ? static_cast<Word>(node.value) : node.op == Op::True ? 1 : 0);
+        } else if (node.op == Op::And || node.op == Op::Or) {
+            for (std::size_t i = operands.size() - 1; i > 0; --i)
+                start = emit({.yes = start, .to = to, .a = i == 1 ? in(0) : to, .b = in(i), .op = operation(node.op)});
+        } else {
+            const bool exchanged = node.op == Op::Greater || node.op == Op::GreaterEqual;
+            const std::uint32_t a = in(exchanged ? 1 : 0);
+            const std::uint32_t b = operands.size() > 1 ? in(exchanged ? 0 : 1) : a;
+            start = emit({.yes = start, .to = to, .a = a, .b = b, .c = operands.size() > 2 ? in(2) : a, .op = operation(node.op)});
+        }
+    }
+    return start;
+}
+
+}  // namespace grafverif::timed

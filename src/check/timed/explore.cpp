@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// Breadth-first search by the number of moves, a delay of any length counting one: a state met by a delay carries on
+// the same delay at no cost. So when time passes in a state, it passes on at once, unit by unit, until it is stopped or
+// reaches a state whose own delay is known; all states on the way are one level below. A state of that level that was
+// first met by an edge is then as near by the delay: its parent becomes the state before it in time, so that what
+// follows it in time has its shortest run through it.
+//
+// Looking up a state costs a cache miss or two; so the moves of a few states ahead are computed before the moves of the
+// state at hand are looked up, and their places in the index fetched meanwhile. The order of discovery is the same.
+#include "check/timed/explore.hpp"
+
+#include <algorithm>
+#include <array>
+#include <new>
+
+namespace grafverif::timed {
+
+double Limits::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+bool Limits::stopped() const {
+    if (options_.stop && options_.stop->load(std::memory_order_relaxed)) return true;
+    return options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline;
+}
+
+Obstacle Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more) {
+    if (stopped()) return Obstacle::Stopped;
+    // Links let the index go before properties are judged; without them judging comes on top.
+    const std::size_t bytes = graph.bytes() + more + (graph.linked ? 0 : 16 * graph.states());
+    if (allowed_used_ = bytes > options_.max_memory; allowed_used_) return Obstacle::Memory;
+    if (!options_.progress) return Obstacle::None;
+    const double now = seconds();
+    if (now - shown_ < 0.2) return Obstacle::None;
+    shown_ = now;
+    options_.progress({graph.states(), graph.transitions, graph.states() - state, bytes, now});
+    return Obstacle::None;
+}
+
+namespace {
+
+constexpr std::uint32_t ahead = 16;             // states whose moves are computed before they are looked up
+constexpr std::uint32_t judge_every = 1024;     // states between two looks at the limits
+constexpr std::size_t judge_after = 1U << 21U;  // words of states computed between them, at most
+constexpr std::size_t ahead_words = 1U << 22U;  // in the moves computed ahead, beyond which one state ahead must do
+constexpr std::size_t kept_words = 1U << 20U;   // of the moves of one state, for those of another
+constexpr std::size_t link_bytes = 24;          // per state; above it links are dropped
+constexpr std::size_t link_grace = 1U << 18U;   // but not before they take so many in all
+
+class Search {
+public:
+    Search(Graph& graph, Watch& watch, const std::vector<Field>& races) : graph_(graph), watch_(watch), races_(races) {}
+
+    Obstacle run(Limits& limits) {
+        const std::vector<Word> initial = packed_initial(graph_.machine.network(), graph_.machine.layout());
+        discover(initial.data(), graph_.machine.hash(initial.data()), 0);
+        for (std::uint32_t state = 0; state < graph_.states(); ++state) {
+            if (limits.too_many(graph_.states())) return Obstacle::Bound;
+            if (state % judge_every == 0 || computed_words_ > judge_after) {
+                computed_words_ = 0;
+                if (const Obstacle obstacle = limits.judge(graph_, state, held()); obstacle != Obstacle::None) return obstacle;
+            }
+            if (state == level_end_ || state == 0) {
+                graph_.levels.push_back(state);
+                level_end_ = static_cast<std::uint32_t>(graph_.states());
+            }
+            look_ahead(state);
+            visit(state);
+            graph_.looked_at = state + 1;
+            if (Moves& done = ring_[state % ahead]; done.words.size() > kept_words) done.words = {};
+            drop_links_if_many();
+        }
+        return Obstacle::None;
+    }
+
+private:
+    bool races(const Word* words) const {
+        return std::ranges::any_of(races_, [&](const Field& race) { return race.raw(words) != 0; });
+    }
+
+    /// Bytes of the moves ahead.
+    std::size_t held() const {
+        std::size_t words = 0;
+        for (const Moves& moves : ring_) words += moves.words.capacity();
+        return words * sizeof(Word);
+    }
+
+    /// The number of the state; a new one is watched and gets its parent: all of it, or nothing where memory ends.
+    std::uint32_t discover(const Word* words, std::uint64_t hash, std::uint32_t parent) {
+        graph_.parent.make_room();
+        graph_.ways.make_room();
+        const Store::Interned interned = graph_.store.intern(words, hash);
+        if (!interned.fresh) return interned.state;
+        graph_.parent.push_back(parent);
+        graph_.ways.push_back(0);
+        watch_.look(graph_.machine, interned.state, words);
+        return interned.state;
+    }
+
+    void look_ahead(std::uint32_t state) {
+        const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(graph_.states(), state + depth_));
+        for (; computed_ < end; ++computed_) {
+            Moves& moves = ring_[computed_ % ahead];
+            const Word* const words = graph_.load(computed_);
+            if (races(words)) { moves.successors.clear(); continue; }
+            graph_.machine.expand(words, moves);
+            const std::size_t computed = moves.successors.size() * graph_.machine.layout().words;
+            computed_words_ += computed;
+            if (depth_ > 1 && computed > ahead_words / ahead) depth_ = 1;
+            for (const Successor& successor : moves.successors) graph_.store.prefetch(successor.hash);
+        }
+    }
+
+    void visit(std::uint32_t state) {
+        const Moves& moves = ring_[state % ahead];
+        const std::size_t words = graph_.machine.layout().words;
+        if (graph_.linked) graph_.links.begin(state);
+        if (!races_.empty() && races(graph_.load(state))) {
+            if (!graph_.race) graph_.race = state;
+            graph_.set_way(state, Way::Open, state);
+            return;
+        }
+        std::uint32_t onward = 0;   // where an urgent edge leads; a late state, since those lead on
+        for (std::size_t i = 0; i < moves.successors.size(); ++i) {
+            const std::uint32_t next = discover(moves.words.data() + i * words, moves.successors[i].hash, state);
+            if (graph_.linked) graph_.links.add(next);
+            if (moves.urgent && graph_.machine.urgent(moves.successors[i].edge)) onward = std::max(onward, next);
+        }
+        graph_.transitions += moves.successors.size();
+        note(state, moves);
+        const bool acts = !moves.successors.empty();
+        if (moves.urgent) graph_.set_way(state, Way::Urgent, onward);
+        else if (graph_.way(state) == Way::Unknown) pass_time(state);
+        if (acts && graph_.way(state) == Way::Passes) graph_.set_way(state, Way::PassesOrActs, graph_.target(state));
+        if (acts && graph_.way(state) == Way::Stuck) graph_.set_way(state, Way::Acts, state);
+        if (moves.fault) graph_.set_way(state, Way::Open, state);
+    }
+
+    /// See the essay.
+    void pass_time(std::uint32_t state) {
+        Machine& machine = graph_.machine;
+        time_.resize(machine.layout().words);
+        graph_.store.load(state, time_.data());
+        for (std::uint32_t now = state; graph_.way(now) == Way::Unknown;) {
+            if (!machine.delay(time_.data())) { graph_.set_way(now, Way::Stuck, now); return; }
+            const std::uint32_t next = discover(time_.data(), machine.hash(time_.data()), now);
+            graph_.set_way(now, Way::Passes, next);
+            ++graph_.transitions;
+            graph_.time_passes = true;
+            if (graph_.way(next) == Way::Unknown && next >= level_end_) graph_.parent[next] = now;
+            now = next;
+        }
+    }
+
+    void drop_links_if_many() {
+        const std::size_t bytes = graph_.links.list_bytes();
+        if (!graph_.linked || bytes < link_grace) return;
+        if (bytes < link_bytes * graph_.states() && bytes < 0xFFFF0000U) return;
+        graph_.linked = false;
+        graph_.links.clear();
+    }
+
+    void note(std::uint32_t state, const Moves& moves) {
+        if (moves.stuck_gap && !graph_.stuck_gap) graph_.stuck_gap = GapAt{state, *moves.stuck_gap};
+        if (moves.time_gap && !graph_.time_gap) graph_.time_gap = GapAt{state, *moves.time_gap};
+        if (!moves.fault) return;
+        const Fault& fault = *moves.fault;
+        const bool known = std::ranges::any_of(graph_.faults, [&](const FaultAt& other) {
+            return other.fault.edge == fault.edge && other.fault.kind == fault.kind && other.fault.variable == fault.variable;
+        });
+        if (!known) graph_.faults.push_back({state, fault});
+    }
+
+    Graph& graph_;
+    Watch& watch_;
+    const std::vector<Field>& races_;
+    std::array<Moves, ahead> ring_ = {};
+    std::uint32_t depth_ = ahead;          // of the look ahead
+    std::size_t computed_words_ = 0;       // since the last look at the limits
+    std::uint32_t computed_ = 0;    // the states below have their moves in the ring, or are done
+    std::uint32_t level_end_ = 0;
+    std::vector<Word> time_ = {};
+};
+
+}  // namespace
+
+Obstacle explore(Graph& graph, Watch& watch, const std::vector<Field>& races, Limits& limits) {
+    try {
+        return Search(graph, watch, races).run(limits);
+    } catch (const std::bad_alloc&) {
+        return Obstacle::Memory;   // the states found are whole, those looked at have their links
+    }
+}
+
+std::size_t Watch::add(std::uint32_t predicate) {
+    predicates_.push_back({predicate, results_.size()});
+    results_.emplace_back();
+    return results_.size() - 1;
+}
+
+std::size_t Watch::add_bit(const Field& bit, std::uint32_t settled) {
+    const auto same = [&](const Bits& bits) { return bits.word == bit.word && bits.settled == settled; };
+    auto bits = std::ranges::find_if(bits_, same);
+    if (bits == bits_.end()) bits = bits_.insert(bits, Bits{.word = bit.word, .settled = settled});
+    bits->missing |= bit.mask();
+    bits->each.push_back({bit.mask(), results_.size()});
+    results_.emplace_back();
+    return results_.size() - 1;
+}
+
+void Watch::look_closely(Machine& machine, std::uint32_t state, const Word* words) {
+    for (std::size_t i = 0; i < predicates_.size();) {
+        const End end = machine.holds(predicates_[i].code, words);
+        if (end == End::No) { ++i; continue; }
+        Result& result = results_[predicates_[i].watch];
+        if (end == End::Yes) result.state = state;
+        else result.broken = true;
+        predicates_[i] = predicates_.back();
+        predicates_.pop_back();
+    }
+    for (Bits& bits : bits_) {
+        const Word met = words[bits.word] & bits.missing;
+        if (met == 0) continue;
+        if (bits.settled != Program::yes && machine.holds(bits.settled, words) != End::Yes) continue;
+        for (const Bit& bit : bits.each)
+            if ((met & bit.mask) != 0) results_[bit.watch].state = state;
+        bits.missing &= ~met;
+    }
+    std::erase_if(bits_, [](const Bits& bits) { return bits.missing == 0; });
+}
+
+}  // namespace grafverif::timed

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "check/timed/fixpoints.hpp"
+
+#include <algorithm>
+
+namespace grafverif::timed {
+
+namespace {
+
+/// Sweeps over `open`, alternating in direction, until a sweep decides less than one state in `stall` (none, for 0).
+/// `decided(state)` tells whether the state joins. False: stopped.
+template <class Decided>
+bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, const Limits& limits, const Decided& decided) {
+    std::ranges::reverse(open);
+    for (std::size_t before = open.size() + 1; !open.empty();) {
+        if (limits.stopped()) return false;
+        before = open.size();
+        std::erase_if(open, [&](std::uint32_t state) {
+            limits.poll();
+            if (!decided(state)) return false;
+            set.add(state);
+            return true;
+        });
+        const std::size_t found = before - open.size();
+        if (found == 0 || (stall != 0 && found < before / stall)) break;
+        std::ranges::reverse(open);
+    }
+    if (!std::ranges::is_sorted(open)) std::ranges::reverse(open);
+    return true;
+}
+
+/// The states looked at that are not in `set`; those of which nothing is known join it.
+std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set) {
+    std::size_t count = 0;
+    for (std::uint32_t state = 0; state < graph.states(); ++state) {
+        if (graph.open(state)) set.add(state);
+        if (!set.has(state)) ++count;
+    }
+    std::vector<std::uint32_t> open;
+    open.reserve(count);
+    for (std::uint32_t state = 0; state < graph.states(); ++state)
+        if (!set.has(state)) open.push_back(state);
+    return open;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Ways ways, const Limits& limits) {
+    std::vector<std::uint32_t> open = undecided(graph, goal);
+    const auto urgent_leads = [&](std::uint32_t state) { return graph.way(state) == Way::Urgent && goal.has(graph.target(state)); };
+    if (!sweep(open, goal, 0, limits, urgent_leads)) return {};
+    std::vector<std::uint32_t> successors;
+    const auto leads = [&](std::uint32_t state) {
+        bool found = false;
+        const auto look = [&](std::uint32_t next) { found = found || goal.has(next); };
+        if (ways == Ways::All) graph.each(state, look);
+        if (ways == Ways::Edges) graph.each_action(state, look);
+        if (ways != Ways::UrgentEdges || graph.way(state) != Way::Urgent) return found;
+        graph.urgent_successors(state, successors);
+        std::ranges::for_each(successors, look);
+        return found;
+    };
+    if (!sweep(open, goal, 0, limits, leads)) return {};
+    return open;
+}
+
+std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits) {
+    const auto all_lead = [&](std::uint32_t state) {
+        if (graph.way(state) == Way::Stuck) return false;
+        bool all = true;
+        graph.each(state, [&](std::uint32_t next) { all = all && met.has(next); });
+        return all;
+    };
+    std::vector<std::uint32_t> open = undecided(graph, met);
+    if (graph.linked && !sweep(open, met, 16, limits, all_lead)) return {};
+    open = {};
+
+    // What is left: depth first from the roots. A state is left for good when all its successors are in `met`.
+    constexpr std::uint32_t leaving = 1U << 31U;
+    StateSet on_path(graph.states());
+    Column<std::uint32_t> stack;
+    std::uint32_t steps = 0;
+    for (const std::uint32_t root : roots) {
+        stack.push_back(root);
+        while (!stack.empty()) {
+            const std::uint32_t top = stack.back();
+            stack.pop_back();
+            if ((top & leaving) != 0) {
+                on_path.remove(top & ~leaving);
+                met.add(top & ~leaving);
+                continue;
+            }
+            if (met.has(top)) continue;
+            if (++steps % 4096 == 0 && limits.stopped()) return {};
+            if (graph.way(top) == Way::Stuck) return false;
+            on_path.add(top);
+            stack.push_back(top | leaving);
+            bool cycle = false;
+            graph.each(top, [&](std::uint32_t next) {
+                cycle = cycle || on_path.has(next);
+                if (!met.has(next)) stack.push_back(next);
+            });
+            if (cycle) return false;
+        }
+    }
+    return true;
+}
+
+std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged, const Limits& limits) {
+    StateSet alive(graph.states());
+    const auto goes_on = [&](std::uint32_t state) {
+        return !graph.open(state) && !alive.has(state) && graph.way(state) == Way::Passes && graph.target(state) != state;
+    };
+    for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
+        limits.poll();
+        std::uint32_t end = state;
+        while (goes_on(end)) end = graph.target(end);
+        const bool dead = !graph.open(end) && !alive.has(end) && (graph.way(end) == Way::Stuck || graph.way(end) == Way::Passes);
+        if (dead && judged(state)) return state;
+        if (dead) continue;
+        for (std::uint32_t now = state; now != end; now = graph.target(now)) alive.add(now);
+    }
+    return {};
+}
+
+}  // namespace grafverif::timed

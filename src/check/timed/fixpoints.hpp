@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Fixpoints over the graph of a search: what can be reached, what cannot be avoided, where time is locked for ever.
+//
+// Each is a least set of states that grows backwards along the edges. It is computed without the edges' reverse: sweeps
+// over the states still open, from the last to the first and back, each taking in what its successors decide. Most
+// edges lead to later states, so a few sweeps do; a sweep reads links in sequence and looks into a bit set, which is
+// quicker by far than any walk. Where sweeps stall, `unavoidable` goes on by a depth-first walk, which is linear.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <functional>
+#include <vector>
+
+#include "check/timed/explore.hpp"
+#include "check/timed/graph.hpp"
+
+namespace grafverif::timed {
+
+/// The states looked at from which no state of `goal` can be reached by the moves of `Ways`; `goal` grows to its
+/// complement. Empty optional: stopped.
+enum class Ways { All, Edges, UrgentEdges };
+std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Ways ways, const Limits& limits);
+
+/// Grows `met` to the states from which every maximal run meets it, as far as needed to decide this for `roots`.
+/// True: it does from all of them. Empty optional: stopped.
+std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits);
+
+/// A maximal run that avoids `met` from one of `roots` on (in order of discovery), where there is one: a path of states
+/// from the initial one, short, and the place in it where its loop begins. With `endless`, runs that end do not count, and
+/// there may be none: an empty path.
+struct Lasso {
+    std::vector<std::uint32_t> path = {};   ///< a loop is closed: its first state comes again at the end
+    std::optional<std::size_t> loop = {};
+};
+Lasso avoiding(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots, bool endless);
+
+/// The first state that is `judged` and from which no edge can fire, now or after any delay.
+std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged,
+                                            const Limits& limits);
+
+}  // namespace grafverif::timed

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "check/timed/graph.hpp"
+
+#include <algorithm>
+
+#include "support/overloaded.hpp"
+
+namespace grafverif::timed {
+
+void Graph::urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& found) {
+    found.clear();
+    each_action(state, [&](std::uint32_t next) { found.push_back(next); });
+    expand(state);
+    std::size_t move = 0;   // links are in the order of the moves
+    std::erase_if(found, [&](std::uint32_t) { return !machine.urgent(moves_.successors[move++].edge); });
+}
+
+Move Graph::move_between(std::uint32_t from, std::uint32_t to) {
+    expand(from);
+    if (!moves_.urgent && machine.delay(words_.data()) && store.is(to, words_.data())) return Delay{1};
+    for (std::size_t i = 0; i < moves_.successors.size(); ++i) {
+        if (!store.is(to, moves_.words.data() + i * machine.layout().words)) continue;
+        const std::uint32_t edge = moves_.successors[i].edge;
+        return Fire{machine.process_of(edge), machine.edge_of(edge)};
+    }
+    unreachable();
+}
+
+Run Graph::run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop) {
+    Run run;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const bool joins = loop != i && !run.moves.empty();
+        if (loop == i) run.loop = run.moves.size();
+        const Move move = move_between(path[i], path[i + 1]);
+        Delay* const before = joins ? std::get_if<Delay>(&run.moves.back()) : nullptr;
+        if (before && std::holds_alternative<Delay>(move)) before->units += 1;
+        else run.moves.push_back(move);
+    }
+    return run;
+}
+
+std::vector<std::uint32_t> Graph::path_to(std::uint32_t state) const {
+    std::vector<std::uint32_t> path = {state};
+    while (path.back() != 0) path.push_back(parent[path.back()]);
+    std::ranges::reverse(path);
+    return path;
+}
+
+}  // namespace grafverif::timed

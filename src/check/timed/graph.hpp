@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Graph: the states that a search has found and the ways between them.
+//
+// A state's `way` says in one word whether time passes in it and where to. Edges lead to `links`: the numbers of the
+// states they lead to, each as its distance from the one before it (the first: from the state itself) in as few groups
+// of seven bits as it takes, since most lead near. Where links take too many bytes per state they are dropped, and
+// computed anew when asked for: a bound on memory against time. Parents give each state its shortest run.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "check/timed/machine.hpp"
+#include "check/timed/store.hpp"
+#include "grafverif/ir/verdict.hpp"
+
+namespace grafverif::timed {
+
+/// What a state can do besides its edges.
+enum class Way : std::uint32_t {
+    Unknown,        ///< not looked at
+    Passes,         ///< time passes, no edge can fire
+    PassesOrActs,   ///< time passes, or an edge fires
+    Urgent,         ///< an urgent edge stops time; the way's state is the one it leads to
+    Stuck,          ///< an invariant stops time, no edge can fire
+    Acts,           ///< an invariant stops time, an edge can fire
+    Open,           ///< the model breaks off here: nothing is concluded from this state
+};
+
+/// Lists of states, one per state, in few bytes.
+class Links {
+public:
+    /// Ends the list of the last state begun and begins that of `state`, the next one.
+    void begin(std::uint32_t state) {
+        ends_.push_back(static_cast<std::uint32_t>(bytes_.size()));
+        last_ = state;
+    }
+    void add(std::uint32_t next) {
+        const auto distance = static_cast<std::int64_t>(next) - static_cast<std::int64_t>(last_);
+        auto rest = static_cast<std::uint64_t>(distance < 0 ? -2 * distance - 1 : 2 * distance);
+        for (; rest >= 128; rest >>= 7U) bytes_.push_back(static_cast<std::uint8_t>(rest | 128U));
+        bytes_.push_back(static_cast<std::uint8_t>(rest));
+        last_ = next;
+    }
+
+    template <class Visit>
+    void each(std::uint32_t state, const Visit& visit) const {
+        const std::size_t end = state + 1 < ends_.size() ? ends_[state + 1] : bytes_.size();
+        auto now = static_cast<std::int64_t>(state);
+        for (std::size_t at = ends_[state]; at != end;) {
+            std::uint64_t rest = 0;
+            for (unsigned shift = 0;; shift += 7) {
+                const std::uint8_t byte = bytes_[at++];
+                rest |= static_cast<std::uint64_t>(byte & 127U) << shift;
+                if (byte < 128) break;
+            }
+            const auto half = static_cast<std::int64_t>((rest + 1) / 2);
+            now += rest % 2 != 0 ? -half : half;
+            visit(static_cast<std::uint32_t>(now));
+        }
+    }
+
+    std::size_t list_bytes() const { return bytes_.size(); }
+    std::size_t bytes() const { return bytes_.bytes() + ends_.bytes(); }
+    void clear() { bytes_.clear(); ends_.clear(); }
+
+private:
+    Column<std::uint8_t> bytes_ = {};
+    Column<std::uint32_t> ends_ = {};   // where the list of each state begins
+    std::uint32_t last_ = 0;
+};
+
+/// A set of states.
+class StateSet {
+public:
+    explicit StateSet(std::size_t states) : bits_((states + 63) / 64, 0) {}
+    bool has(std::uint32_t state) const { return (bits_[state >> 6U] >> (state & 63U) & 1U) != 0; }
+    void add(std::uint32_t state) { bits_[state >> 6U] |= std::uint64_t{1} << (state & 63U); }
+    void remove(std::uint32_t state) { bits_[state >> 6U] &= ~(std::uint64_t{1} << (state & 63U)); }
+
+private:
+    std::vector<std::uint64_t> bits_;
+};
+
+struct GapAt { std::uint32_t state = 0; Gap gap = {}; };
+struct FaultAt { std::uint32_t state = 0; Fault fault = {}; };
+
+class Graph {
+public:
+    explicit Graph(Machine& compiled) : machine(compiled), store(compiled.layout()) {}
+
+    static constexpr std::uint32_t kind_shift = 29, target_mask = (1U << kind_shift) - 1;
+
+    Machine& machine;
+    Store store;
+    Column<std::uint32_t> parent = {};
+    Column<std::uint32_t> ways = {};
+    Links links = {};                        // per state looked at
+    bool linked = true;
+    std::uint32_t looked_at = 0;             // the states below have their ways and links
+    std::vector<std::uint32_t> levels = {};  // the first state of each depth
+    std::uint64_t transitions = 0;
+    bool time_passes = false;
+    std::optional<GapAt> stuck_gap = {}, time_gap = {};
+    std::vector<FaultAt> faults = {};        // one per edge and variable
+    std::optional<std::uint32_t> race = {};  // the first state with a race
+
+    std::size_t states() const { return store.size(); }
+    Way way(std::uint32_t state) const { return static_cast<Way>(ways[state] >> kind_shift); }
+    /// Where a unit of time leads, or the urgent edge.
+    std::uint32_t target(std::uint32_t state) const { return ways[state] & target_mask; }
+    bool passes(std::uint32_t state) const { return way(state) == Way::Passes || way(state) == Way::PassesOrActs; }
+    bool open(std::uint32_t state) const { return state >= looked_at || way(state) == Way::Open; }
+    void set_way(std::uint32_t state, Way way, std::uint32_t target) {
+        ways[state] = (static_cast<std::uint32_t>(way) << kind_shift) | (target & target_mask);
+    }
+    std::size_t bytes() const { return store.bytes() + parent.bytes() + ways.bytes() + links.bytes(); }
+
+    /// Calls `visit(state)` for each state an edge of `state` leads to.
+    template <class Visit>
+    void each_action(std::uint32_t state, const Visit& visit) {
+        if (linked) {
+            links.each(state, visit);
+            return;
+        }
+        expand(state);
+        for (std::size_t i = 0; i < moves_.successors.size(); ++i)
+            visit(store.find(moves_.words.data() + i * machine.layout().words, moves_.successors[i].hash));
+    }
+    /// The same for time as well.
+    template <class Visit>
+    void each(std::uint32_t state, const Visit& visit) {
+        each_action(state, visit);
+        if (passes(state)) visit(target(state));
+    }
+    /// The states that urgent edges lead to.
+    void urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& found);
+
+    /// The move that leads from one state to its neighbour.
+    Move move_between(std::uint32_t from, std::uint32_t to);
+    /// The moves along a path of states; delays in a row are joined, not across the place `loop` of the path.
+    Run run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop = {});
+    /// The path from the initial state.
+    std::vector<std::uint32_t> path_to(std::uint32_t state) const;
+    Run run_to(std::uint32_t state) { return run_along(path_to(state)); }
+
+    End holds(std::uint32_t predicate, std::uint32_t state) {
+        load(state);
+        return machine.holds(predicate, words_.data());
+    }
+    const Word* load(std::uint32_t state) {
+        words_.resize(machine.layout().words);
+        store.load(state, words_.data());
+        return words_.data();
+    }
+
+private:
+    void expand(std::uint32_t state) { machine.expand(load(state), moves_); }
+
+    Moves moves_ = {};
+    std::vector<Word> words_ = {};
+};
+
+}  // namespace grafverif::timed

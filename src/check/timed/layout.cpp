@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "check/timed/layout.hpp"
+
+#include <algorithm>
+
+namespace grafverif::timed {
+
+namespace {
+
+/// Hands out bits, each field in the first word with room; fields that belong together come one after the other.
+class Bits {
+public:
+    Field take(std::uint64_t values, std::int64_t low) {
+        const auto width = static_cast<std::uint8_t>(values <= 1 ? 0 : std::bit_width(values - 1));
+        while (first_ < used_.size() && used_[first_] == 64) ++first_;
+        std::size_t word = first_;
+        while (word < used_.size() && used_[word] + width > 64) ++word;
+        if (word == used_.size()) used_.push_back(0);
+        const Field field{static_cast<std::uint16_t>(base_ + word), static_cast<std::uint8_t>(used_[word] % 64), width, low};
+        used_[word] += width;
+        return field;
+    }
+
+    /// Later fields go into fresh words.
+    void close() {
+        base_ = size();
+        first_ = 0;
+        used_.clear();
+    }
+
+    std::size_t size() const { return base_ + used_.size(); }
+    unsigned last() const { return used_.empty() ? 0 : used_.back(); }
+
+private:
+    std::size_t base_ = 0;
+    std::size_t first_ = 0;             // every word before it is full
+    std::vector<unsigned> used_ = {};   // bits taken of each open word
+};
+
+std::uint64_t values_of(const Type& type) { return static_cast<std::uint64_t>(type.high - type.low) + 1; }
+
+}  // namespace
+
+Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clocks) {
+    Layout layout;
+    Bits bits;
+    for (const Id<Network::Process> process : network.processes.ids()) {
+        layout.locations.push_back(bits.take(network.templates[network.processes[process].automaton].locations.size(), 0));
+        layout.clocks.emplace_back();
+        for (const std::int64_t greatest : clocks[process.index].greatest)
+            layout.clocks.back().push_back(bits.take(static_cast<std::uint64_t>(greatest) + 1, 0));
+    }
+    layout.variables.resize(network.variables.size());
+    for (const Id<Network::Variable> id : network.variables.ids()) {
+        const Network::Variable& variable = network.variables[id];
+        if (!variable.scratch) layout.variables[id.index] = bits.take(values_of(variable.type), variable.type.low);
+    }
+    layout.stored = std::max<std::size_t>(1, bits.size());
+    layout.halves = 2 * layout.stored - (bits.last() <= 32 ? 1 : 0);
+    bits.close();
+    for (const Id<Network::Variable> id : network.variables.ids()) {
+        const Network::Variable& variable = network.variables[id];
+        if (variable.scratch) layout.variables[id.index] = bits.take(values_of(variable.type), variable.type.low);
+    }
+    layout.words = std::max(layout.stored, bits.size());
+    return layout;
+}
+
+std::vector<Word> packed_initial(const Network& network, const Layout& layout) {
+    std::vector<Word> words(layout.words, 0);
+    for (const Id<Network::Process> process : network.processes.ids())
+        layout.locations[process.index].set(words.data(), network.processes[process].initial.index);
+    for (const Id<Network::Variable> variable : network.variables.ids())
+        layout.variables[variable.index].set(words.data(), network.variables[variable].initial);
+    return words;
+}
+
+namespace {
+
+bool strict(const Network::ClockConstraint& constraint) {
+    return constraint.relation == Op::Less || constraint.relation == Op::Greater;
+}
+
+}  // namespace
+
+std::optional<std::string> inexact_place(const Network& network) {
+    for (const Network::Process& process : network.processes) {
+        const Network::Template& automaton = network.templates[process.automaton];
+        for (const Network::Location& location : automaton.locations)
+            for (const Network::ClockConstraint& bound : location.invariant)
+                if (strict(bound))
+                    return "the strict bound on clock `" + automaton.clocks[bound.clock].name + "` at `" + process.name + "." + location.name + "`";
+        for (const Network::Edge& edge : automaton.edges) {
+            const std::string place = "`" + process.name + "`, edge `" + automaton.locations[edge.from].name + " -> " +
+                                      automaton.locations[edge.to].name + "`";
+            for (const Network::ClockConstraint& constraint : edge.constraint)
+                if (strict(constraint)) return "the strict constraint on clock `" + automaton.clocks[constraint.clock].name + "` of " + place;
+            if (edge.urgent && !keeps_target_invariant(network, process, edge))
+                return "the urgent edge that time may switch off, of " + place;
+        }
+    }
+    return {};
+}
+
+}  // namespace grafverif::timed

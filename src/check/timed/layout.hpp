@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Layout: where each location, variable and clock of a network stands in the bits of a state.
+//
+// A state is an array of 64-bit words; no field crosses a word, so that reading one is a shift and a mask, and a
+// conjunction of Booleans in one word is one comparison. A Boolean takes one bit, an integer the bits of its range, a
+// clock those of its cap (see clocks). Scratch variables live in words past the stored ones: they are written before
+// they are read, so nobody need clear or compare them.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+#include "ir/network_clocks.hpp"
+
+namespace grafverif::timed {
+
+// The clocks of a network (ir/network_clocks) as the timed engine takes them, and where integer time is not exact.
+
+using Interval = ClockInterval;
+
+/// The first place that integer time does not decide exactly: a strict constraint, or an urgent edge that time may
+/// switch off. Empty where there is none.
+std::optional<std::string> inexact_place(const Network& network);
+
+using Word = std::uint64_t;
+
+struct Field {
+    std::uint16_t word = 0;
+    std::uint8_t shift = 0;
+    std::uint8_t width = 0;   ///< 0: always `low`
+    std::int64_t low = 0;     ///< the value of the raw bits 0
+
+    Word mask() const { return width == 0 ? 0 : (~Word{0} >> (64U - width)) << shift; }
+    Word raw(const Word* words) const { return width == 0 ? 0 : (words[word] & mask()) >> shift; }
+    std::int64_t get(const Word* words) const { return low + static_cast<std::int64_t>(raw(words)); }
+    /// `value` placed in the word, every other bit 0.
+    Word placed(std::int64_t value) const { return static_cast<Word>(value - low) << shift; }
+    void set(Word* words, std::int64_t value) const { words[word] = (words[word] & ~mask()) | (width == 0 ? 0 : placed(value)); }
+};
+
+struct Layout {
+    static constexpr std::size_t most_words = std::size_t{1} << 16U;   ///< that a field can name; for more, `fits` is false
+    bool fits() const { return words <= most_words; }
+
+    std::vector<Field> locations = {};             ///< per process
+    std::vector<Field> variables = {};             ///< per variable
+    std::vector<std::vector<Field>> clocks = {};   ///< per process and clock
+    std::size_t stored = 1;                        ///< words of a state
+    std::size_t words = 1;                         ///< the same with scratch variables
+    std::size_t halves = 1;                        ///< 32-bit units that hold every stored bit
+};
+
+/// `network` is expanded.
+Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clocks);
+
+/// The initial state in packed form: layout.words words.
+std::vector<Word> packed_initial(const Network& network, const Layout& layout);
+
+}  // namespace grafverif::timed

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Machine: a network compiled for the search: the moves of a packed state, as packed states.
+//
+// An edge is tried by one comparison of a word, then by what else its guard and clock constraint say; its effect is one
+// program on a copy of the state: assignments, procedures, the new location, resets, caps, the target's invariant.
+//
+// While the edges of a state are tried the machine also finds out whether integer time tells the truth about dense time
+// there (design: "time can hide a lock between the ticks"). For each bound `c <= d` in force, an edge covers it when
+// its data guard holds and it can fire at c == d whatever the other clocks say; see `Exactness`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "check/timed/layout.hpp"
+#include "check/timed/program.hpp"
+#include "grafverif/ir/network.hpp"
+
+namespace grafverif::timed {
+
+/// One way on from a state.
+struct Successor {
+    std::uint64_t hash = 0;
+    std::uint32_t edge = 0;   ///< in Machine::edges
+};
+
+/// A place where the model breaks off.
+struct Fault {
+    End kind = End::OutOfRange;
+    std::uint32_t edge = 0;       ///< in Machine::edges
+    std::uint32_t variable = 0;   ///< for OutOfRange
+};
+
+/// A bound in force that no edge covers.
+struct Gap {
+    std::uint32_t process = 0;
+    std::uint32_t bound = 0;   ///< in the invariant of its location
+};
+
+/// The moves of one state; reused, so that the search does not allocate.
+struct Moves {
+    std::vector<Successor> successors = {};   ///< in the order of processes and edges
+    std::vector<Word> words = {};             ///< the states, Machine::layout.words apart
+    bool urgent = false;                      ///< some urgent edge can fire: time stands
+    std::optional<Fault> fault = {};
+    std::optional<Gap> stuck_gap = {};        ///< a run may end here between the ticks
+    std::optional<Gap> time_gap = {};         ///< time may be locked here between the ticks
+};
+
+class Machine {
+public:
+    /// `network` is expanded, and outlives the machine.
+    explicit Machine(const Network& network);
+
+    const Network& network() const { return network_; }
+    const Layout& layout() const { return layout_; }
+    Program& program() { return program_; }
+    Compiler& compiler() { return compiler_; }
+
+    /// Every edge that can fire in `words` (layout().words of them).
+    void expand(const Word* words, Moves& moves);
+    /// Lets one unit of time pass where invariants allow it; urgency is not looked at. False: some invariant forbids it.
+    bool delay(Word* words) const;
+    /// A term over variables and locations; fallible terms without value are reported as NoValue.
+    End holds(std::uint32_t predicate, const Word* words);
+
+    std::uint64_t hash(const Word* words) const;
+    Id<Network::Process> process_of(std::uint32_t edge) const { return {edges_[edge].process}; }
+    Id<Network::Edge> edge_of(std::uint32_t edge) const { return {edges_[edge].index}; }
+    bool urgent(std::uint32_t edge) const { return edges_[edge].urgent; }
+    /// Whether any clock is ever compared with anything.
+    bool timed() const { return timed_; }
+
+private:
+    struct Edge {
+        Word mask = 0, value = 0;           // a first test
+        std::uint32_t guard = Program::yes; // what else the guard says
+        std::uint32_t clocks = Program::yes;
+        std::uint32_t effect = Program::yes;
+        std::uint32_t process = 0, index = 0;
+        Word covers = 0, frees = 0;         // bounds of the source's invariant: see Gap
+        std::uint16_t word = 0;
+        bool urgent = false;
+        bool always = false;                // no clock has a say: it covers every bound of every process
+    };
+    struct Tick {
+        Word mask = 0;
+        Word greatest = 0;                  // time passes below it
+        Word cap = 0;
+        std::uint16_t word = 0;
+        std::uint8_t shift = 0;
+    };
+    struct Row {                            // one location of one process
+        std::uint32_t first = 0, last = 0;              // edges_
+        std::uint32_t first_tick = 0, last_tick = 0;    // ticks_
+        Word bounds = 0, late = 0;                      // its bounds, and those of at least one unit
+    };
+    struct Place {
+        Word mask = 0;
+        std::uint32_t row = 0;
+        std::uint16_t word = 0;
+        std::uint8_t shift = 0;
+    };
+
+    void compile(Id<Network::Process> process);
+    void compile_ticks(Id<Network::Process> process, Id<Network::Location> location, Row& row);
+    Edge compile_edge(Id<Network::Process> process, Id<Network::Edge> edge);
+    std::uint32_t compile_effect(Id<Network::Process> process, const Network::Edge& edge);
+    void compile_guard(Id<Expr> guard, Edge& compiled);
+    void judge_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const;
+    void fire(std::uint32_t edge, const Word* words, Moves& moves);
+
+    const Network& network_;
+    std::vector<ProcessClocks> clocks_;
+    Layout layout_;
+    Program program_ = {};
+    Compiler compiler_;
+    std::vector<Edge> edges_ = {};
+    std::vector<Tick> ticks_ = {};
+    std::vector<Row> rows_ = {};
+    std::vector<Place> places_ = {};
+    std::vector<std::int64_t> registers_ = {};
+    bool timed_ = false;
+};
+
+}  // namespace grafverif::timed

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Program: guards, assignments and properties compiled once to a flat branching program over packed states.
+//
+// Every instruction names its successors, so code has no order and is written from its end backwards: `compile` of a
+// Boolean term gets the places to go to when it is true and when it is false, and returns the place where it begins.
+// A conjunction of Booleans of one word is one Test; a comparison of a variable with a constant is one Within. Other
+// arithmetic goes through registers. Terms whose tree is far larger than their shared form are evaluated as the shared
+// form, each subterm once, into registers (`eager`); both ways give the same value, an undefined one included.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "check/timed/layout.hpp"
+#include "grafverif/ir/expr.hpp"
+
+namespace grafverif::timed {
+
+enum class Do : std::uint8_t {
+    Yes, No,                                          // the end
+    Test,                                             // (word & mask) == value ?
+    Within,                                           // low <= raw field <= low + span ?
+    Load, Constant,                                   // register `to` := field, constant
+    Add, Subtract, Multiply, Divide, Modulo, Negate,  // register `to` := a op b; no value: `undefined`
+    Equal, Less, LessEqual,                           // registers a, b ?
+    Truth,                                            // register a not 0 ?
+    EagerNot, EagerAnd, EagerOr, EagerEqual, EagerUnequal, EagerLess, EagerLessEqual, EagerChoice,   // into register `to`
+    Patch,                                            // word := (word & mask) | value
+    Store,                                            // field := register a, in range; else a fault
+    Cap,                                              // raw field := the smaller of it and `value`
+};
+
+struct Instruction {
+    Word mask = 0;            ///< Load, Within, Store, Cap: of the field, in place
+    Word value = 0;           ///< Test, Patch: bits; Load, Constant, Store: the least value; Within: low; Cap: the cap
+    Word span = 0;            ///< Within, Store: values above the least
+    std::uint32_t yes = 0;    ///< the next instruction
+    std::uint32_t no = 0;
+    std::uint32_t to = 0, a = 0, b = 0, c = 0;   ///< registers; Store: `to` is the variable
+    std::uint16_t word = 0;
+    std::uint8_t shift = 0;
+    Do op = Do::Yes;
+};
+
+/// What a term without a value leaves in its register. No term of bounded variables has it as a value.
+inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min();
+
+struct Program {
+    static constexpr std::uint32_t yes = 0, no = 1;   ///< the two ends stand first
+    std::vector<Instruction> code = {Instruction{}, Instruction{.op = Do::No}};
+    std::size_t registers = 1;
+};
+
+enum class End { Yes, No, OutOfRange, NoValue };
+
+/// Runs from `start`; `place` is where it ended, for a fault the instruction at fault.
+struct Ran {
+    End end = End::No;
+    std::uint32_t place = 0;
+};
+Ran run(const Program& program, std::uint32_t start, Word* words, std::int64_t* registers);
+/// The same for a condition, which writes no word.
+inline Ran test(const Program& program, std::uint32_t start, const Word* words, std::int64_t* registers) {
+    return run(program, start, const_cast<Word*>(words), registers);
+}
+
+/// Writes code for terms of `network` into `program`.
+class Compiler {
+public:
+    Compiler(const Network& network, const Layout& layout, Program& program);
+
+    /// A Boolean term: go on at `yes` or `no`.
+    std::uint32_t condition(Id<Expr> term, std::uint32_t yes, std::uint32_t no);
+    /// `target := value`, then on at `next`.
+    std::uint32_t assignment(Id<Network::Variable> target, Id<Expr> value, std::uint32_t next);
+    std::uint32_t emit(const Instruction& instruction);
+
+    /// A test of bits that is the whole of a term, or part of a conjunction: (word & mask) == value.
+    struct Literal { std::uint16_t word = 0; Word mask = 0, value = 0; };
+    /// The term as one such test, if it is one.
+    std::optional<Literal> literal(Id<Expr> term) const;
+    bool fallible(Id<Expr> term) const { return facts_[term.index].fallible; }
+
+private:
+    /// What is known of a term without its context.
+    struct Facts {
+        std::uint32_t tree = 1;   // nodes, were nothing shared; saturates
+        bool fallible = false;    // may have no value
+        double low = 0, high = 1; // bounds of the value
+    };
+    Facts facts_of(Id<Expr> term) const;
+    std::uint32_t boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t no, std::uint32_t base);
+    std::uint32_t junction(Id<Expr> term, std::uint32_t yes, std::uint32_t no, std::uint32_t base);
+    std::uint32_t comparison(Id<Expr> term, std::uint32_t yes, std::uint32_t no, std::uint32_t base);
+    std::uint32_t integer(Id<Expr> term, std::uint32_t to, std::uint32_t next);
+    std::uint32_t eager(Id<Expr> term, std::uint32_t next, std::uint32_t& result);
+    std::uint32_t test(const Literal& literal, std::uint32_t yes, std::uint32_t no);
+    std::uint32_t load(const Field& field, std::uint32_t to, std::uint32_t next);
+    void reserve(std::uint32_t reg);
+
+    const Network& network_;
+    const Layout& layout_;
+    Program& program_;
+    std::vector<Facts> facts_ = {};
+};
+
+}  // namespace grafverif::timed

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// One check: compile, search, judge.
+#include "check/timed/timed.hpp"
+
+#include <algorithm>
+
+#include "check/timed/questions.hpp"
+#include "support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+ModelError error_of(timed::Graph& graph, const timed::FaultAt& at) {
+    ModelError error;
+    error.kind = at.fault.kind == timed::End::OutOfRange ? ModelError::Kind::OutOfRange : ModelError::Kind::NoValue;
+    if (error.kind == ModelError::Kind::OutOfRange) error.variable = {at.fault.variable};
+    error.process = graph.machine.process_of(at.fault.edge);
+    error.edge = graph.machine.edge_of(at.fault.edge);
+    error.run = graph.run_to(at.state);
+    return error;
+}
+
+std::vector<ModelError> errors_of(timed::Graph& graph) {
+    std::vector<ModelError> errors;
+    for (const timed::FaultAt& at : graph.faults) errors.push_back(error_of(graph, at));
+    if (!graph.race) return errors;
+    errors.push_back({.kind = ModelError::Kind::ActionRace, .variable = graph.machine.network().race, .run = graph.run_to(*graph.race)});
+    return errors;
+}
+
+/// `no timelock`, which every timed check decides, for models that do not declare it.
+Property no_timelock(const Network& network) {
+    Property property{.name = "no_timelock", .pattern = Pattern::NoTimelock};
+    while (std::ranges::any_of(network.properties, [&](const Property& other) { return other.name == property.name; }))
+        property.name += "_";
+    return property;
+}
+
+bool about_time(const Property& property) { return property.pattern == Pattern::NoTimelock && !property.at_stable; }
+
+bool asked(const TimedOptions& options, const Property& property) {
+    return options.properties.empty() || about_time(property) ||
+           std::ranges::find(options.properties, property.name) != options.properties.end();
+}
+
+}  // namespace
+
+TimedResult check_timed(const Network& network, const TimedOptions& options) {
+    timed::Limits limits(options);
+    const Network flat = expand(network);
+    timed::Machine machine(flat);
+    timed::Watch watch;
+    timed::Questions questions(flat, machine, watch);
+    const Property timelock = no_timelock(flat);
+    bool timelock_asked = false;
+    for (const Id<Property> id : flat.properties.ids()) {
+        const Property& property = flat.properties[id];
+        if (!asked(options, property)) continue;
+        questions.ask(id, property);
+        timelock_asked = timelock_asked || about_time(property);
+    }
+    if (!timelock_asked) questions.ask({}, timelock);
+
+    timed::Graph graph(machine);
+    graph.linked = options.keep_links;
+    std::vector<timed::Field> races;
+    if (flat.race.valid()) races.push_back(machine.layout().variables[flat.race.index]);
+    const Obstacle ended = machine.layout().fits() ? timed::explore(graph, watch, races, limits) : Obstacle::Unsupported;
+
+    TimedResult result;
+    result.bytes = graph.bytes();
+    result.state_bytes = graph.store.state_bytes();
+    if (graph.linked) graph.store.drop_index();
+    result.errors = errors_of(graph);
+    result.verdicts = questions.answers(graph, ended, result.errors, limits);
+    result.states = graph.states();
+    result.transitions = graph.transitions;
+    result.complete = ended == Obstacle::None;
+    result.time_passes = graph.time_passes;
+    result.seconds = limits.seconds();
+    for (Verdict& verdict : result.verdicts) {
+        verdict.states = std::to_string(result.states);
+        verdict.transitions = result.transitions;
+        verdict.seconds = result.seconds;
+    }
+    return result;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The properties as specifications. `AG x -> y` would be read as `(AG x) -> y`, so operands always stand in brackets.
+//
+// A specification of SMV is true if every initial state satisfies it, under fairness every one from which a fair run
+// starts. That is what all patterns ask but `reachable`: `EF p` is false where p is reached from one initial state and
+// not from another, and where no run is fair it is true of everything. So `reachable p` is asked as `never p`.
+#include <ostream>
+
+#include "emit/nusmv/text.hpp"
+#include "support/overloaded.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::nusmv {
+
+namespace {
+
+using System = TransitionSystem;
+
+struct Printer {
+    std::ostream& out;
+    const System& system;
+    NamedValues& values;
+    LeafPrinter leaf = {};
+
+    std::string text(Id<Expr> term) const {
+        const Id<Expr> written = values.named(system.main, term);
+        return expr_text(values.exprs(), written, nusmv_spelling, leaf);
+    }
+
+    std::string bracketed(Id<Expr> term) const {
+        const Op op = system.exprs[term].op;
+        if (is_leaf(op) || is_constant(op)) return text(term);
+        return '(' + text(term) + ')';
+    }
+
+    /// `term`, in settled states only where the property says so; stands in brackets.
+    std::string judged(const Property& property, Id<Expr> term) const {
+        if (!property.at_stable) return bracketed(term);
+        return '(' + bracketed(system.settled) + " & " + bracketed(term) + ')';
+    }
+
+    std::string exactly_one(const Property& property) const {
+        if (property.operands.size() == 1) return text(property.operands[0]);
+        std::string list;
+        for (const Id<Expr> operand : property.operands) list += (list.empty() ? "" : ", ") + text(operand);
+        return "count(" + list + ") = 1";
+    }
+
+    /// `settled -> (invariant)` where the property is judged at stable.
+    std::string invariant(const Property& property, const std::string& condition) const {
+        return property.at_stable ? bracketed(system.settled) + " -> (" + condition + ')' : condition;
+    }
+
+    std::string negated(Id<Expr> term) const { return '!' + bracketed(term); }
+};
+
+struct Specification {
+    std::string_view keyword = {};
+    std::string formula = {};
+};
+
+Specification specification(const Printer& printer, const Property& property) {
+    const auto operand = [&](std::size_t k) { return printer.judged(property, property.operands[k]); };
+    switch (property.pattern) {
+    case Pattern::Always:         return {"INVARSPEC", printer.invariant(property, printer.text(property.operands[0]))};
+    case Pattern::Never:
+    case Pattern::Reachable:      return {"INVARSPEC", printer.invariant(property, printer.negated(property.operands[0]))};
+    case Pattern::ExactlyOneOf:   return {"INVARSPEC", printer.invariant(property, printer.exactly_one(property))};
+    case Pattern::Inevitable:     return {"SPEC", "AF " + operand(0)};
+    case Pattern::LeadsTo:        return {"SPEC", "AG (" + operand(0) + " -> AF " + operand(1) + ')'};
+    case Pattern::AlwaysPossible: return {"SPEC", "AG EF " + operand(0)};
+    case Pattern::RawCtl:         return {"SPEC", property.raw};
+    case Pattern::RawLtl:         return {"LTLSPEC", property.raw};
+    case Pattern::NoDeadlock: case Pattern::NoTimelock: case Pattern::ReachableAllSteps: case Pattern::RawUppaal:
+        break;   // never in a TransitionSystem (verify)
+    }
+    unreachable();
+}
+
+void print_omitted(std::ostream& out, const System::Omitted& omitted) {
+    const Property& property = omitted.property;
+    out << "\n-- " << property.name;
+    if (!property.text.empty()) out << ": " << printable(property.text);
+    out << "\n-- left out: " << omitted.reason << '\n';
+}
+
+void print_heading(std::ostream& out, const Property& property, const std::string& legal) {
+    const bool renamed = property.name != legal;
+    if (!property.text.empty() || property.expected_violated || renamed) {
+        out << "-- " << property.name;
+        if (!property.text.empty()) out << ": " << printable(property.text);
+        if (property.expected_violated) out << " (expected: violated)";
+        if (property.pattern == Pattern::Reachable) out << "; holds where " << legal << " is false";
+        out << '\n';
+    }
+}
+
+}  // namespace
+
+void print_properties(std::ostream& out, const System& system, const Names& names, NamedValues& values) {
+    const Printer printer{out, system, values, leaf_printer(names, system.main)};
+    auto omitted = system.omitted.begin();
+    for (const Id<Property> id : system.properties.ids()) {
+        for (; omitted != system.omitted.end() && omitted->before <= id.index; ++omitted) print_omitted(out, *omitted);
+        const Property& property = system.properties[id];
+        const Specification made = specification(printer, property);
+        out << '\n';
+        print_heading(out, property, names.properties[id.index]);
+        out << made.keyword << " NAME " << names.properties[id.index] << " := " << made.formula << ";\n";
+    }
+    for (; omitted != system.omitted.end(); ++omitted) print_omitted(out, *omitted);
+}
+
+}  // namespace grafverif::nusmv

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What the parts of the NuSMV emitter share: the names of all entities, and lines of a readable length.
+#pragma once
+
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+#include "grafverif/ir/transition_system.hpp"
+#include "syntax/print/dialect.hpp"
+#include "syntax/print/legal_names.hpp"
+
+namespace grafverif::nusmv {
+
+struct Names {
+    std::vector<std::string> modules = {};
+    std::vector<std::vector<std::string>> symbols = {};   ///< per module; a member's is `instance.symbol`
+    std::vector<std::string> instances = {};
+    std::vector<std::string> properties = {};             ///< of their specifications; `never_P` of a `reachable` P
+    /// Named values, which NuSMV takes for constants of the whole model: their names, and where each stands there.
+    std::vector<std::string> values = {};
+    std::unordered_map<std::string, std::size_t> value_places = {};
+    /// What had to change, per scope in which it did.
+    struct Changed {
+        std::string scope = {};
+        std::vector<Renaming> renamings = {};
+    };
+    std::vector<Changed> changed = {};
+};
+
+Names names_of(const TransitionSystem& system);
+
+/// The terms of a system as they are written: numbers that stand for named values become leaves behind the symbols of
+/// their module.
+class NamedValues {
+public:
+    NamedValues(const TransitionSystem& system, const Names& names)
+        : system_(system), names_(names), exprs_(system.exprs) {}
+
+    const Exprs& exprs() const { return exprs_; }
+    /// `term` of `module`; `symbol`: whose value it is, where it is a value.
+    Id<Expr> named(Id<TransitionSystem::Module> module, Id<Expr> term, Id<TransitionSystem::Symbol> symbol = {});
+
+private:
+    using Key = std::tuple<Id<TransitionSystem::Module>, Id<Expr>, Id<TransitionSystem::Symbol>>;
+
+    Id<Expr> rewritten(Id<TransitionSystem::Module> module, Id<Expr> term, Id<TransitionSystem::Symbol> symbol);
+    bool names_values(Id<TransitionSystem::Module> module, Id<TransitionSystem::Symbol> symbol) const {
+        return symbol.valid() && !system_.modules[module].symbols[symbol].values.empty();
+    }
+
+    const TransitionSystem& system_;
+    const Names& names_;
+    Exprs exprs_;
+    std::map<Key, Id<Expr>> known_ = {};
+};
+
+/// Writes the leaves of terms of `module`.
+LeafPrinter leaf_printer(const Names& names, Id<TransitionSystem::Module> module);
+
+/// `text` as a comment of lines of at most 100 columns.
+void print_comment(std::ostream& out, std::string_view text);
+
+/// The specifications of main, in the order of the properties.
+void print_properties(std::ostream& out, const TransitionSystem& system, const Names& names, NamedValues& values);
+
+}  // namespace grafverif::nusmv

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The statements of a controller in Structured Text.
+#pragma once
+
+#include <string>
+
+#include "emit/structured_text/names.hpp"
+
+namespace grafverif::structured_text {
+
+struct Body {
+    std::string text = {};
+    std::vector<bool> waits = {};   ///< per variable: its new value waits in a variable of its own
+};
+
+/// One PLC cycle. Requires verify(equations).empty() and that they are expressible.
+Body body_of(const Equations& equations, const Names& names, const Options& options);
+
+/// `T#3s`
+std::string time_literal(std::int64_t milliseconds);
+
+}  // namespace grafverif::structured_text

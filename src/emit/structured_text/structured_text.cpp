@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// The controller's declarations around its body.
+#include "emit/structured_text/structured_text.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "emit/structured_text/body.hpp"
+#include "emit/structured_text/unit.hpp"
+#include "ir/interval.hpp"
+#include "support/messages.hpp"
+
+namespace grafverif::structured_text {
+
+namespace {
+
+using Role = Equations::Role;
+
+std::string comment_of(const Equations& equations, const Names& names, const Options& options) {
+    const bool search = options.mode == ExecutionMode::StabilitySearch;
+    std::string text = fmt::format("{}: controller written by grafverif from the equations of the chart\n", equations.name);
+    text += "One call is one PLC cycle: call it once per cycle of its task, with inputs that do not change meanwhile.\n";
+    text += search ? "With stability search: evolutions follow each other until the situation is stable, then outputs are written.\n"
+                   : "Without stability search: one evolution per call, outputs are written in every cycle.\n";
+    text += fmt::format("{}: {}2 race of stored actions, 3 value outside its range{}; outputs then stay as they are.\n",
+                        names.fault, search ? "1 no stable situation, " : "",
+                        equations.conflicts.empty() ? "" : ", 4 forcing orders in conflict");
+    for (const Renaming& renaming : names.changed) text += fmt::format("{} is {}\n", renaming.name, renaming.legal);
+    return text;
+}
+
+const char* type_word(const Type& type) { return type.boolean ? "BOOL" : "DINT"; }
+
+std::string literal(const Type& type, std::int64_t value) {
+    if (type.boolean) return value != 0 ? "TRUE" : "FALSE";
+    return std::to_string(value);
+}
+
+std::string comment_of(const Equations::Variable& variable) {
+    if (variable.type.boolean || variable.role == Role::TimerEnd) return {};
+    return fmt::format("{} to {}", variable.type.low, variable.type.high);
+}
+
+class Declarations {
+public:
+    Declarations(const Equations& equations, const Names& names, const Body& body)
+        : equations_(equations), names_(names), body_(body) {}
+
+    std::vector<UnitVariable> all(const Options& options) {
+        for (const Id<Equations::Variable> id : equations_.variables.ids()) variable(id);
+        for (const TimerNames& timer : names_.timers) {
+            if (!timer.on.empty()) made_.push_back({Section::Local, timer.on, "TON", true, "", ""});
+            if (!timer.lasted.empty()) made_.push_back({Section::Local, timer.lasted, "BOOL", false, "FALSE", ""});
+            if (!timer.off.empty()) made_.push_back({Section::Local, timer.off, "TOF", true, "", ""});
+        }
+        made_.push_back({Section::Output, names_.fault, "INT", false, "0", "what stopped the controller; 0: nothing"});
+        made_.push_back({Section::Local, names_.started, "BOOL", false, "FALSE", "the first evolution has been made"});
+        if (options.mode == ExecutionMode::EveryCycle) return std::move(made_);
+        made_.push_back({Section::Local, names_.stable, "BOOL", false, "FALSE", "one more evolution would change nothing"});
+        made_.push_back({Section::Local, names_.evolutions, "UDINT", false, "0", "of this cycle"});
+        made_.push_back({Section::Constant, names_.limit, "UDINT", false, std::to_string(options.max_evolutions),
+                         "of one cycle; more of them are total instability"});
+        return std::move(made_);
+    }
+
+private:
+    void variable(Id<Equations::Variable> id) {
+        const Equations::Variable& variable = equations_.variables[id];
+        const Section section = variable.role == Role::Input    ? Section::Input
+                                : variable.role == Role::Output ? Section::Output
+                                                                : Section::Local;
+        const std::string initial = literal(variable.type, variable.initial);
+        const std::string& name = names_.variables[id.index];
+        const std::string& kept = names_.storage[id.index];
+        made_.push_back({section, name, type_word(variable.type), false, initial, comment_of(variable)});
+        if (kept != name)
+            made_.push_back({Section::Local, kept, type_word(variable.type), false, initial, "image of " + name});
+        if (body_.waits[id.index])
+            made_.push_back({Section::Local, names_.fresh[id.index], type_word(variable.type), false, "", "next value of " + kept});
+    }
+
+    const Equations& equations_;
+    const Names& names_;
+    const Body& body_;
+    std::vector<UnitVariable> made_ = {};
+};
+
+}  // namespace
+
+void emit(const Equations& equations, const Options& options, std::ostream& out) {
+    const Names names = names_of(equations);
+    Body body = body_of(equations, names, options);
+    Unit unit{false, names.block, comment_of(equations, names, options), {}, {}};
+    unit.variables = Declarations(equations, names, body).all(options);
+    unit.body = std::move(body.text);
+    print(unit, options.form, out);
+}
+
+// What a block cannot compute exactly as the equations say.
+
+namespace {
+
+constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
+constexpr std::int64_t greatest = std::numeric_limits<std::int32_t>::max();
+
+/// For each term: why DINT arithmetic does not compute it, or an empty text. Children precede parents: one pass.
+class Obstacles {
+public:
+    explicit Obstacles(const Equations& equations) : exprs_(equations.exprs), reasons_(equations.exprs.size()) {
+        const TypeOf type_of = [&](const Expr& leaf) {
+            return equations.variables[Id<Equations::Variable>{static_cast<std::uint32_t>(leaf.value)}].type;
+        };
+        for (std::uint32_t index = 0; index < exprs_.size(); ++index) {
+            const Id<Expr> term{index};
+            for (const Id<Expr> operand : exprs_.operands(term))
+                if (reasons_[index] == nullptr) reasons_[index] = reasons_[operand.index];
+            if (reasons_[index] == nullptr) reasons_[index] = own(term, type_of);
+        }
+    }
+
+    const char* of(Id<Expr> term) const { return term.valid() ? reasons_[term.index] : nullptr; }
+
+private:
+    const char* own(Id<Expr> term, const TypeOf& type_of) const {
+        const Expr& node = exprs_[term];
+        if (!is_arithmetic(node.op) && node.op != Op::Integer) return nullptr;
+        const bool divides = node.op == Op::Divide || node.op == Op::Modulo;
+        if (divides && exprs_[exprs_.operands(term)[1]].op != Op::Integer) return "a division by what is no constant";
+        if (divides && exprs_[exprs_.operands(term)[1]].value == 0) return "a division by zero";
+        const Interval values = interval(exprs_, term, type_of);
+        return values.low < least || values.high > greatest ? "a value that may need more than 32 bits" : nullptr;
+    }
+
+    const Exprs& exprs_;
+    std::vector<const char*> reasons_;
+};
+
+}  // namespace
+
+bool expressible(const Equations& equations, Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    const Obstacles obstacles(equations);
+    const auto check = [&](Id<Expr> term, Span where) {
+        if (const char* reason = obstacles.of(term)) diagnostics.add(messages::not_in_structured_text(where, reason));
+    };
+    for (const Equations::Firing& firing : equations.firings) check(firing.condition, firing.origin);
+    for (const Equations::Output& output : equations.outputs) check(output.value, output.origin);
+    for (const Equations::Stored& stored : equations.stored)
+        for (const Equations::Write& write : stored.writes) {
+            check(write.trigger, write.origin);
+            check(write.value, write.origin);
+        }
+    for (const Equations::Previous& previous : equations.previous) check(previous.value, previous.origin);
+    for (const Equations::Watch& watch : equations.watches) check(watch.value, watch.origin);
+    for (const Equations::Conflict& conflict : equations.conflicts) check(conflict.condition, conflict.origin);
+    for (const Equations::Timer& timer : equations.timers)
+        if (timer.rise_ms > greatest || timer.fall_ms > greatest)
+            diagnostics.add(messages::not_in_structured_text(timer.origin, "a duration of more than 24 days"));
+    return diagnostics.errors() == errors;
+}
+
+}  // namespace grafverif::structured_text

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The XML is that of PLCopen's TC6 schema 2.01, elements in its order. The date of the file is fixed: the same input gives
+// the same file.
+#include "emit/structured_text/unit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "emit/wrapped_text.hpp"
+#include "support/xml_text.hpp"
+
+namespace grafverif::structured_text {
+
+namespace {
+
+struct SectionWords {
+    Section section = Section::Local;
+    std::string_view text = {}, xml = {};
+};
+
+constexpr std::array sections = {
+    SectionWords{Section::Input, "VAR_INPUT", "<inputVars>"},
+    SectionWords{Section::Output, "VAR_OUTPUT", "<outputVars>"},
+    SectionWords{Section::Constant, "VAR CONSTANT", "<localVars constant=\"true\">"},
+    SectionWords{Section::Local, "VAR", "<localVars>"},
+};
+
+void print_text(const Unit& unit, std::ostream& out) {
+    const std::string_view word = unit.is_program ? "PROGRAM" : "FUNCTION_BLOCK";
+    std::istringstream lines(comment_text(unit.comment));
+    for (std::string line; std::getline(lines, line);) out << "(* " << line << " *)\n";
+    out << word << ' ' << unit.name << '\n';
+    for (const SectionWords& words : sections) {
+        bool open = false;
+        for (const UnitVariable& variable : unit.variables) {
+            if (variable.section != words.section) continue;
+            if (!std::exchange(open, true)) out << words.text << '\n';
+            out << "    " << variable.name << " : " << variable.type;
+            if (!variable.initial.empty()) out << " := " << variable.initial;
+            out << ';';
+            if (!variable.comment.empty()) out << "   (* " << comment_text(variable.comment) << " *)";
+            out << '\n';
+        }
+        if (open) out << "END_VAR\n";
+    }
+    out << '\n' << unit.body << "\nEND_" << word << '\n';
+}
+
+std::string data(std::string_view text) {
+    std::string xml;
+    escape_xml(text, xml);
+    return xml;
+}
+
+/// As XHTML, which documentation and bodies are.
+std::string xhtml(std::string_view text) {
+    return "<xhtml xmlns=\"http://www.w3.org/1999/xhtml\">" + data(text) + "</xhtml>";
+}
+
+void print_variable(const UnitVariable& variable, std::ostream& out) {
+    out << "            <variable name=\"" << attribute_xml(variable.name) << "\">\n              <type>";
+    if (variable.derived) out << "<derived name=\"" << attribute_xml(variable.type) << "\"/>";
+    else out << '<' << variable.type << "/>";
+    out << "</type>\n";
+    if (!variable.initial.empty())
+        out << "              <initialValue><simpleValue value=\"" << attribute_xml(variable.initial) << "\"/></initialValue>\n";
+    if (!variable.comment.empty()) out << "              <documentation>" << xhtml(variable.comment) << "</documentation>\n";
+    out << "            </variable>\n";
+}
+
+void print_interface(const Unit& unit, std::ostream& out) {
+    out << "        <interface>\n";
+    for (const SectionWords& words : sections) {
+        bool open = false;
+        for (const UnitVariable& variable : unit.variables) {
+            if (variable.section != words.section) continue;
+            if (!std::exchange(open, true)) out << "          " << words.xml << '\n';
+            print_variable(variable, out);
+        }
+        const std::string_view tag = words.xml.substr(1, words.xml.find_first_of(" >") - 1);
+        if (open) out << "          </" << tag << ">\n";
+    }
+    out << "          <documentation>" << xhtml(unit.comment) << "</documentation>\n        </interface>\n";
+}
+
+void print_plcopen(const Unit& unit, std::ostream& out) {
+    const std::string name = attribute_xml(unit.name);
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+           "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\">\n"
+           "  <fileHeader companyName=\"\" productName=\"grafverif\" productVersion=\"1\" "
+           "creationDateTime=\"2000-01-01T00:00:00\"/>\n"
+           "  <contentHeader name=\"" << name << "\">\n    <coordinateInfo>\n";
+    for (const char* language : {"fbd", "ld", "sfc"})
+        out << "      <" << language << "><scaling x=\"1\" y=\"1\"/></" << language << ">\n";
+    out << "    </coordinateInfo>\n  </contentHeader>\n  <types>\n    <dataTypes/>\n    <pous>\n"
+        << "      <pou name=\"" << name << "\" pouType=\"" << (unit.is_program ? "program" : "functionBlock") << "\">\n";
+    print_interface(unit, out);
+    out << "        <body>\n          <ST>" << xhtml("\n" + unit.body) << "</ST>\n        </body>\n      </pou>\n"
+        << "    </pous>\n  </types>\n  <instances><configurations/></instances>\n</project>\n";
+}
+
+}  // namespace
+
+std::string comment_text(std::string text) {
+    for (const std::string_view mark : {"(*", "*)"})
+        for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) text.insert(at + 1, " ");
+    return text;
+}
+
+void print(const Unit& unit, Form form, std::ostream& out) {
+    Unit wrapped = unit;
+    std::ostringstream body;
+    print_wrapped(body, unit.body, "(*");
+    wrapped.body = std::move(body).str();
+    if (form == Form::Text) print_text(wrapped, out);
+    else print_plcopen(wrapped, out);
+}
+
+}  // namespace grafverif::structured_text

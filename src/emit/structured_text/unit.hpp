@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A program organisation unit of IEC 61131-3 (a program or a function block), and its two forms.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "emit/structured_text/structured_text.hpp"
+
+namespace grafverif::structured_text {
+
+enum class Section { Input, Output, Local, Constant };
+
+struct UnitVariable {
+    Section section = Section::Local;
+    std::string name = {};
+    std::string type = {};      ///< `BOOL`, `DINT`, `INT`, `UDINT`, `TON`, `TOF`, or the name of a block
+    bool derived = false;       ///< the type is a function block
+    std::string initial = {};   ///< a literal, or empty
+    std::string comment = {};
+};
+
+struct Unit {
+    bool is_program = false;    ///< else a function block
+    std::string name = {};
+    std::string comment = {};   ///< lines
+    std::vector<UnitVariable> variables = {};
+    std::string body = {};
+};
+
+/// `text` as the inside of a comment, which `(*` and `*)` would end or begin anew.
+std::string comment_text(std::string text);
+
+void print(const Unit& unit, Form form, std::ostream& out);
+
+}  // namespace grafverif::structured_text

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Pattern by pattern: what each property means as a formula of UPPAAL, or why it has none.
+#include "emit/uppaal/queries.hpp"
+
+#include <ostream>
+#include <unordered_set>
+
+#include "emit/uppaal/text.hpp"
+#include "emit/uppaal/uppaal.hpp"
+#include "ir/step_names.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/formula.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::uppaal {
+namespace {
+
+/// Why no formula of UPPAAL says it; empty where one does.
+std::string_view reason(Pattern pattern) {
+    switch (pattern) {
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::Reachable:
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo:
+    case Pattern::NoDeadlock:
+    case Pattern::ReachableAllSteps:
+    case Pattern::ExactlyOneOf:
+    case Pattern::RawUppaal:      return {};
+    case Pattern::NoTimelock:     return "UPPAAL has no query for `no timelock`";
+    case Pattern::AlwaysPossible: return "UPPAAL has no query for `always possible` (AG EF)";
+    case Pattern::RawCtl:         return "UPPAAL reads no CTL beyond its own queries";
+    case Pattern::RawLtl:         return "UPPAAL reads no LTL";
+    }
+    unreachable();
+}
+
+/// What the second line of the comment tells beside the outcome, where the formula alone does not.
+std::string_view remark(const Property& property) {
+    if (property.pattern == Pattern::RawUppaal) return "as written; ";
+    if (property.at_stable) return "in settled states; ";
+    return "";
+}
+
+class Writer {
+public:
+    Writer(const Network& network, const Names& names) : network_(network), terms_(network, names), names_(names) {}
+
+    std::vector<Query> all() {
+        std::vector<Query> list;
+        for (const Id<Property> property : network_.properties.ids()) add(list, property);
+        return list;
+    }
+
+private:
+    void add(std::vector<Query>& list, Id<Property> id) {
+        const Property& property = network_.properties[id];
+        std::string why(reason(property.pattern));
+        if (property.pattern == Pattern::RawUppaal) why = what_it_lacks(property.raw);
+        if (!why.empty()) {
+            list.push_back({id, property.name, {}, headline(property, property.name) + ": left out; " + why, {}, why});
+            return;
+        }
+        if (property.pattern == Pattern::ReachableAllSteps) return add_steps(list, id);
+        const bool satisfied = !property.expected_violated;
+        const std::string outcome = satisfied ? "expected: satisfied" : "expected: not satisfied";
+        const std::string comment = headline(property, property.name) + '\n' + std::string(remark(property)) + outcome;
+        list.push_back({id, property.name, formula(property), comment, satisfied});
+    }
+
+    /// Why the network has no answer to a formula that is passed through; empty: it has.
+    std::string what_it_lacks(const std::string& formula) {
+        if (known_.empty()) {
+            known_.insert(names_.variables.begin(), names_.variables.end());
+            for (const Id<Network::Process> id : network_.processes.ids()) {
+                const LocalNames& locals = names_.locals[network_.processes[id].automaton.index];
+                for (const auto* list : {&locals.parameters, &locals.clocks, &locals.locations})
+                    for (const std::string& name : *list) known_.insert(names_.processes[id.index] + '.' + name);
+            }
+        }
+        const auto known = [this](std::string_view name) {
+            return known_.contains(std::string(name)) ? std::optional(FormulaName{}) : std::nullopt;
+        };
+        const auto fault = formula_fault(FormulaLanguage::Uppaal, formula, known);
+        return fault ? fault->what : std::string();
+    }
+
+    /// One query per step. Expected violated: some step is out of reach, so no single query is told what to expect.
+    void add_steps(std::vector<Query>& list, Id<Property> id) {
+        const Property& property = network_.properties[id];
+        const bool satisfied = !property.expected_violated;
+        const std::string outcome = satisfied ? "expected: satisfied" : "expected of one step at least: not satisfied";
+        for (const Id<Network::Variable> step : steps(property)) {
+            const std::string name = property.name + '.' + step_variable_name(network_, step);
+            list.push_back({id, name, "E<> " + (property.at_stable ? settled() + " && " : "") + names_.variables[step.index],
+                            headline(property, name) + "\nevery step; " + std::string(remark(property)) + outcome,
+                            satisfied ? std::optional(true) : std::nullopt});
+        }
+    }
+
+    /// The steps that the property names, or those of every controller.
+    std::vector<Id<Network::Variable>> steps(const Property& property) const {
+        std::vector<Id<Network::Variable>> found;
+        for (const Id<Expr> operand : property.operands)
+            found.push_back({static_cast<std::uint32_t>(network_.exprs[operand].value)});
+        if (!found.empty()) return found;
+        for (const Id<Network::Variable> id : network_.variables.ids())
+            if (network_.variables[id].role == Network::Role::Step) found.push_back(id);
+        return found;
+    }
+
+    std::string formula(const Property& property) {
+        const auto& operands = property.operands;
+        switch (property.pattern) {
+        case Pattern::Always:       return "A[] " + whenever(property, operands[0]);
+        case Pattern::Never:        return "A[] " + guarded(property, "not " + terms_.bracketed(operands[0]));
+        case Pattern::Reachable:    return "E<> " + also(property, operands[0]);
+        case Pattern::Inevitable:   return "A<> " + also(property, operands[0]);
+        case Pattern::LeadsTo:      return also(property, operands[0]) + " --> " + also(property, operands[1]);
+        case Pattern::NoDeadlock:   return "A[] " + guarded(property, "not deadlock");
+        case Pattern::ExactlyOneOf: return "A[] " + guarded(property, sum(operands) + " == 1");
+        case Pattern::RawUppaal:    return property.raw;
+        case Pattern::ReachableAllSteps:
+        case Pattern::NoTimelock:
+        case Pattern::AlwaysPossible:
+        case Pattern::RawCtl:
+        case Pattern::RawLtl:       break;
+        }
+        unreachable();
+    }
+
+    std::string settled() { return '(' + terms_.text(network_.settled) + ')'; }
+
+    /// `text` wherever the property is judged.
+    std::string guarded(const Property& property, const std::string& text) {
+        return property.at_stable ? settled() + " imply " + text : text;
+    }
+    std::string whenever(const Property& property, Id<Expr> operand) {
+        return property.at_stable ? settled() + " imply " + terms_.bracketed(operand) : plain(operand);
+    }
+    /// The operand, in a state where the property is judged.
+    std::string also(const Property& property, Id<Expr> operand) {
+        return property.at_stable ? settled() + " && " + terms_.bracketed(operand) : plain(operand);
+    }
+    std::string plain(Id<Expr> operand) {
+        return network_.exprs[operand].op == Op::Conditional ? terms_.bracketed(operand) : terms_.text(operand);
+    }
+
+    std::string sum(const std::vector<Id<Expr>>& operands) {
+        std::string text;
+        for (const Id<Expr> operand : operands) text += (text.empty() ? "" : " + ") + terms_.bracketed(operand);
+        return text;
+    }
+
+    static std::string headline(const Property& property, const std::string& name) {
+        return property.text.empty() ? name : name + ": " + printable(property.text);
+    }
+
+    const Network& network_;
+    Terms terms_;
+    const Names& names_;
+    std::unordered_set<std::string> known_ = {};   ///< what formulas may name; made when one asks
+};
+
+}  // namespace
+
+std::vector<Query> queries(const Network& network, const Names& names) { return Writer(network, names).all(); }
+
+std::vector<Formula> formulas(const Network& network) {
+    std::vector<Formula> list;
+    for (Query& query : queries(network, names(network)))
+        list.push_back({query.property, std::move(query.name), std::move(query.formula)});
+    return list;
+}
+
+std::vector<Inexpressible> inexpressible(const Network& network) {
+    std::vector<Inexpressible> list;
+    for (const Query& query : queries(network, names(network)))
+        if (!query.reason.empty()) list.push_back({query.property, query.reason});
+    return list;
+}
+
+void emit_queries(const Network& network, std::ostream& out) {
+    std::string text;
+    for (const Query& query : queries(network, names(network))) {
+        std::string quoted = query.comment;
+        for (std::size_t at = quoted.find("*/"); at != std::string::npos; at = quoted.find("*/", at))
+            quoted.insert(at + 1, " ");
+        text += (text.empty() ? "/*\n" : "\n/*\n") + quoted + "\n*/\n";
+        if (!query.formula.empty()) text += query.formula + '\n';
+    }
+    out << text;
+}
+
+}  // namespace grafverif::uppaal

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Terms, constraints and assignments as UPPAAL writes them.
+#include "emit/uppaal/text.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+namespace grafverif::uppaal {
+namespace {
+
+std::string_view token(Op relation) { return uppaal_spelling(relation).token; }
+
+LeafPrinter leaf_printer(const Network& network, const Names& names, Id<Network::Template> automaton) {
+    return [&network, &names, automaton](std::ostream& out, const Expr& node) {
+        const auto index = static_cast<std::size_t>(node.value);
+        if (node.op == Op::Variable) {
+            out << names.variables[index];
+            return;
+        }
+        if (node.op == Op::Parameter) {
+            out << names.locals[automaton.index].parameters[index];
+            return;
+        }
+        const Id<Network::Process> process{at_process(node)};
+        const LocalNames& local = names.locals[network.processes[process].automaton.index];
+        out << names.processes[process.index] << '.' << local.locations[at_location(node)];
+    };
+}
+
+const std::vector<std::string>& clock_names(const Names& names, Id<Network::Template> automaton) {
+    return names.locals[automaton.index].clocks;
+}
+
+}  // namespace
+
+Terms::Terms(const Network& network, const Names& names, Id<Network::Template> automaton)
+    : network_(&network), names_(&names), automaton_(automaton), leaf_(leaf_printer(network, names, automaton)) {}
+
+void Terms::write(std::ostream& out, Id<Expr> root) const {
+    print_expr(out, network_->exprs, root, uppaal_spelling, leaf_);
+}
+
+std::string Terms::text(Id<Expr> root) const { return expr_text(network_->exprs, root, uppaal_spelling, leaf_); }
+
+std::string Terms::bracketed(Id<Expr> root) const {
+    const Op op = network_->exprs[root].op;
+    return op == Op::Not || uppaal_spelling(op).precedence == atom_precedence ? text(root) : '(' + text(root) + ')';
+}
+
+std::string Terms::text(const std::vector<Network::ClockConstraint>& constraints) const {
+    std::string joined;
+    for (const auto& [clock, relation, bound] : constraints) {
+        if (!joined.empty()) joined += " && ";
+        joined += clock_names(*names_, automaton_)[clock.index];
+        joined += ' ';
+        joined += token(relation);
+        joined += ' ';
+        joined += is_comparison(network_->exprs[bound].op) ? bracketed(bound) : text(bound);
+    }
+    return joined;
+}
+
+std::string Terms::text(const Network::Assignment& assignment) const {
+    return text(assignment.target) + " = " + text(assignment.value);
+}
+
+void Terms::write_statement(std::ostream& out, const Network::Assignment& assignment) const {
+    const Exprs& exprs = network_->exprs;
+    Id<Expr> value = assignment.value;
+    for (; exprs[value].op == Op::Conditional; value = exprs.operands(value)[2]) {
+        out << "if (";
+        write(out, exprs.operands(value)[0]);
+        out << ") ";
+        write(out, assignment.target);
+        out << " = ";
+        write(out, exprs.operands(value)[1]);
+        out << ';';
+        if (exprs.operands(value)[2] == assignment.target) return;
+        out << " else ";
+    }
+    write(out, assignment.target);
+    out << " = ";
+    write(out, value);
+    out << ';';
+}
+
+std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
+    std::vector<std::string> lines;
+    std::string line, piece;
+    const auto flush = [&] {
+        if (!line.empty() && line.size() + 1 + piece.size() > width) {
+            lines.push_back(std::move(line));
+            line.clear();
+        }
+        if (!line.empty()) line += ' ';
+        line += piece;
+        piece.clear();
+    };
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(' '));
+        text.remove_prefix(std::min(text.size(), word.size() + 1));
+        if (!piece.empty()) piece += ' ';
+        piece += word;
+        if (word.ends_with(',') || word == "&&" || word == "||") flush();
+    }
+    if (!piece.empty()) flush();
+    if (!line.empty()) lines.push_back(std::move(line));
+    return lines;
+}
+
+}  // namespace grafverif::uppaal

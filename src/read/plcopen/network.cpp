@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// The chart of a PLCopen document: steps, transitions, and the lines between them.
+#include "read/plcopen/network.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <unordered_set>
+
+#include "support/messages.hpp"
+
+namespace grafverif {
+
+namespace {
+
+bool is_step(pugi::xml_node node) { return is(node, "step") || is(node, "macroStep"); }
+
+// -- what flows where ---------------------------------------------------------------------------------------------------
+
+/// The steps before a transition, or the transitions before a step, through divergences and convergences. `wanted` says
+/// what ends the way; anything else there is an error.
+std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node start,
+                                     bool (*wanted)(pugi::xml_node), std::string_view hint) {
+    std::vector<pugi::xml_node> found, work = {start};
+    std::unordered_set<std::size_t> seen = {start.hash_value()};
+    for (std::size_t i = 0; i < work.size(); ++i) {
+        for (const pugi::xml_node& source : sources_of(reader, network, work[i])) {
+            const bool over = is(source, "jumpStep");   // CODESYS draws lines on from where a branch jumps away
+            if (over || !seen.insert(source.hash_value()).second) continue;
+            const std::string_view kind = local_name(source.name());
+            const bool on_the_way = is(start, "transition") ? kind == "selectionDivergence" || kind == "simultaneousConvergence"
+                                                            : kind == "simultaneousDivergence" || kind == "selectionConvergence";
+            if (on_the_way || kind == "connector" || kind == "continuation") work.push_back(source);
+            else if (wanted(source)) found.push_back(source);
+            else
+                reader.diagnostics().add(messages::misplaced_link(
+                    reader.xml.where(start), "a `" + std::string(kind) + "` leads to this `" + std::string(local_name(start.name())) + '`',
+                    hint));
+        }
+    }
+    return found;
+}
+
+bool is_transition(pugi::xml_node node) { return is(node, "transition"); }
+
+struct Step {
+    pugi::xml_node node = {};
+    st::Name name = {};
+};
+
+// -- actions of a step ----------------------------------------------------------------------------------------------------
+
+st::Association association(PlcopenReader& reader, pugi::xml_node action) {
+    st::Association made;
+    made.where = reader.xml.where(action);
+    if (attribute(action, "qualifier")) made.qualifier = st::capitals(value(action, "qualifier"));   // N where none is written
+    if (const std::string duration = value(action, "duration"); !duration.empty())
+        made.time = reader.expression(reader.xml.text(action, "duration"));
+    if (const pugi::xml_node reference = child(action, "reference")) {
+        made.action = reader.name(value(reference, "name"), reader.xml.where(reference, "name"));
+        return made;
+    }
+    const pugi::xml_node text = child(child(action, "inline"), "ST");
+    if (text) made.body = reader.statements(reader.xml.text(text));
+    else
+        reader.draft.refuse(made.where, "an action that is no reference and no Structured Text",
+                            "write it in Structured Text");
+    return made;
+}
+
+/// The qualifier of CODESYS may carry its time: `D T#2s`.
+void split_qualifier(PlcopenReader& reader, st::Association& association, pugi::xml_node action) {
+    const std::size_t blank = association.qualifier.find(' ');
+    if (blank == std::string::npos) return;
+    st::Text text = reader.xml.text(action, "qualifier");
+    text.front().where.begin += static_cast<std::uint32_t>(blank);
+    if (!association.time.valid()) association.time = reader.expression(text);
+    association.qualifier.resize(blank);
+}
+
+/// The entry, active and exit action of a step in CODESYS: names of actions.
+void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step) {
+    struct Known {
+        std::string_view guid = {}, qualifier = {};
+    };
+    constexpr Known known[] = {{"a6b08bd8-b696-47e3-9cbf-7408b61c9ff8", "P1"},
+                               {"700a583f-b4d4-43e4-8c14-629c7cd3bec8", "N"},
+                               {"a2621e18-7de3-4ea6-ae6d-89e9e0b7befd", "P0"}};
+    for (const pugi::xml_node& data : children(child(node, "addData"), "data")) {
+        const pugi::xml_node attributes = child(data, "attributes");
+        for (const Known& one : known) {
+            for (const pugi::xml_node& entry : children(attributes, "attribute")) {
+                if (value(entry, "guid") != one.guid) continue;
+                st::Association made;
+                made.where = reader.xml.where(entry);
+                made.qualifier = one.qualifier;
+                const auto path = reader.expression(reader.xml.text(entry));
+                if (!path.valid()) continue;
+                const st::Expr& written = reader.file.exprs[path];
+                if (written.op == st::Op::Name) {
+                    made.action = {written.word, written.where};
+                    step.actions.push_back(std::move(made));
+                } else {
+                    reader.draft.refuse(written.where, "the action `" + reader.xml.content(entry) + "` of another block",
+                                        "move it into the block of the chart");
+                }
+            }
+        }
+    }
+}
+
+/// What the negation of a step or an action block means is said nowhere.
+void refuse_negation(PlcopenReader& reader, pugi::xml_node element) {
+    if (reader.flag(element, "negated"))
+        reader.draft.refuse(reader.xml.where(element, "negated"), "a negated `" + std::string(local_name(element.name())) + '`',
+                            "negate conditions");
+}
+
+void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const std::vector<Step>& steps, st::Network& made) {
+    std::unordered_map<std::size_t, std::size_t> index;
+    for (std::size_t i = 0; i < steps.size(); ++i) index.emplace(steps[i].node.hash_value(), i);
+    for (const pugi::xml_node& element : network.elements) {
+        if (!is(element, "actionBlock")) continue;
+        refuse_negation(reader, element);
+        for (const pugi::xml_node& source : sources_of(reader, network, element)) {
+            const auto step = index.find(source.hash_value());
+            if (step == index.end()) {
+                reader.diagnostics().add(messages::misplaced_link(reader.xml.where(element), "this action block hangs on no step",
+                                                                  "connect it to a step"));
+                continue;
+            }
+            for (const pugi::xml_node& action : children(element, "action")) {
+                st::Association one = association(reader, action);
+                split_qualifier(reader, one, action);
+                made.steps[step->second].actions.push_back(std::move(one));
+            }
+        }
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i) codesys_actions(reader, steps[i].node, made.steps[i]);
+}
+
+/// Elements of that name, drawn from left to right: the order of their priority where none is written.
+std::vector<pugi::xml_node> from_left(const PlcopenNetwork& network, std::string_view name) {
+    std::vector<pugi::xml_node> found;
+    for (const pugi::xml_node& element : network.elements)
+        if (is(element, name)) found.push_back(element);
+    std::ranges::stable_sort(found, {}, [](pugi::xml_node node) { return attribute(child(node, "position"), "x").as_double(); });
+    return found;
+}
+
+std::string documentation(PlcopenReader& reader, pugi::xml_node node) {
+    const pugi::xml_node text = child(node, "documentation");
+    return text ? reader.xml.content(text) : std::string();
+}
+
+}  // namespace
+
+// -- elements -------------------------------------------------------------------------------------------------------------
+
+pugi::xml_node PlcopenNetwork::find(const std::string& id) const {
+    const auto found = by_id.find(id);
+    return found == by_id.end() ? pugi::xml_node() : found->second;
+}
+
+PlcopenNetwork network_of(PlcopenReader& reader, pugi::xml_node body) {
+    PlcopenNetwork network{body, {}, {}};
+    for (const pugi::xml_node& element : body.children()) {
+        if (element.type() != pugi::node_element || !attribute(element, "localId")) continue;
+        network.elements.push_back(element);
+        const auto [first, fresh] = network.by_id.emplace(value(element, "localId"), element);
+        if (!fresh)
+            reader.diagnostics().add(messages::duplicate_name(reader.xml.where(element, "localId"), "element",
+                                                              value(element, "localId"),
+                                                              reader.xml.where(first->second, "localId")));
+    }
+    return network;
+}
+
+std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point) {
+    std::vector<pugi::xml_node> sources;
+    if (is(point, "continuation")) {   // goes on where the connector of its name ends
+        for (const pugi::xml_node& element : network.elements)
+            if (is(element, "connector") && value(element, "name") == value(point, "name")) sources.push_back(element);
+        return sources;
+    }
+    for (const pugi::xml_node& in : children(point, "connectionPointIn")) {
+        for (const pugi::xml_node& connection : children(in, "connection")) {
+            const pugi::xml_node source = network.find(value(connection, "refLocalId"));
+            if (source) sources.push_back(source);
+            else
+                reader.diagnostics().add(messages::dangling_reference(reader.xml.where(connection, "refLocalId"),
+                                                                      value(connection, "refLocalId"), "element"));
+        }
+    }
+    return sources;
+}
+
+// -- the network ------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+st::Transition transition_of(PlcopenReader& reader, const st::Unit& unit, const PlcopenNetwork& network,
+                             const std::vector<Step>& steps, pugi::xml_node element) {
+    st::Transition made;
+    made.where = reader.xml.where(element);
+    made.comment = documentation(reader, element);
+    const std::string priority = value(element, "priority");
+    if (std::from_chars(priority.data(), priority.data() + priority.size(), made.priority).ec != std::errc() && !priority.empty())
+        reader.diagnostics().add(messages::bad_value(reader.xml.where(element, "priority"), "`priority`", priority, "a whole number"));
+    for (const pugi::xml_node& from : upstream(reader, network, element, is_step, "put a step between them"))
+        for (const Step& step : steps)
+            if (step.node == from) made.from.push_back({step.name.word, made.where});
+    made.condition = condition_of(reader, unit, network, element);
+    return made;
+}
+
+}  // namespace
+
+void read_network(PlcopenReader& reader, st::Unit& unit, pugi::xml_node body, st::Name macro_step) {
+    struct Open {
+        pugi::xml_node body = {};
+        st::Name macro_step = {};
+    };
+    std::vector<Open> open = {{body, macro_step}};
+    for (std::size_t at = 0; at < open.size(); ++at) {
+        const PlcopenNetwork network = network_of(reader, open[at].body);
+        st::Network made;
+        made.macro_step = open[at].macro_step;
+        made.where = reader.xml.where(open[at].body);
+        std::vector<Step> steps;
+        for (const pugi::xml_node& element : network.elements) {
+            if (!is_step(element)) continue;
+            const st::Name name = reader.name(value(element, "name"), reader.xml.where(element, "name"));
+            if (value(element, "name").empty())
+                reader.diagnostics().add(messages::missing_part(reader.xml.where(element), "this step", "`name`"));
+            steps.push_back({element, name});
+            st::Step step;
+            step.name = name;
+            step.initial = reader.flag(element, "initialStep");
+            refuse_negation(reader, element);
+            step.comment = documentation(reader, element);
+            step.where = reader.xml.where(element);
+            made.steps.push_back(std::move(step));
+            if (!is(element, "macroStep")) continue;
+            if (const pugi::xml_node inner = child(child(element, "body"), "SFC")) open.push_back({inner, name});
+            else
+                reader.diagnostics().add(messages::missing_part(reader.xml.where(element), "this macro-step",
+                                                                "`body` with a Sequential Function Chart"));
+        }
+        std::unordered_map<std::size_t, std::size_t> transitions;
+        for (const pugi::xml_node& element : from_left(network, "transition")) {
+            transitions.emplace(element.hash_value(), made.transitions.size());
+            made.transitions.push_back(transition_of(reader, unit, network, steps, element));
+        }
+        for (const pugi::xml_node& element : network.elements) {
+            const bool jump = is(element, "jumpStep");
+            if (!jump && !is_step(element)) continue;
+            const std::string_view named = jump ? "targetName" : "name";
+            const st::Name target = reader.name(value(element, named), reader.xml.where(element, named));
+            const bool known = std::ranges::any_of(steps, [&](const Step& step) { return step.name.word == target.word; });
+            if (!known) {
+                reader.diagnostics().add(messages::dangling_reference(reader.xml.where(element, named), value(element, named), "step"));
+                continue;
+            }
+            for (const pugi::xml_node& from : upstream(reader, network, element, is_transition, "put a transition between them"))
+                made.transitions[transitions.at(from.hash_value())].to.push_back(target);
+        }
+        read_actions(reader, network, steps, made);
+        unit.networks.push_back(std::move(made));
+    }
+}
+
+}  // namespace grafverif

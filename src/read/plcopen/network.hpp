@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// PlcopenNetwork: the elements of one Sequential Function Chart of PLCopen XML, and what flows where between them.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "syntax/st/st_tree.hpp"
+#include "read/draft.hpp"
+#include "read/xml.hpp"
+
+namespace grafverif {
+
+struct PlcopenReader {
+    const Xml& xml;
+    const Sources& sources;
+    Draft& draft;
+    st::File file = {};
+
+    Diagnostics& diagnostics() { return draft.diagnostics(); }
+    st::Name name(const std::string& text, Span where) { return {file.intern(text), where}; }
+    /// Not valid after an error.
+    Id<st::Expr> expression(const st::Text& text);
+    /// Empty after an error.
+    st::Block statements(const st::Text& text);
+    bool flag(pugi::xml_node node, std::string_view attribute) { return xml.flag(node, attribute, diagnostics()); }
+    st::Expr& node(Id<st::Expr> id) { return file.exprs[id]; }
+    Id<st::Expr> make(st::Op op, const std::vector<Id<st::Expr>>& operands, Span where);
+};
+
+struct PlcopenNetwork {
+    pugi::xml_node body = {};                                       ///< `SFC`
+    std::vector<pugi::xml_node> elements = {};                      ///< in order
+    std::unordered_map<std::string, pugi::xml_node> by_id = {};     ///< by `localId`
+
+    pugi::xml_node find(const std::string& id) const;
+};
+
+/// Reports ids that are there twice.
+PlcopenNetwork network_of(PlcopenReader& reader, pugi::xml_node body);
+
+/// The elements that the connections of `point`'s `connectionPointIn`s come from. Reports dangling ones.
+std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point);
+
+/// The steps and transitions of the chart; macro-steps add networks of their own behind it.
+void read_network(PlcopenReader& reader, st::Unit& unit, pugi::xml_node body, st::Name macro_step);
+
+// -- plcopen_conditions.cpp
+/// The condition of a transition; not valid after an error, or where it is left out.
+Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit& unit, const PlcopenNetwork& network, pugi::xml_node transition);
+
+}  // namespace grafverif

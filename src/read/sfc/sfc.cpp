@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "read/sfc/sfc.hpp"
+
+#include <algorithm>
+
+#include "grafverif/ir/type.hpp"
+#include "support/messages.hpp"
+#include "syntax/language/format.hpp"
+#include "read/integer_ranges.hpp"
+#include "read/mixed_actions.hpp"
+#include "read/sfc/parts.hpp"
+#include "read/xml.hpp"
+
+namespace grafverif {
+
+void Sfc::differs(Span where, std::string_view what) { diagnostics().add(messages::differs_from_sfc(where, what)); }
+
+namespace {
+
+void name_steps(Sfc& sfc) {
+    LegalNames labels(LegalNames::Kind::Label, sfc.draft);
+    for (const st::Network& network : sfc.unit.networks) {
+        for (const st::Step& step : network.steps) {
+            const auto [known, fresh] = sfc.steps.try_emplace(step.name.word);
+            if (!fresh) {
+                sfc.diagnostics().add(messages::duplicate_name(step.name.where, "step", sfc.file.text(step.name), step.name.where));
+                continue;
+            }
+            known->second = labels.make(sfc.file.text(step.name), step.name.where);
+            sfc.names.reserve('X' + known->second);   // the step variable
+        }
+    }
+}
+
+/// A condition that could not be taken over is an input of its own: it may hold or not at any time.
+Id<tree::Expr> unknown_condition(Sfc& sfc, Span where) {
+    SfcVariable variable;
+    variable.name = sfc.names.invent("unknown_condition");
+    variable.where = where;
+    variable.used = true;
+    variable.comment = "stands for a condition that is left out";
+    sfc.variables.push_back(variable);
+    return sfc.draft.variable(variable.name, where);
+}
+
+std::vector<SfcBranch> branches_of(Sfc& sfc, const st::Network& network) {
+    std::vector<SfcBranch> branches;
+    for (const st::Transition& written : network.transitions) {
+        SfcBranch branch;
+        branch.written = &written;
+        sfc.source_steps.clear();
+        for (const st::Name& from : written.from) sfc.source_steps.insert(from.word);
+        const std::size_t errors = sfc.diagnostics().errors();
+        if (written.condition.valid()) branch.condition = boolean_of(sfc, written.condition);
+        if (!branch.condition.valid() && sfc.diagnostics().errors() == errors && sfc.draft.lossy())
+            branch.condition = unknown_condition(sfc, written.where);
+        if (!branch.condition.valid()) branch.condition = sfc.draft.constant(false, written.where);   // reported
+        branches.push_back(branch);
+    }
+    sfc.source_steps.clear();
+    exclude_by_priority(sfc, branches);
+    return branches;
+}
+
+void comment(Sfc& sfc, Span where, const std::string& text) {
+    for (std::string& line : comment_lines(text)) sfc.draft.comment(where, std::move(line));
+}
+
+/// The only step that nothing leads to, or from, of an expansion.
+void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem>& items) {
+    std::unordered_set<Id<st::Word>> reached, left;
+    for (const st::Transition& transition : network.transitions) {
+        for (const st::Name& to : transition.to) reached.insert(to.word);
+        for (const st::Name& from : transition.from) left.insert(from.word);
+    }
+    std::vector<std::size_t> entries, exits;
+    for (std::size_t i = 0; i < network.steps.size(); ++i) {
+        const st::Step& step = network.steps[i];
+        if (step.initial || !reached.contains(step.name.word)) entries.push_back(i);
+        if (!left.contains(step.name.word)) exits.push_back(i);
+    }
+    if (entries.size() != 1 || exits.size() != 1) {
+        sfc.draft.refuse(network.where, "a macro-step without exactly one first and one last step", "give it one of each");
+        return;
+    }
+    for (std::size_t i = 0; i < network.steps.size(); ++i) {
+        auto& step = std::get<tree::Step>(items[i]);
+        step.initial = false;
+        step.entry = i == entries.front();
+        step.exit = i == exits.front();
+    }
+}
+
+std::vector<tree::ChartItem> items_of(Sfc& sfc, const st::Network& network, SfcActions& actions,
+                                      const std::unordered_map<Id<st::Word>, std::string>& expansions) {
+    std::vector<tree::ChartItem> items;
+    for (const st::Step& written : network.steps) {
+        tree::Step step;
+        step.where = written.where;
+        step.initial = written.initial;
+        const std::string& name = sfc.steps.at(written.name.word);
+        step.name = sfc.draft.name(name, written.name.where);
+        step.actions = std::move(actions.of_steps[name]);
+        actions.of_steps.erase(name);
+        if (const auto expansion = expansions.find(written.name.word); expansion != expansions.end()) {
+            step.kind = tree::StepKind::Macro;
+            step.contents.push_back(sfc.draft.name(expansion->second, written.name.where));
+        }
+        comment(sfc, written.where, written.comment);
+        items.emplace_back(std::move(step));
+    }
+    if (network.macro_step.valid()) mark_ends(sfc, network, items);
+    LegalNames names(LegalNames::Kind::Chart, sfc.draft);
+    for (const SfcBranch& branch : branches_of(sfc, network)) {
+        tree::Transition transition;
+        transition.where = branch.written->where;
+        transition.condition = branch.condition;
+        if (branch.written->name.valid())
+            transition.name = sfc.draft.name(names.make(sfc.file.text(branch.written->name), branch.written->name.where), branch.written->name.where);
+        const auto label = [&](const st::Name& step) {
+            const auto known = sfc.steps.find(step.word);
+            return sfc.draft.name(known == sfc.steps.end() ? std::string(sfc.file.text(step)) : known->second, step.where);
+        };
+        for (const st::Name& from : branch.written->from) transition.from.push_back(label(from));
+        for (const st::Name& to : branch.written->to) transition.to.push_back(label(to));
+        comment(sfc, transition.where, branch.written->comment);
+        if (transition.from.empty() || transition.to.empty()) {
+            sfc.diagnostics().add(messages::missing_part(transition.where, "this transition", transition.from.empty() ? "step before it" : "step behind it"));
+            continue;
+        }
+        for (const st::Name& from : branch.written->from)
+            if (std::ranges::any_of(branch.written->to, [&](const st::Name& to) { return to.word == from.word; }))
+                sfc.differs(transition.where, "this transition leads back to the step `" + std::string(sfc.file.text(from)) +
+                                                  "`, which stays active here; its times and actions do not begin anew");
+        items.emplace_back(std::move(transition));
+    }
+    return items;
+}
+
+void add_ranges(Sfc& sfc, tree::Chart& chart) {
+    std::vector<OpenInteger> open;
+    std::unordered_map<std::string, const SfcVariable*> by_name;
+    for (const SfcVariable& variable : sfc.variables) by_name.emplace(variable.name, &variable);
+    std::vector<std::pair<tree::Variable*, const SfcVariable*>> integers;
+    for (tree::ChartItem& item : chart.items) {
+        auto* variables = std::get_if<tree::Variables>(&item);
+        if (variables == nullptr || variables->variables.front().type != tree::TypeWord::Int) continue;
+        tree::Variable& one = variables->variables.front();
+        const SfcVariable* variable = by_name.at(std::string(sfc.draft.text(one.name)));
+        open.push_back({one.name.word, variables->kind == tree::VariableKind::Input, variable->initial, variable->low, variable->high});
+        integers.emplace_back(&one, variable);
+    }
+    const std::vector<FoundRange> found = ranges_of(sfc.draft.file(), chart, open);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto& [one, variable] = integers[i];
+        const bool output = variable->role == tree::VariableKind::Output;
+        FoundRange range = found[i];
+        if (variable->narrow) range = {variable->low, variable->high, true};
+        if (output && range.low != variable->initial) range.low = std::min(range.low, variable->initial);
+        one->range = tree::Range{sfc.draft.number(range.low, one->where), sfc.draft.number(range.high, one->where)};
+        if (!range.exact && variable->wide)
+            sfc.diagnostics().add(messages::chosen_range(one->where, sfc.draft.text(one->name), range.low, range.high, "its type holds more than charts do"));
+        for (tree::ChartItem& item : chart.items) {
+            auto* variables = std::get_if<tree::Variables>(&item);
+            if (variables == nullptr || &variables->variables.front() != one) continue;
+            if (output && range.low != variable->initial) {
+                variables->kind = tree::VariableKind::Internal;
+                sfc.diagnostics().add(messages::chosen_kind(one->where, sfc.draft.text(one->name), "internal variable",
+                                                            "an output would begin at the least value of its range"));
+            }
+            if (variables->kind == tree::VariableKind::Internal) one->value = sfc.draft.number(variable->initial, one->where);
+        }
+    }
+}
+
+/// The step that is always active, with the actions that belong to no step.
+void add_always(Sfc& sfc, SfcActions& actions, tree::Chart& chart) {
+    for (const std::string& latch : actions.latches) {
+        tree::Variable variable;
+        variable.name = sfc.draft.name(latch, chart.where);
+        variable.where = chart.where;
+        chart.items.emplace_back(tree::Variables{tree::VariableKind::Internal, {std::move(variable)}, chart.where});
+    }
+    if (actions.always.empty()) return;
+    tree::Step step;
+    step.initial = true;
+    step.name = sfc.draft.name(sfc.names.invent("always"), chart.where);
+    step.where = chart.where;
+    step.actions = std::move(actions.always);
+    tree::Partial partial{tree::PartialKind::Partial, sfc.draft.name(sfc.names.invent("action_control"), chart.where), {}, chart.where};
+    partial.items.emplace_back(std::move(step));
+    chart.items.emplace_back(std::move(partial));
+}
+
+void convert(const st::File& file, const st::Unit& unit, LegalNames& charts, Draft& draft) {
+    Sfc sfc{file, unit, draft, {}, {}, {}, LegalNames(LegalNames::Kind::Variable, draft)};
+    tree::Chart chart;
+    chart.where = unit.where;
+    chart.name = draft.name(charts.make(file.text(unit.name), unit.name.where), unit.name.where);
+    comment(sfc, chart.where, unit.comment);
+    if (!unit.body.empty())
+        draft.refuse(file.statements[unit.body.front()].where, "statements beside the chart", "put them into an action");
+    name_steps(sfc);
+    classify_variables(sfc);
+    SfcActions actions = actions_of(sfc);
+    std::unordered_map<Id<st::Word>, std::string> expansions;
+    LegalNames names(LegalNames::Kind::Chart, draft);
+    names.reserve(draft.text(chart.name));
+    for (const st::Network& network : unit.networks)
+        if (network.macro_step.valid()) expansions.emplace(network.macro_step.word, names.invent('E' + sfc.steps.at(network.macro_step.word)));
+    std::vector<tree::ChartItem> items;
+    for (const st::Network& network : unit.networks) {
+        std::vector<tree::ChartItem> own = items_of(sfc, network, actions, expansions);
+        if (!network.macro_step.valid()) {
+            std::ranges::move(own, std::back_inserter(items));
+            continue;
+        }
+        items.emplace_back(tree::Partial{tree::PartialKind::Expansion, draft.name(expansions.at(network.macro_step.word), network.macro_step.where),
+                                         std::move(own), network.where});
+    }
+    chart.items = declarations_of(sfc);
+    std::ranges::move(items, std::back_inserter(chart.items));
+    add_always(sfc, actions, chart);
+    add_ranges(sfc, chart);
+    split_mixed_actions(draft, chart);
+    draft.group_variables(chart);
+    draft.comment(chart.where, "// A Sequential Function Chart makes one evolution a scan: check it with `--mode every-cycle`.");
+    draft.declare(std::move(chart));
+}
+
+}  // namespace
+
+void convert_charts(const st::File& file, Draft& draft) {
+    LegalNames charts(LegalNames::Kind::Chart, draft);
+    bool any = false;
+    for (const st::Unit& unit : file.units) {
+        if (unit.networks.empty()) continue;
+        any = true;
+        convert(file, unit, charts, draft);
+    }
+    if (!any) draft.diagnostics().add(messages::nothing_to_import({file.source, 0, 0}, "Sequential Function Chart"));
+}
+
+}  // namespace grafverif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// project: a run of a Network or of a TransitionSystem -> a ChartRun, without rows.
+//
+// What becomes what, of a Network:
+//   edge of an instance, of a timer    a moment; of a timer an internal one, unless a delay of it is over
+//   edge of a PLC                      a moment with the act of its controller, phase by phase as its procedures say
+//   delay                              a moment
+// Of a TransitionSystem, a step becomes what it did, in this order: time that passes; the controllers that did
+// something, with what they found; timers that ended; components that moved; inputs that changed by themselves. Its
+// moments are numbers of steps, or times where the system ticks. A step in which nothing shows is an internal moment.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/chart_run.hpp"
+#include "ir/flat_system.hpp"
+#include "grafverif/ir/network.hpp"
+#include "ir/network_run.hpp"
+#include "grafverif/ir/verdict.hpp"
+
+namespace grafverif {
+
+/// Where the values of a model's state are what the charts and the plant know; keys are places among those values.
+class ChartView {
+public:
+    /// Names of steps are full names where the controller is `alone`.
+    ChartView(ChartRun& run, std::size_t keys, bool alone) : run_(&run), alone_(alone), signals_(keys) {}
+
+    void add_step(ChartRun::Controller& controller, const std::string& name, std::uint32_t key);
+    /// What is there already keeps its role.
+    Id<ChartRun::Signal> add_signal(std::uint32_t key, ChartRun::Signal signal);
+    /// Not valid: the value is none of a signal.
+    Id<ChartRun::Signal> signal(std::uint32_t key) const { return signals_[key]; }
+    ChartRun::State state(std::int64_t time_ms, const std::vector<std::int64_t>& values) const;
+
+private:
+    ChartRun* run_;
+    bool alone_;
+    std::vector<Id<ChartRun::Signal>> signals_;  ///< per key
+    std::vector<std::uint32_t> signal_keys_ = {}, step_keys_ = {};
+};
+
+/// Projects a run while it happens.
+class NetworkProjection {
+public:
+    /// Makes `run` one of `network` that begins in `state`. Both outlive the projection.
+    NetworkProjection(const Network& network, const NetworkState& state, ChartRun& run);
+
+    /// One move has led from `before` to `after`.
+    void append(const Move& move, const NetworkState& before, const NetworkState& after);
+
+private:
+    void add_controllers();
+    void add_timers(const Network::Controller& from, ChartRun::Controller& controller);
+    void fill(ChartRun::Moment& moment, const Fire& fire, const NetworkState& before, const NetworkState& after) const;
+    ChartRun::Act act(Id<Network::Controller> id, const Network::Edge& edge, const NetworkState& before,
+                      const NetworkState& after) const;
+
+    const Network& network_;
+    ChartRun& run_;
+    ChartView view_;
+    std::vector<Id<Network::Controller>> controller_of_ = {};  ///< per process: whose PLC it is
+    std::vector<Id<ChartRun::Instance>> instance_of_ = {};     ///< per process, if it is none
+    std::vector<Id<ChartRun::Timer>> timer_of_ = {};           ///< per process
+    std::vector<Id<Network::Variable>> end_of_ = {};           ///< per timer
+    std::int64_t time_ms_ = 0;
+};
+
+/// Requires that the system or network is one that a stage of ours made, and of a SystemRun that it is one of `system`.
+ChartRun project(const Network& network, const Run& run);
+ChartRun project(const TransitionSystem& system, const SystemRun& run);
+
+}  // namespace grafverif

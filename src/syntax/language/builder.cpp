@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "syntax/language/builder.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "support/messages.hpp"
+
+namespace grafverif::tree {
+
+// -- declarations ----------------------------------------------------------------------------------------------------
+
+void Builder::declare(Declaration declaration) { file_->declarations.push_back(std::move(declaration)); }
+
+void Builder::broken() {
+    broken_ = true;
+    file_->broken = true;
+}
+
+void Builder::lost() {
+    take_broken();
+    file_->broken = file_->lost = true;
+}
+
+bool Builder::take_broken() { return std::exchange(broken_, false); }
+
+Chart Builder::chart(Name name, std::vector<ChartItem> items, Span where) {
+    return {name, std::move(items), where, take_broken()};
+}
+
+Component Builder::component(Name name, Component body, Span where) {
+    return {name, std::move(body.parameters), std::move(body.items), where, take_broken()};
+}
+
+Component Builder::component_body(std::vector<Variables> parameters, std::vector<ComponentItem> items) const {
+    return {{}, std::move(parameters), std::move(items), {}, false};
+}
+
+ClosedLoop Builder::loop(Name name, std::vector<LoopItem> items, Span where) {
+    return {name, std::move(items), where, take_broken()};
+}
+
+Variables Builder::variables(VariableKind kind, Variables variables, Span where) const {
+    variables.kind = kind;
+    variables.where = where;
+    return variables;
+}
+
+Step Builder::step(Step marks, Name name, std::vector<Action> actions, Span where) const {
+    marks.name = name;
+    marks.actions = std::move(actions);
+    marks.where = where;
+    return marks;
+}
+
+Step Builder::macro_step(Step marks, Name name, Name expansion, std::vector<Action> actions, Span where) const {
+    marks.kind = StepKind::Macro;
+    marks.contents = {expansion};
+    return step(std::move(marks), name, std::move(actions), where);
+}
+
+Step Builder::enclosing_step(Step marks, Name name, std::vector<Name> enclosed, std::vector<Action> actions,
+                             Span where) const {
+    marks.kind = StepKind::Enclosing;
+    marks.contents = std::move(enclosed);
+    return step(std::move(marks), name, std::move(actions), where);
+}
+
+ForcingOrder Builder::forcing(Name chart, std::vector<Name> situation, Span where) const {
+    if (situation.empty()) return {chart, ForcedTo::Empty, {}, where};
+    if (situation.size() == 1 && file_->text(situation.front()) == "INIT") return {chart, ForcedTo::Initial, {}, where};
+    return {chart, ForcedTo::Steps, std::move(situation), where};
+}
+
+Transition Builder::links(std::vector<Name> from, std::vector<Name> to) const {
+    return {{}, std::move(from), std::move(to), {}, {}, {}};
+}
+
+Transition Builder::transition(Name name, Transition links, Id<Expr> condition, std::vector<Assignment> assignments,
+                               Span where) const {
+    links.name = name;
+    links.condition = condition;
+    links.assignments = std::move(assignments);
+    links.where = where;
+    return links;
+}
+
+Property Builder::pattern(Pattern pattern, std::vector<Id<Expr>> operands) const {
+    Property property;
+    property.pattern = pattern;
+    property.operands = std::move(operands);
+    return property;
+}
+
+Property Builder::formula(Pattern pattern, std::string raw, Span where) const {
+    Property property;
+    property.pattern = pattern;
+    property.raw = std::move(raw);
+    property.raw_where = where;
+    return property;
+}
+
+Property Builder::named(Name name, std::string text, bool expected_violated, Property pattern, bool at_stable,
+                        Span where) const {
+    pattern.name = name;
+    pattern.text = std::move(text);
+    pattern.expected_violated = expected_violated;
+    pattern.at_stable = at_stable;
+    pattern.where = where;
+    return pattern;
+}
+
+// -- expressions ------------------------------------------------------------------------------------------------------
+
+Id<Expr> Builder::node(Op op, std::initializer_list<Id<Expr>> operands, Span where) {
+    std::size_t depth = 0;
+    for (const Id<Expr> operand : operands) depth = std::max<std::size_t>(depth, file_->exprs[operand].depth);
+    if (depth >= deepest_expression) {
+        if (!too_deep_.source.valid() || too_deep_.begin != where.begin)
+            diagnostics_->add(messages::too_deep(where, deepest_expression));
+        too_deep_ = where;
+        broken();
+        return constant(Op::False, where);
+    }
+    Expr expr;
+    expr.op = op;
+    expr.depth = static_cast<std::uint16_t>(depth + 1);
+    expr.where = where;
+    const Id<Expr> id = file_->exprs.add(expr);
+    for (const Id<Expr> operand : operands) append(file_->exprs, id, operand);
+    return id;
+}
+
+Id<Expr> Builder::constant(Op op, Span where) {
+    Expr expr;
+    expr.op = op;
+    expr.where = where;
+    return file_->exprs.add(expr);
+}
+
+Id<Expr> Builder::number(Name digits) {
+    const std::string_view text = file_->text(digits);
+    std::int64_t value = 0;
+    if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc())
+        diagnostics_->add(messages::number_too_large(digits.where));
+    const Id<Expr> id = constant(Op::Number, digits.where);
+    file_->exprs[id].value = value;
+    return id;
+}
+
+Id<Expr> Builder::duration(std::int64_t milliseconds, Span where) {
+    const Id<Expr> id = constant(Op::Duration, where);
+    file_->exprs[id].value = milliseconds;
+    return id;
+}
+
+Id<Expr> Builder::name(Name name) {
+    const Id<Expr> id = constant(Op::Name, name.where);
+    file_->exprs[id].word = name.word;
+    return id;
+}
+
+Id<Expr> Builder::member(Id<Expr> owner, Name name, Span where) {
+    const Id<Expr> id = node(Op::Member, {owner}, where);
+    file_->exprs[id].word = name.word;
+    return id;
+}
+
+Id<Expr> Builder::unary(Op op, Id<Expr> operand, Span where) { return node(op, {operand}, where); }
+
+Id<Expr> Builder::binary(Op op, Id<Expr> left, Id<Expr> right, Span where) {
+    Expr& first = file_->exprs[left];
+    const bool joins = (op == Op::And || op == Op::Or) && first.op == op && !first.bracketed;
+    if (!joins || file_->exprs[right].depth >= deepest_expression) return node(op, {left, right}, where);
+    first.depth = std::max<std::uint16_t>(first.depth, static_cast<std::uint16_t>(file_->exprs[right].depth + 1));
+    first.where = where;
+    append(file_->exprs, left, right);
+    return left;
+}
+
+Id<Expr> Builder::bracketed(Id<Expr> expression, Span where) {
+    file_->exprs[expression].bracketed = true;
+    file_->exprs[expression].where = where;
+    return expression;
+}
+
+}  // namespace grafverif::tree

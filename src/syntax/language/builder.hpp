@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Builder: what the actions of the grammar call. It puts expressions into the file's table, declarations into its list,
+// and remembers whether the declaration at hand has a syntax error within.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "grafverif/support/diagnostic.hpp"
+#include "syntax/language/tree.hpp"
+#include "syntax/language/places.hpp"
+
+namespace grafverif::tree {
+
+class Lexer;
+
+class Builder {
+public:
+    Builder(tree::File& file, Diagnostics& diagnostics) : file_(&file), diagnostics_(&diagnostics) {}
+
+    void declare(tree::Declaration declaration);
+    void broken();
+    void lost();
+
+    tree::Chart chart(tree::Name name, std::vector<tree::ChartItem> items, Span where);
+    tree::Component component(tree::Name name, tree::Component body, Span where);
+    tree::Component component_body(std::vector<tree::Variables> parameters,
+                                   std::vector<tree::ComponentItem> items) const;
+    tree::ClosedLoop loop(tree::Name name, std::vector<tree::LoopItem> items, Span where);
+
+    tree::Variables variables(tree::VariableKind kind, tree::Variables variables, Span where) const;
+    tree::Step step(tree::Step marks, tree::Name name, std::vector<tree::Action> actions, Span where) const;
+    tree::Step macro_step(tree::Step marks, tree::Name name, tree::Name expansion, std::vector<tree::Action> actions,
+                          Span where) const;
+    tree::Step enclosing_step(tree::Step marks, tree::Name name, std::vector<tree::Name> enclosed,
+                              std::vector<tree::Action> actions, Span where) const;
+    tree::ForcingOrder forcing(tree::Name chart, std::vector<tree::Name> situation, Span where) const;
+    tree::Transition links(std::vector<tree::Name> from, std::vector<tree::Name> to) const;
+    tree::Transition transition(tree::Name name, tree::Transition links, Id<tree::Expr> condition,
+                                std::vector<tree::Assignment> assignments, Span where) const;
+    tree::Property pattern(Pattern pattern, std::vector<Id<tree::Expr>> operands) const;
+    tree::Property formula(Pattern pattern, std::string raw, Span where) const;
+    tree::Property named(tree::Name name, std::string text, bool expected_violated, tree::Property pattern,
+                         bool at_stable, Span where) const;
+    std::string text(tree::Name name) const { return std::string(file_->text(name)); }
+
+    Id<tree::Expr> constant(tree::Op op, Span where);
+    Id<tree::Expr> number(tree::Name digits);
+    Id<tree::Expr> duration(std::int64_t milliseconds, Span where);
+    Id<tree::Expr> name(tree::Name name);
+    Id<tree::Expr> member(Id<tree::Expr> owner, tree::Name name, Span where);
+    Id<tree::Expr> unary(tree::Op op, Id<tree::Expr> operand, Span where);
+    /// `&&` and `||` take in a left operand of their own kind that has no brackets: a conjunction is one node.
+    Id<tree::Expr> binary(tree::Op op, Id<tree::Expr> left, Id<tree::Expr> right, Span where);
+    Id<tree::Expr> bracketed(Id<tree::Expr> expression, Span where);
+
+private:
+    Id<tree::Expr> node(tree::Op op, std::initializer_list<Id<tree::Expr>> operands, Span where);
+    bool take_broken();
+
+    tree::File* file_;
+    Diagnostics* diagnostics_;
+    bool broken_ = false;
+    Span too_deep_ = {};   ///< the last expression said to be so: its outer levels are no news
+};
+
+}  // namespace grafverif::tree

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "syntax/language/expectation.hpp"
+
+#include <algorithm>
+
+namespace grafverif::tree {
+
+namespace {
+
+using Symbols = Parser::symbol_kind;
+
+/// Words that are names wherever a name may stand.
+bool is_word(Symbol symbol) {
+    return (symbol >= Symbols::S_CONSTRAINT && symbol <= Symbols::S_FALL) || symbol == Symbols::S_IDENTIFIER;
+}
+
+bool begins_expression(Symbol symbol) {
+    switch (symbol) {
+        case Symbols::S_NOT_WORD:
+        case Symbols::S_TRUE:
+        case Symbols::S_FALSE:
+        case Symbols::S_NUMBER:
+        case Symbols::S_DURATION:
+        case Symbols::S_NOT:
+        case Symbols::S_MINUS:
+        case Symbols::S_UP:
+        case Symbols::S_DOWN:
+        case Symbols::S_LEFT: return true;
+        default: return is_word(symbol);
+    }
+}
+
+bool is_operator(Symbol symbol) {
+    switch (symbol) {
+    case Symbols::S_AND_WORD: case Symbols::S_OR_WORD: case Symbols::S_DOT: case Symbols::S_MINUS: return true;
+    default: return symbol >= Symbols::S_AND && symbol <= Symbols::S_MODULO && symbol != Symbols::S_NOT;
+    }
+}
+
+std::string shown(Symbol symbol) {
+    const std::string name = Parser::symbol_name(symbol);
+    return name.find(' ') == std::string::npos ? '`' + name + '`' : name;
+}
+
+struct Group {
+    std::string name = {};
+    Symbol marks = Symbols::S_YYEMPTY;   ///< the group is expected where this token is
+    Symbol marks_too = Symbols::S_YYEMPTY;
+};
+
+/// The declarations of each kind of block, by two words that only it has.
+const std::array<Group, 4> declarations = {{
+    {"a declaration of the chart", Symbols::S_STEP, Symbols::S_TRANSITION},
+    {"a declaration of the component", Symbols::S_LOCATION, Symbols::S_URGENT},
+    {"a declaration of the loop", Symbols::S_PLANT, Symbols::S_PROPERTY},
+    {"`grafcet`, `component`, `closed_loop` or `include`", Symbols::S_GRAFCET, Symbols::S_INCLUDE},
+}};
+
+std::string listed(const std::vector<std::string>& items) {
+    std::string text;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (i > 0) text += i + 1 == items.size() ? " or " : ", ";
+        text += items[i];
+    }
+    return text;
+}
+
+}  // namespace
+
+bool contains(std::span<const Symbol> symbols, Symbol symbol) {
+    return std::ranges::find(symbols, symbol) != symbols.end();
+}
+
+std::string expectation(std::span<const Symbol> expected) {
+    std::vector<std::string> items;
+    const bool names = contains(expected, Symbols::S_IDENTIFIER);
+    const bool expressions = contains(expected, Symbols::S_TRUE);
+    const bool operators = contains(expected, Symbols::S_AND);
+    const Group* group = nullptr;
+    if (!names) {
+        for (const Group& candidate : declarations)
+            if (contains(expected, candidate.marks) && contains(expected, candidate.marks_too)) group = &candidate;
+    }
+    if (group != nullptr) items.push_back(group->name);
+    if (expressions) items.emplace_back("an expression");
+    else if (names) items.emplace_back("a name");
+    if (operators) items.emplace_back("an operator");
+
+    for (const Symbol symbol : expected) {
+        if (symbol == Symbols::S_RESUME || (names && is_word(symbol))) continue;
+        if (expressions && begins_expression(symbol)) continue;
+        if (operators && is_operator(symbol)) continue;
+        if (group != nullptr && (is_word(symbol) || symbol < Symbols::S_CONSTRAINT)) continue;
+        items.push_back(shown(symbol));
+    }
+    return listed(items);
+}
+
+}  // namespace grafverif::tree

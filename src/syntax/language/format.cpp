@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "syntax/language/format.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <limits>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/overloaded.hpp"
+#include "syntax/language/tree.hpp"
+#include "syntax/language/format_items.hpp"
+
+namespace grafverif {
+
+namespace {
+
+// Page: the lines of a text under way, and the comments and blank lines that go between them. Everything is placed by
+// position: before a thing is written, the comments that stand before it are.
+
+class Page {
+public:
+    explicit Page(const tree::File& file) : file_(&file) {}
+
+    /// What was written at `begin` follows: its comments, and a blank line if there was one. `apart`: in any case.
+    void before(std::uint32_t begin, bool apart = false);
+    /// Comments that stand inside something without lines of its own.
+    void within(std::uint32_t end);
+    void line(std::string text);
+    /// The comments behind what ended at `end`, on its line; those at `limit` and after it belong to what follows.
+    void behind(std::uint32_t limit);
+    /// Comments up to the end of a block or of the file.
+    void remaining(std::uint32_t end);
+
+    void indent() { ++depth_; fresh_ = true; }
+    void outdent() { --depth_; fresh_ = false; }
+    std::size_t column() const { return 4 * depth_; }
+    bool has_comment_before(std::uint32_t end) const;
+
+    void write(std::ostream& out) const;
+
+private:
+    struct Line {
+        std::string text = {};
+        std::string comment = {};
+    };
+
+    void own_line(const tree::Comment& comment);
+    bool gap_at(std::uint32_t position) const;
+
+    const tree::File* file_;
+    std::vector<Line> lines_ = {};
+    std::size_t next_ = 0;       ///< comment to be placed
+    std::size_t depth_ = 0;
+    bool fresh_ = true;          ///< at the start of a block or of the file: no blank line
+};
+
+bool Page::gap_at(std::uint32_t position) const { return std::ranges::binary_search(file_->gaps, position); }
+
+void Page::before(std::uint32_t begin, bool apart) {
+    bool commented = false;
+    for (; has_comment_before(begin); ++next_) {
+        const tree::Comment& comment = file_->comments[next_];
+        if (!fresh_ && ((apart && !commented) || gap_at(comment.where.begin))) lines_.emplace_back();
+        own_line(comment);
+        commented = true;
+    }
+    if (!fresh_ && ((apart && !commented) || gap_at(begin))) lines_.emplace_back();
+    fresh_ = false;
+}
+
+void Page::within(std::uint32_t end) {
+    for (; has_comment_before(end); ++next_) own_line(file_->comments[next_]);
+}
+
+void Page::line(std::string text) {
+    lines_.push_back({text.empty() ? text : std::string(column(), ' ') + text, {}});
+    fresh_ = false;
+}
+
+void Page::behind(std::uint32_t limit) {
+    for (; has_comment_before(limit); ++next_) {
+        const tree::Comment& comment = file_->comments[next_];
+        if (comment.own_line || comment.text.find('\n') != std::string::npos) return;
+        std::string& behind = lines_.back().comment;
+        if (behind.starts_with("//")) return;
+        if (!behind.empty()) behind += ' ';
+        behind += comment.text;
+    }
+}
+
+void Page::remaining(std::uint32_t end) {
+    for (; has_comment_before(end); ++next_) {
+        const tree::Comment& comment = file_->comments[next_];
+        if (!fresh_ && gap_at(comment.where.begin)) lines_.emplace_back();
+        own_line(comment);
+    }
+}
+
+bool Page::has_comment_before(std::uint32_t end) const {
+    return next_ < file_->comments.size() && file_->comments[next_].where.begin < end;
+}
+
+void Page::own_line(const tree::Comment& comment) {
+    lines_.push_back({std::string(column(), ' ') + comment.text, {}});
+    fresh_ = false;
+}
+
+/// Comments behind neighbouring lines stand in one column.
+void Page::write(std::ostream& out) const {
+    for (std::size_t from = 0; from < lines_.size();) {
+        std::size_t to = from, width = 0;
+        while (to < lines_.size() && !lines_[to].comment.empty()) width = std::max(width, lines_[to++].text.size());
+        to = std::max(to, from + 1);
+        for (; from < to; ++from) {
+            const auto& [text, comment] = lines_[from];
+            out << text;
+            if (!comment.empty()) out << std::string(width - text.size() + 2, ' ') << comment;
+            out << '\n';
+        }
+    }
+}
+
+constexpr std::uint32_t end_of_file = std::numeric_limits<std::uint32_t>::max();
+
+template <class... Items>
+Span where_of(const std::variant<Items...>& item) {
+    return std::visit([](const auto& written) { return written.where; }, item);
+}
+
+class Formatter {
+public:
+    explicit Formatter(const tree::File& file) : file_(file), page_(file) {}
+
+    void run(std::ostream& out) {
+        for (std::size_t i = 0; i < file_.declarations.size(); ++i) {
+            const tree::Declaration& declaration = file_.declarations[i];
+            const Span where = tree::where(declaration);
+            const bool include = std::holds_alternative<tree::Include>(declaration);
+            const bool after_include = i > 0 && std::holds_alternative<tree::Include>(file_.declarations[i - 1]);
+            page_.before(where.begin, i > 0 && !(include && after_include));
+            const std::uint32_t limit =
+                i + 1 < file_.declarations.size() ? tree::where(file_.declarations[i + 1]).begin : end_of_file;
+            std::visit(
+                overloaded{
+                    [&](const tree::Include& written) { one_line(written.where, "include \"" + written.path + "\";"); },
+                    [&](const tree::Chart& chart) { block("grafcet " + text(chart.name), chart.items, where); },
+                    [&](const tree::Component& component) {
+                        block(component_head(file_, component), component.items, where);
+                    },
+                    [&](const tree::ClosedLoop& loop) { block("closed_loop " + text(loop.name), loop.items, where); },
+                },
+                declaration);
+            page_.behind(limit);
+        }
+        page_.remaining(end_of_file);
+        page_.write(out);
+    }
+
+private:
+    std::string text(tree::Name name) const { return std::string(file_.text(name)); }
+
+    void one_line(Span where, const std::string& text) { lines(where, {text}); }
+
+    void lines(Span where, const std::vector<std::string>& texts) {
+        page_.within(where.end);
+        for (const std::string& text : texts) page_.line(text);
+    }
+
+    template <class Items>
+    void block(const std::string& head, const Items& items, Span where) {
+        std::istringstream heads(head);
+        std::string line, next;
+        std::getline(heads, line);
+        for (; std::getline(heads, next); line = next) page_.line(line);
+        if (items.empty() && !page_.has_comment_before(where.end)) {
+            page_.line(line + " {}");
+            return;
+        }
+        page_.line(line + " {");
+        page_.behind(items.empty() ? where.end : where_of(items.front()).begin);
+        page_.indent();
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            page_.before(where_of(items[i]).begin);
+            std::visit([this](const auto& written) { this->item(written); }, items[i]);
+            page_.behind(i + 1 < items.size() ? where_of(items[i + 1]).begin : where.end);
+        }
+        page_.remaining(where.end);
+        page_.outdent();
+        page_.line("}");
+    }
+
+    template <class Item>
+    void item(const Item& written) {
+        lines(written.where, item_lines(file_, written, page_.column()));
+    }
+
+    void item(const tree::Partial& partial) {
+        const bool expansion = partial.kind == tree::PartialKind::Expansion;
+        block((expansion ? "expansion " : "partial ") + text(partial.name), partial.items, partial.where);
+    }
+
+    void item(const tree::Observer& observer) {
+        block("observer " + text(observer.name), observer.items, observer.where);
+    }
+
+    void item(const tree::Step& step) {
+        const std::string head = step_head(file_, step);
+        const bool commented = page_.has_comment_before(step.where.end);
+        if (step.actions.empty() && !commented) return page_.line(head + ";");
+        if (!commented) {
+            const auto line = step_in_one_line(file_, step, page_.column());
+            if (line) return page_.line(*line);
+        }
+        block(head, step.actions, step.where);
+    }
+
+    const tree::File& file_;
+    Page page_;
+};
+
+}  // namespace
+
+void format(const tree::File& file, std::ostream& out) { Formatter(file).run(out); }
+
+std::string formatted(const tree::File& file) {
+    std::ostringstream out;
+    format(file, out);
+    return std::move(out).str();
+}
+
+}  // namespace grafverif

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include "syntax/language/format_items.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "support/overloaded.hpp"
+#include "syntax/language/format.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::size_t widest = 120;        ///< longer lines are broken where they can be
+constexpr std::size_t comfortable = 100;   ///< of what reads as well in several lines
+
+std::string text(const tree::File& file, tree::Name name) { return std::string(file.text(name)); }
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string line;
+    for (const std::string& part : parts) line += (line.empty() ? "" : ", ") + part;
+    return line;
+}
+
+std::string names(const tree::File& file, const std::vector<tree::Name>& written) {
+    std::vector<std::string> parts;
+    for (const tree::Name name : written) parts.push_back(text(file, name));
+    return joined(parts);
+}
+
+/// `head`, the parts with commas, `tail`; as many lines as it takes, the others indented like the first part.
+Lines filled(const std::string& head, const std::vector<std::string>& parts, const std::string& tail,
+             std::size_t column) {
+    Lines lines = {head};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::string part = parts[i] + (i + 1 < parts.size() ? "," : tail);
+        std::string& line = lines.back();
+        const bool first = line.size() == head.size();
+        if (first) line += part;
+        else if (column + line.size() + 1 + part.size() <= widest) line += ' ' + part;
+        else lines.push_back(std::string(head.size(), ' ') + part);
+    }
+    if (parts.empty()) lines.back() += tail;
+    return lines;
+}
+
+std::string variable(const tree::File& file, const tree::Variable& written) {
+    std::string line = text(file, written.name);
+    switch (written.type) {
+    case tree::TypeWord::None:     break;
+    case tree::TypeWord::Bool:     line += ": bool"; break;
+    case tree::TypeWord::Int:      line += ": int"; break;
+    case tree::TypeWord::Duration: line += ": duration"; break;
+    }
+    if (written.range) line += ' ' + formatted(file, written.range->low) + ".." + formatted(file, written.range->high);
+    if (written.value.valid()) line += " = " + formatted(file, written.value);
+    return line;
+}
+
+std::vector<std::string> variables(const tree::File& file, const tree::Variables& written) {
+    std::vector<std::string> parts;
+    for (const tree::Variable& one : written.variables) parts.push_back(variable(file, one));
+    return parts;
+}
+
+std::string assignment(const tree::File& file, const tree::Assignment& written) {
+    return text(file, written.target) + " := " + formatted(file, written.value);
+}
+
+std::string assignments(const tree::File& file, const std::vector<tree::Assignment>& written) {
+    std::vector<std::string> parts;
+    for (const tree::Assignment& one : written) parts.push_back(assignment(file, one));
+    return joined(parts);
+}
+
+/// `HEAD when CONDITION do ASSIGNMENTS;`, broken before `when`, and before `do` as well, where it is too long.
+Lines guarded(const tree::File& file, const std::string& head, Id<tree::Expr> condition,
+              const std::vector<tree::Assignment>& actions, std::size_t column) {
+    std::vector<std::string> clauses;
+    if (condition.valid()) clauses.push_back("when " + formatted(file, condition));
+    if (!actions.empty()) clauses.push_back("do " + assignments(file, actions));
+    std::string all;
+    for (const std::string& clause : clauses) all += ' ' + clause;
+    if (column + head.size() + all.size() < widest || clauses.empty()) return {head + all + ';'};
+    if (column + 3 + all.size() < widest) return {head, "   " + all + ';'};
+    Lines lines = {head};
+    for (const std::string& clause : clauses) lines.push_back("    " + clause);
+    lines.back() += ';';
+    return lines;
+}
+
+}  // namespace
+
+// -- charts ----------------------------------------------------------------------------------------------------------
+
+Lines item_lines(const tree::File& file, const tree::Variables& written, std::size_t column) {
+    std::string word;
+    switch (written.kind) {
+    case tree::VariableKind::Input:    word = "input "; break;
+    case tree::VariableKind::Output:   word = "output "; break;
+    case tree::VariableKind::Internal: word = "internal "; break;
+    case tree::VariableKind::Own:      word = "variable "; break;
+    case tree::VariableKind::Constant: break;   // in the head of a component only
+    }
+    return filled(word, variables(file, written), ";", column);
+}
+
+Lines item_lines(const tree::File& file, const tree::Constraint& written, std::size_t) {
+    return {"constraint " + formatted(file, written.condition) + ';'};
+}
+
+Lines item_lines(const tree::File& file, const tree::Transition& written, std::size_t column) {
+    std::string head = "transition ";
+    if (written.name.valid()) head += text(file, written.name) + ": ";
+    if (!written.from.empty()) head += names(file, written.from) + ' ';
+    head += "->";
+    if (!written.to.empty()) head += ' ' + names(file, written.to);
+    return guarded(file, head, written.condition, written.assignments, column);
+}
+
+Lines item_lines(const tree::File& file, const tree::ContinuousAction& written, std::size_t) {
+    std::string line = text(file, written.output);
+    if (written.condition.valid()) line += " if " + formatted(file, written.condition);
+    if (written.delay.valid()) line += " after " + formatted(file, written.delay);
+    if (written.limit.valid()) line += " for " + formatted(file, written.limit);
+    return {line + ';'};
+}
+
+Lines item_lines(const tree::File& file, const tree::StoredAction& written, std::size_t) {
+    std::string line = assignment(file, written.assignment);
+    switch (written.when) {
+    case tree::StoredWhen::Missing:      break;
+    case tree::StoredWhen::Activation:   line += " on activation"; break;
+    case tree::StoredWhen::Deactivation: line += " on deactivation"; break;
+    case tree::StoredWhen::Event:        line += " on event " + formatted(file, written.event); break;
+    }
+    return {line + ';'};
+}
+
+Lines item_lines(const tree::File& file, const tree::ForcingOrder& written, std::size_t) {
+    std::string situation;
+    switch (written.to) {
+    case tree::ForcedTo::Empty:   break;
+    case tree::ForcedTo::Current: situation = "*"; break;
+    case tree::ForcedTo::Initial: situation = "INIT"; break;
+    case tree::ForcedTo::Steps:   situation = names(file, written.steps); break;
+    }
+    return {"force " + text(file, written.chart) + " := {" + situation + "};"};
+}
+
+std::string step_head(const tree::File& file, const tree::Step& step) {
+    std::string head;
+    if (step.initial) head += "initial ";
+    if (step.linked) head += "linked ";
+    if (step.entry) head += "entry ";
+    if (step.exit) head += "exit ";
+    if (step.kind == tree::StepKind::Macro) head += "macro ";
+    if (step.kind == tree::StepKind::Enclosing) head += "enclosing ";
+    head += "step " + text(file, step.name);
+    if (step.kind == tree::StepKind::Macro) head += " expands " + names(file, step.contents);
+    if (step.kind == tree::StepKind::Enclosing) head += " encloses " + names(file, step.contents);
+    return head;
+}
+
+std::optional<std::string> step_in_one_line(const tree::File& file, const tree::Step& step, std::size_t column) {
+    std::string line = step_head(file, step) + " {";
+    bool plain = true;
+    for (const tree::Action& action : step.actions) {
+        const auto* continuous = std::get_if<tree::ContinuousAction>(&action);
+        plain = plain && continuous != nullptr && !continuous->condition.valid() && !continuous->delay.valid() &&
+                !continuous->limit.valid();
+        line +=
+            ' ' + std::visit([&](const auto& written) { return item_lines(file, written, column).front(); }, action);
+    }
+    line += " }";
+    if (column + line.size() > comfortable || (!plain && step.actions.size() > 2)) return {};
+    return line;
+}
+
+// -- components -------------------------------------------------------------------------------------------------------
+
+Lines item_lines(const tree::File& file, const tree::Clocks& written, std::size_t) {
+    return {"clock " + names(file, written.names) + ';'};
+}
+
+Lines item_lines(const tree::File& file, const tree::Location& written, std::size_t) {
+    std::string line = written.initial ? "initial location " : "location ";
+    line += text(file, written.name);
+    if (written.invariant.valid()) line += " invariant " + formatted(file, written.invariant);
+    if (!written.values.empty()) line += " with " + assignments(file, written.values);
+    return {line + ';'};
+}
+
+Lines item_lines(const tree::File& file, const tree::Edge& written, std::size_t column) {
+    const std::string head =
+        (written.urgent ? "urgent " : "timed ") + text(file, written.from) + " -> " + text(file, written.to);
+    return guarded(file, head, written.condition, written.assignments, column);
+}
+
+std::string component_head(const tree::File& file, const tree::Component& component) {
+    const std::string head = "component " + text(file, component.name) + '(';
+    std::vector<std::string> parts;   // whole groups, or variables where a group is too long
+    for (const tree::Variables& group : component.parameters) {
+        const std::string word = group.kind == tree::VariableKind::Input    ? "input "
+                                 : group.kind == tree::VariableKind::Output ? "output "
+                                                                            : "";
+        std::vector<std::string> declared = variables(file, group);
+        declared.front() = word + declared.front();
+        const std::string whole = joined(declared);
+        if (head.size() + whole.size() + 3 <= widest) declared = {whole};
+        for (std::size_t i = 0; i + 1 < declared.size(); ++i) declared[i] += ',';
+        declared.back() += &group == &component.parameters.back() ? "" : ";";
+        parts.insert(parts.end(), declared.begin(), declared.end());
+    }
+    std::string lines = head;
+    std::size_t width = head.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::size_t end = i + 1 < parts.size() ? 0 : 3;   // `) {`
+        if (i > 0 && width + 1 + parts[i].size() + end > widest) {
+            lines += '\n' + std::string(head.size(), ' ');
+            width = head.size();
+        } else if (i > 0) {
+            lines += ' ';
+            ++width;
+        }
+        lines += parts[i];
+        width += parts[i].size();
+    }
+    return lines + ')';
+}
+
+// -- closed loops -----------------------------------------------------------------------------------------------------
+
+Lines item_lines(const tree::File& file, const tree::Controller& written, std::size_t) {
+    std::string line = "controller " + text(file, written.chart);
+    if (!written.options.empty()) line += " with " + names(file, written.options);
+    return {line + ';'};
+}
+
+Lines item_lines(const tree::File& file, const tree::Grain& written, std::size_t) {
+    return {"grain " + text(file, written.name) + ';'};
+}
+
+Lines item_lines(const tree::File& file, const tree::Schedule& written, std::size_t) {
+    return {"schedule " + text(file, written.name) + ';'};
+}
+
+Lines item_lines(const tree::File& file, const tree::ObserverEdge& written, std::size_t column) {
+    const std::string head = text(file, written.from) + " -> " + text(file, written.to);
+    return guarded(file, head, written.condition, written.assignments, column);
+}
+
+Lines item_lines(const tree::File& file, const tree::TimeUnit& written, std::size_t) {
+    return {"time unit " + formatted(file, written.duration) + ';'};
+}
+
+Lines item_lines(const tree::File& file, const tree::Instance& written, std::size_t column) {
+    const std::string head = (written.environment ? "environment " : "plant ") + text(file, written.name) + " = " +
+                             text(file, written.component) + '(';
+    std::vector<std::string> parts;
+    for (const tree::Argument& argument : written.arguments)
+        parts.push_back(text(file, argument.parameter) + " = " + formatted(file, argument.value));
+    const std::string tail = written.initial.valid() ? ") initially " + text(file, written.initial) + ';' : ");";
+    return filled(head, parts, tail, column);
+}
+
+namespace {
+
+std::string pattern(const tree::File& file, const tree::Property& written) {
+    const auto operand = [&](std::size_t i) { return formatted(file, written.operands[i]); };
+    switch (written.pattern) {
+    case Pattern::Always:            return "always " + operand(0);
+    case Pattern::Never:             return "never " + operand(0);
+    case Pattern::Reachable:         return "reachable " + operand(0);
+    case Pattern::Inevitable:        return "inevitable " + operand(0);
+    case Pattern::LeadsTo:           return operand(0) + " leads to " + operand(1);
+    case Pattern::NoDeadlock:        return "no deadlock";
+    case Pattern::NoTimelock:        return "no timelock";
+    case Pattern::ReachableAllSteps: return "reachable all steps";
+    case Pattern::AlwaysPossible:    return "always possible " + operand(0);
+    case Pattern::RawUppaal:         return "uppaal \"" + written.raw + '"';
+    case Pattern::RawCtl:            return "ctl \"" + written.raw + '"';
+    case Pattern::RawLtl:            return "ltl \"" + written.raw + '"';
+    case Pattern::ExactlyOneOf: {
+        std::vector<std::string> parts;
+        for (std::size_t i = 0; i < written.operands.size(); ++i) parts.push_back(operand(i));
+        return "exactly one of {" + joined(parts) + '}';
+    }
+    }
+    unreachable();
+}
+
+}  // namespace
+
+Lines item_lines(const tree::File& file, const tree::Property& written, std::size_t column) {
+    std::string head = "property " + text(file, written.name);
+    if (!written.text.empty()) head += " \"" + written.text + '"';
+    if (written.expected_violated) head += " expected violated";
+    head += ':';
+    const std::string rest = pattern(file, written) + (written.at_stable ? " at stable;" : ";");
+    if (column + head.size() + 1 + rest.size() <= widest) return {head + ' ' + rest};
+    return {head, "    " + rest};
+}
+
+Lines item_lines(const tree::File&, const tree::Accept& written, std::size_t) {
+    const std::string subject = written.subject.empty() ? "" : ' ' + written.subject;
+    return {"accept " + written.code + subject + " \"" + written.reason + "\";"};
+}
+
+}  // namespace grafverif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The lines of each kind of declaration, without comments; `column` is where they will begin.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "syntax/language/tree.hpp"
+
+namespace grafverif {
+
+using Lines = std::vector<std::string>;
+
+Lines item_lines(const tree::File& file, const tree::Variables& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Constraint& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Transition& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::ContinuousAction& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::StoredAction& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::ForcingOrder& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Clocks& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Location& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Edge& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Controller& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Grain& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Schedule& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::ObserverEdge& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::TimeUnit& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Instance& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Property& written, std::size_t column);
+Lines item_lines(const tree::File& file, const tree::Accept& written, std::size_t column);
+
+/// `initial step 0`, without its actions.
+std::string step_head(const tree::File& file, const tree::Step& step);
+/// `step 1 { A; B; }` where that reads well: plain actions, or two at most, and not too long.
+std::optional<std::string> step_in_one_line(const tree::File& file, const tree::Step& step, std::size_t column);
+/// `component NAME(...)`; several lines where one would be too long.
+std::string component_head(const tree::File& file, const tree::Component& component);
+
+}  // namespace grafverif

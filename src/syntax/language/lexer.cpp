@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "syntax/language/lexer.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <optional>
+
+#include "support/messages.hpp"
+#include "syntax/language/builder.hpp"
+#include "syntax/language/expectation.hpp"
+
+namespace grafverif::tree {
+
+namespace {
+
+using Token = Parser::symbol_type;
+using Symbols = Parser::symbol_kind;
+
+constexpr std::size_t longest_name = 1000;
+
+/// The duration in milliseconds; empty when the unit is unknown.
+struct Measure {
+    std::string_view digits = {}, decimals = {}, unit = {};
+};
+
+Measure measure(std::string_view text) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const std::size_t whole = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
+    Measure parts{text.substr(0, whole), {}, text.substr(whole)};
+    if (!parts.unit.starts_with('.')) return parts;
+    const std::string_view rest = parts.unit.substr(1);
+    const std::size_t length = static_cast<std::size_t>(std::ranges::find_if_not(rest, is_digit) - rest.begin());
+    parts.decimals = rest.substr(0, length);
+    parts.unit = rest.substr(length);
+    return parts;
+}
+
+std::optional<std::int64_t> milliseconds_in(std::string_view unit) {
+    if (unit == "ms") return 1;
+    if (unit == "s") return 1000;
+    if (unit == "min") return 60'000;
+    return {};
+}
+
+/// `digits`.`decimals` times `factor`; empty when that is no whole number, or too large to be a duration.
+std::optional<std::int64_t> scaled(std::string_view digits, std::string_view decimals, std::int64_t factor) {
+    constexpr std::int64_t bound = std::int64_t{1} << 40U;
+    std::int64_t whole = 0;
+    if (std::from_chars(digits.data(), digits.data() + digits.size(), whole).ec != std::errc() ||
+        whole > bound / factor)
+        return {};
+    std::int64_t result = whole * factor;
+    for (const char digit : decimals) {
+        if (digit != '0' && factor % 10 != 0) return {};
+        factor /= 10;
+        result += (digit - '0') * factor;
+    }
+    return result;
+}
+
+}  // namespace
+
+Lexer::Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics)
+    : source_(&source), scanner_(std::string_view(source.text).substr(part.begin, part.end - part.begin)), file_(&file),
+      words_(file.words), diagnostics_(&diagnostics), here_{part.source, part.begin, part.begin} {
+    last_where_ = here_;
+}
+
+Token Lexer::next() {
+    if (recovering_) resynchronise();
+    else consumed();
+    Token token;
+    if (!pending_.empty()) {
+        token.move(pending_.front());
+        pending_.pop_front();
+    } else {
+        Token scanned = scanner_.next(*this);
+        token.move(scanned);
+    }
+    if (nests_too_deep(token.kind())) {
+        Token error = broken(messages::too_deep(token.location, deepest_expression));
+        token.clear();
+        token.move(error);
+    }
+    last_ = token.kind();
+    last_where_ = token.location;
+    return token;
+}
+
+// -- what the rules of the scanner call ------------------------------------------------------------------------------
+
+void Lexer::advance(std::string_view match) {
+    match_ = match;
+    here_.begin = here_.end;
+    here_.end += static_cast<std::uint32_t>(match.size());
+}
+
+void Lexer::lines() { line_ends_ += static_cast<std::uint32_t>(match_.size()); }
+
+/// Notes a blank line before the token or comment at hand.
+void Lexer::begin_thing() {
+    if (line_ends_ > 1 && anything_) file_->gaps.push_back(here_.begin);
+    line_ends_ = 0;
+    anything_ = true;
+}
+
+void Lexer::comment() {
+    const bool own_line = line_ends_ > 0 || !anything_;
+    begin_thing();
+    std::string kept(match_);
+    while (!kept.empty() && (kept.back() == '\r' || kept.back() == ' ' || kept.back() == '\t')) kept.pop_back();
+    file_->comments.push_back({std::move(kept), here_, own_line});
+}
+
+Token Lexer::word(Parser::token_kind_type kind) {
+    begin_thing();
+    std::string_view text = match_;
+    if (text.size() > longest_name) {
+        report(messages::name_too_long(here_, text, longest_name));
+        text = text.substr(0, longest_name);
+    }
+    last_name_ = {words_.intern(text), here_};
+    return {kind, last_name_, here_};
+}
+
+Token Lexer::sign(Parser::token_kind_type kind) {
+    begin_thing();
+    if (kind == Parser::token::END) return {kind, Span{here_.source, here_.end, here_.end}};
+    return {kind, here_};
+}
+
+Token Lexer::string() {
+    begin_thing();
+    return {Parser::token::STRING, std::string(match_.substr(1, match_.size() - 2)), here_};
+}
+
+Token Lexer::duration() {
+    begin_thing();
+    const Measure parts = measure(match_);
+    const auto factor = milliseconds_in(parts.unit);
+    if (!factor) return broken(messages::unknown_unit(here_, match_));
+    const auto milliseconds = scaled(parts.digits, parts.decimals, *factor);
+    if (!milliseconds) report(messages::bad_duration(here_, match_));
+    return {Parser::token::DURATION, milliseconds.value_or(1000), here_};
+}
+
+Token Lexer::decimal_without_unit() {
+    begin_thing();
+    return broken(messages::decimal_number(here_, match_));
+}
+
+Token Lexer::other_spelling(Parser::token_kind_type kind, std::string_view meant) {
+    begin_thing();
+    report(messages::other_spelling(here_, match_, meant));
+    return {kind, here_};
+}
+
+Token Lexer::unterminated_comment() {
+    begin_thing();
+    return broken(messages::unterminated({here_.source, here_.begin, here_.begin + 2}, "comment", "*/"));
+}
+
+Token Lexer::unterminated_string() {
+    begin_thing();
+    return broken(messages::unterminated(here_, "string", "\""));
+}
+
+Token Lexer::unexpected_character() {
+    begin_thing();
+    return broken(messages::unexpected_character(here_, match_));
+}
+
+/// An error that the parser is not asked about: it goes on with the next declaration.
+Token Lexer::broken(Diagnostic diagnostic) {
+    const Span where = diagnostic.where;
+    report(std::move(diagnostic));
+    recovering_ = true;
+    return Parser::make_YYerror(where);
+}
+
+/// One fault, one error: what is skipped is not judged.
+void Lexer::report(Diagnostic diagnostic) {
+    if (!recovering_) diagnostics_->add(std::move(diagnostic));
+}
+
+// -- what has been read -----------------------------------------------------------------------------------------------
+
+bool Lexer::nests_too_deep(Kind next) const {
+    switch (next) {
+    case Symbols::S_LEFT: case Symbols::S_NOT: case Symbols::S_NOT_WORD: case Symbols::S_MINUS:
+    case Symbols::S_UP: case Symbols::S_DOWN:
+        return !recovering_ && brackets_ + prefixes_ >= deepest_expression;
+    default:
+        return false;
+    }
+}
+
+/// The token last handed out has been taken in by the parser.
+void Lexer::consumed() {
+    switch (last_) {
+    case Symbols::S_NOT: case Symbols::S_NOT_WORD: case Symbols::S_MINUS: case Symbols::S_UP: case Symbols::S_DOWN:
+        ++prefixes_;
+        break;
+    case Symbols::S_LEFT:
+        ++brackets_;
+        break;
+    default:
+        if (last_ == Symbols::S_RIGHT && brackets_ > 0) --brackets_;
+        if (last_ == Symbols::S_SEMICOLON || last_ == Symbols::S_OPEN || last_ == Symbols::S_CLOSE) brackets_ = 0;
+        prefixes_ = 0;
+    }
+    switch (last_) {
+    case Symbols::S_OPEN:
+        if (before_ == Symbols::S_ASSIGN || before_ == Symbols::S_OF) blocks_.push_back(Block::Set);
+        else blocks_.push_back(declaring_ == Symbols::S_STEP ? Block::Actions : Block::Body);
+        break;
+    case Symbols::S_CLOSE:
+        if (!blocks_.empty()) blocks_.pop_back();
+        [[fallthrough]];
+    case Symbols::S_SEMICOLON:
+        declaring_ = Symbols::S_YYEMPTY;
+        break;
+    case Symbols::S_STEP: case Symbols::S_PARTIAL: case Symbols::S_EXPANSION: case Symbols::S_TRANSITION:
+        declaring_ = last_;
+        break;
+    default:
+        break;
+    }
+    before_ = last_;
+    before_where_ = last_where_;
+}
+
+}  // namespace grafverif::tree

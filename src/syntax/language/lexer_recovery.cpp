@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// How the lexer reports a token that the parser cannot use, and where it goes on: see lexer.hpp.
+#include <algorithm>
+#include <ranges>
+#include <string>
+
+#include "support/messages.hpp"
+#include "syntax/language/builder.hpp"
+#include "syntax/language/expectation.hpp"
+#include "syntax/language/lexer.hpp"
+
+namespace grafverif::tree {
+
+namespace {
+
+using Symbols = Parser::symbol_kind;
+
+/// Words that begin a declaration of a file.
+bool declares_in_file(Symbol kind) {
+    switch (kind) {
+        case Symbols::S_GRAFCET:
+        case Symbols::S_COMPONENT:
+        case Symbols::S_CLOSED_LOOP:
+        case Symbols::S_INCLUDE: return true;
+        default: return false;
+    }
+}
+
+/// Reserved words that begin a declaration of a chart: they can be no action of a step.
+bool declares_in_chart(Symbol kind) {
+    switch (kind) {
+        case Symbols::S_INPUT:
+        case Symbols::S_OUTPUT:
+        case Symbols::S_INTERNAL:
+        case Symbols::S_STEP:
+        case Symbols::S_TRANSITION: return true;
+        default: return false;
+    }
+}
+
+/// Words that begin a declaration of a block.
+bool declares_in_block(Symbol kind) {
+    switch (kind) {
+        case Symbols::S_CONSTRAINT:
+        case Symbols::S_INITIAL_WORD:
+        case Symbols::S_LINKED:
+        case Symbols::S_ENTRY:
+        case Symbols::S_EXIT:
+        case Symbols::S_MACRO:
+        case Symbols::S_ENCLOSING:
+        case Symbols::S_PARTIAL:
+        case Symbols::S_EXPANSION:
+        case Symbols::S_VARIABLE:
+        case Symbols::S_CLOCK:
+        case Symbols::S_LOCATION:
+        case Symbols::S_URGENT:
+        case Symbols::S_TIMED:
+        case Symbols::S_CONTROLLER:
+        case Symbols::S_GRAIN:
+        case Symbols::S_TIME:
+        case Symbols::S_PLANT:
+        case Symbols::S_ENVIRONMENT:
+        case Symbols::S_PROPERTY:
+        case Symbols::S_OBSERVER:
+        case Symbols::S_SCHEDULE:
+        case Symbols::S_ACCEPT: return true;
+        default: return declares_in_chart(kind);
+    }
+}
+
+}  // namespace
+
+std::string_view Lexer::seen_text(Span where) const {
+    return std::string_view(source_->text).substr(where.begin, where.end - where.begin);
+}
+
+bool Lexer::begins_line(Span where) const {
+    const std::string_view before = std::string_view(source_->text).substr(0, where.begin);
+    for (const char byte : before | std::views::reverse) {
+        if (byte == '\n') return true;
+        if (byte != ' ' && byte != '\t' && byte != '\r') return false;
+    }
+    return true;
+}
+
+void Lexer::report_unexpected(Kind seen, Span where, std::span<const Kind> expected) {
+    recovering_ = true;
+    const bool again = reported_.source.valid() && reported_.begin == where.begin && reported_.end == where.end;
+    reported_ = where;
+    if (again) return;
+    const std::string_view text = seen_text(where);
+    if (seen == Symbols::S_IS && contains(expected, Symbols::S_EQUAL))
+        return diagnostics_->add(messages::single_equals(where, "comparison", "=="));
+    if (seen == Symbols::S_IS && contains(expected, Symbols::S_ASSIGN))
+        return diagnostics_->add(messages::single_equals(where, "assignment", ":="));
+    const bool too_late = seen == Symbols::S_YYEOF || seen == Symbols::S_CLOSE || begins_line(where);
+    if (too_late && contains(expected, Symbols::S_SEMICOLON))
+        return diagnostics_->add(messages::missing_semicolon(after(before_where_)));
+    if (seen == Symbols::S_IDENTIFIER && contains(expected, Symbols::S_AND)) {
+        if (text == "AND" || text == "And") return diagnostics_->add(messages::other_spelling(where, text, "&&"));
+        if (text == "OR" || text == "Or") return diagnostics_->add(messages::other_spelling(where, text, "||"));
+    }
+    const std::string words = expectation(expected);
+    if (seen == Symbols::S_YYEOF) return diagnostics_->add(messages::unexpected_end(after(before_where_), words));
+    diagnostics_->add(messages::unexpected(where, text, words));
+}
+
+/// Hands out the `}` that `count` open blocks lack.
+void Lexer::close_blocks(std::size_t count) {
+    for (; count > 0; --count) pending_.emplace_back(Parser::token::CLOSE, here_);
+}
+
+/// Skips from the token last handed out, itself included, to where the parser can go on.
+void Lexer::resynchronise() {
+    if (diagnostics_->full()) {
+        pending_.clear();
+        pending_.emplace_back(Parser::token::END, here_);
+        return;
+    }
+    std::size_t nested = 0;
+    while (!blocks_.empty() && blocks_.back() == Block::Set) {
+        blocks_.pop_back();
+        ++nested;
+    }
+    const auto resume = [&](std::size_t closing) {
+        pending_.emplace_back(Parser::token::RESUME, here_);
+        close_blocks(closing);
+    };
+    Kind kind = last_;
+    Token token;
+    bool first = true;
+    const auto step = [&] {
+        Token scanned = scanner_.next(*this);
+        token.clear();
+        token.move(scanned);
+        kind = token.kind();
+        first = false;
+    };
+    const bool stuck = last_where_.end == handed_back_ && last_ != Symbols::S_YYEOF;   // it was of no use there either
+    const auto hand_back = [&] {
+        handed_back_ = first ? last_where_.end : token.location.end;
+        if (!first) pending_.push_back(token);
+        else if (declares_in_file(kind) || declares_in_block(kind))
+            pending_.emplace_back(static_cast<Parser::token_kind_type>(kind), last_name_, last_where_);
+        else
+            pending_.emplace_back(static_cast<Parser::token_kind_type>(kind), last_where_);
+    };
+
+    if (stuck) step();
+    for (;; step()) {
+        const Span where = first ? last_where_ : token.location;
+        if (kind == Symbols::S_YYEOF || (declares_in_file(kind) && begins_line(where))) {
+            resume(blocks_.size());
+            hand_back();
+            break;
+        }
+        if (blocks_.empty()) continue;
+        if (kind == Symbols::S_OPEN) ++nested;
+        if (nested == 0 && kind == Symbols::S_CLOSE) {
+            resume(0);
+            hand_back();
+            break;
+        }
+        if (nested > 0 && kind == Symbols::S_CLOSE && --nested == 0) {
+            step();
+            resume(0);
+            if (kind != Symbols::S_SEMICOLON) hand_back();
+            break;
+        }
+        if (nested > 0) continue;
+        if (kind == Symbols::S_SEMICOLON) {
+            resume(0);
+            break;
+        }
+        if (declares_in_block(kind) && begins_line(where)) {
+            const bool in_actions = blocks_.back() == Block::Actions;
+            if (in_actions && !declares_in_chart(kind)) continue;
+            resume(in_actions ? 1 : 0);
+            hand_back();
+            break;
+        }
+    }
+    recovering_ = false;
+    brackets_ = prefixes_ = 0;
+    last_ = Symbols::S_YYEMPTY;
+    declaring_ = Symbols::S_YYEMPTY;
+}
+
+}  // namespace grafverif::tree

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "syntax/language/parse.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "syntax/language/builder.hpp"
+#include "syntax/language/lexer.hpp"
+#include "syntax/language/readable.hpp"
+
+namespace grafverif {
+
+tree::File parse_file(Id<Source> source, const Sources& sources, Diagnostics& diagnostics) {
+    tree::File file;
+    file.source = source;
+    const std::size_t size = std::min(sources[source].text.size(), largest_text + 1);
+    const Span whole = without_mark({source, 0, static_cast<std::uint32_t>(size)}, sources);
+    const std::size_t errors = diagnostics.errors();
+    if (is_readable(whole, sources, diagnostics)) {
+        tree::Builder build(file, diagnostics);
+        tree::Lexer lexer(sources[source], whole, file, diagnostics);
+        file.lost = tree::Parser(lexer, build).parse() != 0 || file.lost;
+    } else {
+        file.lost = true;
+    }
+    file.broken = file.broken || diagnostics.errors() != errors;
+    return file;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: MIT
+// CTL and LTL as NuSMV 2.6 reads them, loosest first: `->`, `<->`, `? :`, `| xor xnor`, `&`, `U S V T` (LTL), operators of
+// paths, relations, `in`, sums, products, `!` and `-`. So `AG x -> y` is `(AG x) -> y`, and `!a = b` is `(!a) = b`. Between
+// `A [` and `]` the language is CTL's own, without `? :`.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "syntax/print/legal_names.hpp"
+#include "syntax/print/formula_reader.hpp"
+
+namespace grafverif::formulas {
+
+namespace {
+
+using Type = FormulaName::Type;
+
+constexpr std::array<std::string_view, 26> smv_symbols{"<->", "->", "!=", "<=", ">=", "..", "(", ")", "[", "]", "{", "}", "!",
+                                                       "&",   "|",  "=",  "<",  ">",  "+",  "-", "*", "/", "?", ":", ",", "."};
+
+/// A part of a formula.
+struct Part {
+    std::size_t begin = 0, end = 0;
+    Type type = Type::Any;
+    bool temporal = false;   ///< an operator of paths stands in it
+};
+
+std::string_view described(Type type) {
+    switch (type) {
+    case Type::Boolean: return "a condition";
+    case Type::Number:  return "a number";
+    case Type::Value:   return "a named value";
+    case Type::Any:     break;
+    }
+    return "anything";
+}
+
+class SmvReader : public Reader {
+public:
+    SmvReader(FormulaLanguage language, std::string_view text, const FormulaNames& names)
+        : Reader(text, smv_symbols, "$#-"), ltl_(language == FormulaLanguage::Ltl), names_(names) {}
+
+    void read() {
+        const Part whole = implication();
+        if (kind_ != Kind::End) expected("an operator or the end");
+        require(whole, Type::Boolean, "a formula");
+    }
+
+private:
+    // -- what parts may be --------------------------------------------------------------------------------------------
+
+    void require(const Part& part, Type type, std::string_view who) {
+        if (part.type == Type::Any || part.type == type) return;
+        fail(part.begin, part.end, fmt::format("{} is {}, this is {}", who, described(type), described(part.type)));
+    }
+    void require_plain(const Part& part, std::string_view op) {
+        if (!part.temporal) return;
+        fail(part.begin, part.end, fmt::format("`{}` takes no operand with an operator of paths in it", op));
+    }
+    void require_alike(const Part& left, const Part& right, std::string_view op) {
+        if (left.type == Type::Any || right.type == Type::Any || left.type == right.type) return;
+        fail(right.begin, right.end, fmt::format("`{}` has {} on one side and {} on the other", op, described(left.type), described(right.type)));
+    }
+    std::string an_operand(std::string_view op) const { return fmt::format("an operand of `{}`", op); }
+    Part joined(const Part& left, const Part& right, Type type) const {
+        return {left.begin, right.end, type, left.temporal || right.temporal};
+    }
+
+    // -- conditions ---------------------------------------------------------------------------------------------------
+
+    template <class Operand>
+    Part logical(std::initializer_list<std::string_view> operators, const Operand& operand) {
+        Part left = operand();
+        for (std::string_view op = accept_one(operators); !op.empty(); op = accept_one(operators)) {
+            const Part right = operand();
+            require(left, Type::Boolean, an_operand(op));
+            require(right, Type::Boolean, an_operand(op));
+            left = joined(left, right, Type::Boolean);
+        }
+        return left;
+    }
+
+    Part implication() {
+        const Nest nest(*this);
+        return logical({"->"}, [this] { return logical({"<->"}, [this] { return choice(); }); });
+    }
+
+    Part choice() {
+        const Nest nest(*this);
+        const Part condition = logical({"|", "xor", "xnor"}, [this] { return logical({"&"}, [this] { return until(); }); });
+        if (in_until_ || !accept("?")) return condition;
+        const Part then = implication();
+        expect(":");
+        const Part otherwise = choice();
+        require(condition, Type::Boolean, an_operand("?"));
+        for (const Part& part : {condition, then, otherwise}) require_plain(part, "?");
+        require_alike(then, otherwise, "? :");
+        return joined(condition, otherwise, then.type == Type::Any ? otherwise.type : then.type);
+    }
+
+    Part until() {
+        if (!ltl_) return path();
+        return logical({"U", "S", "V", "T"}, [this] { return path(); });
+    }
+
+    // -- operators of paths -------------------------------------------------------------------------------------------
+
+    bool at_unary_path() const {
+        return ltl_ ? is_one_of({"X", "Y", "Z", "G", "H", "F", "O"})
+                    : is_one_of({"EX", "AX", "EF", "AF", "EG", "AG", "EBF", "ABF", "EBG", "ABG"});
+    }
+
+    Part path() {
+        const Nest nest(*this);
+        const std::size_t begin = begin_;
+        if (is("!") && path_follows()) {
+            advance();
+            return temporal(begin, path(), "!");
+        }
+        if (!ltl_ && is_one_of({"A", "E"})) return until_of_ctl();
+        if (!at_unary_path()) return relation();
+        const std::string op(here());
+        advance();
+        if (op.size() == 3) subrange();
+        if (ltl_ && op.find_first_of("GHFO") == 0 && is("[")) bounds();
+        return temporal(begin, path(), op);
+    }
+
+    Part temporal(std::size_t begin, const Part& operand, std::string_view op) {
+        require(operand, Type::Boolean, an_operand(op));
+        return {begin, operand.end, Type::Boolean, operand.temporal || op != "!"};
+    }
+
+    /// Whether behind all the `!` that stand here an operator of paths comes.
+    bool path_follows() {
+        SmvReader ahead = *this;
+        while (ahead.accept("!")) {}
+        return ahead.at_unary_path() || (!ltl_ && ahead.is_one_of({"A", "E"}));
+    }
+
+    Part until_of_ctl() {
+        const std::size_t begin = begin_;
+        advance();
+        expect("[");
+        const bool outer = std::exchange(in_until_, true);
+        const Part before = implication();
+        if (accept("BU")) subrange();
+        else expect("U");
+        const Part after = implication();
+        in_until_ = outer;
+        expect("]");
+        require(before, Type::Boolean, an_operand("U"));
+        require(after, Type::Boolean, an_operand("U"));
+        return {begin, before_, Type::Boolean, true};
+    }
+
+    void number() {
+        if (kind_ == Kind::Number) advance();
+        else expected("a number");
+    }
+    void subrange() {
+        accept_one({"-", "+"});
+        number();
+        expect("..");
+        accept_one({"-", "+"});
+        number();
+    }
+    void bounds() {
+        advance();
+        number();
+        expect(",");
+        number();
+        expect("]");
+    }
+
+    // -- relations and numbers ----------------------------------------------------------------------------------------
+
+    Part relation() {
+        Part left = membership();
+        const std::initializer_list<std::string_view> operators{"=", "!=", "<=", ">=", "<", ">"};
+        for (std::string_view op = accept_one(operators); !op.empty(); op = accept_one(operators)) {
+            const Part right = membership();
+            for (const Part& part : {left, right}) {
+                require_plain(part, op);
+                if (op != "=" && op != "!=") require(part, Type::Number, an_operand(op));
+            }
+            require_alike(left, right, op);
+            left = joined(left, right, Type::Boolean);
+        }
+        return left;
+    }
+
+    Part membership() {
+        const Part left = sum();
+        if (!accept("in")) return left;
+        require_plain(left, "in");
+        const Part set = members(left);
+        return {left.begin, set.end, Type::Boolean, false};
+    }
+
+    /// `{a, b}` or `1..3`, of the type of `one`.
+    Part members(const Part& one) {
+        const std::size_t begin = begin_;
+        if (!accept("{")) {
+            const Part low = sum();
+            expect("..");
+            const Part high = sum();
+            for (const Part& part : {one, low, high}) require(part, Type::Number, an_operand("in"));
+            return joined(low, high, Type::Number);
+        }
+        do {
+            const Part member = implication();
+            require_plain(member, "in");
+            require_alike(one, member, "in");
+        } while (accept(","));
+        expect("}");
+        return {begin, before_, one.type, false};
+    }
+
+    template <class Operand>
+    Part numeric(std::initializer_list<std::string_view> operators, const Operand& operand) {
+        Part left = operand();
+        for (std::string_view op = accept_one(operators); !op.empty(); op = accept_one(operators)) {
+            const Part right = operand();
+            for (const Part& part : {left, right}) {
+                require_plain(part, op);
+                require(part, Type::Number, an_operand(op));
+            }
+            left = joined(left, right, Type::Number);
+        }
+        return left;
+    }
+
+    Part sum() {
+        return numeric({"+", "-"}, [this] { return numeric({"*", "/", "mod"}, [this] { return operand(); }); });
+    }
+
+    // -- operands -----------------------------------------------------------------------------------------------------
+
+    Part operand() {
+        const Nest nest(*this);
+        const std::size_t begin = begin_;
+        if (const std::string_view op = accept_one({"!", "-"}); !op.empty()) {
+            const Part part = operand();
+            require(part, op == "!" ? Type::Boolean : Type::Number, an_operand(op));
+            if (op == "-") require_plain(part, op);
+            return {begin, part.end, op == "!" ? Type::Boolean : Type::Number, part.temporal};
+        }
+        if (accept("(")) {
+            const bool outer = std::exchange(in_until_, false);
+            const Part part = implication();
+            in_until_ = outer;
+            expect(")");
+            return {begin, before_, part.type, part.temporal};
+        }
+        if (accept("TRUE") || accept("FALSE")) return {begin, before_, Type::Boolean, false};
+        if (kind_ == Kind::Number) {
+            advance();
+            return {begin, before_, Type::Number, false};
+        }
+        if (kind_ == Kind::Name) return is_function() ? call() : name();
+        expected("an operand");
+        return {};
+    }
+
+    bool is_function() const { return is_one_of({"count", "abs", "min", "max", "toint", "bool", "next"}); }
+
+    Part call() {
+        const std::size_t begin = begin_;
+        const std::string function(here());
+        if (function == "next" && !ltl_) fail_here("`next` speaks of a step, and CTL of states; LTL may use it");
+        if (function == "next" && in_next_) fail_here("`next` in `next`");
+        advance();
+        expect("(");
+        const bool outer = std::exchange(in_next_, in_next_ || function == "next");
+        std::vector<Part> arguments;
+        do arguments.push_back(implication());
+        while (accept(","));
+        in_next_ = outer;
+        expect(")");
+        const std::size_t most = function == "count" ? arguments.size() : function == "min" || function == "max" ? 2 : 1;
+        if (arguments.size() != most) fail(begin, before_, fmt::format("`{}` takes {}", function, most == 1 ? "one operand" : "two operands"));
+        for (const Part& part : arguments) {
+            require_plain(part, function);
+            if (function == "count") require(part, Type::Boolean, an_operand(function));
+            if (function == "abs" || most == 2) require(part, Type::Number, an_operand(function));
+        }
+        if (function == "next") return {begin, before_, arguments[0].type, false};
+        return {begin, before_, function == "bool" ? Type::Boolean : Type::Number, false};
+    }
+
+    Part name() {
+        const std::size_t begin = begin_;
+        refuse_word();
+        std::string path(here());
+        for (advance(); accept(".");) {
+            if (kind_ == Kind::Name) refuse_word();
+            if (kind_ != Kind::Name && kind_ != Kind::Number) expected("a name");
+            path += '.' + std::string(here());
+            advance();
+        }
+        if (!names_ || fault_) return {begin, before_, Type::Any, false};
+        const std::optional<FormulaName> known = names_(path);
+        if (!known) fail(begin, before_, fmt::format("the model has nothing called `{}`", path));
+        else if (known->of_steps && !ltl_)
+            fail(begin, before_, fmt::format("`{}` is chosen anew in each step, and CTL speaks of states; LTL may read it", path));
+        return {begin, before_, known ? known->type : Type::Any, false};
+    }
+
+    /// What is no name of a model, though it looks like one.
+    void refuse_word() {
+        const std::string_view word = here();
+        static constexpr std::array<std::string_view, 12> of_ctl{"EX", "AX", "EF", "AF", "EG", "AG", "A", "E", "EBF", "ABF", "EBG", "ABG"};
+        static constexpr std::array<std::string_view, 11> of_ltl{"X", "Y", "Z", "G", "H", "F", "O", "U", "S", "V", "T"};
+        const auto among = [word](const auto& words) { return std::ranges::find(words, word) != words.end(); };
+        if (among(ltl_ ? std::span<const std::string_view>(of_ctl) : std::span<const std::string_view>(of_ltl)))
+            return fail_here(fmt::format("`{}` is an operator of {}, and this is a formula of {}", word, ltl_ ? "CTL" : "LTL", ltl_ ? "LTL" : "CTL"));
+        if (is_reserved(Target::Nusmv, word)) return expected("an operand");
+        if (word.find_first_of("$#-") != std::string_view::npos)
+            fail_here(fmt::format("NuSMV takes `{}` for one name; put a blank before the operator", word));
+    }
+
+    bool ltl_ = false;
+    const FormulaNames& names_;
+    bool in_until_ = false, in_next_ = false;
+};
+
+}  // namespace
+
+std::optional<FormulaFault> smv_fault(FormulaLanguage language, std::string_view text, const FormulaNames& names) {
+    SmvReader reader(language, text, names);
+    reader.read();
+    return std::move(reader).fault();
+}
+
+}  // namespace grafverif::formulas

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// The reserved words of the targets, and names that avoid them.
+//
+// UPPAAL: the keywords of its declarations and of its queries (a variable called as a query keyword can be declared but
+// not asked about), its mathematical functions, its built-in constants and types. NuSMV: the keywords of NuSMV 2.6 and
+// of nuXmv, which reads the same files; single capital letters are operators of its temporal logics. Structured Text: the
+// keywords, elementary types, standard functions and function blocks of IEC 61131-3.
+#include "syntax/print/legal_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <unordered_map>
+
+#include "support/overloaded.hpp"
+
+namespace grafverif {
+namespace {
+
+constexpr auto uppaal_words = std::to_array<std::string_view>({
+    "DBL_MAX", "DBL_MIN", "FLT_MAX", "FLT_MIN", "INT16_MAX", "INT16_MIN", "INT32_MAX", "INT32_MIN", "INT8_MAX",
+    "INT8_MIN", "IO", "M_1_PI", "M_2_PI", "M_2_SQRTPI", "M_E", "M_LN10", "M_LN2", "M_LOG10E", "M_LOG2E", "M_PI",
+    "M_PI_2", "M_PI_4", "M_SQRT1_2", "M_SQRT2", "UINT16_MAX", "UINT8_MAX", "abs", "acos", "acosh", "after_update",
+    "and", "asin", "asinh", "assert", "assign", "atan", "atan2", "atanh", "before_update", "bool", "branchpoint",
+    "break", "broadcast", "case", "cbrt", "ceil", "chan", "clock", "commit", "const", "continue", "copysign", "cos",
+    "cosh", "deadlock", "default", "do", "double", "dynamic", "else", "enum", "erf", "erfc", "exists", "exit",
+    "exp", "exp2", "expm1", "fabs", "false", "fdim", "fint", "floor", "fma", "fmax", "fmin", "fmod", "for",
+    "forall", "fpclassify", "gantt", "guard", "hybrid", "hypot", "if", "ilogb", "imply", "import", "init", "int",
+    "int16_t", "int32_t", "int8_t", "isfinite", "isinf", "isnan", "isnormal", "isunordered", "ldexp", "lgamma",
+    "ln", "location", "log", "log10", "log1p", "log2", "logb", "meta", "nextafter", "not", "or", "pow", "priority",
+    "probability", "process", "progress", "query", "random", "random_arcsine", "random_beta", "random_gamma",
+    "random_normal", "random_poisson", "random_tri", "random_weibull", "rate", "return", "round", "scalar",
+    "select", "signbit", "sin", "sinh", "spawn", "sqrt", "state", "string", "struct", "sum", "switch", "sync",
+    "system", "tan", "tanh", "tgamma", "trans", "true", "trunc", "typedef", "uint16_t", "uint8_t", "urgent", "void",
+    "while", "xor",
+});
+
+constexpr auto uppaal_query_words = std::to_array<std::string_view>({
+    "Pmax", "Pr", "X", "bounds", "control", "control_t", "foreach", "imitate", "inf", "loadStrategy", "maxE",
+    "maxPr", "minE", "minPr", "numOf", "sat", "saveStrategy", "simulate", "simulation", "strategy", "sup", "under",
+});
+
+constexpr auto nusmv_words = std::to_array<std::string_view>({
+    "A", "ABF", "ABG", "AF", "AG", "ASSIGN", "AX", "BU", "COMPASSION", "COMPID", "COMPUTE", "COMPWFF", "CONSTANTS",
+    "CONSTARRAY", "CONSTRAINT", "CTLSPEC", "CTLWFF", "DEFINE", "E", "EBF", "EBG", "EF", "EG", "EX", "F", "FAIRNESS",
+    "FALSE", "FROZENVAR", "FUN", "G", "H", "IN", "INIT", "INVAR", "INVARSPEC", "ISA", "ITYPE", "IVAR", "JUSTICE",
+    "LTLSPEC", "LTLWFF", "MAX", "MDEFINE", "MIN", "MIRROR", "MODULE", "NAME", "O", "PARSYNTH", "PRED", "PREDICATES",
+    "PSLSPEC", "PSLWFF", "READ", "S", "SIMPWFF", "SPEC", "T", "TRANS", "TRUE", "U", "URGENT", "V", "VAR", "WRITE", "X",
+    "Y", "Z",
+    "abs", "array", "asin", "atan", "acos", "bool", "boolean", "case", "clock", "cos", "count", "esac", "exp", "extend",
+    "floor", "in", "init", "integer", "ln", "max", "min", "mod", "next", "noncontinuous", "of", "pi", "pow", "process",
+    "real", "resize", "self", "signed", "sin", "sizeof", "swconst", "tan", "time", "toint", "typeof", "union",
+    "unsigned", "uwconst", "word", "word1", "xnor", "xor",
+});
+
+constexpr auto structured_text_words = std::to_array<std::string_view>({
+    "ABS", "ABSTRACT", "ACOS", "ACTION", "ADD", "AND", "ANY", "ARRAY", "ASIN", "AT", "ATAN", "ATAN2", "BOOL", "BY",
+    "BYTE", "CAL", "CASE", "CHAR", "CLASS", "CONCAT", "CONFIGURATION", "CONSTANT", "CONTINUE", "COS", "CTD", "CTU",
+    "CTUD", "DATE", "DATE_AND_TIME", "DELETE", "DINT", "DIV", "DO", "DT", "DWORD", "ELSE", "ELSIF", "END_ACTION",
+    "END_CASE", "END_CLASS", "END_CONFIGURATION", "END_FOR", "END_FUNCTION", "END_FUNCTION_BLOCK", "END_IF",
+    "END_INTERFACE", "END_METHOD", "END_NAMESPACE", "END_PROGRAM", "END_REPEAT", "END_RESOURCE", "END_STEP",
+    "END_STRUCT", "END_TRANSITION", "END_TYPE", "END_VAR", "END_WHILE", "ENO", "EN", "EQ", "EXIT", "EXP", "EXPT",
+    "EXTENDS", "FALSE", "FINAL", "FIND", "FOR", "FROM", "FUNCTION", "FUNCTION_BLOCK", "F_EDGE", "F_TRIG", "GE", "GT",
+    "IF", "IMPLEMENTS", "INITIAL_STEP", "INSERT", "INT", "INTERFACE", "INTERNAL", "INTERVAL", "JMP", "LD", "LDATE", "LDT",
+    "LE", "LEFT", "LEN", "LIMIT", "LINT", "LN", "LOG", "LREAL", "LT", "LTIME", "LTOD", "LWORD", "MAX", "METHOD", "MID",
+    "MIN", "MOD", "MOVE", "MUL", "MUX", "NAMESPACE", "NE", "NON_RETAIN", "NOT", "NULL", "OF", "ON", "OR", "OVERLAP",
+    "OVERRIDE", "PRIORITY", "PRIVATE", "PROGRAM", "PROTECTED", "PUBLIC", "READ_ONLY", "READ_WRITE", "REAL", "REF",
+    "REF_TO", "REPEAT", "REPLACE", "RESOURCE", "RET", "RETAIN", "RETURN", "RIGHT", "ROL", "ROR", "RS", "RTC", "R_EDGE",
+    "R_TRIG", "SEL", "SEMA", "SHL", "SHR", "SIN", "SINGLE", "SINT", "SQRT", "SR", "ST", "STEP", "STRING", "STRUCT", "SUB",
+    "SUPER", "TAN", "TASK", "THEN", "THIS", "TIME", "TIME_OF_DAY", "TO", "TOD", "TOF", "TON", "TP", "TRANSITION", "TRUE",
+    "TRUNC", "TYPE", "UDINT", "UINT", "ULINT", "UNTIL", "USING", "USINT", "VAR", "VAR_ACCESS", "VAR_CONFIG",
+    "VAR_EXTERNAL", "VAR_GLOBAL", "VAR_INPUT", "VAR_IN_OUT", "VAR_OUTPUT", "VAR_TEMP", "WCHAR", "WHILE", "WITH", "WORD",
+    "WSTRING", "XOR",
+});
+
+/// A set of words that tells most other names by their first letter and length.
+class Words {
+public:
+    explicit Words(std::span<const std::string_view> list) : set_(list.begin(), list.end()) {
+        for (const std::string_view word : list) lengths_[static_cast<unsigned char>(word.front())] |= length_bit(word);
+    }
+
+    bool contains(std::string_view name) const {
+        if (name.empty() || (lengths_[static_cast<unsigned char>(name.front())] & length_bit(name)) == 0) return false;
+        return set_.contains(name);
+    }
+
+private:
+    static std::uint32_t length_bit(std::string_view word) { return 1U << std::min<std::size_t>(word.size(), 31); }
+
+    std::unordered_set<std::string_view> set_;
+    std::array<std::uint32_t, 256> lengths_ = {};
+};
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// What two names have in common that are one to the target.
+std::string key_of(Target target, std::string_view name) {
+    std::string key(name);
+    if (target == Target::StructuredText)
+        for (char& c : key) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return key;
+}
+
+/// Whether each `_` of `name` stands before a letter or digit, as IEC 61131-3 wants it.
+bool has_single_underscores(std::string_view name) {
+    return !name.ends_with('_') && name.find("__") == std::string_view::npos;
+}
+
+/// `name` with nothing left in it that no identifier may hold.
+std::string spelled(Target target, std::string_view name) {
+    std::string text;
+    if (name.empty() || is_digit(name.front())) text += '_';
+    for (const char c : name) text += is_letter(c) || is_digit(c) ? c : '_';
+    if (target != Target::StructuredText) return text;
+    std::string single;
+    for (const char c : text)
+        if (c != '_' || !single.ends_with('_')) single += c;
+    return single.ends_with('_') ? single + "0" : single;
+}
+
+/// The first of `base`, `base_`, `base_2`, `base_3`, ... that `free` accepts; `next` remembers where the search for
+/// each base stopped, so that many entities of one name cost no more than their number.
+template <class Free>
+std::string first_free(const std::string& base, std::unordered_map<std::string, std::size_t>& next, const Free& free) {
+    for (std::size_t& tried = next[base];; ++tried) {
+        std::string name = base;
+        if (tried == 1) name += '_';   // never free in Structured Text
+        if (tried >= 2) name += '_' + std::to_string(tried);
+        if (free(name)) return name;
+    }
+}
+
+}  // namespace
+
+bool is_reserved(Target target, std::string_view name) {
+    static const Words uppaal(uppaal_words), queries(uppaal_query_words), nusmv(nusmv_words),
+        structured_text(structured_text_words);
+    switch (target) {
+    case Target::Uppaal:      return uppaal.contains(name) || queries.contains(name);
+    case Target::UppaalLocal: return uppaal.contains(name);
+    case Target::Nusmv:       return nusmv.contains(name);
+    case Target::StructuredText: return structured_text.contains(key_of(target, name));
+    }
+    unreachable();
+}
+
+bool is_legal(Target target, std::string_view name) {
+    if (name.empty() || !is_letter(name.front())) return false;
+    if (target == Target::StructuredText && !has_single_underscores(name)) return false;
+    return std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c); }) && !is_reserved(target, name);
+}
+
+std::vector<std::string> legal_names(Target target, std::span<const std::string> names,
+                                     const std::unordered_set<std::string>& taken) {
+    std::vector<std::string> legal(names.size());
+    std::unordered_set<std::string> used;
+    used.reserve(names.size() + taken.size());
+    for (const std::string& name : taken) used.insert(key_of(target, name));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!is_legal(target, names[i]) || !used.insert(key_of(target, names[i])).second) continue;
+        legal[i] = names[i];
+    }
+    std::unordered_map<std::string, std::size_t> next;
+    const auto free = [&](const std::string& name) {
+        return (target != Target::StructuredText || has_single_underscores(name)) && !is_reserved(target, name) &&
+               !used.contains(key_of(target, name));
+    };
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!legal[i].empty()) continue;
+        legal[i] = first_free(spelled(target, names[i]), next, free);
+        used.insert(key_of(target, legal[i]));
+    }
+    return legal;
+}
+
+std::vector<Renaming> renamings(std::span<const std::string> names, std::span<const std::string> legal) {
+    assert(names.size() == legal.size());
+    std::vector<Renaming> changed;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] != legal[i]) changed.push_back({names[i], legal[i]});
+    return changed;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// A chart: its variables first, then its steps, then what names both.
+#include <algorithm>
+
+#include "grafverif/ir/finding.hpp"
+#include "support/messages.hpp"
+#include "syntax/resolve/resolve.hpp"
+#include "syntax/resolve/chart_scope.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// Whether `condition` is about inputs and present values alone; else the first that is not is reported.
+bool reads_inputs_only(ChartScope& scope, Id<Expr> condition, Span where) {
+    const Chart& chart = scope.chart;
+    std::vector<Id<Expr>> open{condition};
+    while (!open.empty()) {
+        const Expr& node = chart.exprs[open.back()];
+        const auto index = static_cast<std::uint32_t>(node.value);
+        std::string other;
+        if (node.op == Op::Rise || node.op == Op::Fall) other = "an edge";
+        if (node.op == Op::Timed) other = "a time condition";
+        if (node.op == Op::Step) other = "`" + step_variable(chart, {index}) + "`";
+        if (node.op == Op::Variable && chart.variables[{index}].kind != Chart::VariableKind::Input)
+            other = "`" + chart.variables[{index}].name + "`";
+        if (!other.empty()) {
+            scope.diagnostics.add(messages::constraint_not_on_inputs(where, other));
+            return false;
+        }
+        const auto operands = chart.exprs.operands(open.back());
+        open.pop_back();
+        open.insert(open.end(), operands.begin(), operands.end());
+    }
+    return true;
+}
+
+void resolve_acceptance(ChartScope& scope, const tree::Accept& written) {
+    if (std::ranges::find(finding_kinds(), written.code, &FindingKind::code) == finding_kinds().end())
+        scope.diagnostics.add(messages::unknown_finding(written.where, written.code));
+    scope.chart.accepted.push_back({written.code, written.subject, written.reason, written.where});
+}
+
+}  // namespace
+
+std::optional<Chart> resolve_chart(const tree::File& file, const tree::Chart& written, Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    ChartScope scope{file, diagnostics};
+    scope.chart.name = file.text(written.name);
+    scope.chart.origin = written.name.where;
+    for (const tree::ChartItem& item : written.items)
+        if (const auto* variables = std::get_if<tree::Variables>(&item)) resolve_variables(scope, *variables);
+    const WrittenChart all = declare_steps(scope, written);
+    if (all.steps.empty()) diagnostics.add(messages::empty_chart(written.name.where, scope.chart.name));
+    check_step_like(scope);
+    resolve_owners(scope, all);
+    resolve_actions(scope, all);
+    resolve_transitions(scope, all);
+    for (const tree::ChartItem& item : written.items) {
+        const auto* constraint = std::get_if<tree::Constraint>(&item);
+        if (constraint == nullptr) continue;
+        const Id<Expr> condition = resolve_condition(scope, constraint->condition, {}, "a constraint");
+        if (condition.valid() && reads_inputs_only(scope, condition, constraint->where))
+            scope.chart.constraints.push_back({condition, constraint->where});
+    }
+    for (const tree::ChartItem& item : written.items)
+        if (const auto* accept = std::get_if<tree::Accept>(&item)) resolve_acceptance(scope, *accept);
+    if (diagnostics.errors() != errors) return {};
+    check_reachability(scope.chart, diagnostics);
+    if (diagnostics.errors() != errors) return {};
+    return std::move(scope.chart);
+}
+
+}  // namespace grafverif

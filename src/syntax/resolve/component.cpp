@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// A component: its head first, then its own variables and clocks, then its locations and edges.
+#include <algorithm>
+#include <iterator>
+
+#include "support/messages.hpp"
+#include "syntax/resolve/resolve.hpp"
+#include "syntax/resolve/component_scope.hpp"
+
+namespace grafverif {
+
+namespace {
+
+bool is_blank(char byte) { return byte == ' ' || byte == '\t' || byte == '\r' || byte == '\n'; }
+
+/// The first line of a comment, without its marks.
+std::string first_line(std::string_view comment) {
+    comment.remove_prefix(2);
+    if (comment.ends_with("*/")) comment.remove_suffix(2);
+    while (!comment.empty() && (is_blank(comment.front()) || comment.front() == '*')) comment.remove_prefix(1);
+    comment = comment.substr(0, comment.find('\n'));
+    while (!comment.empty() && is_blank(comment.back())) comment.remove_suffix(1);
+    return std::string(comment);
+}
+
+/// The first line of the comment lines right above the component: no blank line between them.
+std::string summary(const tree::File& file, const tree::Component& written) {
+    const auto after = std::ranges::lower_bound(file.comments, written.where.begin, {},
+                                                [](const tree::Comment& comment) { return comment.where.begin; });
+    const auto gap_at = [&](std::uint32_t position) { return std::ranges::binary_search(file.gaps, position); };
+    if (after == file.comments.begin() || gap_at(written.where.begin)) return {};
+    const auto here = std::ranges::partition_point(file.declarations, [&](const tree::Declaration& declaration) {
+        return where(declaration).begin < written.where.begin;
+    });
+    const std::uint32_t before = here == file.declarations.begin() ? 0 : where(*std::prev(here)).end;
+    auto first = after;
+    while (first != file.comments.begin()) {
+        const tree::Comment& comment = *std::prev(first);
+        if (!comment.own_line || comment.where.begin < before) break;
+        --first;
+        if (gap_at(comment.where.begin)) break;
+    }
+    return first == after ? std::string() : first_line(first->text);
+}
+
+/// What a component promises of its outputs; it reads nothing else, so that it can be assumed where they are free.
+void resolve_constraint(ComponentScope& scope, const tree::Constraint& written) {
+    const Id<Expr> condition = all_terms(scope).resolve(written.condition, Kind::Boolean, "a constraint");
+    if (!condition.valid()) return;
+    const Component& component = scope.component;
+    for (const Id<Expr> leaf : leaves(component.exprs, condition)) {
+        const Expr& node = component.exprs[leaf];
+        const auto index = static_cast<std::uint32_t>(node.value);
+        const std::string& name =
+            node.op == Op::Variable ? component.variables[{index}].name : component.parameters[{index}].name;
+        if (node.op == Op::Variable || component.parameters[{index}].kind == Component::ParameterKind::Input)
+            scope.diagnostics.add(messages::constraint_reads(written.where, name, "output of the component"));
+    }
+    scope.component.constraints.push_back({condition, written.where});
+}
+
+}  // namespace
+
+std::optional<Component> resolve_component(const tree::File& file, const tree::Component& written,
+                                           Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    ComponentScope scope{file, diagnostics};
+    scope.component.name = file.text(written.name);
+    scope.component.origin = written.name.where;
+    scope.component.summary = summary(file, written);
+    resolve_parameters(scope, written);
+    for (const tree::ComponentItem& item : written.items) {
+        if (const auto* variables = std::get_if<tree::Variables>(&item)) resolve_own_variables(scope, *variables);
+        if (const auto* clocks = std::get_if<tree::Clocks>(&item))
+            for (const tree::Name& name : clocks->names)
+                declare(scope, name, scope.component.clocks.add({std::string(file.text(name)), name.where}));
+        if (const auto* location = std::get_if<tree::Location>(&item)) declare_location(scope, *location);
+    }
+    if (scope.component.locations.empty())
+        diagnostics.add(messages::empty_component(written.name.where, scope.component.name));
+    for (const tree::ComponentItem& item : written.items) {
+        if (const auto* location = std::get_if<tree::Location>(&item)) resolve_location(scope, *location);
+        if (const auto* edge = std::get_if<tree::Edge>(&item)) resolve_edge(scope, *edge);
+        if (const auto* constraint = std::get_if<tree::Constraint>(&item)) resolve_constraint(scope, *constraint);
+    }
+    if (diagnostics.errors() != errors) return {};
+    return std::move(scope.component);
+}
+
+}  // namespace grafverif

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// What names and time mean in the conditions of a chart: variables, step variables (IEC 60848, 4.3), time conditions
+// (4.4).
+#include <array>
+#include <string>
+
+#include "support/messages.hpp"
+#include "syntax/resolve/chart_scope.hpp"
+#include "syntax/resolve/nearest.hpp"
+
+namespace grafverif {
+
+namespace {
+
+bool is_duration(const ChartScope& scope, Id<tree::Expr> node) {
+    return scope.file.exprs[node].op == tree::Op::Duration;
+}
+
+// -- names -----------------------------------------------------------------------------------------------------------
+
+Term step_term(ChartScope& scope, Id<Chart::Step> step) {
+    return {scope.chart.exprs.leaf(Op::Step, step.index), Kind::Boolean};
+}
+
+Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
+    if (scope.diagnostics.full()) return {};
+    const bool step_like = name.size() > 1 && name[0] == 'X' && name[1] >= '0' && name[1] <= '9';
+    Nearest nearest(name);
+    if (!step_like)
+        for (const Chart::Variable& variable : scope.chart.variables) nearest.offer(variable.name);
+    if (name[0] == 'X')
+        for (const Chart::Step& step : scope.chart.steps) nearest.offer('X', step.name);
+    scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, nearest.best()));
+    return {};
+}
+
+/// `X2` in the partial chart at hand, else anywhere in the chart if there is one only.
+Term step_variable_term(ChartScope& scope, Span where, std::string_view name) {
+    if (name.size() < 2 || name[0] != 'X') return unknown_name(scope, where, name);
+    const auto found = scope.steps_by_name.find(name.substr(1));
+    if (found == scope.steps_by_name.end()) return unknown_name(scope, where, name);
+    for (const Id<Chart::Step> step : found->second)
+        if (scope.chart.steps[step].chart == scope.here) return step_term(scope, step);
+    if (found->second.size() > 1) {
+        scope.diagnostics.add(messages::ambiguous(where, name, step_variable(scope.chart, found->second[0]),
+                                                  step_variable(scope.chart, found->second[1])));
+        return {};
+    }
+    return step_term(scope, found->second.front());
+}
+
+Term variable_term(ChartScope& scope, Id<Chart::Variable> variable) {
+    const bool boolean = scope.chart.variables[variable].type.boolean;
+    return {scope.chart.exprs.leaf(Op::Variable, variable.index), boolean ? Kind::Boolean : Kind::Integer};
+}
+
+Term name_term(ChartScope& scope, const tree::Expr& node) {
+    const std::uint64_t key = (static_cast<std::uint64_t>(scope.here.index) << 32U) | node.word.index;
+    const auto known = scope.known_names.find(key);
+    if (known != scope.known_names.end()) return known->second;
+    const auto variable = scope.variables.find(node.word);
+    const Term term = variable != scope.variables.end()
+                          ? variable_term(scope, variable->second)
+                          : step_variable_term(scope, node.where, scope.file.text(node.word));
+    if (term.kind != Kind::Wrong) scope.known_names.emplace(key, term);
+    return term;
+}
+
+/// `G2.X2`; the name of the chart stands for the steps written directly in it.
+Term member_term(ChartScope& scope, const tree::Expr& node) {
+    const tree::Expr& owner = scope.file.exprs[node.first];
+    const std::string_view name = scope.file.text(node.word);
+    if (owner.op != tree::Op::Name) {
+        scope.diagnostics.add(messages::unknown(owner.where, "partial chart", "...", ""));
+        return {};
+    }
+    Id<Chart::PartialChart> partial;
+    if (scope.partials.contains(owner.word)) partial = scope.partials.at(owner.word);
+    else if (scope.file.text(owner.word) == scope.chart.name) partial = Id<Chart::PartialChart>{0};
+    else partial = partial_named(scope, {owner.word, owner.where});
+    if (!partial.valid()) return {};
+    const auto found =
+        name.size() > 1 && name[0] == 'X' ? scope.steps_by_name.find(name.substr(1)) : scope.steps_by_name.end();
+    if (found != scope.steps_by_name.end())
+        for (const Id<Chart::Step> step : found->second)
+            if (scope.chart.steps[step].chart == partial) return step_term(scope, step);
+    Nearest nearest(name);
+    if (!scope.diagnostics.full())
+        for (const Chart::Step& step : scope.chart.steps)
+            if (step.chart == partial) nearest.offer('X', step.name);
+    scope.diagnostics.add(messages::unknown(node.where, "step", name, nearest.best()));
+    return {};
+}
+
+// -- time ------------------------------------------------------------------------------------------------------------
+
+struct WrittenTime {
+    Id<tree::Expr> rise = {}, watched = {}, fall = {};
+};
+
+/// `t1/v/t2`, `t1/v`, `v/t2`; no watched term where the division is none about time.
+WrittenTime written_time(const ChartScope& scope, const tree::Expr& node) {
+    if (is_duration(scope, node.last)) {
+        const tree::Expr& left = scope.file.exprs[node.first];
+        if (left.op == tree::Op::Divide && !left.bracketed && is_duration(scope, left.first))
+            return {left.first, left.last, node.last};
+        return {{}, node.first, node.last};
+    }
+    if (is_duration(scope, node.first)) return {node.first, node.last, {}};
+    return {};
+}
+
+std::int64_t milliseconds(ChartScope& scope, Id<tree::Expr> node) {
+    if (!node.valid()) return 0;
+    const tree::Expr& duration = scope.file.exprs[node];
+    if (duration.value == 0) scope.diagnostics.add(messages::zero_duration(duration.where));
+    return duration.value;
+}
+
+Term time_term(ChartScope& scope, const tree::Expr& node, const WrittenTime& written) {
+    Terms terms = terms_of(scope);
+    const Id<Expr> watched = terms.resolve(written.watched, Kind::Boolean, "a time condition");
+    const Chart::TimeCondition time{milliseconds(scope, written.rise), watched, milliseconds(scope, written.fall),
+                                    node.where};
+    if (!watched.valid()) return {};
+    const std::string key =
+        std::to_string(time.rise_ms) + '/' + std::to_string(watched.index) + '/' + std::to_string(time.fall_ms);
+    const auto [known, fresh] = scope.times.try_emplace(key);
+    if (fresh) known->second = scope.chart.time_conditions.add(time);
+    return {scope.chart.exprs.leaf(Op::Timed, known->second.index), Kind::Boolean};
+}
+
+/// What `3` is divided by in `3/X2`, where the unit of the time is missing; Integer where nothing is.
+Kind timed_without_unit(ChartScope& scope, const tree::Expr& node) {
+    const tree::Expr& left = scope.file.exprs[node.first];
+    const tree::Expr& right = scope.file.exprs[node.last];
+    if (left.op != tree::Op::Number || (right.op != tree::Op::Name && right.op != tree::Op::Member))
+        return Kind::Integer;
+    return terms_of(scope).resolve(node.last).kind;
+}
+
+std::optional<Term> special_term(ChartScope& scope, const tree::Expr& node) {
+    if (node.op != tree::Op::Divide) return {};
+    const WrittenTime time = written_time(scope, node);
+    if (time.watched.valid()) return time_term(scope, node, time);
+    const Kind divisor = timed_without_unit(scope, node);
+    if (divisor != Kind::Boolean && divisor != Kind::Wrong) return {};
+    if (divisor == Kind::Boolean)
+        scope.diagnostics.add(messages::missing_unit(scope.file.exprs[node.first].where, "this time"));
+    return Term{};
+}
+
+}  // namespace
+
+Terms terms_of(ChartScope& scope) {
+    Terms terms(scope.file, scope.chart.exprs, scope.diagnostics);
+    terms.edges_allowed = true;
+    terms.name = [&scope](const tree::Expr& node) {
+        return node.op == tree::Op::Name ? name_term(scope, node) : member_term(scope, node);
+    };
+    terms.special = [&scope](const tree::Expr& node) { return special_term(scope, node); };
+    return terms;
+}
+
+Id<Expr> resolve_condition(ChartScope& scope, Id<tree::Expr> node, Id<Chart::PartialChart> here,
+                           std::string_view user) {
+    scope.here = here;
+    return terms_of(scope).resolve(node, Kind::Boolean, user);
+}
+
+Id<Chart::Step> step_in(ChartScope& scope, Id<Chart::PartialChart> here, tree::Name label) {
+    const auto found = scope.steps[here.index].find(label.word);
+    if (found != scope.steps[here.index].end()) return found->second;
+    const std::string_view name = scope.text(label);
+    if (scope.diagnostics.full()) return {};
+    const auto elsewhere = scope.steps_by_name.find(name);
+    if (elsewhere != scope.steps_by_name.end()) {
+        const Id<Chart::PartialChart> partial = scope.chart.steps[elsewhere->second.front()].chart;
+        scope.diagnostics.add(
+            messages::step_of_other_chart(label.where, name, scope.chart.partial_charts[partial].name));
+        return {};
+    }
+    Nearest nearest(name);
+    for (const auto& step : scope.chart.steps)
+        if (step.chart == here) nearest.offer(step.name);
+    const bool as_variable = name.size() > 1 && name[0] == 'X' && scope.steps_by_name.contains(name.substr(1));
+    scope.diagnostics.add(messages::unknown(label.where, "step", name, as_variable ? name.substr(1) : nearest.best()));
+    return {};
+}
+
+Id<Chart::PartialChart> partial_named(ChartScope& scope, tree::Name name) {
+    const auto found = scope.partials.find(name.word);
+    if (found != scope.partials.end()) return found->second;
+    if (scope.diagnostics.full()) return {};
+    Nearest nearest(scope.text(name));
+    for (const Chart::PartialChart& partial : scope.chart.partial_charts)
+        if (!partial.name.empty()) nearest.offer(partial.name);
+    scope.diagnostics.add(messages::unknown(name.where, "partial chart", scope.text(name), nearest.best()));
+    return {};
+}
+
+}  // namespace grafverif

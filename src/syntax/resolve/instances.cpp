@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+// The instances of a closed loop: each binds the parameters of a component. First all constants and outputs, which
+// declare the variables of the plant, then the inputs, which read them.
+#include <string>
+
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/resolve/loop_scope.hpp"
+#include "syntax/resolve/nearest.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Parameter = Component::Parameter;
+
+std::string_view described(bool boolean) { return boolean ? "Boolean" : "an integer"; }
+
+/// An instance while its arguments are bound.
+struct Binding {
+    const tree::Instance* written = nullptr;
+    const Component* component = nullptr;
+    ClosedLoop::Instance instance = {};
+    std::vector<const tree::Argument*> given = {};   ///< by parameter
+    bool wrong = false;
+};
+
+void fail(LoopScope& scope, Binding& binding, Diagnostic diagnostic) {
+    scope.diagnostics.add(std::move(diagnostic));
+    binding.wrong = true;
+}
+
+// -- which argument is which parameter's ------------------------------------------------------------------------------
+
+Id<Component> component_named(LoopScope& scope, tree::Name name) {
+    const auto found = scope.components.find(scope.text(name));
+    if (found != scope.components.end()) return found->second;
+    scope.incomplete = true;
+    if (scope.context.components_in_error.contains(std::string(scope.text(name)))) return {};
+    Nearest nearest(scope.text(name));
+    std::string known;
+    for (const std::string& component : scope.context.component_names) {
+        nearest.offer(component);
+        known += (known.empty() ? "`" : ", `") + component + '`';
+    }
+    scope.diagnostics.add(messages::unknown_component(name.where, scope.text(name), nearest.best(), known));
+    return {};
+}
+
+std::string example(const Parameter& parameter) {
+    if (parameter.kind != Component::ParameterKind::Constant) return "NAME";
+    switch (parameter.value) {
+    case Component::ValueKind::Boolean:  return "true";
+    case Component::ValueKind::Integer:  return "1";
+    case Component::ValueKind::Duration: return "1s";
+    }
+    unreachable();
+}
+
+void match_arguments(LoopScope& scope, Binding& binding) {
+    const Component& component = *binding.component;
+    std::unordered_map<std::string_view, Id<Parameter>> parameters;
+    for (const Id<Parameter> id : component.parameters.ids()) parameters.emplace(component.parameters[id].name, id);
+    binding.given.resize(component.parameters.size());
+    for (const tree::Argument& argument : binding.written->arguments) {
+        const std::string_view name = scope.text(argument.parameter);
+        const auto found = parameters.find(name);
+        if (found == parameters.end()) {
+            Nearest nearest(name);
+            for (const Parameter& parameter : component.parameters) nearest.offer(parameter.name);
+            fail(scope, binding, messages::unknown(argument.parameter.where, "parameter", name, nearest.best()));
+        } else if (const tree::Argument*& given = binding.given[found->second.index]; given != nullptr) {
+            fail(scope, binding,
+                 messages::duplicate_name(argument.parameter.where, "argument", name, given->parameter.where));
+        } else {
+            given = &argument;
+        }
+    }
+    if (binding.wrong) return;
+    for (const Id<Parameter> id : component.parameters.ids()) {
+        const Parameter& parameter = component.parameters[id];
+        const bool optional = parameter.kind == Component::ParameterKind::Constant && parameter.initial.has_value();
+        if (binding.given[id.index] == nullptr && !optional)
+            fail(scope, binding,
+                 messages::missing_argument(binding.written->component.where, component.name, parameter.name,
+                                            example(parameter)));
+    }
+}
+
+// -- constants --------------------------------------------------------------------------------------------------------
+
+std::int64_t argument_value(const Binding& binding, const Expr& leaf) {
+    const auto* value = std::get_if<std::int64_t>(&binding.instance.arguments[static_cast<std::size_t>(leaf.value)]);
+    return value == nullptr ? 0 : *value;
+}
+
+std::optional<std::int64_t> value_of(LoopScope& scope, Binding& binding, Id<Expr> term) {
+    const auto value =
+        evaluate(binding.component->exprs, term, [&](const Expr& leaf) { return argument_value(binding, leaf); });
+    if (!value) fail(scope, binding, messages::no_value(binding.written->name.where, binding.instance.name));
+    return value;
+}
+
+void bind_given_constant(LoopScope& scope, Binding& binding, Id<Parameter> id) {
+    const Parameter& parameter = binding.component->parameters[id];
+    Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
+    terms.name = [&](const tree::Expr& node) {
+        scope.diagnostics.add(messages::not_constant(node.where, '`' + parameter.name + '`'));
+        return Term{};
+    };
+    const Kind kind = parameter.value == Component::ValueKind::Boolean   ? Kind::Boolean
+                      : parameter.value == Component::ValueKind::Integer ? Kind::Integer
+                                                                         : Kind::Duration;
+    const auto value = terms.constant(binding.given[id.index]->value, kind, '`' + parameter.name + '`');
+    if (!value) binding.wrong = true;
+    binding.instance.arguments[id.index] = value.value_or(0);
+}
+
+/// Defaults in order of need: one that reads others waits for them. The reader has excluded cycles.
+void bind_defaults(LoopScope& scope, Binding& binding) {
+    const Component& component = *binding.component;
+    std::vector<bool> bound(component.parameters.size());
+    for (std::size_t i = 0; i < bound.size(); ++i) bound[i] = binding.given[i] != nullptr;
+    std::vector<std::uint32_t> work;
+    for (const Id<Parameter> id : component.parameters.ids()) {
+        if (component.parameters[id].kind != Component::ParameterKind::Constant) continue;
+        work.push_back(id.index);
+        while (!work.empty()) {
+            const std::uint32_t index = work.back();
+            const auto& initial = component.parameters[Id<Parameter>{index}].initial;
+            const std::size_t pending = work.size();
+            if (!bound[index] && initial)
+                for (const Id<Expr> leaf : leaves(component.exprs, *initial)) {
+                    const auto needed = static_cast<std::uint32_t>(component.exprs[leaf].value);
+                    if (!bound[needed]) work.push_back(needed);
+                }
+            if (work.size() != pending) continue;
+            work.pop_back();
+            if (!bound[index] && initial)
+                binding.instance.arguments[index] = value_of(scope, binding, *initial).value_or(0);
+            bound[index] = true;
+        }
+    }
+}
+
+// -- variables --------------------------------------------------------------------------------------------------------
+
+/// The name that an input or output is bound to; reports anything but a name.
+std::optional<std::string_view> bound_name(LoopScope& scope, Binding& binding, Id<Parameter> id) {
+    const tree::Expr& value = scope.file.exprs[binding.given[id.index]->value];
+    if (value.op == tree::Op::Name) return scope.file.text(value.word);
+    const Parameter& parameter = binding.component->parameters[id];
+    const bool input = parameter.kind == Component::ParameterKind::Input;
+    fail(scope, binding, messages::argument_not_a_name(value.where, parameter.name, input ? "input" : "output"));
+    return {};
+}
+
+std::optional<Type> output_type(LoopScope& scope, Binding& binding, const Parameter& parameter) {
+    if (parameter.value == Component::ValueKind::Boolean) return Type{};
+    const auto low = value_of(scope, binding, *parameter.low);
+    const auto high = low ? value_of(scope, binding, *parameter.high) : std::nullopt;
+    if (!low || !high) return {};
+    if (*low > *high || *low < least_integer || *high > greatest_integer) {
+        fail(scope, binding, messages::bad_range(binding.written->name.where, parameter.name, *low, *high));
+        return {};
+    }
+    return integer_type(*low, *high);
+}
+
+void bind_output(LoopScope& scope, Binding& binding, Id<Parameter> id) {
+    const auto name = bound_name(scope, binding, id);
+    if (!name) return;
+    const auto type = output_type(scope, binding, binding.component->parameters[id]);
+    if (!type) return;
+    const Span where = scope.file.exprs[binding.given[id.index]->value].where;
+    const Id<ClosedLoop::Shared> shared = shared_named(scope, *name, *type, where);
+    const ClosedLoop::Shared& known = scope.loop.shared[shared];
+    std::string& writer = scope.instance_writers[shared.index];
+    if (known.writer.valid() || !writer.empty()) {
+        const std::string& first = known.writer.valid() ? scope.loop.controllers[known.writer].name : writer;
+        return fail(scope, binding, messages::second_writer(where, known.name, first, binding.instance.name));
+    }
+    writer = binding.instance.name;
+    if (known.type.boolean != type->boolean)
+        return fail(
+            scope, binding,
+            messages::argument_type(where, known.name, described(known.type.boolean), described(type->boolean)));
+    if (type->low < known.type.low || type->high > known.type.high)
+        return fail(
+            scope, binding,
+            messages::range_mismatch(where, known.name, type->low, type->high, known.type.low, known.type.high));
+    binding.instance.arguments[id.index] = shared;
+}
+
+void bind_input(LoopScope& scope, Binding& binding, Id<Parameter> id) {
+    const auto name = bound_name(scope, binding, id);
+    if (!name) return;
+    const Span where = scope.file.exprs[binding.given[id.index]->value].where;
+    const auto found = scope.shared.find(std::string(*name));
+    if (found == scope.shared.end()) {
+        binding.wrong = true;
+        if (scope.incomplete || scope.excused.contains(*name) || scope.diagnostics.full()) return;
+        Nearest nearest(*name);
+        for (const ClosedLoop::Shared& shared : scope.loop.shared) nearest.offer(shared.name);
+        return fail(scope, binding, messages::undriven_variable(where, *name, nearest.best()));
+    }
+    const ClosedLoop::Shared& shared = scope.loop.shared[found->second];
+    const bool boolean = binding.component->parameters[id].value == Component::ValueKind::Boolean;
+    if (shared.type.boolean != boolean)
+        return fail(scope, binding,
+                    messages::argument_type(where, shared.name, described(shared.type.boolean), described(boolean)));
+    binding.instance.arguments[id.index] = found->second;
+}
+
+void choose_location(LoopScope& scope, Binding& binding) {
+    const tree::Name name = binding.written->initial;
+    binding.instance.initial = binding.component->initial;
+    if (!name.valid()) {
+        if (binding.instance.initial.valid()) return;
+        std::string locations;
+        for (const auto& location : binding.component->locations)
+            locations += (locations.empty() ? "`" : ", `") + location.name + '`';
+        return fail(scope, binding,
+                    messages::missing_initially(binding.written->component.where, binding.component->name, locations));
+    }
+    Nearest nearest(scope.text(name));
+    for (const Id<Component::Location> id : binding.component->locations.ids()) {
+        const std::string& location = binding.component->locations[id].name;
+        if (location == scope.text(name)) {
+            binding.instance.initial = id;
+            return;
+        }
+        nearest.offer(location);
+    }
+    fail(scope, binding, messages::unknown(name.where, "location", scope.text(name), nearest.best()));
+}
+
+void excuse(LoopScope& scope, const tree::Instance& written) {
+    for (const tree::Argument& argument : written.arguments) {
+        const tree::Expr& value = scope.file.exprs[argument.value];
+        if (value.op == tree::Op::Name) scope.excused.insert(scope.file.text(value.word));
+    }
+}
+
+Binding begin(LoopScope& scope, const tree::Instance& written) {
+    Binding binding;
+    binding.written = &written;
+    binding.instance.name = scope.text(written.name);
+    binding.instance.environment = written.environment;
+    binding.instance.origin = written.name.where;
+    binding.instance.component = component_named(scope, written.component);
+    const auto [known, fresh] = scope.instances.try_emplace(scope.text(written.name));
+    if (!fresh && known->second.valid())
+        fail(scope, binding, messages::duplicate_name(written.name.where, "instance", binding.instance.name,
+                                                      scope.loop.instances[known->second].origin));
+    if (!binding.instance.component.valid()) {
+        binding.wrong = true;
+        return binding;
+    }
+    binding.component = &scope.context.model.components[binding.instance.component];
+    binding.instance.arguments.resize(binding.component->parameters.size(), std::int64_t{0});
+    match_arguments(scope, binding);
+    if (binding.wrong) return binding;
+    for (const Id<Parameter> id : binding.component->parameters.ids())
+        if (binding.given[id.index] != nullptr &&
+            binding.component->parameters[id].kind == Component::ParameterKind::Constant)
+            bind_given_constant(scope, binding, id);
+    if (binding.wrong) return binding;
+    bind_defaults(scope, binding);
+    for (const Id<Parameter> id : binding.component->parameters.ids())
+        if (binding.component->parameters[id].kind == Component::ParameterKind::Output) bind_output(scope, binding, id);
+    choose_location(scope, binding);
+    return binding;
+}
+
+}  // namespace
+
+void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written) {
+    std::vector<Binding> bindings;
+    for (const tree::LoopItem& item : written.items) {
+        const auto* instance = std::get_if<tree::Instance>(&item);
+        if (instance == nullptr) continue;
+        bindings.push_back(begin(scope, *instance));
+        if (bindings.back().wrong) excuse(scope, *instance);
+        const Id<ClosedLoop::Instance> id = scope.loop.instances.add(bindings.back().instance);
+        Id<ClosedLoop::Instance>& known = scope.instances[bindings.back().instance.name];
+        if (!known.valid()) known = id;
+    }
+    for (std::uint32_t index = 0; index < bindings.size(); ++index) {
+        Binding& binding = bindings[index];
+        if (binding.wrong) continue;
+        for (const Id<Parameter> id : binding.component->parameters.ids())
+            if (binding.component->parameters[id].kind == Component::ParameterKind::Input)
+                bind_input(scope, binding, id);
+        scope.loop.instances[Id<ClosedLoop::Instance>{index}] = std::move(binding.instance);
+    }
+}
+
+}  // namespace grafverif

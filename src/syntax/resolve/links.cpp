@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// The transitions of a chart.
+#include <unordered_map>
+#include <unordered_set>
+
+#include "support/messages.hpp"
+#include "support/unique_names.hpp"
+#include "syntax/resolve/chart_scope.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// The names of transitions: those written, and `t1`, `t2`, ... by position for the others.
+class TransitionNames {
+public:
+    explicit TransitionNames(ChartScope& scope, const WrittenChart& written) : scope_(&scope) {
+        for (const WrittenTransition& transition : written.transitions)
+            if (transition.transition->name.valid()) {
+                const std::string name(scope.text(transition.transition->name));
+                written_.emplace(name, transition.transition->name.where);
+                names_.take(name);
+            }
+    }
+
+    std::string name(const tree::Transition& written, std::size_t position) {
+        if (!written.name.valid()) return names_.fresh("t" + std::to_string(position));
+        const std::string_view name = scope_->text(written.name);
+        const Span first = written_.at(std::string(name));
+        if (first.begin != written.name.where.begin)
+            scope_->diagnostics.add(messages::duplicate_name(written.name.where, "transition", name, first));
+        return std::string(name);
+    }
+
+private:
+    ChartScope* scope_;
+    std::unordered_map<std::string, Span> written_ = {};   ///< where each name is first written
+    UniqueNames names_ = {};
+};
+
+std::vector<Id<Chart::Step>> side(ChartScope& scope, const std::vector<tree::Name>& labels,
+                                  Id<Chart::PartialChart> partial) {
+    std::vector<Id<Chart::Step>> steps;
+    std::unordered_set<std::uint32_t> seen;
+    for (const tree::Name& label : labels) {
+        const Id<Chart::Step> step = step_in(scope, partial, label);
+        if (!step.valid()) continue;
+        if (labels.size() > 1 && !seen.insert(step.index).second) {
+            scope.diagnostics.add(messages::step_twice(label.where, scope.text(label)));
+            continue;
+        }
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+}  // namespace
+
+void resolve_transitions(ChartScope& scope, const WrittenChart& written) {
+    TransitionNames names(scope, written);
+    for (std::size_t i = 0; i < written.transitions.size(); ++i) {
+        const auto& [transition, partial] = written.transitions[i];
+        Chart::Transition resolved;
+        resolved.name = names.name(*transition, i + 1);
+        resolved.chart = partial;
+        resolved.origin = transition->where;
+        resolved.from = side(scope, transition->from, partial);
+        resolved.to = side(scope, transition->to, partial);
+        if (transition->from.empty() && transition->to.empty())
+            scope.diagnostics.add(messages::detached_transition(transition->where));
+        if (transition->condition.valid())
+            resolved.condition = resolve_condition(scope, transition->condition, partial, "a transition");
+        else
+            scope.diagnostics.add(messages::missing_condition(transition->where));
+        const Id<Chart::Transition> id = scope.chart.transitions.add(std::move(resolved));
+        scope.here = partial;
+        for (const tree::Assignment& assignment : transition->assignments) {
+            Chart::StoredAction action;
+            action.on = Chart::StoredOn::Clearing;
+            action.transition = id;
+            resolve_stored(scope, assignment, action);
+        }
+    }
+}
+
+}  // namespace grafverif

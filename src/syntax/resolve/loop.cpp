@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// A closed loop: its controllers declare the shared variables, its instances bind them, its properties read them.
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/formula.hpp"
+#include "syntax/resolve/resolve.hpp"
+#include "syntax/resolve/loop_scope.hpp"
+#include "syntax/resolve/nearest.hpp"
+
+namespace grafverif {
+
+Id<ClosedLoop::Shared> shared_named(LoopScope& scope, std::string_view name, const Type& type, Span where) {
+    const auto [known, fresh] = scope.shared.try_emplace(std::string(name));
+    if (fresh) {
+        known->second = scope.loop.shared.add({std::string(name), type, {}, {}, {}, where});
+        scope.instance_writers.emplace_back();
+    }
+    return known->second;
+}
+
+namespace {
+
+std::string_view described(const Type& type) { return type.boolean ? "Boolean" : "an integer"; }
+
+/// One word of two, or an error with the likelier one.
+template <class Value>
+std::optional<Value> choice(LoopScope& scope, tree::Name name, std::string_view kind,
+                            std::initializer_list<std::pair<std::string_view, Value>> choices) {
+    Nearest nearest(scope.text(name));
+    for (const auto& [word, value] : choices) {
+        if (scope.text(name) == word) return value;
+        nearest.offer(word);
+    }
+    std::string hint = nearest.best();
+    if (hint.empty()) hint = choices.begin()->first;
+    scope.diagnostics.add(messages::unknown(name.where, kind, scope.text(name), hint));
+    return {};
+}
+
+// -- controllers -----------------------------------------------------------------------------------------------------
+
+Id<Chart> chart_named(LoopScope& scope, tree::Name name) {
+    const auto found = scope.charts.find(scope.text(name));
+    if (found != scope.charts.end()) return found->second;
+    scope.incomplete = true;
+    if (scope.context.charts_in_error.contains(std::string(scope.text(name)))) return {};
+    Nearest nearest(scope.text(name));
+    for (const Chart& chart : scope.context.model.charts) nearest.offer(chart.name);
+    scope.diagnostics.add(messages::unknown(name.where, "chart", scope.text(name), nearest.best()));
+    return {};
+}
+
+void resolve_controller(LoopScope& scope, const tree::Controller& written) {
+    ClosedLoop::Controller controller;
+    controller.name = scope.text(written.chart);
+    controller.chart = chart_named(scope, written.chart);
+    controller.origin = written.chart.where;
+    for (const tree::Name& option : written.options) {
+        const auto mode = choice<ExecutionMode>(
+            scope, option, "option",
+            {{"stability_search", ExecutionMode::StabilitySearch}, {"every_cycle", ExecutionMode::EveryCycle}});
+        if (mode) controller.mode = *mode;
+    }
+    if (!controller.chart.valid()) return;
+    const auto [known, fresh] = scope.controllers.try_emplace(scope.text(written.chart));
+    if (!fresh) {
+        scope.diagnostics.add(messages::duplicate_name(written.chart.where, "controller", controller.name,
+                                                       scope.loop.controllers[known->second].origin));
+        return;
+    }
+    known->second = scope.loop.controllers.add(std::move(controller));
+}
+
+void share_input(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Chart::Variable> id) {
+    const Chart::Variable& variable = scope.chart(controller).variables[id];
+    const Id<ClosedLoop::Shared> shared = shared_named(scope, variable.name, variable.type, variable.origin);
+    ClosedLoop::Shared& known = scope.loop.shared[shared];
+    const Span where = scope.loop.controllers[controller].origin;
+    if (known.type.boolean != variable.type.boolean) {
+        scope.diagnostics.add(
+            messages::argument_type(where, variable.name, described(variable.type), described(known.type)));
+        return;
+    }
+    const bool covers = variable.type.low <= known.type.low && known.type.high <= variable.type.high;
+    if (known.writer.valid() && !covers)
+        scope.diagnostics.add(messages::range_mismatch(where, variable.name, known.type.low, known.type.high,
+                                                       variable.type.low, variable.type.high));
+    if (!known.writer.valid() && known.reader.valid() && known.type != variable.type)
+        scope.diagnostics.add(messages::range_mismatch(where, variable.name, known.type.low, known.type.high,
+                                                       variable.type.low, variable.type.high));
+    if (!known.reader.valid()) known.reader = controller;
+    if (!known.variable.valid()) known.variable = id;
+}
+
+void share_output(LoopScope& scope, Id<ClosedLoop::Controller> controller, Id<Chart::Variable> id) {
+    const Chart::Variable& variable = scope.chart(controller).variables[id];
+    const Id<ClosedLoop::Shared> shared = shared_named(scope, variable.name, variable.type, variable.origin);
+    ClosedLoop::Shared& known = scope.loop.shared[shared];
+    if (known.writer.valid()) {
+        scope.diagnostics.add(messages::second_writer(scope.loop.controllers[controller].origin, variable.name,
+                                                      scope.loop.controllers[known.writer].name,
+                                                      scope.loop.controllers[controller].name));
+        return;
+    }
+    known.writer = controller;
+    known.variable = id;
+}
+
+/// Outputs first: the writer of a variable says what values it has.
+void share_variables(LoopScope& scope) {
+    for (const Chart::VariableKind kind : {Chart::VariableKind::Output, Chart::VariableKind::Input}) {
+        for (const Id<ClosedLoop::Controller> controller : scope.loop.controllers.ids()) {
+            for (const Id<Chart::Variable> id : scope.chart(controller).variables.ids()) {
+                if (scope.chart(controller).variables[id].kind != kind) continue;
+                if (kind == Chart::VariableKind::Output) share_output(scope, controller, id);
+                else share_input(scope, controller, id);
+            }
+        }
+    }
+}
+
+void look_inside(LoopScope& scope) {
+    for (const Id<ClosedLoop::Controller> controller : scope.loop.controllers.ids()) {
+        const Chart& chart = scope.chart(controller);
+        LoopScope::Inside& inside = scope.inside.emplace_back();
+        for (const Id<Chart::Step> step : chart.steps.ids()) inside.steps[chart.steps[step].name].push_back(step);
+        for (const Id<Chart::Variable> id : chart.variables.ids())
+            if (chart.variables[id].kind == Chart::VariableKind::Internal)
+                inside.internals.emplace(chart.variables[id].name, id);
+        for (const Id<Chart::PartialChart> id : chart.partial_charts.ids())
+            if (!chart.partial_charts[id].name.empty()) inside.partials.emplace(chart.partial_charts[id].name, id);
+    }
+}
+
+// -- the other declarations -------------------------------------------------------------------------------------------
+
+void resolve_time_unit(LoopScope& scope, const tree::TimeUnit& written) {
+    if (scope.loop.time_unit_ms) scope.diagnostics.add(messages::declared_twice(written.where, "time unit"));
+    Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
+    terms.name = [&scope](const tree::Expr& node) {
+        scope.diagnostics.add(messages::not_constant(node.where, "a time unit"));
+        return Term{};
+    };
+    const auto unit = terms.constant(written.duration, Kind::Duration, "a time unit");
+    if (!unit) return;
+    if (*unit == 0) scope.diagnostics.add(messages::zero_duration(scope.file.exprs[written.duration].where));
+    scope.loop.time_unit_ms = *unit;
+    scope.loop.time_unit_origin = written.where;
+}
+
+void resolve_grain(LoopScope& scope, const tree::Grain& written, bool& seen) {
+    if (seen) scope.diagnostics.add(messages::declared_twice(written.where, "grain"));
+    seen = true;
+    const auto grain =
+        choice<Grain>(scope, written.name, "grain", {{"phased", Grain::Phased}, {"atomic", Grain::Atomic}});
+    if (grain) scope.loop.grain = *grain;
+}
+
+void resolve_schedule(LoopScope& scope, const tree::Schedule& written) {
+    if (scope.loop.schedule) scope.diagnostics.add(messages::declared_twice(written.where, "schedule"));
+    scope.loop.schedule = choice<Schedule>(scope, written.name, "schedule",
+                                           {{"interleaved", Schedule::Interleaved},
+                                            {"synchronous", Schedule::Synchronous},
+                                            {"sequenced", Schedule::Sequenced}});
+}
+
+/// A formula is written into models as it stands: it must be one, whole, and judged wherever it looks.
+void check_formula(LoopScope& scope, const tree::Property& written) {
+    const auto language = formula_language(written.pattern);
+    if (!language) return;
+    const Span where = written.raw_where;
+    if (written.at_stable) scope.diagnostics.add(messages::formula_at_stable(where));
+    const auto fault = formula_fault(*language, written.raw);
+    if (!fault) return;
+    const auto inner = static_cast<std::uint32_t>(where.begin + 1);   // behind the quote
+    const Span there{where.source, inner + static_cast<std::uint32_t>(fault->begin), inner + static_cast<std::uint32_t>(fault->end)};
+    scope.diagnostics.add(messages::bad_formula(there, word(*language), fault->what));
+}
+
+void resolve_property(LoopScope& scope, const tree::Property& written,
+                      std::unordered_map<std::string_view, Span>& names) {
+    const auto [known, fresh] = names.try_emplace(scope.text(written.name), written.name.where);
+    if (!fresh)
+        scope.diagnostics.add(
+            messages::duplicate_name(written.name.where, "property", scope.text(written.name), known->second));
+    Property property;
+    property.name = scope.text(written.name);
+    property.text = written.text;
+    property.pattern = written.pattern;
+    property.raw = written.raw;
+    property.at_stable = written.at_stable;
+    property.expected_violated = written.expected_violated;
+    property.origin = written.name.where;
+    check_formula(scope, written);
+    Terms terms = property_terms(scope);
+    for (const Id<tree::Expr> node : written.operands) {
+        const Id<Expr> operand = terms.resolve(node, Kind::Boolean, "a property");
+        if (operand.valid()) property.operands.push_back(operand);
+    }
+    scope.loop.properties.add(std::move(property));
+}
+
+void resolve_questions(LoopScope& scope, const tree::ClosedLoop& written) {
+    std::unordered_map<std::string_view, Span> names;
+    bool grain = false;
+    if (!scope.incomplete) declare_observers(scope, written);
+    for (const tree::LoopItem& item : written.items) {
+        std::visit(overloaded{
+            [](const tree::Controller&) {},
+            [](const tree::Instance&) {},
+            [&](const tree::Grain& chosen) { resolve_grain(scope, chosen, grain); },
+            [&](const tree::TimeUnit& unit) { resolve_time_unit(scope, unit); },
+            [&](const tree::Property& property) { if (!scope.incomplete) resolve_property(scope, property, names); },
+            [](const tree::Constraint&) {},
+            [](const tree::Observer&) {},
+            [&](const tree::Schedule& chosen) { resolve_schedule(scope, chosen); },
+            [&](const tree::Accept& accept) { scope.diagnostics.add(messages::not_yet(accept.where, "`accept` outside a chart")); },
+        }, item);
+    }
+    if (scope.incomplete) return;
+    resolve_observers(scope, written);
+    resolve_constraints(scope, written);
+}
+
+/// Every input of a controller is driven: by another controller, or by an instance.
+void check_driven(LoopScope& scope) {
+    for (const Id<ClosedLoop::Shared> id : scope.loop.shared.ids()) {
+        const ClosedLoop::Shared& shared = scope.loop.shared[id];
+        if (!shared.reader.valid() || shared.writer.valid() || !scope.instance_writers[id.index].empty()) continue;
+        if (scope.excused.contains(shared.name)) continue;
+        scope.diagnostics.add(messages::undriven_input(scope.loop.controllers[shared.reader].origin, shared.name,
+                                                       scope.loop.controllers[shared.reader].name,
+                                                       shared.type.boolean));
+    }
+}
+
+}  // namespace
+
+std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::ClosedLoop& written,
+                                       const LoopContext& context, Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    LoopScope scope{file, context, diagnostics};
+    scope.loop.name = file.text(written.name);
+    scope.loop.origin = written.name.where;
+    for (const Id<Chart> id : context.model.charts.ids()) scope.charts.emplace(context.model.charts[id].name, id);
+    for (const Id<Component> id : context.model.components.ids())
+        scope.components.emplace(context.model.components[id].name, id);
+    bool controlled = false;
+    for (const tree::LoopItem& item : written.items) {
+        const auto* controller = std::get_if<tree::Controller>(&item);
+        if (controller == nullptr) continue;
+        controlled = true;
+        resolve_controller(scope, *controller);
+    }
+    if (!controlled) diagnostics.add(messages::no_controller(written.name.where, scope.loop.name));
+    share_variables(scope);
+    look_inside(scope);
+    resolve_instances(scope, written);
+    resolve_questions(scope, written);
+    if (!scope.incomplete) check_driven(scope);
+    if (scope.incomplete || diagnostics.errors() != errors) return {};
+    return std::move(scope.loop);
+}
+
+}  // namespace grafverif

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// What names mean in the properties of a closed loop: shared variables, internal variables and steps of its
+// controllers, locations of its instances.
+#include <optional>
+
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/resolve/loop_scope.hpp"
+#include "syntax/resolve/nearest.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Controller = ClosedLoop::Controller;
+
+Term symbol_term(LoopScope& scope, const ClosedLoop::Symbol& symbol, bool boolean = true) {
+    const auto key =
+        std::visit(overloaded{
+                       [](const ClosedLoop::SharedSymbol& of) { return "v" + std::to_string(of.shared.index); },
+                       [](const ClosedLoop::InternalSymbol& of) {
+                           return "i" + std::to_string(of.controller.index) + '.' + std::to_string(of.variable.index);
+                       },
+                       [](const ClosedLoop::StepSymbol& of) {
+                           return "s" + std::to_string(of.controller.index) + '.' + std::to_string(of.step.index);
+                       },
+                       [](const ClosedLoop::LocationSymbol& of) {
+                           return "l" + std::to_string(of.instance.index) + '.' + std::to_string(of.location.index);
+                       },
+                       [](const ClosedLoop::ObserverSymbol& of) {
+                           return "o" + std::to_string(of.observer.index) + '.' + std::to_string(of.location.index);
+                       },
+                   },
+                   symbol);
+    const auto [known, fresh] = scope.symbols.try_emplace(key);
+    if (fresh) known->second = scope.loop.symbols.add(symbol);
+    return {scope.loop.exprs.leaf(Op::Variable, known->second.index), boolean ? Kind::Boolean : Kind::Integer};
+}
+
+Term internal_term(LoopScope& scope, Id<Controller> controller, Id<Chart::Variable> variable) {
+    return symbol_term(scope, ClosedLoop::InternalSymbol{controller, variable},
+                       scope.chart(controller).variables[variable].type.boolean);
+}
+
+/// As a property would have to write it to say which one is meant.
+std::string qualified(const LoopScope& scope, Id<Controller> controller, std::string_view name) {
+    return scope.loop.controllers[controller].name + '.' + std::string(name);
+}
+
+Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
+    if (scope.diagnostics.full()) return {};
+    Nearest nearest(name);
+    for (const ClosedLoop::Shared& shared : scope.loop.shared) nearest.offer(shared.name);
+    for (const Id<Controller> controller : scope.loop.controllers.ids()) {
+        const Chart& chart = scope.chart(controller);
+        for (const Chart::Variable& variable : chart.variables)
+            if (variable.kind == Chart::VariableKind::Internal) nearest.offer(variable.name);
+        if (name[0] == 'X')
+            for (const Chart::Step& step : chart.steps) nearest.offer('X', step.name);
+    }
+    const bool step_like = name.size() > 1 && name[0] == 'X' && name[1] >= '0' && name[1] <= '9';
+    scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, nearest.best()));
+    return {};
+}
+
+/// A step `X2` or an internal variable of one controller, in one of its partial charts if that is said.
+std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::string_view name,
+                           std::optional<Id<Chart::PartialChart>> partial, Span where) {
+    const LoopScope::Inside& known = scope.inside[controller.index];
+    const auto internal = known.internals.find(name);
+    if (!partial && internal != known.internals.end()) return internal_term(scope, controller, internal->second);
+    const auto steps = name.size() > 1 && name[0] == 'X' ? known.steps.find(name.substr(1)) : known.steps.end();
+    if (steps == known.steps.end()) return {};
+    const Chart& chart = scope.chart(controller);
+    std::vector<Id<Chart::Step>> meant;
+    for (const Id<Chart::Step> step : steps->second)
+        if (!partial || chart.steps[step].chart == *partial) meant.push_back(step);
+    if (meant.empty()) return {};
+    if (meant.size() == 1) return symbol_term(scope, ClosedLoop::StepSymbol{controller, meant.front()});
+    scope.diagnostics.add(messages::ambiguous(where, name, qualified(scope, controller, step_variable(chart, meant[0])),
+                                              qualified(scope, controller, step_variable(chart, meant[1]))));
+    return Term{};
+}
+
+Term simple_name(LoopScope& scope, Span where, std::string_view name) {
+    const auto shared = scope.shared.find(std::string(name));
+    if (shared != scope.shared.end())
+        return symbol_term(scope, ClosedLoop::SharedSymbol{shared->second},
+                           scope.loop.shared[shared->second].type.boolean);
+    std::optional<Term> found;
+    Id<Controller> owner;
+    for (const Id<Controller> controller : scope.loop.controllers.ids()) {
+        const auto term = inside(scope, controller, name, {}, where);
+        if (!term) continue;
+        if (term->kind == Kind::Wrong) return {};
+        if (found) {
+            scope.diagnostics.add(
+                messages::ambiguous(where, name, qualified(scope, owner, name), qualified(scope, controller, name)));
+            return {};
+        }
+        found = term;
+        owner = controller;
+    }
+    if (found) return *found;
+    if (scope.excused.contains(name)) return {};   // declared by an instance with an error
+    return unknown_name(scope, where, name);
+}
+
+// -- `owner.name` -----------------------------------------------------------------------------------------------------
+
+Term location_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::string_view name, Span where) {
+    const Id<Component> id = scope.loop.instances[instance].component;
+    if (!id.valid()) return {};
+    const Component& component = scope.context.model.components[id];
+    Nearest nearest(name);
+    for (const Id<Component::Location> location : component.locations.ids()) {
+        if (component.locations[location].name == name)
+            return symbol_term(scope, ClosedLoop::LocationSymbol{instance, location});
+        nearest.offer(component.locations[location].name);
+    }
+    for (const Component::Clock& clock : component.clocks) {
+        if (clock.name != name) continue;
+        scope.diagnostics.add(messages::clock_in_property(where, name));
+        return {};
+    }
+    scope.diagnostics.add(messages::unknown(where, "location", name, nearest.best()));
+    return {};
+}
+
+Term observed(LoopScope& scope, Id<ClosedLoop::Observer> observer, std::string_view name, Span where) {
+    Nearest nearest(name);
+    const Table<ClosedLoop::ObserverLocation>& locations = scope.loop.observers[observer].locations;
+    for (const Id<ClosedLoop::ObserverLocation> location : locations.ids()) {
+        if (locations[location].name == name)
+            return symbol_term(scope, ClosedLoop::ObserverSymbol{observer, location});
+        nearest.offer(locations[location].name);
+    }
+    scope.diagnostics.add(messages::unknown(where, "location", name, nearest.best()));
+    return {};
+}
+
+Term inside_or_unknown(LoopScope& scope, Id<Controller> controller, std::string_view name,
+                       std::optional<Id<Chart::PartialChart>> partial, Span where) {
+    if (const auto term = inside(scope, controller, name, partial, where)) return *term;
+    return unknown_name(scope, where, name);
+}
+
+/// `G2.X2` where one controller has a partial chart `G2`.
+Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_view name, Span where) {
+    const std::string_view partial = scope.file.text(owner.word);
+    std::optional<Id<Controller>> found;
+    for (const Id<Controller> controller : scope.loop.controllers.ids()) {
+        if (!scope.inside[controller.index].partials.contains(partial)) continue;
+        if (found) {
+            scope.diagnostics.add(messages::ambiguous(where, partial, qualified(scope, *found, partial),
+                                                      qualified(scope, controller, partial)));
+            return {};
+        }
+        found = controller;
+    }
+    if (found) return inside_or_unknown(scope, *found, name, scope.inside[found->index].partials.at(partial), where);
+    Nearest nearest(partial);
+    for (const auto& instance : scope.loop.instances) nearest.offer(instance.name);
+    for (const auto& observer : scope.loop.observers) nearest.offer(observer.name);
+    for (const auto& controller : scope.loop.controllers) nearest.offer(controller.name);
+    scope.diagnostics.add(messages::unknown(owner.where, "instance", partial, nearest.best()));
+    return {};
+}
+
+Term member_name(LoopScope& scope, const tree::Expr& node) {
+    const tree::Expr& owner = scope.file.exprs[node.first];
+    const std::string_view name = scope.file.text(node.word);
+    if (owner.op == tree::Op::Name) {
+        const auto instance = scope.instances.find(scope.file.text(owner.word));
+        if (instance != scope.instances.end()) return location_of(scope, instance->second, name, node.where);
+        const auto observer = scope.observers.find(scope.file.text(owner.word));
+        if (observer != scope.observers.end()) return observed(scope, observer->second, name, node.where);
+        const auto controller = scope.controllers.find(scope.file.text(owner.word));
+        if (controller != scope.controllers.end()) {
+            // Where names repeat, `chart.X2` is the step written directly in the grafcet.
+            const auto& steps = scope.inside[controller->second.index].steps;
+            const auto same = name.size() > 1 ? steps.find(name.substr(1)) : steps.end();
+            const bool repeated = name[0] == 'X' && same != steps.end() && same->second.size() > 1;
+            const bool has_unnamed =
+                scope.chart(controller->second).partial_charts[Id<Chart::PartialChart>{0}].name.empty();
+            if (repeated && has_unnamed)
+                return inside_or_unknown(scope, controller->second, name, Id<Chart::PartialChart>{0}, node.where);
+            return inside_or_unknown(scope, controller->second, name, {}, node.where);
+        }
+        return in_partial_chart(scope, owner, name, node.where);
+    }
+    const tree::Expr& outer = scope.file.exprs[owner.first];
+    const auto controller =
+        outer.op == tree::Op::Name ? scope.controllers.find(scope.file.text(outer.word)) : scope.controllers.end();
+    if (controller == scope.controllers.end()) {
+        scope.diagnostics.add(messages::unknown(outer.where, "controller",
+                                                scope.file.text(outer.word.valid() ? outer.word : owner.word), ""));
+        return {};
+    }
+    const auto& partials = scope.inside[controller->second.index].partials;
+    const auto partial = partials.find(scope.file.text(owner.word));
+    if (partial == partials.end()) {
+        Nearest nearest(scope.file.text(owner.word));
+        for (const Chart::PartialChart& known : scope.chart(controller->second).partial_charts)
+            if (!known.name.empty()) nearest.offer(known.name);
+        scope.diagnostics.add(
+            messages::unknown(owner.where, "partial chart", scope.file.text(owner.word), nearest.best()));
+        return {};
+    }
+    return inside_or_unknown(scope, controller->second, name, partial->second, node.where);
+}
+
+}  // namespace
+
+Terms property_terms(LoopScope& scope) {
+    Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
+    terms.name = [&scope](const tree::Expr& node) {
+        return node.op == tree::Op::Name ? simple_name(scope, node.where, scope.file.text(node.word))
+                                         : member_name(scope, node);
+    };
+    return terms;
+}
+
+Id<Expr> symbol_leaf(LoopScope& scope, const ClosedLoop::Symbol& symbol) { return symbol_term(scope, symbol).expr; }
+
+}  // namespace grafverif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "syntax/resolve/nearest.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::size_t longest = 64;
+
+/// The distance of both (optimal string alignment); at least `bound` where it is not below. Only places less than
+/// `bound` off the diagonal can matter.
+std::size_t distance(std::string_view a, std::string_view b, std::size_t bound) {
+    const std::size_t difference = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
+    if (difference >= bound || a.size() > longest || b.size() > longest) return bound;
+    std::array<std::array<std::size_t, longest + 2>, 3> rows;   // written before read
+    for (std::size_t j = 0; j <= std::min(b.size(), bound); ++j) rows[0][j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        const auto& above = rows[(i - 1) % 3];
+        auto& row = rows[i % 3];
+        const std::size_t first = i > bound ? i - bound : 0, last = std::min(b.size(), i + bound);
+        std::size_t least = bound;
+        for (std::size_t j = first; j <= last; ++j) {
+            std::size_t best = j == 0 ? i : above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            if (j < i + bound) best = std::min(best, above[j] + 1);
+            if (j > first) best = std::min(best, row[j - 1] + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                best = std::min(best, rows[(i - 2) % 3][j - 2] + 1);
+            row[j] = best;
+            least = std::min(least, best);
+        }
+        if (least >= bound) return bound;
+    }
+    return std::min(rows[a.size() % 3][b.size()], bound);
+}
+
+}  // namespace
+
+namespace {
+
+/// How far a candidate may be: numbers and single letters are near to everything, and tell nothing.
+std::size_t tolerance(std::string_view name) {
+    if (name.size() < 2 || name.find_first_not_of("0123456789") == std::string_view::npos) return 0;
+    return name.size() < 6 ? 1 : 2;
+}
+
+}  // namespace
+
+Nearest::Nearest(std::string_view name) : name_(name.substr(0, longest + 1)), distance_(tolerance(name) + 1) {}
+
+void Nearest::offer(char prefix, std::string_view candidate) {
+    if (distance_ == 1) return;
+    prefixed_.assign(1, prefix);
+    prefixed_ += candidate;
+    offer(prefixed_);
+}
+
+void Nearest::offer(std::string_view candidate) {
+    if (distance_ == 1) return;   // nothing is nearer, or nothing is wanted
+    const std::size_t found = distance(name_, candidate, distance_);
+    if (found >= distance_) return;
+    distance_ = found;
+    best_ = candidate;
+}
+
+}  // namespace grafverif

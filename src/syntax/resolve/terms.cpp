@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "syntax/resolve/terms.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/dialect.hpp"
+
+namespace grafverif {
+
+std::string_view described(Kind kind) {
+    switch (kind) {
+    case Kind::Wrong:    return "an error";
+    case Kind::Boolean:  return "a condition";
+    case Kind::Integer:  return "an integer";
+    case Kind::Duration: return "a duration";
+    case Kind::Clock:    return "a clock";
+    }
+    unreachable();
+}
+
+Op ir_op(tree::Op op) {
+    switch (op) {
+    case tree::Op::False:        return Op::False;
+    case tree::Op::True:         return Op::True;
+    case tree::Op::Number:       return Op::Integer;
+    case tree::Op::Duration:     return Op::Duration;
+    case tree::Op::Name:         return Op::Variable;
+    case tree::Op::Member:       return Op::Variable;
+    case tree::Op::Not:          return Op::Not;
+    case tree::Op::Rise:         return Op::Rise;
+    case tree::Op::Fall:         return Op::Fall;
+    case tree::Op::Negate:       return Op::Negate;
+    case tree::Op::And:          return Op::And;
+    case tree::Op::Or:           return Op::Or;
+    case tree::Op::Equal:        return Op::Equal;
+    case tree::Op::NotEqual:     return Op::NotEqual;
+    case tree::Op::Less:         return Op::Less;
+    case tree::Op::LessEqual:    return Op::LessEqual;
+    case tree::Op::Greater:      return Op::Greater;
+    case tree::Op::GreaterEqual: return Op::GreaterEqual;
+    case tree::Op::Plus:         return Op::Plus;
+    case tree::Op::Minus:        return Op::Minus;
+    case tree::Op::Times:        return Op::Times;
+    case tree::Op::Divide:       return Op::Divide;
+    case tree::Op::Modulo:       return Op::Modulo;
+    }
+    unreachable();
+}
+
+std::string_view spelling(tree::Op op) {
+    switch (op) {
+    case tree::Op::False:        return "false";
+    case tree::Op::True:         return "true";
+    case tree::Op::Number:       return "a number";
+    case tree::Op::Duration:     return "a duration";
+    case tree::Op::Name:         return "a name";
+    case tree::Op::Member:       return ".";
+    case tree::Op::Not:          return "!";
+    case tree::Op::Rise:         return "rise";
+    case tree::Op::Fall:         return "fall";
+    case tree::Op::Negate:       return "-";
+    case tree::Op::And:          return "&&";
+    case tree::Op::Or:           return "||";
+    case tree::Op::Equal:        return "==";
+    case tree::Op::NotEqual:     return "!=";
+    case tree::Op::Less:         return "<";
+    case tree::Op::LessEqual:    return "<=";
+    case tree::Op::Greater:      return ">";
+    case tree::Op::GreaterEqual: return ">=";
+    case tree::Op::Plus:         return "+";
+    case tree::Op::Minus:        return "-";
+    case tree::Op::Times:        return "*";
+    case tree::Op::Divide:       return "/";
+    case tree::Op::Modulo:       return "%";
+    }
+    unreachable();
+}
+
+namespace {
+
+std::string quoted(tree::Op op) { return '`' + std::string(spelling(op)) + '`'; }
+
+}  // namespace
+
+Term Terms::resolve(Id<tree::Expr> id) {
+    const tree::Expr& node = file_->exprs[id];
+    if (special) {
+        if (const auto taken = special(node)) return *taken;
+    }
+    switch (node.op) {
+    case tree::Op::False:    return {exprs_->constant(false), Kind::Boolean};
+    case tree::Op::True:     return {exprs_->constant(true), Kind::Boolean};
+    case tree::Op::Number:   return {exprs_->integer(node.value), Kind::Integer};
+    case tree::Op::Duration: return {exprs_->duration(node.value), Kind::Duration};
+    case tree::Op::Name:
+    case tree::Op::Member:   return name(node);
+    case tree::Op::Not:      return boolean_operand(node, Op::Not);
+    case tree::Op::Rise:     return boolean_operand(node, Op::Rise);
+    case tree::Op::Fall:     return boolean_operand(node, Op::Fall);
+    case tree::Op::And:
+    case tree::Op::Or:       return junction(node);
+    case tree::Op::Equal: case tree::Op::NotEqual: case tree::Op::Less: case tree::Op::LessEqual:
+    case tree::Op::Greater: case tree::Op::GreaterEqual:
+        return comparison(node);
+    case tree::Op::Negate: case tree::Op::Plus: case tree::Op::Minus: case tree::Op::Times:
+    case tree::Op::Divide: case tree::Op::Modulo:
+        return arithmetic(node);
+    }
+    unreachable();
+}
+
+Id<Expr> Terms::resolve(Id<tree::Expr> id, Kind kind, std::string_view user) {
+    const Term term = resolve(id);
+    const tree::Expr& written = node(id);
+    if (kind == Kind::Duration && term.kind == Kind::Integer) {
+        diagnostics_->add(messages::missing_unit(written.where, "this duration"));
+        return {};
+    }
+    return is(written, term, kind, user) ? term.expr : Id<Expr>{};
+}
+
+std::optional<std::int64_t> Terms::constant(Id<tree::Expr> id, Kind kind, std::string_view user) {
+    const std::size_t errors = diagnostics_->errors();
+    const Id<Expr> term = resolve(id, kind, user);
+    if (!term.valid() || diagnostics_->errors() != errors) return {};
+    if (!leaves(*exprs_, term).empty()) {
+        diagnostics_->add(messages::not_constant(node(id).where, user));
+        return {};
+    }
+    const auto value = evaluate(*exprs_, term, [](const Expr& leaf) { return leaf.value; });
+    if (!value) diagnostics_->add(messages::number_too_large(node(id).where));
+    return value;
+}
+
+Term Terms::mismatch(const tree::Expr& operand, Kind found, std::string_view user, std::string_view expected) {
+    if (found != Kind::Wrong)
+        diagnostics_->add(messages::type_mismatch(operand.where, user, expected, described(found)));
+    return {};
+}
+
+/// Reports a term of another kind.
+bool Terms::is(const tree::Expr& operand, const Term& term, Kind kind, std::string_view user) {
+    if (term.kind == kind) return true;
+    mismatch(operand, term.kind, user, described(kind));
+    return false;
+}
+
+Term Terms::boolean_operand(const tree::Expr& written, Op op) {
+    if (op != Op::Not && !edges_allowed) {
+        diagnostics_->add(messages::edge_outside_chart(written.where));
+        return {};
+    }
+    const Term operand = resolve(written.first);
+    const tree::Expr& below = node(written.first);
+    if (operand.kind == Kind::Duration) {
+        const std::string text = below.op == tree::Op::Duration ? duration_text(below.value) : "3s";
+        diagnostics_->add(messages::duration_below(below.where, spelling(written.op), text));
+        return {};
+    }
+    if (!is(below, operand, Kind::Boolean, quoted(written.op))) return {};
+    const std::array operands = {operand.expr};
+    return {exprs_->apply(op, operands), Kind::Boolean};
+}
+
+Term Terms::junction(const tree::Expr& written) {
+    std::vector<Id<Expr>> operands;
+    bool right = true;
+    for (Id<tree::Expr> id = written.first; id.valid(); id = node(id).next) {
+        const Term operand = resolve(id);
+        if (is(node(id), operand, Kind::Boolean, quoted(written.op))) operands.push_back(operand.expr);
+        else right = false;
+    }
+    if (!right) return {};
+    return {written.op == tree::Op::And ? exprs_->conjunction(operands) : exprs_->disjunction(operands), Kind::Boolean};
+}
+
+Term Terms::comparison(const tree::Expr& written) {
+    const Term left = resolve(written.first), right = resolve(written.last);
+    if (left.kind == Kind::Wrong || right.kind == Kind::Wrong) return {};
+    if (left.kind == Kind::Clock || right.kind == Kind::Clock) {
+        diagnostics_->add(messages::clock_not_conjunct(written.where));
+        return {};
+    }
+    if (left.kind == Kind::Duration || right.kind == Kind::Duration) {
+        diagnostics_->add(messages::type_mismatch(written.where, quoted(written.op), "integers or clocks",
+                                                  "a comparison of durations"));
+        return {};
+    }
+    const bool equality = written.op == tree::Op::Equal || written.op == tree::Op::NotEqual;
+    if (!equality || left.kind == Kind::Integer || right.kind == Kind::Integer) {
+        const bool both = is(node(written.first), left, Kind::Integer, quoted(written.op)) &&
+                          is(node(written.last), right, Kind::Integer, quoted(written.op));
+        if (!both) return {};
+    }
+    return {exprs_->apply(ir_op(written.op), left.expr, right.expr), Kind::Boolean};
+}
+
+Term Terms::arithmetic(const tree::Expr& written) {
+    if (written.op == tree::Op::Negate) {
+        const Term operand = resolve(written.first);
+        if (!is(node(written.first), operand, Kind::Integer, "`-`")) return {};
+        const std::array operands = {operand.expr};
+        return {exprs_->apply(Op::Negate, operands), Kind::Integer};
+    }
+    const Term left = resolve(written.first), right = resolve(written.last);
+    if (left.kind == Kind::Wrong || right.kind == Kind::Wrong) return {};
+    const bool some_duration = left.kind == Kind::Duration || right.kind == Kind::Duration;
+    const bool sum = written.op == tree::Op::Plus && left.kind == right.kind;
+    const bool multiple = written.op == tree::Op::Times && (left.kind == Kind::Integer || right.kind == Kind::Integer);
+    if (some_duration && (sum || multiple))
+        return {exprs_->apply(ir_op(written.op), left.expr, right.expr), Kind::Duration};
+    const bool both = is(node(written.first), left, Kind::Integer, quoted(written.op)) &&
+                      is(node(written.last), right, Kind::Integer, quoted(written.op));
+    if (!both) return {};
+    const bool divides = written.op == tree::Op::Divide || written.op == tree::Op::Modulo;
+    const Expr& divisor = (*exprs_)[right.expr];
+    if (divides && divisor.op == Op::Integer && divisor.value == 0) {
+        diagnostics_->add(messages::division_by_zero(node(written.last).where));
+        return {};
+    }
+    return {exprs_->apply(ir_op(written.op), left.expr, right.expr), Kind::Integer};
+}
+
+}  // namespace grafverif

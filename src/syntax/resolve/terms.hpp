@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Terms: the tree's expressions as typed terms of an IR. What names mean is the owner's affair: it is asked for each
+// name (and may take whole operators for itself); the rules about types are the same for charts, components and
+// properties.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "grafverif/ir/expr.hpp"
+#include "grafverif/support/diagnostic.hpp"
+#include "syntax/language/tree.hpp"
+
+namespace grafverif {
+
+/// Wrong: an error about the term, or a part of it, has been reported.
+enum class Kind { Wrong, Boolean, Integer, Duration, Clock };
+
+struct Term {
+    Id<Expr> expr = {};
+    Kind kind = Kind::Wrong;
+};
+
+/// `an integer`, `a condition`, ...
+std::string_view described(Kind kind);
+
+class Terms {
+public:
+    Terms(const tree::File& file, Exprs& exprs, Diagnostics& diagnostics)
+        : file_(&file), exprs_(&exprs), diagnostics_(&diagnostics) {}
+
+    /// The meaning of a Name or Member node.
+    std::function<Term(const tree::Expr&)> name = {};
+    /// What the owner takes for itself; empty: the common rules apply.
+    std::function<std::optional<Term>(const tree::Expr&)> special = {};
+    bool edges_allowed = false;
+
+    Term resolve(Id<tree::Expr> node);
+    /// A term of `kind`, or an error that says that `user` wants one; not valid after an error.
+    Id<Expr> resolve(Id<tree::Expr> node, Kind kind, std::string_view user);
+    /// The value of a term without variables.
+    std::optional<std::int64_t> constant(Id<tree::Expr> node, Kind kind, std::string_view user);
+
+    const tree::Expr& node(Id<tree::Expr> id) const { return file_->exprs[id]; }
+    Exprs& exprs() { return *exprs_; }
+    Diagnostics& diagnostics() { return *diagnostics_; }
+
+private:
+    Term junction(const tree::Expr& node);
+    Term comparison(const tree::Expr& node);
+    Term arithmetic(const tree::Expr& node);
+    Term boolean_operand(const tree::Expr& node, Op op);
+    Term mismatch(const tree::Expr& operand, Kind found, std::string_view user, std::string_view expected);
+    bool is(const tree::Expr& operand, const Term& term, Kind kind, std::string_view user);
+
+    const tree::File* file_;
+    Exprs* exprs_;
+    Diagnostics* diagnostics_;
+};
+
+Op ir_op(tree::Op op);
+/// `&&`, `rise`, ... as messages show them.
+std::string_view spelling(tree::Op op);
+
+}  // namespace grafverif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "syntax/st/parse_st.hpp"
+
+#include "syntax/st/st_builder.hpp"
+#include "syntax/st/st_lexer.hpp"
+
+namespace grafverif::st {
+
+namespace {
+
+/// Parses `text` into `file`; whether no error was found.
+bool parsed(Builder& build, const Text& text, Parser::token_kind_type goal, File& file, const Sources& sources,
+            Diagnostics& diagnostics) {
+    const std::size_t errors = diagnostics.errors();
+    Lexer lexer(text, goal, file, sources, diagnostics);
+    Parser parser(lexer, build);
+    const bool complete = parser.parse() == 0;
+    return complete && diagnostics.errors() == errors;
+}
+
+}  // namespace
+
+std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics) {
+    Builder build(file, diagnostics);
+    if (!parsed(build, text, Parser::token::EXPRESSION_FOLLOWS, file, sources, diagnostics)) return {};
+    return build.read_expression();
+}
+
+std::optional<Block> parse_statements(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics) {
+    Builder build(file, diagnostics);
+    if (!parsed(build, text, Parser::token::STATEMENTS_FOLLOW, file, sources, diagnostics)) return {};
+    return build.read_statements();
+}
+
+bool parse_units(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics) {
+    Builder build(file, diagnostics);
+    return parsed(build, text, Parser::token::UNITS_FOLLOW, file, sources, diagnostics);
+}
+
+}  // namespace grafverif::st

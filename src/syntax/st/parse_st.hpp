@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// parse_st: Structured Text and textual Sequential Function Charts -> st tree. The grammar is grammars/st.yy, the words
+// are those of grammars/st.ll. What is read is added to a file, so that all texts of one XML document share their names.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "grafverif/support/diagnostic.hpp"
+#include "grafverif/support/source.hpp"
+#include "syntax/st/st_tree.hpp"
+
+namespace grafverif::st {
+
+/// A part of a source. `escaped`: text of XML, where `&lt;` and its like stand for characters.
+struct Piece {
+    Span where = {};
+    bool escaped = false;
+};
+/// A text in pieces: the paragraphs of an XML element, say.
+using Text = std::vector<Piece>;
+
+/// Each adds at least one error where it returns nothing.
+std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
+std::optional<Block> parse_statements(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
+/// Programs, function blocks, functions and global variables of a text file. False after an error.
+bool parse_units(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
+
+}  // namespace grafverif::st

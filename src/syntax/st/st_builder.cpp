@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "syntax/st/st_builder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "support/messages.hpp"
+
+namespace grafverif::st {
+
+// -- units ------------------------------------------------------------------------------------------------------------
+
+void Builder::globals(std::vector<Variable> variables) {
+    for (Variable& variable : variables) file_->globals.push_back(std::move(variable));
+}
+
+void Builder::unit(UnitKind kind, Name name, Unit body, Span where) {
+    body.kind = kind;
+    body.name = name;
+    body.where = where;
+    file_->units.push_back(std::move(body));
+}
+
+std::vector<Variable> Builder::section(Section section, bool constant, std::vector<Variable> variables) const {
+    for (Variable& variable : variables) {
+        variable.section = section;
+        variable.constant = constant;
+    }
+    return variables;
+}
+
+std::vector<Variable> Builder::variables(std::vector<Name> names, std::string address, Type type, Id<Expr> initial,
+                                         Span where) const {
+    std::vector<Variable> declared;
+    for (const Name name : names) {
+        Variable variable;
+        variable.name = name;
+        variable.type = type;
+        variable.initial = initial;
+        variable.address = address;
+        variable.where = where;
+        declared.push_back(std::move(variable));
+    }
+    return declared;
+}
+
+void Builder::add_variables(Unit& unit, std::vector<Variable> variables) const {
+    for (Variable& variable : variables) unit.variables.push_back(std::move(variable));
+}
+
+Network& Builder::chart(Unit& unit, Span where) const {
+    if (unit.networks.empty()) unit.networks.emplace_back().where = where;
+    return unit.networks.front();
+}
+
+void Builder::step(Unit& unit, bool initial, Name name, std::vector<Association> actions, Span where) const {
+    where.end = name.where.end;
+    chart(unit, where).steps.push_back({initial, name, std::move(actions), {}, where});
+}
+
+void Builder::transition(Unit& unit, Transition transition) const {
+    chart(unit, transition.where).transitions.push_back(std::move(transition));
+}
+
+void Builder::action(Unit& unit, Name name, Block body, Span where) const {
+    where.end = name.where.end;
+    unit.actions.push_back({name, std::move(body), false, where});
+}
+
+/// `NAME (QUALIFIER, TIME, INDICATORS)`: the qualifier is a name to the grammar; none written is N.
+Association Builder::association(Name action, std::vector<Id<Expr>> arguments, Span where) {
+    Association association;
+    association.action = action;
+    association.where = where;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const Expr& argument = file_->exprs[arguments[i]];
+        if (i == 0 && argument.op == Op::Name) association.qualifier = capitals(file_->text(argument.word));
+        if (i == 1) association.time = arguments[i];
+    }
+    return association;
+}
+
+// -- statements -------------------------------------------------------------------------------------------------------
+
+Id<Statement> Builder::assign(Id<Expr> target, Id<Expr> value, Span where) {
+    return file_->statements.add({StatementKind::Assign, target, value, {}, where});
+}
+
+Id<Statement> Builder::call_statement(Id<Expr> call, Span where) {
+    return file_->statements.add({StatementKind::Call, {}, call, {}, where});
+}
+
+Id<Statement> Builder::if_statement(Id<Expr> condition, Block body, std::vector<Branch> alternatives, Branch otherwise,
+                                    Span where) {
+    std::vector<Branch> branches = {branch({condition}, std::move(body), file_->exprs[condition].where)};
+    for (Branch& alternative : alternatives) branches.push_back(std::move(alternative));
+    if (otherwise.where.source.valid()) branches.push_back(std::move(otherwise));
+    return file_->statements.add({StatementKind::If, {}, {}, std::move(branches), where});
+}
+
+Id<Statement> Builder::case_statement(Id<Expr> selector, std::vector<Branch> cases, Branch otherwise, Span where) {
+    if (otherwise.where.source.valid()) cases.push_back(std::move(otherwise));
+    return file_->statements.add({StatementKind::Case, {}, selector, std::move(cases), where});
+}
+
+Id<Statement> Builder::loop(StatementKind kind, Block body, Span where, Id<Expr> until) {
+    return file_->statements.add({kind, {}, until, {branch({}, std::move(body), where)}, where});
+}
+
+Id<Statement> Builder::plain(StatementKind kind, Span where) {
+    return file_->statements.add({kind, {}, {}, {}, where});
+}
+
+Branch Builder::branch(std::vector<Id<Expr>> conditions, Block body, Span where) const {
+    return {std::move(conditions), std::move(body), where};
+}
+
+// -- expressions ------------------------------------------------------------------------------------------------------
+
+void Builder::adopt(Id<Expr> node, Id<Expr> operand) {
+    Expr& parent = file_->exprs[node];
+    const std::size_t depth = file_->exprs[operand].depth + std::size_t{1};
+    if (depth > deepest_expression) {
+        if (parent.depth <= deepest_expression) diagnostics_->add(messages::too_deep(parent.where, deepest_expression));
+        return;
+    }
+    parent.depth = std::max(parent.depth, static_cast<std::uint16_t>(depth));
+    append(file_->exprs, node, operand);
+}
+
+Id<Expr> Builder::node(Op op, std::initializer_list<Id<Expr>> operands, Span where) {
+    const Id<Expr> id = leaf(op, where);
+    for (const Id<Expr> operand : operands) adopt(id, operand);
+    if (file_->exprs[id].first.valid() || operands.size() == 0) return id;
+    file_->exprs[id].op = Op::False;   // too deep, and reported
+    return id;
+}
+
+Id<Expr> Builder::leaf(Op op, Span where) {
+    Expr expr;
+    expr.op = op;
+    expr.where = where;
+    return file_->exprs.add(expr);
+}
+
+Id<Expr> Builder::number(Op op, std::int64_t value, Span where) {
+    const Id<Expr> id = leaf(op, where);
+    file_->exprs[id].value = value;
+    return id;
+}
+
+Id<Expr> Builder::word(Op op, Name word) {
+    const Id<Expr> id = leaf(op, word.where);
+    file_->exprs[id].word = word.word;
+    return id;
+}
+
+Id<Expr> Builder::other(Span where) {
+    const Id<Expr> id = leaf(Op::Other, where);
+    file_->exprs[id].word = file_->intern("?");
+    return id;
+}
+
+Id<Expr> Builder::unary(Op op, Id<Expr> operand, Span where) { return node(op, {operand}, where); }
+
+Id<Expr> Builder::binary(Op op, Id<Expr> left, Id<Expr> right, Span where) {
+    const bool joins = (op == Op::And || op == Op::Or || op == Op::Xor) && file_->exprs[left].op == op;
+    if (!joins) return node(op, {left, right}, where);
+    file_->exprs[left].where = where;
+    adopt(left, right);
+    return left;
+}
+
+Id<Expr> Builder::bracketed(Id<Expr> expression, Span where) {
+    file_->exprs[expression].where = where;
+    return expression;
+}
+
+Id<Expr> Builder::member(Id<Expr> owner, Name name, Span where) {
+    const Id<Expr> id = node(Op::Member, {owner}, where);
+    file_->exprs[id].word = name.word;
+    return id;
+}
+
+Id<Expr> Builder::index(Id<Expr> array, const std::vector<Id<Expr>>& indices, Span where) {
+    const Id<Expr> id = node(Op::Index, {array}, where);
+    for (const Id<Expr> one : indices) adopt(id, one);
+    return id;
+}
+
+Id<Expr> Builder::call(Id<Expr> callee, const std::vector<Id<Expr>>& arguments, Span where) {
+    const Id<Expr> id = node(Op::Call, {callee}, where);
+    for (const Id<Expr> one : arguments) adopt(id, one);
+    return id;
+}
+
+Id<Expr> Builder::argument(Op op, Name formal, Id<Expr> value, Span where) {
+    const Id<Expr> id = node(op, {value}, where);
+    file_->exprs[id].word = formal.word;
+    return id;
+}
+
+}  // namespace grafverif::st

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// st::Builder: what the actions of grammars/st.yy call. It puts expressions and statements into the tables of the file
+// and units into its list.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grafverif/support/diagnostic.hpp"
+#include "syntax/st/st_tree.hpp"
+#include "syntax/language/places.hpp"
+
+namespace grafverif::st {
+
+class Lexer;
+
+class Builder {
+public:
+    Builder(File& file, Diagnostics& diagnostics) : file_(&file), diagnostics_(&diagnostics) {}
+
+    void expression(Id<Expr> expression) { expression_ = expression; }
+    void statements(Block block) { block_ = std::move(block); }
+    void globals(std::vector<Variable> variables);
+    void unit(UnitKind kind, Name name, Unit body, Span where);
+
+    std::vector<Variable> section(Section section, bool constant, std::vector<Variable> variables) const;
+    std::vector<Variable> variables(std::vector<Name> names, std::string address, Type type, Id<Expr> initial,
+                                    Span where) const;
+    void add_variables(Unit& unit, std::vector<Variable> variables) const;
+    void step(Unit& unit, bool initial, Name name, std::vector<Association> actions, Span where) const;
+    void transition(Unit& unit, Transition transition) const;
+    void action(Unit& unit, Name name, Block body, Span where) const;
+    Association association(Name action, std::vector<Id<Expr>> arguments, Span where);
+
+    Id<Statement> assign(Id<Expr> target, Id<Expr> value, Span where);
+    Id<Statement> call_statement(Id<Expr> call, Span where);
+    Id<Statement> if_statement(Id<Expr> condition, Block body, std::vector<Branch> alternatives, Branch otherwise,
+                               Span where);
+    Id<Statement> case_statement(Id<Expr> selector, std::vector<Branch> cases, Branch otherwise, Span where);
+    Id<Statement> loop(StatementKind kind, Block body, Span where, Id<Expr> until = {});
+    Id<Statement> plain(StatementKind kind, Span where);
+    Branch branch(std::vector<Id<Expr>> conditions, Block body, Span where) const;
+
+    Id<Expr> leaf(Op op, Span where);
+    Id<Expr> number(Op op, std::int64_t value, Span where);
+    Id<Expr> word(Op op, Name word);
+    Id<Expr> other(Span where);
+    Id<Expr> unary(Op op, Id<Expr> operand, Span where);
+    /// `AND`, `OR` and `XOR` take in a left operand of their own kind: a conjunction is one node.
+    Id<Expr> binary(Op op, Id<Expr> left, Id<Expr> right, Span where);
+    Id<Expr> bracketed(Id<Expr> expression, Span where);
+    Id<Expr> member(Id<Expr> owner, Name name, Span where);
+    Id<Expr> index(Id<Expr> array, const std::vector<Id<Expr>>& indices, Span where);
+    Id<Expr> call(Id<Expr> callee, const std::vector<Id<Expr>>& arguments, Span where);
+    Id<Expr> argument(Op op, Name formal, Id<Expr> value, Span where);
+    std::string text(Name name) const { return std::string(file_->text(name)); }
+
+    std::optional<Id<Expr>> read_expression() const { return expression_; }
+    Block read_statements() const { return block_; }
+
+private:
+    Id<Expr> node(Op op, std::initializer_list<Id<Expr>> operands, Span where);
+    void adopt(Id<Expr> node, Id<Expr> operand);
+    Network& chart(Unit& unit, Span where) const;
+
+    File* file_;
+    Diagnostics* diagnostics_;
+    std::optional<Id<Expr>> expression_ = {};
+    Block block_ = {};
+};
+
+}  // namespace grafverif::st

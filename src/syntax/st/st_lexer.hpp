@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// st::Lexer: the words of a text in pieces for the parser, with their places in the source. In a piece of XML the
+// references to characters (`&lt;`, `&#10;`) are replaced first; places stay those of the source.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grafverif/support/diagnostic.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/st/parse_st.hpp"
+#include "st_parser.hpp"
+
+namespace grafverif::st {
+
+/// What the generated scanner keeps.
+class Scanner {
+public:
+    explicit Scanner(std::string_view text);
+    ~Scanner();
+    Scanner(const Scanner&) = delete;
+    Scanner& operator=(const Scanner&) = delete;
+
+    Parser::symbol_type next(Lexer& lexer);
+
+private:
+    void* state_ = nullptr;
+};
+
+class Lexer {
+public:
+    using Token = Parser::symbol_type;
+    using Kind = Parser::token_kind_type;
+
+    /// `goal` is the token that tells the parser what to expect. The words of units and charts are names elsewhere.
+    Lexer(const Text& text, Kind goal, File& file, const Sources& sources, Diagnostics& diagnostics);
+
+    Token next();
+    void report_unexpected(Span where, std::span<const Parser::symbol_kind_type> expected);
+
+    // What the rules of the scanner call.
+    void advance(std::size_t length);
+    void comment(std::string_view match);
+    Token sign(Kind kind);
+    Token unit_word(Kind kind, std::string_view match);
+    Token section(Section section);
+    Token word(Kind kind, std::string_view match);
+    Token integer(std::string_view digits, int base);
+    Token typed_integer(std::string_view match);
+    Token time(std::string_view match);
+    Token unterminated(std::string_view what, std::string_view end);
+    Token unexpected_character(std::string_view match);
+    Token end_of_piece();
+
+private:
+    bool open_next_piece();
+    bool nests_too_deep(Kind kind);
+    Token failed();
+
+    const Text* text_;
+    std::size_t piece_ = 0;                     ///< the one to be opened next
+    std::optional<Scanner> scanner_ = {};
+    std::string decoded_ = {};
+    std::vector<std::uint32_t> origins_ = {};   ///< of each byte of `decoded_`; empty: they follow each other
+    std::uint32_t base_ = 0;                    ///< of the piece, where `origins_` is empty
+    std::uint32_t at_ = 0;                      ///< within the piece, behind the last match
+    bool units_ = false;
+    bool started_ = false, ended_ = false;
+    Kind goal_;
+    File* file_;
+    const Sources* sources_;
+    Diagnostics* diagnostics_;
+    Span here_ = {};
+    std::size_t brackets_ = 0, prefixes_ = 0, blocks_ = 0;
+    bool too_deep_ = false;
+};
+
+}  // namespace grafverif::st

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// The analysis against a search that knows nothing of equations and decision diagrams: all points of a random chart, one
+// by one, by the interpreter of the rules. Time is in both what it is in the search: an end that may come between two
+// instants, in order on one step.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "analyse/analyse.hpp"
+#include "derive/derive.hpp"
+#include "run/interpreter.hpp"
+#include "support/law_size.hpp"
+#include "support/random_chart.hpp"
+
+namespace grafverif {
+namespace {
+
+constexpr std::size_t most_points = 4000;
+
+/// Every statement an analysis can make, as `code subject`, with the first instant in which it comes about; what never
+/// happens has none.
+using Facts = std::map<std::string, std::size_t>;
+using Rest = std::pair<State, std::vector<bool>>;   ///< with the ends of the time conditions
+
+struct RestOrder {
+    static auto key(const Rest& rest) {
+        std::vector<bool> levels;
+        for (const Timing& timing : rest.first.timing) levels.push_back(timing.risen >= 0);
+        return std::tuple(rest.first.situation, rest.first.values, rest.first.previous, levels, rest.second);
+    }
+    bool operator()(const Rest& left, const Rest& right) const { return key(left) < key(right); }
+};
+
+class ExplicitSearch {
+public:
+    ExplicitSearch(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode) {
+        for (const Id<Chart::Variable> id : chart.variables.ids())
+            if (chart.variables[id].kind == Chart::VariableKind::Input) inputs_.push_back(id);
+        for (const Id<Chart::Transition> id : chart.transitions.ids()) always_.insert(name(id));
+    }
+
+    /// Empty: there are too many points, or a condition has no value somewhere.
+    std::optional<Facts> facts() {
+        for_each_input([&](const std::vector<std::int64_t>& inputs) {
+            begin({power_on(chart_), std::vector<bool>(elements_.size())}, inputs);
+        });
+        while (!open_.empty() && points_ < most_points && !lost_) {
+            const Rest rest = std::move(open_.front().first);
+            instant_ = open_.front().second + 1;
+            open_.pop_front();
+            for_each_end(rest, 0, [&](const Rest& later) {
+                for_each_input([&](const std::vector<std::int64_t>& inputs) { begin(later, inputs); });
+            });
+        }
+        if (!open_.empty() || lost_) return {};
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (!active_.contains(id.index)) note("step-never-active " + step_variable(chart_, id));
+        for (const Id<Chart::Transition> id : chart_.transitions.ids()) {
+            if (!fired_.contains(name(id))) note("transition-never-fired " + name(id));
+            else if (always_.contains(name(id))) note("transition-always-fired " + name(id));
+        }
+        return facts_;
+    }
+
+private:
+    void note(const std::string& fact) { facts_.try_emplace(fact, instant_); }
+    const std::string& name(Id<Chart::Transition> id) const { return chart_.transitions[id].name; }
+
+    template <class Visit>
+    void for_each_input(const Visit& visit) {
+        std::vector<std::int64_t> values(chart_.variables.size());
+        for (const auto id : inputs_) values[id.index] = chart_.variables[id].type.low;
+        for (bool more = true; more;) {
+            visit(values);
+            more = false;
+            for (const auto id : inputs_) {
+                more = ++values[id.index] <= chart_.variables[id].type.high;
+                if (more) break;
+                values[id.index] = chart_.variables[id].type.low;
+            }
+        }
+    }
+
+    /// What element k watches: a step, or some other term.
+    std::pair<bool, std::size_t> watched(std::size_t k) const {
+        const TimedElement& element = elements_[k];
+        if (element.step.valid()) return {true, element.step.index};
+        const Expr& node = chart_.exprs[element.watched];
+        if (node.op == Op::Step) return {true, static_cast<std::size_t>(node.value)};
+        return {false, element.watched.index};
+    }
+
+    static bool level(const State& state, std::size_t k) { return state.timing[k].risen >= 0; }
+
+    /// Ends on one watched term: shorter ones first, equal ones together.
+    bool in_order(const Rest& rest) const {
+        for (std::size_t i = 0; i < elements_.size(); ++i)
+            for (std::size_t j = 0; j < elements_.size(); ++j) {
+                const TimedElement &one = elements_[i], &other = elements_[j];
+                if (watched(i) != watched(j) || one.fall_ms != other.fall_ms) continue;
+                const bool implied = one.rise_ms == other.rise_ms || (one.fall_ms == 0 && one.rise_ms < other.rise_ms);
+                if (implied && rest.second[j] && !rest.second[i]) return false;
+            }
+        return true;
+    }
+
+    template <class Visit>
+    void for_each_end(Rest rest, std::size_t k, const Visit& visit) {
+        if (k == rest.second.size()) {
+            if (in_order(rest)) visit(rest);
+            return;
+        }
+        for_each_end(rest, k + 1, visit);
+        const TimedElement& element = elements_[k];
+        const bool high = level(rest.first, k);
+        const bool may_end = element.fall_ms > 0 && (element.rise_ms > 0 || !high);
+        if (rest.second[k] ? !may_end : !high) return;
+        rest.second[k] = !rest.second[k];
+        for_each_end(rest, k + 1, visit);
+    }
+
+    /// One instant.
+    void begin(Rest at, const std::vector<std::int64_t>& inputs) {
+        std::set<Rest, RestOrder> seen;
+        while (!lost_) {
+            ++points_;
+            note_situation(at.first);
+            const bool first = !at.first.started;
+            const Evolution made = evolve(chart_, at.first, inputs, at.second);
+            if (!first) note_evolution(at.first, made);
+            if (made.race) note("action-race " + chart_.variables[made.race->variable].name);
+            if (made.fault) return note_fault(*made.fault);
+            if (made.race) return;
+            const bool ends = !first && made.stable && mode_ == ExecutionMode::StabilitySearch;
+            if (!ends && !first && !seen.insert(at).second) {
+                note("total-instability");
+                return;
+            }
+            at.first = made.state;
+            for (std::size_t k = 0; k < at.second.size(); ++k) {
+                if (elements_[k].fall_ms == 0) at.second[k] = at.second[k] && level(at.first, k);
+                if (elements_[k].rise_ms == 0) at.second[k] = at.second[k] || level(at.first, k);
+            }
+            // A stable evolution changes levels that timers watch.
+            if (ends || mode_ == ExecutionMode::EveryCycle) return rest(at);
+        }
+    }
+
+    void rest(const Rest& at) {
+        if (known_.insert(at).second) open_.emplace_back(at, instant_);
+    }
+
+    void note_fault(const RunFault& fault) {
+        if (fault.kind == RunFault::Kind::OutOfRange) note("out-of-range " + chart_.variables[fault.variable].name);
+        lost_ = lost_ || fault.kind == RunFault::Kind::NoValue;
+    }
+
+    void note_situation(const State& state) {
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (state.situation[id.index]) active_.insert(id.index);
+    }
+
+    void note_evolution(const State& before, const Evolution& made) {
+        std::vector<bool> on(chart_.steps.size()), off(chart_.steps.size());
+        for (const auto first : made.fired) {
+            fired_.insert(name(first));
+            for (const auto step : chart_.transitions[first].to) on[step.index] = true;
+            for (const auto step : chart_.transitions[first].from) off[step.index] = true;
+            for (const auto second : made.fired)
+                for (const auto step : chart_.transitions[first].from)
+                    if (first.index < second.index && std::ranges::count(chart_.transitions[second].from, step) > 0)
+                        note("branches-together " + name(first));
+        }
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (before.situation[id.index] && on[id.index] && !off[id.index])
+                note("step-reactivated " + step_variable(chart_, id));
+        for (const Id<Chart::Transition> id : chart_.transitions.ids()) {
+            const bool enabled = std::ranges::all_of(chart_.transitions[id].from,
+                                                     [&](Id<Chart::Step> step) -> bool { return before.situation[step.index]; });
+            if (enabled && std::ranges::find(made.fired, id) == made.fired.end()) always_.erase(name(id));
+        }
+    }
+
+    const Chart& chart_;
+    ExecutionMode mode_;
+    std::vector<TimedElement> elements_ = timed_elements(chart_);
+    std::vector<Id<Chart::Variable>> inputs_ = {};
+    std::set<std::uint32_t> active_ = {};
+    std::set<std::string> fired_ = {}, always_ = {};
+    std::set<Rest, RestOrder> known_ = {};
+    std::deque<std::pair<Rest, std::size_t>> open_ = {};   ///< with their instant: the nearest first
+    std::size_t instant_ = 1;
+    std::size_t points_ = 0;
+    bool lost_ = false;
+    Facts facts_ = {};
+};
+
+bool is_compared(const std::string& code) {
+    return code != "input-never-read" && code != "output-never-set" && code != "step-never-stable" &&
+           code != "action-conflict" && !code.starts_with("forc");
+}
+
+/// The interpreter names one race, and one value that does not fit, of an evolution that may have several.
+bool masked(const std::string& fact, const Facts& expected) {
+    const std::string code = fact.substr(0, fact.find(' ') + 1);
+    return (code == "action-race " || code == "out-of-range ") &&
+           std::ranges::any_of(expected, [&](const auto& other) { return other.first.starts_with(code); });
+}
+
+/// How much of a chart is looked at.
+struct Bounds {
+    int looks = -1;               ///< the analysis is stopped after so many instants of its parts; negative: never
+    std::int64_t longest_count = 256;
+};
+
+std::string fact_of(const std::string& code, const std::string& subject) { return code + (subject.empty() ? "" : " " + subject); }
+
+/// What open questions say that is not so: what comes about in instants that were looked at was found.
+/// Several questions may be about one subject: that of a fact that was found may be another one.
+std::string wrongly_open(const Analysis& analysis, const Facts& expected, const std::set<std::string>& found) {
+    std::string text;
+    for (const OpenQuestion& question : analysis.open) {
+        const bool never = question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
+        const auto fact = expected.find(fact_of(question.code, question.subject));
+        if (never || fact == expected.end() || found.contains(fact->first) || fact->second > question.instants) continue;
+        text += "said not to be in the first " + std::to_string(question.instants) + " instants: " + fact->first + '\n';
+    }
+    return text;
+}
+
+/// What the two routes do not agree on; empty: nothing. Empty optional: the chart is too large for this.
+std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, const Bounds& bounds = {}) {
+    if (chart.steps.empty()) return {};
+    const std::optional<Facts> expected = ExplicitSearch(chart, mode).facts();
+    Diagnostics diagnostics;
+    const auto equations = derive(chart, diagnostics);
+    if (!expected || !equations) return {};
+    AnalyseOptions options;
+    options.mode = mode;
+    options.longest_count = bounds.longest_count;
+    std::atomic<bool> stop{false};
+    int looks = 0;
+    options.stop = &stop;
+    options.progress = [&](const AnalyseProgress&) { stop = ++looks == bounds.looks; };
+    const Analysis analysis = analyse(chart, *equations, options);
+    std::string text;
+    for (const std::string& fault : verify(analysis)) text += "invariant: " + fault + '\n';
+    for (const std::string& failure : analysis.failures) text += failure + '\n';
+    std::set<std::string> found, unconfirmed, open;
+    for (const Finding& finding : analysis.findings) {
+        if (!is_compared(finding.code)) continue;
+        (finding.timing == Finding::Timing::Unconfirmed ? unconfirmed : found).insert(fact_of(finding.code, finding.subject));
+    }
+    for (const OpenQuestion& question : analysis.open) open.insert(fact_of(question.code, question.subject));
+    // Timers end in orders that no times have: what happens then may be none, and keeps it from being said to be never.
+    for (const auto& [fact, instant] : *expected)
+        if (!found.contains(fact) && !unconfirmed.contains(fact) && !open.contains(fact) && unconfirmed.empty())
+            text += "not found: " + fact + '\n';
+    for (const std::string& fact : found)
+        if (!expected->contains(fact) && !masked(fact, *expected)) text += "not true: " + fact + '\n';
+    if (unconfirmed.empty()) text += wrongly_open(analysis, *expected, found);
+    return text;
+}
+
+void expect_agreement(const Bounds& bounds, int seeds) {
+    for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
+        int compared = 0;
+        for (int seed = 1; seed <= law_size(seeds); ++seed) {
+            Random random(static_cast<std::uint64_t>(seed));
+            const Chart chart = random_chart(random);
+            const std::optional<std::string> wrong = disagreement(chart, mode, bounds);
+            if (!wrong) continue;
+            ++compared;
+            if (wrong->empty()) continue;
+            const Chart small =
+                shrunk(chart, [&](const Chart& less) { return !disagreement(less, mode, bounds).value_or("").empty(); });
+            FAIL() << "seed " << seed << (mode == ExecutionMode::EveryCycle ? ", every_cycle" : "") << '\n'
+                   << *disagreement(small, mode, bounds) << chart_text(small);
+        }
+        EXPECT_GT(compared, 5);
+    }
+}
+
+TEST(AnalyseLaw, TheAnalysisFindsWhatASearchPointByPointFinds) { expect_agreement({}, 120); }
+
+TEST(AnalyseLaw, WhatAStoppedAnalysisSaysAndLeavesOpenIsSo) {
+    for (const int looks : {1, 2, 4, 7}) expect_agreement({.looks = looks}, 20);
+}
+
+TEST(AnalyseLaw, CountersFollowedToTheirThresholdsOnlyMakeNothingUp) { expect_agreement({.looks = -1, .longest_count = 0}, 40); }
+
+}  // namespace
+}  // namespace grafverif

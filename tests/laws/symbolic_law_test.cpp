@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// The symbolic engine against an explicit search: as many states, the same faults, the same verdicts, shortest runs
+// that are runs, on random systems and on the controllers of random loops.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "check/symbolic/symbolic.hpp"
+#include "report/tell.hpp"
+#include "run/project.hpp"
+#include "run/replay.hpp"
+#include "schedule/controller.hpp"
+#include "support/derived.hpp"
+#include "support/explicit_search.hpp"
+#include "support/law_size.hpp"
+#include "support/random_chart.hpp"
+#include "support/random_loop.hpp"
+#include "support/random_system.hpp"
+
+namespace grafverif {
+namespace {
+
+using System = TransitionSystem;
+
+/// The states of a graph that look as `seen` does, by the state variables of main and those of instances main names.
+StateSet looking_like(const System& system, const SystemGraph& graph, const std::vector<std::int64_t>& seen) {
+    const Table<System::Symbol>& symbols = system.modules[system.main].symbols;
+    return where(graph, [&](const SystemState& state) {
+        return std::ranges::all_of(symbols.ids(), [&](Id<System::Symbol> id) {
+            if (std::holds_alternative<System::ChoiceSymbol>(symbols[id].kind) ||
+                std::holds_alternative<System::DefineSymbol>(symbols[id].kind))
+                return true;   // may depend on a choice, which the graph does not keep
+            return value_of(system, state, symbols[id].name) == seen[id.index];
+        });
+    });
+}
+
+StateSet successors(const SystemGraph& graph, const StateSet& states) {
+    StateSet next(states.size());
+    for (std::size_t state = 0; state < states.size(); ++state)
+        for (const std::size_t to : graph.successors[state]) next[to] = next[to] || states[state];
+    return next;
+}
+
+StateSet both(StateSet left, const StateSet& right) {
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = left[i] && right[i];
+    return left;
+}
+
+bool any(const StateSet& set) { return std::ranges::find(set, true) != set.end(); }
+
+/// The states of the graph where `run` may end; empty set: it is no run.
+StateSet ends(const System& system, const SystemGraph& graph, const SystemRun& run) {
+    StateSet here(graph.states.size());
+    std::fill_n(here.begin(), graph.initial, true);
+    StateSet at_loop;
+    for (std::size_t i = 0; i < run.states.size(); ++i) {
+        here = both(i == 0 ? here : successors(graph, here), looking_like(system, graph, run.states[i]));
+        if (i == run.loop) at_loop = here;
+    }
+    if (run.loop && !any(both(successors(graph, here), at_loop))) return StateSet(graph.states.size());
+    return here;
+}
+
+void expect_shown(const System& system, const SystemGraph& graph, const Property& property, const SystemRun& run) {
+    const StateSet end = ends(system, graph, run);
+    ASSERT_TRUE(any(end)) << "the run is none of the system";
+    const std::vector<StateSet> sets = operand_sets(system, graph, property);
+    if (property.pattern == Pattern::Inevitable || property.pattern == Pattern::LeadsTo) {
+        ASSERT_TRUE(run.loop);
+        return;
+    }
+    EXPECT_FALSE(run.loop);
+    if (property.pattern == Pattern::AlwaysPossible) return;
+    EXPECT_TRUE(any(both(end, sets[0]))) << "the run does not show what it should";
+    const std::vector<std::size_t> distances = graph.distances();
+    std::size_t least = graph.states.size();
+    for (std::size_t state = 0; state < sets[0].size(); ++state)
+        if (sets[0][state]) least = std::min(least, distances[state]);
+    EXPECT_EQ(run.states.size() - 1, least) << "there is a shorter one";
+}
+
+struct Compared {
+    std::size_t systems = 0, states = 0, verdicts = 0, faults = 0, violated = 0;
+};
+
+void compare(const System& system, std::size_t limit, Compared& compared) {
+    ASSERT_EQ(verify(system), std::vector<std::string>{});
+    const std::optional<SystemGraph> graph = explored(system, limit);
+    if (!graph) return;
+    const SymbolicResult result = check_symbolic(system);
+    ++compared.systems;
+    ASSERT_EQ(result.fault.has_value(), graph->initial == 0 || !graph->total);
+    if (result.fault) {
+        ++compared.faults;
+        EXPECT_EQ(result.fault->kind == SystemFault::Kind::NoInitialState, graph->initial == 0);
+        for (const Verdict& verdict : result.verdicts) EXPECT_EQ(verdict.obstacle, Obstacle::Faulty);
+        return;
+    }
+    ASSERT_EQ(result.states, std::to_string(graph->states.size()));
+    EXPECT_EQ(result.depth, std::ranges::max(graph->distances()));
+    ASSERT_EQ(result.verdicts.size(), system.properties.size());
+    compared.states += graph->states.size();
+    for (const Id<Property> id : system.properties.ids()) {
+        const Property& property = system.properties[id];
+        SCOPED_TRACE(property.name);
+        const Verdict& verdict = result.verdicts[id.index];
+        if (verdict.obstacle == Obstacle::Unsupported) continue;
+        const bool expected = explicit_verdict(system, *graph, property);
+        ASSERT_EQ(verdict.outcome, expected ? Outcome::Holds : Outcome::Violated);
+        ++compared.verdicts;
+        if (!expected) ++compared.violated;
+        const bool shown = property.pattern == Pattern::Reachable ? expected : !expected;
+        ASSERT_EQ(result.runs[id.index].has_value(), shown);
+        if (shown) expect_shown(system, *graph, property, *result.runs[id.index]);
+    }
+}
+
+void print(const Compared& compared) {
+    std::cout << compared.systems << " systems, " << compared.states << " states, " << compared.verdicts
+              << " verdicts, " << compared.violated << " of them violated, " << compared.faults << " faults\n";
+}
+
+TEST(SymbolicLaw, AgreesWithAnExplicitSearchOnRandomSystems) {
+    Compared compared;
+    for (int seed = 1; seed <= law_size(300); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        System system = random_system(random);
+        ask_more(system, random);
+        compare(system, 400, compared);
+        if (testing::Test::HasFailure()) return;
+    }
+    print(compared);
+    EXPECT_GT(compared.violated, compared.verdicts / 5);
+    EXPECT_GT(compared.faults, 0u);
+}
+
+/// Every run that the engine shows is one by the rules of IEC 60848, and can be told.
+std::size_t expect_replays(const System& system, const std::vector<const Chart*>& charts) {
+    std::size_t count = 0;
+    const SymbolicResult result = check_symbolic(system);
+    for (std::size_t i = 0; i < result.runs.size(); ++i) {
+        EXPECT_EQ(system.properties[result.verdicts[i].about].name, result.verdicts[i].property);
+        if (!result.runs[i]) continue;
+        const ChartRun run = project(system, *result.runs[i]);
+        const auto found = disagreement(run, charts);
+        EXPECT_FALSE(found) << result.verdicts[i].property << ", step " << found->move << ", " << found->where << ": "
+                            << found->what;
+        EXPECT_EQ(verify(run), std::vector<std::string>{});
+        EXPECT_EQ(verify(tell(run, Detail::Everything)), std::vector<std::string>{});
+        EXPECT_EQ(verify(tell(run)), std::vector<std::string>{});
+        ++count;
+    }
+    return count;
+}
+
+TEST(SymbolicLaw, AgreesWithAnExplicitSearchOnRandomControllers) {
+    Compared compared;
+    std::size_t replays = 0;
+    for (int seed = 1; seed <= law_size(60); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Model model = random_loop(random);
+        const ClosedLoop& loop = model.loops[{0}];
+        const auto equations = derived(model);
+        if (!equations) continue;
+        System system = schedule_controllers(model, loop, *equations);
+        ask_more(system, random);
+        compare(system, 600, compared);
+        std::vector<const Chart*> charts;
+        for (const ClosedLoop::Controller& controller : loop.controllers)
+            charts.push_back(&model.charts[controller.chart]);
+        replays += expect_replays(system, charts);
+        if (!testing::Test::HasFailure()) continue;
+        for (const Chart* chart : charts) std::cout << chart_text(*chart);
+        return;
+    }
+    print(compared);
+    EXPECT_GT(replays, 50u);
+}
+
+}  // namespace
+}  // namespace grafverif

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sstream>
+#include <string>
+
+#include "emit/uppaal/uppaal.hpp"
+
+namespace grafverif::test {
+
+/// The UPPAAL project of a network that need not be lowered yet.
+inline std::string project(const Network& network) {
+    std::ostringstream out;
+    uppaal::emit(uppaal::lower(network), out);
+    return std::move(out).str();
+}
+
+}  // namespace grafverif::test

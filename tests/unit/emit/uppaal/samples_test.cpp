@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The projects of all samples, in every mode and grain.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "app/pipeline.hpp"
+#include "emit/uppaal/uppaal.hpp"
+#include "support/uppaal_reader.hpp"
+#include "unit/emit/uppaal/drawings.hpp"
+#include "unit/emit/uppaal/dtd.hpp"
+
+namespace grafverif {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> samples() {
+    std::vector<std::string> found;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(GRAFVERIF_SOURCE_DIR "/samples"))
+        if (entry.path().extension() == ".grafcet") found.push_back(entry.path().string());
+    std::ranges::sort(found);
+    return found;
+}
+
+/// The networks of the loops of a file, ready to emit.
+std::vector<Network> networks(const std::string& file) {
+    std::vector<Network> list;
+    app::Job reading;
+    const auto model = app::read_model(file, reading);
+    if (!model) return {};
+    for (const Id<ClosedLoop> loop : model->loops.ids()) {
+        for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
+            for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
+                app::Job job;
+                job.options.grain = grain;
+                job.options.mode = mode;
+                const auto network = app::network_of(*model, loop, job);
+                if (network) list.push_back(uppaal::lower(*network));
+            }
+        }
+    }
+    return list;
+}
+
+class UppaalSamples : public testing::TestWithParam<std::string> {};
+
+TEST_P(UppaalSamples, AreDrawnClearlyValidAndReadBack) {
+    const std::vector<Network> list = networks(GetParam());
+    ASSERT_FALSE(list.empty());
+    for (const Network& network : list) {
+        std::ostringstream out;
+        uppaal::emit(network, out);
+        EXPECT_EQ(test::overlaps(out.str()), "");
+        EXPECT_EQ(test::comparable_text(test::read_uppaal(out.str())),
+                  test::comparable_text(test::as_read_back(network)));
+        EXPECT_TRUE(!test::has_xmllint() || test::is_valid(out.str()));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, UppaalSamples, testing::ValuesIn(samples()), [](const auto& sample) {
+    const fs::path file = sample.param;
+    return file.parent_path().filename().string() + '_' + file.stem().string();
+});
+
+}  // namespace
+}  // namespace grafverif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Damaged files of other formats: cut anywhere, bytes changed anywhere. Nothing crashes, and what is rejected comes with
+// an error; what is read can be written and reads back.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <sstream>
+#include <string>
+
+#include "fixtures.hpp"
+#include "read/formats.hpp"
+#include "read/text.hpp"
+#include "syntax/language/format.hpp"
+#include "support/law_size.hpp"
+
+namespace grafverif {
+namespace {
+
+const std::string& fixture(std::size_t i) {
+    static const std::string* const all[] = {&fixtures::agrafe, &fixtures::plcopen, &fixtures::sfc};
+    return *all[i % 3];
+}
+
+void check_damaged(const std::string& text, bool lossy) {
+    Sources sources;
+    Diagnostics diagnostics;
+    ReadContext context;
+    context.lossy = lossy;
+    const Id<Source> source = sources.add({"damaged.xml", text});
+    const auto model = read_text(source, sources, context, diagnostics);
+    ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
+    std::ostringstream said;
+    render_text(diagnostics.all(), sources, Colour::Plain, said);   // every place can be shown
+    if (!model) return;
+    ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
+    Diagnostics none;
+    const std::string once = formatted(laid_out(read_any(source, sources, {lossy}, none)));
+    Diagnostics again;
+    ASSERT_TRUE(read_text(sources.add({"back.grafcet", once}), sources, {}, again)) << text << '\n' << once;
+}
+
+TEST(DamagedImport, CutAnywhereIsReadOrRefused) {
+    std::mt19937 random(1);
+    for (int i = 0; i < law_size(300); ++i) {
+        const std::string& text = fixture(random());
+        check_damaged(text.substr(0, random() % (text.size() + 1)), i % 2 == 0);
+        if (::testing::Test::HasFatalFailure()) return;
+    }
+}
+
+TEST(DamagedImport, WithBytesChangedIsReadOrRefused) {
+    std::mt19937 random(2);
+    const std::string likely = "<>/\"=&;:()[] 0123456789ATNR.@#!\x80\xFF";
+    for (int i = 0; i < law_size(1500); ++i) {
+        std::string text = fixture(random());
+        for (std::size_t flips = 1 + random() % 3; flips > 0; --flips) {
+            const std::size_t at = random() % text.size();
+            switch (random() % 4) {
+            case 0: text[at] = static_cast<char>(random() % 256); break;
+            case 1: text[at] = likely[random() % likely.size()]; break;
+            case 2: text.erase(at, 1 + random() % 8); break;
+            default: text.insert(at, text.substr(random() % text.size(), random() % 60));
+            }
+        }
+        SCOPED_TRACE(i);
+        check_damaged(text, i % 2 == 0);
+        if (::testing::Test::HasFatalFailure()) return;
+    }
+}
+
+}  // namespace
+}  // namespace grafverif

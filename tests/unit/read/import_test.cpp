@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// Charts of other formats: what becomes of them, as text, and that the text is the same chart.
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+#include "fixtures.hpp"
+#include "read/formats.hpp"
+#include "read/text.hpp"
+#include "syntax/language/format.hpp"
+#include "support/print_model.hpp"
+
+namespace grafverif {
+namespace {
+
+struct Imported {
+    std::string text = {}, said = {};
+};
+
+/// The text of what is imported; checks that it reads back as the same model.
+Imported imported(const std::string& written, bool lossy = false) {
+    Sources sources;
+    Diagnostics diagnostics;
+    const Id<Source> source = sources.add({"chart.xml", written});
+    Imported result;
+    const tree::File file = read_any(source, sources, {lossy}, diagnostics);
+    Diagnostics again;
+    ReadContext context;
+    context.lossy = lossy;
+    const auto model = read_text(source, sources, context, again);
+    std::ostringstream said;
+    render_text(again.all(), sources, Colour::Plain, said);
+    result.said = said.str();
+    if (file.broken) return result;
+    result.text = formatted(laid_out(file));
+    EXPECT_TRUE(model) << result.said;
+    Diagnostics third;
+    const auto back = read_text(sources.add({"back.grafcet", result.text}), sources, {}, third);
+    EXPECT_TRUE(back) << result.text;
+    if (!model || !back) return result;
+    std::ostringstream one, other;
+    print(one, *model);
+    print(other, *back);
+    EXPECT_EQ(one.str(), other.str());
+    return result;
+}
+
+TEST(Import, TellsFormatsFromTheirContent) {
+    EXPECT_EQ(format_of("// a chart\ngrafcet g {}"), FileFormat::Grafcet);
+    EXPECT_EQ(format_of("\xEF\xBB\xBF  <?xml version='1.0'?><a/>"), FileFormat::Xml);
+    EXPECT_EQ(format_of("(* x *) program p"), FileFormat::StructuredText);
+    EXPECT_EQ(format_of("/* x */ Function_Block f"), FileFormat::StructuredText);
+    EXPECT_EQ(format_of("/* x */ closed_loop w {"), FileFormat::Grafcet);
+    EXPECT_EQ(format_of("programme"), FileFormat::Unknown);
+    EXPECT_EQ(format_of(""), FileFormat::Unknown);
+}
+
+std::string utf16(const std::string& text) {
+    std::string wide = "\xFF\xFE";
+    for (const char c : text) (wide += c) += '\0';
+    return wide;
+}
+
+TEST(Import, TakesUtf16ForXmlOnlyWhereThereIsXml) {
+    EXPECT_EQ(format_of(utf16(" <project/>")), FileFormat::Xml);
+    EXPECT_EQ(format_of(utf16("grafcet g {}")), FileFormat::Unknown);
+    for (const std::string& text : {utf16("grafcet g { initial step 0; }"), utf16("PROGRAM p END_PROGRAM").substr(2)})
+        EXPECT_NE(imported(text).said.find("this text is UTF-16; save the file as UTF-8 text [invalid-utf8]"), std::string::npos)
+            << imported(text).said;
+}
+
+TEST(Import, TakesOverTheWholeMetaModelOfAgrafe) {
+    const Imported result = imported(fixtures::agrafe);
+    EXPECT_EQ(result.text, fixtures::agrafe_text) << result.said;
+}
+
+TEST(Import, TakesOverInternalVariablesThatContinuousActionsDriveAsOutputs) {
+    std::string driven = fixtures::agrafe;
+    const std::string output = "name=\"M\" variableDeclarationType=\"output\"";
+    driven.replace(driven.find(output), output.size(), "name=\"M\" variableDeclarationType=\"internal\"");
+    const std::string edge = "<transitions id=\"2\"><term xsi:type=\"t:FallingEdge\"><subterm xsi:type=\"t:Variable\" variableDeclaration=\"//@variableDeclarationContainer/@variableDeclarations.3\"/>";
+    const std::size_t at = driven.find(edge) + edge.size() - 4;
+    driven[at] = '1';   // the transition reads M
+    const Imported result = imported(driven);
+    std::string wanted = fixtures::agrafe_text;
+    wanted.replace(wanted.find("fall(G1.X1)"), 11, "fall(M)");
+    EXPECT_EQ(result.text, wanted) << result.said;
+    EXPECT_NE(result.said.find("`M` becomes an output: continuous actions drive it"), std::string::npos) << result.said;
+}
+
+TEST(Import, TakesOverVariablesWithoutAKindAsOutputsWhereActionsDriveThem) {
+    std::string driven = fixtures::agrafe, refused = fixtures::agrafe;
+    const std::string kind = " variableDeclarationType=\"output\"";
+    driven.erase(driven.find(kind), kind.size());
+    EXPECT_EQ(imported(driven).text, fixtures::agrafe_text);
+    refused.replace(refused.find(kind), kind.size(), " variableDeclarationType=\"input\"");
+    Sources sources;
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_text(sources.add({"chart.xml", refused}), sources, {}, diagnostics));
+    EXPECT_EQ(diagnostics.errors(), 1U);
+    EXPECT_EQ(diagnostics.all().back().code, "not-an-output") << "what is called an input stays one";
+}
+
+TEST(Import, CutsNamesSoThatTheirNumbersAndPrefixesFit) {
+    const std::string longest(1000, 'n');
+    std::string text = fixtures::agrafe;
+    for (const char* name : {"name=\"a\"", "name=\"M\"", "name=\"G1\"", "name=\"G2\""})
+        text.replace(text.find(name), std::string(name).size(), "name=\"" + longest + '"');
+    for (const char* id : {"id=\"1\" initial", "id=\"2\"/>"})
+        text.replace(text.find(id), std::string(id).size(), std::string(id).replace(4, 1, longest + id[4]));
+    EXPECT_NE(imported(text).text, "") << imported(text).said;
+}
+
+TEST(Import, TakesOverPlcopenWithPrioritiesInTheConditions) {
+    const Imported result = imported(fixtures::plcopen);
+    EXPECT_EQ(result.text, fixtures::plcopen_text) << result.said;
+    EXPECT_NE(result.said.find("[explicit-priority]"), std::string::npos) << result.said;
+}
+
+TEST(Import, TakesOverTextualChartsWithTheirActionBlocks) {
+    const Imported result = imported(fixtures::sfc);
+    for (const char* line : {"// a press", "step Left { down; lamp := true on activation; }", "initial step Wait { lamp := false on activation; }",
+                             "horn_limited := true on activation;", "horn_pulse := false on event rise(horn_pulse);",
+                             "horn if horn_limited && !(3s/horn_limited);", "transition both: Wait -> Left, Right when go;",
+                             "transition Left, Right -> Wait when done != go;"})
+        EXPECT_NE(result.text.find(line), std::string::npos) << line << "\n" << result.text << result.said;
+    EXPECT_NE(result.said.find("R of `lamp`"), std::string::npos) << result.said;
+}
+
+/// A chart of two steps in PLCopen XML whose first transition gets its condition from the element 9 of `network`.
+std::string connected(const std::string& network) {
+    return R"(<project><pou name="p" pouType="program"><interface><inputVars>
+<variable name="a"><type><BOOL/></type></variable><variable name="b"><type><BOOL/></type></variable></inputVars>
+<localVars><variable name="c"><type><BOOL/></type></variable></localVars></interface>
+<body><SFC><step localId="1" name="S1" initialStep="1"><connectionPointIn><connection refLocalId="4"/></connectionPointIn></step>
+<transition localId="2"><connectionPointIn><connection refLocalId="1"/></connectionPointIn>
+<condition><connectionPointIn><connection refLocalId="9"/></connectionPointIn></condition></transition>
+<step localId="3" name="S2"><connectionPointIn><connection refLocalId="2"/></connectionPointIn></step>
+<transition localId="4"><connectionPointIn><connection refLocalId="3"/></connectionPointIn>
+<condition><inline name=""><ST>b</ST></inline></condition></transition>
+<leftPowerRail localId="5"/>
+<inVariable localId="6"><expression>a</expression></inVariable>
+<inVariable localId="7" negated="1"><expression>b</expression></inVariable>)" +
+           network + "</SFC></body></pou></project>";
+}
+
+std::string block(const std::string& type, const std::string& first, const std::string& second, const std::string& output) {
+    const auto pin = [](const std::string& marks, const char* source) {
+        return "<variable " + marks + "><connectionPointIn><connection refLocalId=\"" + source + "\"/></connectionPointIn></variable>";
+    };
+    return "<block localId=\"9\" typeName=\"" + type + "\"><inputVariables>" + pin(first, "6") + pin(second, "7") +
+           "</inputVariables><outputVariables><variable " + output + "/></outputVariables></block>";
+}
+
+std::string contact(const std::string& marks, const std::string& wire = "<connection refLocalId=\"5\"/>") {
+    return "<contact localId=\"9\" " + marks + "><connectionPointIn>" + wire + "</connectionPointIn><variable>a</variable></contact>";
+}
+
+TEST(Import, KeepsEveryNegationOfANetwork) {
+    struct Case {
+        std::string network = {}, condition = {};
+    };
+    const Case cases[] = {{block("AND", "", "", ""), "a && !b"},
+                          {block("and", "negated=\"true\"", "", ""), "!a && !b"},
+                          {block("OR", "", "negated=\"true\"", "negated=\"1\""), "!(a || !!b)"},
+                          {block("XOR", "", "negated=\"0\"", "negated=\"false\""), "a != !b"},
+                          {contact(""), "a"},
+                          {contact("negated=\"true\""), "!a"},
+                          {"<inOutVariable localId=\"9\" negatedOut=\"true\"><expression>a</expression></inOutVariable>", "!a"}};
+    for (const Case& one : cases) {
+        SCOPED_TRACE(one.network);
+        const Imported result = imported(connected(one.network));
+        EXPECT_NE(result.text.find("S1 -> S2 when " + one.condition + ";"), std::string::npos) << result.text << result.said;
+    }
+}
+
+TEST(Import, RefusesNetworksThatRememberOrLackAWire) {
+    struct Case {
+        std::string network = {}, message = {};
+    };
+    const Case cases[] = {{block("AND", "edge=\"rising\"", "", ""), "an edge in the network"},
+                          {block("AND", "", "", "storage=\"set\""), "a value stored in the network"},
+                          {block("AND", "formalParameter=\"EN\"", "", ""), "enabled by a condition of its own"},
+                          {block("SUB", "", "", ""), "arithmetic on anything but integers"},
+                          {block("NOT", "", "", ""), "number of inputs of this block"},
+                          {contact("edge=\"falling\""), "an edge in the network"},
+                          {contact("storage=\"reset\""), "a value stored in the network"},
+                          {contact("", ""), "this contact has no connection"},
+                          {block("RS", "", "", ""), "the block `RS`"}};
+    for (const Case& one : cases) {
+        SCOPED_TRACE(one.network);
+        const Imported result = imported(connected(one.network));
+        EXPECT_EQ(result.text, "");
+        EXPECT_NE(result.said.find(one.message), std::string::npos) << result.said;
+    }
+}
+
+TEST(Import, MakesNothingOfAConditionThatItTakesOverInPartOnly) {
+    const std::string behind_an_edge = R"(<contact localId="8" edge="rising"><connectionPointIn><connection refLocalId="5"/></connectionPointIn><variable>b</variable></contact>)" +
+                                       contact("", "<connection refLocalId=\"8\"/>");
+    const Imported result = imported(connected(behind_an_edge), true);
+    EXPECT_NE(result.text.find("S1 -> S2 when unknown_condition;"), std::string::npos) << result.text << result.said;
+}
+
+TEST(Import, RefusesStatementsUnderTheQualifiersThatOutliveTheirStep) {
+    for (const char* qualifier : {"S", "R", "D, T#1s"}) {
+        std::string text = fixtures::sfc;
+        text.replace(text.find("horn(P);"), 8, "work(" + std::string(qualifier) + ");");
+        text.replace(text.find("END_PROGRAM"), 0, "ACTION work: lamp := go; END_ACTION\n");
+        EXPECT_NE(imported(text).said.find("a list of statements under the qualifier"), std::string::npos) << qualifier;
+    }
+}
+
+TEST(Import, ReadsOtherEncodings) {
+    std::string latin = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<!-- Gr\xFC\xDF" "e -->\n" + fixtures::agrafe.substr(fixtures::agrafe.find("<g:"));
+    EXPECT_FALSE(imported(latin).text.empty());
+    EXPECT_EQ(imported(utf16(fixtures::plcopen.substr(fixtures::plcopen.find("<project")))).text, fixtures::plcopen_text);
+}
+
+TEST(Import, LeavesOutOnlyWhenAskedTo) {
+    std::string text = fixtures::sfc;
+    text.replace(text.find(":= go;"), 6, ":= go AND LREAL_TO_BOOL(3.5);");
+    EXPECT_NE(imported(text).said.find("[cannot-import]"), std::string::npos);
+    const Imported lossy = imported(text, true);
+    EXPECT_NE(lossy.said.find("[left-out]"), std::string::npos);
+    EXPECT_NE(lossy.text.find("// left out: "), std::string::npos);
+    EXPECT_NE(lossy.text.find("when unknown_condition"), std::string::npos) << lossy.text;
+}
+
+}  // namespace
+}  // namespace grafverif
