@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "app/library.hpp"
+#include "pipeline/components.hpp"
 #include "generate.hpp"
 #include "compose/compose.hpp"
 #include "derive/derive.hpp"
@@ -23,7 +23,7 @@ Model read(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;
     const Id<Source> file = sources.add({"ring.grafcet", text});
-    return read_text(file, sources, {{}, app::library()}, diagnostics).value();
+    return read_text(file, sources, {{}, library()}, diagnostics).value();
 }
 
 Equations derived(const Model& model) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Writes OUTPUT, a C++ source that holds the text of each of FILES (the component library), so that the program finds
-# its library wherever it is installed.
+# Writes OUTPUT, a C++ source that holds the text of each of FILES (the component library), so that they are found
+# wherever the program or the library is installed.
 set(entries "")
 foreach(file IN LISTS FILES)
     file(READ "${file}" text)
@@ -8,9 +8,9 @@ foreach(file IN LISTS FILES)
     string(APPEND entries "    {.name = \"${name}\", .text = R\"~~~(${text})~~~\", .path = \"<library>/${name}.grafcet\"},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// SPDX-License-Identifier: MIT
-#include \"app/library.hpp\"
+#include \"pipeline/components.hpp\"
 
-namespace grafverif::app {
+namespace grafverif {
 
 namespace {
 
@@ -21,5 +21,5 @@ ${entries}};
 
 std::span<const LibraryEntry> library() { return entries; }
 
-}  // namespace grafverif::app
+}  // namespace grafverif
 ")

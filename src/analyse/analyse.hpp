@@ -37,15 +37,6 @@
 
 namespace grafverif {
 
-/// Two Boolean inputs that are never true together.
-struct Exclusion {
-    Id<Chart::Variable> first = {}, second = {};
-    std::string reason = {};
-    Span origin = {};
-
-    bool operator==(const Exclusion&) const = default;
-};
-
 /// How far an analysis is.
 struct AnalyseProgress {
     std::size_t questions = 0, open = 0, findings = 0;

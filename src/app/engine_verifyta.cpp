@@ -4,30 +4,32 @@
 #include "app/engines.hpp"
 #include "app/system/process.hpp"
 #include "check/external/verifyta.hpp"
+#include "pipeline/models.hpp"
+#include "report/report.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif::app {
 
-std::optional<Findings> check_by_verifyta(const LoopToCheck& loop, Job& job, const Interrupt& interrupt) {
+std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOptions& check, Diagnostics& diagnostics) {
     const auto program = find_program("verifyta");
     if (!program) {
-        job.diagnostics.add(messages::missing_program("verifyta", "--engine timed"));
+        diagnostics.add(messages::missing_program("verifyta", "--engine timed"));
         return {};
     }
     const UppaalQuestions uppaal = uppaal_questions(loop.network);
     const TemporaryFolder folder;
     folder.write("model.xml", uppaal.project);
-    const ProgramLimits limits{.deadline = job.options.deadline, .stop = &interrupt.asked(), .folder = folder.path()};
+    const ProgramLimits limits{.deadline = check.limits.deadline, .stop = check.limits.stop, .folder = folder.path()};
 
-    ExternalOptions options{.properties = job.options.properties};
+    ExternalOptions options{.properties = check.properties};
     options.run = [&](const std::string& formula) {
         folder.write("query.q", formula + '\n');
         return run_program({program->string(), "model.xml", "query.q"}, "", limits);
     };
-    Findings findings{{loop.network.name, basis_of(loop.network, "verifyta"), {}, {}}, {}};
+    Report report{loop.network.name, basis_of(loop.network, "verifyta")};
     for (Verdict& verdict : check_verifyta(loop.network, uppaal.questions, options))
-        findings.report.answers.push_back(answer_of(loop.network, std::move(verdict), Detail::Chart));
-    return findings;
+        report.answers.push_back(answer_of(loop.network, std::move(verdict), Detail::Chart));
+    return report;
 }
 
 }  // namespace grafverif::app

@@ -1,33 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Engines: each decides the properties of one closed loop and returns what it found, ready to be shown.
+// Engines of others, from the PATH. Nothing after an error: the program is not there.
 #pragma once
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "app/system/interrupt.hpp"
-#include "app/pipeline.hpp"
-#include "app/program.hpp"
-#include "report/report.hpp"
+#include "grafverif/ir/report.hpp"
+#include "pipeline/check.hpp"
 
 namespace grafverif::app {
 
-struct Findings {
-    Report report = {};
-    std::vector<std::string> failures = {};   ///< on our side: traces that do not replay; they are not in the report
-};
+/// `verifyta`, on the UPPAAL project of the loop: verdicts, no runs.
+std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOptions& check, Diagnostics& diagnostics);
 
-/// A closed loop to be checked, with the charts of its controllers, in order.
-struct LoopToCheck {
-    const Network& network;
-    std::vector<const Chart*> charts = {};
-};
-
-/// The embedded timed engine. Shows its progress on a terminal; every run is replayed on the rules first.
-Findings check_embedded(const LoopToCheck& loop, const Options& options, const Streams& streams, const Interrupt& interrupt);
-
-/// `verifyta` from the PATH, on the UPPAAL project of the loop. Nothing after an error: it is not there.
-std::optional<Findings> check_by_verifyta(const LoopToCheck& loop, Job& job, const Interrupt& interrupt);
+/// `NuSMV` or `nuXmv`, on the model we write.
+std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::string& program, const CheckOptions& options,
+                                     Diagnostics& diagnostics);
 
 }  // namespace grafverif::app

@@ -13,7 +13,7 @@
 #include "compose/compose.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/test_sequence.hpp"
-#include "schedule/options.hpp"
+#include "grafverif/ir/schedule_options.hpp"
 
 namespace grafverif::app {
 

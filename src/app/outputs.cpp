@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "app/system/guard.hpp"
+#include "pipeline/files.hpp"
 #include "support/messages.hpp"
 #include "support/printable.hpp"
 

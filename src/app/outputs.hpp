@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/system/files.hpp"
-#include "app/pipeline.hpp"
+#include "app/system/write_files.hpp"
+#include "app/job.hpp"
 #include "app/program.hpp"
 
 namespace grafverif::app {

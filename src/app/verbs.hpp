@@ -3,7 +3,7 @@
 // renders, and writes its result to streams.out or to files.
 #pragma once
 
-#include "app/pipeline.hpp"
+#include "app/job.hpp"
 #include "app/program.hpp"
 
 namespace grafverif::app {

@@ -98,7 +98,7 @@ tree::File broken(Id<Source> source) {
     return file;
 }
 
-tree::File read_xml(Id<Source> source, Sources& sources, const ReadOptions& options, Diagnostics& diagnostics) {
+tree::File read_xml(Id<Source> source, Sources& sources, const ImportOptions& options, Diagnostics& diagnostics) {
     const auto xml = Xml::read(source, sources, diagnostics);
     if (!xml) return broken(source);
     const std::string name = stem_of(sources[source].name);
@@ -132,7 +132,7 @@ FileFormat format_of(std::string_view text) {
     return structured ? FileFormat::StructuredText : FileFormat::Unknown;
 }
 
-tree::File read_any(Id<Source> source, Sources& sources, const ReadOptions& options, Diagnostics& diagnostics) {
+tree::File read_any(Id<Source> source, Sources& sources, const ImportOptions& options, Diagnostics& diagnostics) {
     switch (format_of(sources[source].text)) {
     case FileFormat::Unknown:
     case FileFormat::Grafcet:        return parse_file(source, sources, diagnostics);

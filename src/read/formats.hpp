@@ -23,12 +23,12 @@ enum class FileFormat {
 
 FileFormat format_of(std::string_view text);
 
-struct ReadOptions {
+struct ImportOptions {
     bool lossy = false;
 };
 
 /// The declarations of `source`; broken after an error. A source in another encoding is rewritten as UTF-8.
-tree::File read_any(Id<Source> source, Sources& sources, const ReadOptions& options, Diagnostics& diagnostics);
+tree::File read_any(Id<Source> source, Sources& sources, const ImportOptions& options, Diagnostics& diagnostics);
 
 /// The tree of a file of another format in the order of our text, its comments between the declarations they are about:
 /// what `format` prints.

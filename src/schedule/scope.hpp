@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "schedule/options.hpp"
+#include "grafverif/ir/schedule_options.hpp"
 #include "schedule/controller_instances.hpp"
 #include "grafverif/ir/network.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/pipeline.hpp"
+#include "app/job.hpp"
 #include "support/print_model.hpp"
 #include "syntax/print/equations.hpp"
 #include "support/print_network.hpp"
@@ -61,20 +61,20 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
     EXPECT_TRUE(verify(*equations).empty());
     EXPECT_TRUE(verify(*network).empty());
     EXPECT_TRUE(verify(*system).empty());
-    const UppaalProject project = uppaal_project(*network, job);
+    const UppaalProject project = uppaal_project(*network, job.diagnostics);
 
     expect_golden(folder / "1-chart.txt", printed([](auto& out, const Model& m) { print(out, m); }, *model));
     expect_golden(folder / "2-equations.txt", printed([](auto& out, const Equations& e) { print_equations(out, e); }, *equations));
     expect_golden(folder / "3-network.txt", printed([](auto& out, const Network& n) { print_network(out, n); }, *network));
     expect_golden(folder / "4-uppaal.xml", project.project);
     expect_golden(folder / "4-uppaal.q", project.queries);
-    expect_golden(folder / "5-model.smv", nusmv_model(*system, job));
+    expect_golden(folder / "5-model.smv", nusmv_model(*system, job.diagnostics));
     if (model->loops[*loop].schedule) {
         job.options.untimed.plant = PlantApproach::Automata;
         const auto with_plant = transition_system_of(*model, *loop, job);
         ASSERT_TRUE(with_plant);
         EXPECT_TRUE(verify(*with_plant).empty());
-        expect_golden(folder / "5-model-with-plant.smv", nusmv_model(*with_plant, job));
+        expect_golden(folder / "5-model-with-plant.smv", nusmv_model(*with_plant, job.diagnostics));
     }
     EXPECT_FALSE(job.diagnostics.has_errors());
 }

@@ -179,6 +179,14 @@ TEST(Documents, ClaimVerdictsOfTheirLoopsThatCheckFinds) {
     EXPECT_GE(loops, 4u);
 }
 
+TEST(Documents, ShowTheProgramThatTheTestsBuildAgainstTheInstalledLibrary) {
+    const std::string source = text_of(root / "tests/house/consumer/main.cpp");
+    std::size_t shown = 0;
+    for (const Block& block : blocks_of(root / "docs/library.md"))
+        if (block.language == "cpp") EXPECT_TRUE(source.ends_with(written(block))) << written(block), ++shown;
+    EXPECT_EQ(shown, 1U);
+}
+
 TEST(Documents, HaveTheirCommandsInConsoleBlocks) {
     for (const fs::path& document : documents())
         for (const std::string& line : lines_of(text_of(document)))

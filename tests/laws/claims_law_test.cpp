@@ -12,7 +12,7 @@
 #include <optional>
 #include <set>
 
-#include "app/untimed.hpp"
+#include "pipeline/untimed.hpp"
 #include "check/symbolic/symbolic.hpp"
 #include "check/timed/timed.hpp"
 #include "ir/network_run.hpp"
@@ -252,9 +252,7 @@ private:
 
     void try_claims(const Untimed& kind) {
         SCOPED_TRACE(kind.name);
-        Options options;
-        options.untimed = kind.options;
-        options.grain = kind.grain;
+        const ModelOptions options{.grain = kind.grain, .untimed = kind.options};
         const SystemToCheck check{*kind.system, charts(), abstraction_of(options, &loop())};
         std::vector<Verdict> all;
         for (const auto& [name, verdict] : kind.verdicts) all.push_back(verdict);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "grafverif/ir/transition_system.hpp"
-#include "schedule/options.hpp"
+#include "grafverif/ir/schedule_options.hpp"
 
 namespace grafverif {
 

@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/execution_mode.hpp"
 #include "grafverif/ir/chart_run.hpp"
 #include "grafverif/support/source.hpp"
@@ -50,6 +51,15 @@ struct Finding {
     std::optional<std::string> accepted = {}; ///< the reason given in the source
 
     bool operator==(const Finding&) const = default;
+};
+
+/// Two Boolean inputs that are never true together.
+struct Exclusion {
+    Id<Chart::Variable> first = {}, second = {};
+    std::string reason = {};
+    Span origin = {};
+
+    bool operator==(const Exclusion&) const = default;
 };
 
 /// What an analysis asked and did not come to decide.

@@ -17,7 +17,7 @@
 #include <set>
 #include <string_view>
 
-#include "app/system/descriptor.hpp"
+#include "pipeline/descriptor.hpp"
 #include "app/system/interrupt.hpp"
 
 extern char** environ;

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/system/child.hpp"
-#include "app/system/descriptor.hpp"
+#include "pipeline/descriptor.hpp"
 
 namespace grafverif::app {
 

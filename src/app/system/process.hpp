@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/system/descriptor.hpp"
+#include "pipeline/descriptor.hpp"
 #include "support/program.hpp"
 
 namespace grafverif::app {

@@ -12,13 +12,15 @@
 #include <cerrno>
 #include <chrono>
 #include <deque>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <thread>
 #include <tuple>
 
-#include "app/system/descriptor.hpp"
-#include "app/system/files.hpp"
+#include "pipeline/descriptor.hpp"
+#include "pipeline/files.hpp"
+#include "app/system/write_files.hpp"
 #include "app/system/interrupt.hpp"
 
 namespace grafverif::app {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // `analyse`: what can go wrong in a chart and what never happens in it, whatever the inputs do.
-#include "analyse/analyse.hpp"
-
-#include <fmt/format.h>
-
 #include <ostream>
 #include <sstream>
 
 #include "app/system/guard.hpp"
-#include "app/system/interrupt.hpp"
-#include "app/progress_line.hpp"
 #include "app/stop_words.hpp"
 #include "app/verbs.hpp"
+#include "pipeline/check.hpp"
 #include "read/exclusions.hpp"
 #include "report/findings.hpp"
 
@@ -61,22 +56,12 @@ ExitCode analyse(Job& job, const Streams& streams) {
     auto exclusions = exclusions_of(model->charts[*chart], job);
     if (!exclusions) return ExitCode::Input;
 
-    const Interrupt interrupt;
+    const Bounds bounds(job.options, streams);
     AnalyseOptions options;
     options.mode = execution_mode(*model, *chart, job);
     options.exclusions = std::move(*exclusions);
-    options.max_memory = job.options.max_memory.value_or(options.max_memory);
-    options.deadline = job.options.deadline;
-    options.stop = &interrupt.asked();
-    ProgressLine line(streams.err, streams.err_is_terminal && !job.options.quiet);
-    options.progress = [&line](const AnalyseProgress& now) {
-        line.show([&] {
-            return fmt::format("part {} of {}, {} instants; {} of {} questions decided, {} findings", now.part, now.parts,
-                               now.instant, now.questions - now.open, now.questions, now.findings);
-        });
-    };
-    Analysis analysis = grafverif::analyse(model->charts[*chart], *equations, options);
-    analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), interrupt.asked(), job.options);
+    Analysis analysis = analysis_of(model->charts[*chart], *equations, std::move(options), bounds.limits());
+    analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), bounds.interrupted(), job.options);
     const std::string text = printed(analysis, job);
     work_is_done();
     if (job.options.output) deliver(text, job, streams);

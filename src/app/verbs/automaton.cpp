@@ -5,7 +5,6 @@
 #include <ostream>
 #include <sstream>
 
-#include "app/system/interrupt.hpp"
 #include "app/verbs.hpp"
 #include "emit/layout/diagram.hpp"
 #include "support/messages.hpp"
@@ -41,10 +40,11 @@ bool is_drawing(Format format) { return format == Format::Dot || format == Forma
 ExitCode automaton(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
-    const Interrupt interrupt;
-    const bool partial = job.options.counts && !is_drawing(job.options.format);
-    const auto found = chart ? automaton_of(*model, *chart, job, streams, interrupt, partial) : std::nullopt;
-    if (!found) return interrupt.asked() ? ExitCode::Unknown : ExitCode::Input;
+    const Bounds bounds(job.options, streams);
+    ConformOptions options = conform_options(job.options, bounds.limits());
+    options.partial = job.options.counts && !is_drawing(job.options.format);
+    const auto found = chart ? automaton_of(*model, *chart, options, job.diagnostics) : std::nullopt;
+    if (!found) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (is_drawing(job.options.format)) return draw(diagram(*found), job, streams) ? ExitCode::Done : ExitCode::Input;
     print_to_output(job, streams, [&](std::ostream& out) {
         if (job.options.format == Format::Json) print_automaton_json(out, *found, !job.options.counts);
@@ -56,9 +56,9 @@ ExitCode automaton(Job& job, const Streams& streams) {
 ExitCode mealy(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
-    const Interrupt interrupt;
-    const auto found = chart ? mealy_of(*model, *chart, job, streams, interrupt) : std::nullopt;
-    if (!found) return interrupt.asked() ? ExitCode::Unknown : ExitCode::Input;
+    const Bounds bounds(job.options, streams);
+    const auto found = chart ? mealy_of(*model, *chart, conform_options(job.options, bounds.limits()), job.diagnostics) : std::nullopt;
+    if (!found) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (is_drawing(job.options.format)) return draw(diagram(*found), job, streams) ? ExitCode::Done : ExitCode::Input;
     print_to_output(job, streams, [&](std::ostream& out) {
         if (job.options.format == Format::Json) print_mealy_json(out, *found, !job.options.counts);

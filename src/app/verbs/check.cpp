@@ -11,8 +11,8 @@
 #include "app/outputs.hpp"
 #include "app/stop_words.hpp"
 #include "app/traces.hpp"
-#include "app/untimed.hpp"
 #include "app/verbs.hpp"
+#include "pipeline/models.hpp"
 #include "report/json.hpp"
 #include "report/junit.hpp"
 #include "report/terminal.hpp"
@@ -24,70 +24,40 @@ namespace grafverif::app {
 
 namespace {
 
-/// Whether every property asked for is among `known`; one that expands is known by its first part too.
-bool knows_properties(const std::vector<std::string>& known, Job& job) {
-    for (const std::string& name : job.options.properties) {
-        if (std::ranges::any_of(known, [&](const std::string& each) { return is_asked(each, {name}); })) continue;
-        job.diagnostics.add(messages::no_such_choice("property", name, known));
-        return false;
-    }
-    return true;
-}
-
-std::vector<std::string> property_names(const Table<Property>& properties) {
-    std::vector<std::string> names;
-    for (const Property& property : properties) names.push_back(property.name);
-    return names;
+CheckOptions check_options(const Options& options, const Limits& limits) {
+    const bool witnesses = options.verbose || options.format == Format::Json || options.trace_vcd || options.trace_svg;
+    return {options.properties, witnesses, options.verbose, limits};
 }
 
 /// What the engine asked for finds out; nothing after an error.
-std::optional<Findings> findings(const LoopToCheck& loop, Job& job, const Streams& streams, const Interrupt& interrupt) {
-    switch (job.options.engine) {
-    case Engine::Auto:
-    case Engine::Timed:    return check_embedded(loop, job.options, streams, interrupt);
-    case Engine::Verifyta: return check_by_verifyta(loop, job, interrupt);
-    case Engine::Symbolic: case Engine::Nusmv: case Engine::Nuxmv: break;   // of untimed models
-    }
-    unreachable();
+std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
+    const auto network = network_of(model, id, job);
+    if (!network || !all_known(options.properties, property_names(*network), job.diagnostics)) return {};
+    const LoopToCheck loop{*network, charts_of(model, model.loops[id]), !job.options.cures_left_out.empty()};
+    return job.options.engine == Engine::Verifyta ? check_by_verifyta(loop, options, job.diagnostics) : check(loop, options);
 }
 
-/// The embedded engine alone knows the question, and it has an answer under stability search.
-bool asks_for_stability(const Model& model, Id<Chart> chart, const Job& job) {
-    return job.options.engine != Engine::Nusmv && job.options.engine != Engine::Nuxmv &&
-           execution_mode(model, chart, job) == ExecutionMode::StabilitySearch;
+/// The program on the PATH that the options ask of untimed models; empty: the embedded engine.
+std::string program_of(Engine engine) { return engine == Engine::Nusmv ? "NuSMV" : engine == Engine::Nuxmv ? "nuXmv" : ""; }
+
+std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
+    const ModelOptions how = model_options(job.options);
+    const std::string program = program_of(job.options.engine);
+    if (program.empty()) return check_untimed(model, id, how, options, job.diagnostics);
+    const auto system = transition_system_of(model, id, job);
+    if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
+    const ClosedLoop& loop = model.loops[id];
+    return check_by_nusmv({*system, charts_of(model, loop), abstraction_of(how, &loop)}, program, options, job.diagnostics);
 }
 
-/// The same of an untimed model of `model`: of its closed loop, or of a chart alone.
-std::optional<Findings> untimed_findings(const Model& model, Job& job, const Streams& streams,
-                                         const Interrupt& interrupt) {
-    const auto loop = is_of_a_chart(model, job.options) ? std::nullopt : chosen_loop(model, job);
-    const auto chart = is_of_a_chart(model, job.options) ? chosen_chart(model, job) : std::nullopt;
-    const auto equations = chart ? equations_of(model, *chart, job) : std::nullopt;
-    std::optional<TransitionSystem> system;
-    if (loop) system = transition_system_of(model, *loop, job);
-    if (equations) system = controller_of(model, *chart, *equations, job);
-    if (!system) return {};
-    if (chart) {
-        ask_for_steps(*system);
-        if (!job.options.quiet)
-            streams.err << "note: `" << model.charts[*chart].name
-                        << "` is no closed loop: its steps are checked with free inputs, untimed\n";
-    }
-    std::vector<std::string> known = property_names(system->properties);
-    for (const TransitionSystem::Omitted& omitted : system->omitted) known.push_back(omitted.property.name);
-    const bool stability = chart && asks_for_stability(model, *chart, job);
-    if (stability) known.emplace_back(stabilises);
-    if (!knows_properties(known, job)) return {};
-    const ClosedLoop* const of = loop ? &model.loops[*loop] : nullptr;
-    const SystemToCheck check{*system, of != nullptr ? charts_of(model, *of) : std::vector{&model.charts[*chart]},
-                              abstraction_of(job.options, of)};
-    if (job.options.engine == Engine::Nusmv) return check_by_nusmv(check, "NuSMV", job, interrupt);
-    if (job.options.engine == Engine::Nuxmv) return check_by_nusmv(check, "nuXmv", job, interrupt);
-    Findings found = check_symbolically(check, job.options, streams, interrupt);
-    const bool asked = job.options.properties.empty() || is_asked(stabilises, job.options.properties);
-    if (stability && asked)
-        add_stabilises(model.charts[*chart], *equations, job.options, interrupt, found);
-    return found;
+std::optional<Report> chart_report(const Model& model, Id<Chart> chart, Job& job, const CheckOptions& options) {
+    const ModelOptions how = model_options(job.options);
+    const std::string program = program_of(job.options.engine);
+    if (program.empty()) return check_untimed(model, chart, how, options, job.diagnostics);
+    auto system = grafverif::transition_system_of(model, chart, how, job.diagnostics);
+    if (system) ask_for_steps(*system);
+    if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
+    return check_by_nusmv({*system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, program, options, job.diagnostics);
 }
 
 /// The trace that goes to files: of the first place where the model breaks off, of the first verdict against
@@ -135,9 +105,9 @@ void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& st
                                loop.name, printable(job.options.operands[0]));
 }
 
-ExitCode exit_code(const Report& report, bool failed, bool stopped) {
+ExitCode exit_code(const Report& report, bool stopped) {
     const Tally count = tally(report);
-    if (failed) return ExitCode::Failure;
+    if (!report.failures.empty()) return ExitCode::Failure;
     if (count.unexpected != 0 || !report.breakdowns.empty()) return ExitCode::Verdict;
     return count.unknown != 0 || stopped ? ExitCode::Unknown : ExitCode::Done;
 }
@@ -147,32 +117,34 @@ ExitCode exit_code(const Report& report, bool failed, bool stopped) {
 ExitCode check(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
-    const Interrupt interrupt;
-    std::optional<Findings> found;
+    const Bounds bounds(job.options, streams);
+    const CheckOptions options = check_options(job.options, bounds.limits());
+    std::optional<Report> found;
     std::optional<Id<ClosedLoop>> timed_loop;
     const bool timed = job.options.engine == Engine::Timed || job.options.engine == Engine::Verifyta;
-    if (job.options.check_untimed || (is_of_a_chart(*model, job.options) && !timed)) {
-        found = untimed_findings(*model, job, streams, interrupt);
-    } else {
-        const auto loop = chosen_loop(*model, job);
-        const auto network = loop ? network_of(*model, *loop, job) : std::nullopt;
-        if (network && knows_properties(property_names(network->properties), job))
-            found = findings({*network, charts_of(*model, model->loops[*loop])}, job, streams, interrupt);
-        timed_loop = loop;
+    if (is_of_a_chart(*model, job.options) && !timed) {
+        const auto chart = chosen_chart(*model, job);
+        if (chart) found = chart_report(*model, *chart, job, options);
+        if (found && !job.options.quiet)
+            streams.err << "note: `" << model->charts[*chart].name
+                        << "` is no closed loop: its steps are checked with free inputs, untimed\n";
+    } else if (const auto loop = chosen_loop(*model, job)) {
+        if (!job.options.check_untimed) timed_loop = loop;
+        found = timed_loop ? timed_report(*model, *loop, job, options) : untimed_report(*model, *loop, job, options);
     }
     if (!found) return ExitCode::Input;
-    Report& report = found->report;
-    say_who_stopped(report, interrupt.asked(), job.options);
+    Report& report = *found;
+    say_who_stopped(report, bounds.interrupted(), job.options);
     work_is_done();
     if (job.options.format == Format::Json) print_json(report, streams.out);
     else
         print_report(report,
                      {job.options.verbose, job.options.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain},
                      streams.out);
-    for (const std::string& failure : found->failures)
+    for (const std::string& failure : report.failures)
         streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
     write_reports(report, job, streams);
-    const ExitCode code = exit_code(report, !found->failures.empty(), interrupt.asked());
+    const ExitCode code = exit_code(report, bounds.interrupted());
     if (code != ExitCode::Done && timed_loop) point_to_schedule(model->loops[*timed_loop], job, streams);
     return code;
 }

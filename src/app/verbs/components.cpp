@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/library.hpp"
+#include "pipeline/components.hpp"
 #include "app/verbs.hpp"
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"

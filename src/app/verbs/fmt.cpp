@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `fmt`: canonical text.
-#include "app/system/files.hpp"
+#include "app/system/write_files.hpp"
 #include "app/system/guard.hpp"
 #include "app/verbs.hpp"
 #include "syntax/language/format.hpp"

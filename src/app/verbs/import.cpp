@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `import`: a chart of another format as our text.
-#include "app/system/files.hpp"
+#include "app/system/write_files.hpp"
 #include "app/verbs.hpp"
 #include "derive/derive.hpp"
 #include "read/formats.hpp"

@@ -9,7 +9,7 @@ ExitCode uppaal(Job& job, const Streams& streams) {
     const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
     const auto network = loop ? network_of(*model, *loop, job) : std::nullopt;
     if (!network) return ExitCode::Input;
-    const UppaalProject project = uppaal_project(*network, job);
+    const UppaalProject project = uppaal_project(*network, job.diagnostics);
     if (!job.diagnostics.has_errors()) deliver(project.project, job, streams);
     return ExitCode::Done;
 }
@@ -18,16 +18,14 @@ ExitCode nusmv(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
     std::optional<TransitionSystem> system;
-    const bool of_a_chart = job.options.chart || (!job.options.loop && model->loops.empty());
-    if (of_a_chart) {
-        const auto chart = chosen_chart(*model, job);
-        const auto equations = chart ? equations_of(*model, *chart, job) : std::nullopt;
-        if (equations) system = controller_of(*model, *chart, *equations, job);
+    if (is_of_a_chart(*model, job.options)) {
+        if (const auto chart = chosen_chart(*model, job))
+            system = grafverif::transition_system_of(*model, *chart, model_options(job.options), job.diagnostics);
     } else if (const auto loop = chosen_loop(*model, job)) {
         system = transition_system_of(*model, *loop, job);
     }
     if (!system) return ExitCode::Input;
-    const std::string text = nusmv_model(*system, job);
+    const std::string text = nusmv_model(*system, job.diagnostics);
     if (!job.diagnostics.has_errors()) deliver(text, job, streams);
     return ExitCode::Done;
 }

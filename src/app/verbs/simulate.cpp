@@ -13,6 +13,8 @@
 #include "app/simulation.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
 #include "report/terminal.hpp"
 #include "run/network_walk.hpp"
 #include "support/overloaded.hpp"

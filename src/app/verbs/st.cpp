@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `st`: a chart, or a test of it, as a program for a PLC.
 #include "app/verbs.hpp"
+#include "pipeline/models.hpp"
 
 namespace grafverif::app {
 
@@ -11,9 +12,11 @@ ExitCode st(Job& job, const Streams& streams) {
     if (!found) return ExitCode::Input;
     std::string text;
     if (!job.options.sequence) {
-        text = structured_text_controller(*found, execution_mode(*model, *chart, job), job);
+        const bool xml = structured_text_form(job.options) == structured_text::Form::PlcopenXml;
+        text = structured_text_of(*found, execution_mode(*model, *chart, job), job.diagnostics, xml,
+                                  static_cast<std::uint32_t>(job.options.max_evolutions)).value_or("");
     } else if (const auto sequence = test_sequence(*model, *chart, job)) {
-        text = structured_text_test(*sequence, job);
+        text = structured_text_test(*sequence, structured_text_form(job.options));
     }
     if (!job.diagnostics.has_errors()) deliver(text, job, streams);
     return ExitCode::Done;

@@ -163,11 +163,9 @@ std::optional<TestReport> run_test(const TestSequence& test, const BenchOptions&
 }
 
 /// The table of `--sequence`; or a test made of the chart, which passes on the rules of IEC 60848 before it is run.
-std::optional<TestSequence> sequence_to_run(const Model& model, Id<Chart> chart, Job& job, const Streams& streams,
-                                            const Interrupt& interrupt) {
+std::optional<TestSequence> sequence_to_run(const Model& model, Id<Chart> chart, Job& job, const Limits& limits) {
     if (job.options.sequence) return test_sequence(model, chart, job);
-    const auto machine = mealy_of(model, chart, job, streams, interrupt);
-    return machine ? test_of(model, chart, *machine, job) : std::nullopt;
+    return test_of(model, chart, conform_options(job.options, limits), job.diagnostics);
 }
 
 void write_test_report(const TestReport& report, Job& job, const Streams& streams) {
@@ -181,14 +179,12 @@ void write_test_report(const TestReport& report, Job& job, const Streams& stream
     write_outputs({{*options.junit, std::move(text).str()}}, job, streams);
 }
 
-std::optional<TestReport> bench_report(const TestSequence& sequence, const Options& options, const Streams& streams,
-                                       const Interrupt& interrupt) {
-    ProgressLine line(streams.err, streams.err_is_terminal && !options.quiet);
+std::optional<TestReport> bench_report(const TestSequence& sequence, const Options& options, const Limits& limits) {
     BenchOptions bench{options.against, options.clock, options.go_on};
     bench.patience = std::chrono::milliseconds(options.patience_ms.value_or(10'000));
-    bench.stop = &interrupt.asked();
+    bench.stop = limits.stop;
     bench.progress = [&](std::size_t done) {
-        line.show([&] { return fmt::format("{} of {} steps", done, step_count(sequence)); });
+        limits.progress({[&] { return fmt::format("{} of {} steps", done, step_count(sequence)); }});
     };
     return run_test(sequence, bench);
 }
@@ -198,21 +194,21 @@ std::optional<TestReport> bench_report(const TestSequence& sequence, const Optio
 ExitCode test(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
-    const Interrupt interrupt;
-    const auto sequence = chart ? sequence_to_run(*model, *chart, job, streams, interrupt) : std::nullopt;
-    if (!sequence) return interrupt.asked() ? ExitCode::Unknown : ExitCode::Input;
+    const Bounds bounds(job.options, streams);
+    const auto sequence = chart ? sequence_to_run(*model, *chart, job, bounds.limits()) : std::nullopt;
+    if (!sequence) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (const auto wrong = job.options.sequence ? std::nullopt : disagreement(model->charts[*chart], *sequence)) {
         streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong << '\n';
         return ExitCode::Failure;
     }
-    const auto report = bench_report(*sequence, job.options, streams, interrupt);
+    const auto report = bench_report(*sequence, job.options, bounds.limits());
     if (!report) {
         job.diagnostics.add(messages::cannot_run(job.options.against));
         return ExitCode::Input;
     }
     write_test_report(*report, job, streams);
     if (!report->failures.empty()) return ExitCode::Verdict;
-    return interrupt.asked() ? ExitCode::Unknown : ExitCode::Done;
+    return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Done;
 }
 
 Verb test_usage() {

@@ -5,8 +5,8 @@
 #include <ostream>
 #include <sstream>
 
-#include "app/system/interrupt.hpp"
 #include "app/verbs.hpp"
+#include "pipeline/models.hpp"
 #include "conform/test_sequence.hpp"
 #include "run/replay_test.hpp"
 #include "syntax/print/automaton.hpp"
@@ -17,7 +17,7 @@ namespace grafverif::app {
 namespace {
 
 std::string written(const TestSequence& test, const Job& job) {
-    if (job.options.format == Format::Text || job.options.format == Format::Xml) return structured_text_test(test, job);
+    if (job.options.format == Format::Text || job.options.format == Format::Xml) return structured_text_test(test, structured_text_form(job.options));
     std::ostringstream out;
     if (job.options.format == Format::Json) print_test_json(out, test);
     else print_test_csv(out, test);
@@ -29,10 +29,9 @@ std::string written(const TestSequence& test, const Job& job) {
 ExitCode testgen(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
-    const Interrupt interrupt;
-    const auto machine = chart ? mealy_of(*model, *chart, job, streams, interrupt) : std::nullopt;
-    const auto test = machine ? test_of(*model, *chart, *machine, job) : std::nullopt;
-    if (!test) return interrupt.asked() ? ExitCode::Unknown : ExitCode::Input;
+    const Bounds bounds(job.options, streams);
+    const auto test = chart ? test_of(*model, *chart, conform_options(job.options, bounds.limits()), job.diagnostics) : std::nullopt;
+    if (!test) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (const auto wrong = disagreement(model->charts[*chart], *test)) {
         streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong << '\n';
         return ExitCode::Failure;

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Reads a chart and prints its equations through the installed headers.
+// Checks the closed loop of a file through the installed library.
+#include <grafverif/grafverif.hpp>
+
 #include <iostream>
 
-#include "derive/derive.hpp"
-#include "read/text.hpp"
-#include "syntax/print/equations.hpp"
-
-int main() {
-    using namespace grafverif;
-    Sources sources;
-    Diagnostics diagnostics;
-    const Id<Source> file = sources.add(
-        {"blink.grafcet", "grafcet blink { input a; output L; initial step 0; step 1 { L; }\n"
-                          "transition go: 0 -> 1 when a; transition back: 1 -> 0 when !a; }\n"});
-    const auto model = read_text(file, sources, {}, diagnostics);
-    const auto equations = model ? derive(*model->charts.begin(), diagnostics) : std::nullopt;
-    render_text(diagnostics.all(), sources, Colour::Plain, std::cerr);
-    if (!equations) return 1;
-    print_equations(std::cout, *equations);
-    return 0;
+int main(int, char** arguments) {
+    grafverif::Reading file = grafverif::read_file(arguments[1]);
+    std::optional<grafverif::Report> report;
+    if (file.model) report = check(*file.model, *file.model->loops.ids().begin(), {}, {}, file.diagnostics);
+    std::cerr << file.complaints();
+    if (report) std::cout << text_of(*report);
+    return report ? 0 : 2;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files as outputs: whole or not at all, whatever stands in their way, fails, or happens at the same time.
-#include "app/system/files.hpp"
+#include "app/system/write_files.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -14,6 +14,7 @@
 #include <system_error>
 #include <thread>
 
+#include "pipeline/files.hpp"
 #include "run_program.hpp"
 
 namespace {
@@ -224,7 +225,7 @@ TEST(ReadFile, TakesRegularFilesAloneAndNeverWaits) {
     for (const auto& [path, reason] : {std::pair(folder.file("pipe"), "it is a pipe, not a file"), std::pair(folder.file("link"), "it is a pipe, not a file"),
                                        std::pair(folder.file(""), "it is a directory"), std::pair(std::string("/dev/zero"), "it is a device, not a file"),
                                        std::pair(folder.file("none"), "no such file"), std::pair(folder.file("none/deeper"), "no such file")}) {
-        EXPECT_EQ(read_file(path, why), std::nullopt);
+        EXPECT_EQ(content_of_file(path, why), std::nullopt);
         EXPECT_EQ(why, reason) << path;
     }
 }

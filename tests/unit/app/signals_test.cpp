@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "app/system/child.hpp"
-#include "app/system/descriptor.hpp"
+#include "pipeline/descriptor.hpp"
 #include "app/system/interrupt.hpp"
 #include "app/system/process.hpp"
 #include "run_program.hpp"

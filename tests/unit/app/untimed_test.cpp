@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/untimed.hpp"
+#include "pipeline/untimed.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {

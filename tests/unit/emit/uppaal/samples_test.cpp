@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "app/pipeline.hpp"
+#include "app/job.hpp"
 #include "emit/uppaal/uppaal.hpp"
 #include "support/uppaal_reader.hpp"
 #include "unit/emit/uppaal/drawings.hpp"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The component library, embedded in the program from templates/ at build time.
+// The component library, embedded from templates/ at build time.
 #pragma once
 
 #include <span>
 
 #include "read/text.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 /// Every component of the library, in alphabetical order of file names.
 std::span<const LibraryEntry> library();
 
-}  // namespace grafverif::app
+}  // namespace grafverif

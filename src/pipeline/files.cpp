@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "app/system/files.hpp"
+#include "pipeline/files.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <istream>
 #include <string_view>
 #include <system_error>
 
-#include "app/system/descriptor.hpp"
+#include "pipeline/descriptor.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 namespace fs = std::filesystem;
 
@@ -41,7 +42,7 @@ std::string device_and_node(const struct stat& status) { return fmt::format("{}:
 
 }  // namespace
 
-std::optional<std::string> read_file(const fs::path& path, std::string& why) {
+std::optional<std::string> content_of_file(const fs::path& path, std::string& why) {
     struct stat status = {};
     if (::stat(path.c_str(), &status) != 0) return why = reason(errno), std::nullopt;
     if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), std::nullopt;   // opening a device may do something
@@ -101,4 +102,43 @@ std::string file_identity(const fs::path& path) {
     return fs::weakly_canonical(place, failure).string();
 }
 
-}  // namespace grafverif::app
+namespace {
+
+std::optional<fs::path> project_of(fs::path folder) {
+    for (;; folder = folder.parent_path()) {
+        std::error_code ignored;
+        for (const char* mark : {".git", "grafverif.project"})
+            if (fs::exists(folder / mark, ignored)) return folder;
+        if (!folder.has_relative_path()) return {};
+    }
+}
+
+bool is_below(const fs::path& file, const fs::path& root) {
+    return std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+}
+
+}  // namespace
+
+std::string identity_of_existing(const std::string& path) {
+    struct stat status = {};
+    return ::stat(path.c_str(), &status) == 0 ? fmt::format("{}:{}", status.st_dev, status.st_ino) : std::string();
+}
+
+Reach::Reach(const fs::path& main, const std::vector<std::string>& folders) {
+    roots_.push_back(fs::weakly_canonical(fs::absolute(main).parent_path()));
+    if (auto project = project_of(roots_.front())) roots_.push_back(std::move(*project));
+    for (const std::string& folder : folders) roots_.push_back(fs::weakly_canonical(fs::absolute(folder)));
+}
+
+std::optional<std::string> Reach::read(const std::string& path, std::string& why) const {
+    std::error_code failure;
+    const fs::path file = fs::canonical(path, failure);
+    if (!failure && std::ranges::none_of(roots_, [&](const fs::path& root) { return is_below(file, root); })) {
+        why = "it lies neither below the folder of the main file nor below that of its project, which `.git` or `grafverif.project` "
+              "marks; let it be read with `-I FOLDER`";
+        return {};
+    }
+    return content_of_file(failure ? fs::path(path) : file, why);
+}
+
+}  // namespace grafverif

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "app/untimed.hpp"
+#include "pipeline/untimed.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/stop_words.hpp"
-#include "analyse/analyse.hpp"
-#include "ir/step_names.hpp"
+#include "ir/flat_system.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 namespace {
 
@@ -51,7 +49,7 @@ bool speaks_of_every_plant(const SystemToCheck& check, const Property& property,
 
 }  // namespace
 
-Abstraction abstraction_of(const Options& options, const ClosedLoop* loop) {
+Abstraction abstraction_of(const ModelOptions& options, const ClosedLoop* loop) {
     using Carries = Abstraction::Carries;
     const ScheduleOptions& untimed = options.untimed;
     if (loop == nullptr || untimed.plant == PlantApproach::None) return {"no plant", {}, Carries::ToEveryPlant, false};
@@ -67,48 +65,6 @@ Abstraction abstraction_of(const Options& options, const ClosedLoop* loop) {
     if (untimed.time == TimeModel::Discrete)
         return {"plant automata, integer time" + fair, grain, Carries::ExactInIntegerTime, false, untimed.fairness};
     return {"plant automata, interleaved" + fair, grain, Carries::ToTimedLoop, false, untimed.fairness};
-}
-
-bool is_of_a_chart(const Model& model, const Options& options) {
-    return options.chart || (!options.loop && model.loops.empty());
-}
-
-void ask_for_steps(TransitionSystem& system) {
-    for (const TransitionSystem::Controller& controller : system.controllers)
-        for (const TransitionSystem::Named& step : controller.steps) {
-            Property property{.name = "reachable." + step_variable_name(step.name), .pattern = Pattern::Reachable};
-            property.operands = {system.exprs.leaf(Op::Variable, step.symbol.index)};
-            system.properties.add(std::move(property));
-        }
-}
-
-void add_stabilises(const Chart& chart, const Equations& equations, const Options& options, const Interrupt& interrupt,
-                    Findings& findings) {
-    AnalyseOptions asked;
-    asked.instability_only = true;
-    asked.max_memory = options.max_memory.value_or(asked.max_memory);
-    asked.deadline = options.deadline;
-    asked.stop = &interrupt.asked();
-    Analysis analysis = grafverif::analyse(chart, equations, asked);
-    findings.failures.insert(findings.failures.end(), analysis.failures.begin(), analysis.failures.end());
-    Answer answer{.text = "whatever the inputs, the situation becomes stable"};
-    Verdict& verdict = answer.verdict;
-    verdict = {.property = stabilises, .declared = false, .seconds = analysis.seconds, .origin = chart.origin};
-    const auto unstable = std::ranges::find(analysis.findings, "total-instability", &Finding::code);
-    if (unstable != analysis.findings.end()) {
-        verdict.outcome = Outcome::Violated;
-        verdict.expected_violated = unstable->accepted.has_value();
-        verdict.notes = {unstable->message};
-        if (unstable->accepted) verdict.notes.push_back("accepted: " + *unstable->accepted);
-        answer.trace = std::move(unstable->evidence);
-    } else if (analysis.obstacle.empty()) {
-        verdict.outcome = Outcome::Holds;
-    } else {
-        const bool stopped = analysis.obstacle.starts_with("stopped");
-        verdict.obstacle = stopped ? Obstacle::Stopped : Obstacle::Memory;
-        verdict.reason = with_who_stopped(analysis.obstacle, interrupt.asked(), options);
-    }
-    findings.report.answers.push_back(std::move(answer));
 }
 
 namespace {
@@ -170,4 +126,4 @@ std::string carries_words(const SystemToCheck& check, const Property& property, 
     return first ? words : words + (words.find(" and no_") == std::string::npos ? " holds" : " hold");
 }
 
-}  // namespace grafverif::app
+}  // namespace grafverif

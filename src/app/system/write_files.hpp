@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files: read whole with a bound, written whole or not at all. What is promised of writing, and by what means:
+// Files are written whole or not at all. What is promised, and by what means:
 //
 //   a file    Whoever looks sees the old content or the new one, never a part: the new one is written to a draft of an
 //             unpredictable name in the same folder, flushed to the disk, and renamed.
@@ -10,31 +10,11 @@
 //             locks they do not, and drafts of killed runs stay; elsewhere the next run in that folder removes them.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <iosfwd>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace grafverif::app {
-
-inline constexpr std::uintmax_t largest_input = std::uintmax_t{256} << 20U;   ///< bytes
-
-/// The content of the regular file at `path`, or nothing with the reason in `why`: missing, a folder, a pipe, a device,
-/// unreadable, above `largest_input`. Never waits.
-std::optional<std::string> read_file(const std::filesystem::path& path, std::string& why);
-
-/// The number of the descriptor that `path` names as one of ours: `/dev/stdin`, `/dev/fd/3`, `/proc/self/fd/3`.
-std::optional<int> own_descriptor(const std::filesystem::path& path);
-
-/// What is read from `descriptor` or `in` to its end, as above; waits for who writes.
-std::optional<std::string> read_descriptor(int descriptor, std::string& why);
-std::optional<std::string> read_stream(std::istream& in, std::string& why);
-
-/// Equal for all paths to one file, hard and symbolic links included; for a file that is not there yet, of paths to one
-/// name in one folder. Empty where there is nothing to tell apart: pipes, devices, the unreachable.
-std::string file_identity(const std::filesystem::path& path);
 
 struct OutputFile {
     std::filesystem::path path = {};

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace grafverif::app {
+namespace grafverif {
 
 /// A file descriptor and its end.
 class Descriptor {
@@ -42,4 +42,4 @@ void set_nonblocking(const Descriptor& descriptor);
 /// Throws std::system_error.
 [[noreturn]] void fail(int code, const std::string& what);
 
-}  // namespace grafverif::app
+}  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/system/descriptor.hpp"
+#include "pipeline/descriptor.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace grafverif::app {
+namespace grafverif {
 
 void Descriptor::close() {
     if (number_ >= 0) ::close(number_);
@@ -25,4 +25,4 @@ Pipe make_pipe() {
 
 void set_nonblocking(const Descriptor& descriptor) { ::fcntl(descriptor.number(), F_SETFL, O_NONBLOCK); }
 
-}  // namespace grafverif::app
+}  // namespace grafverif

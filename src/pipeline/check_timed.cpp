@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The embedded timed engine, run for `check`. No trace is shown that does not replay on the rules.
+// The embedded timed engine at work.
 #include <fmt/format.h>
 
-#include <ostream>
+#include <utility>
 
-#include "app/engines.hpp"
-#include "app/progress_line.hpp"
-#include "app/traces.hpp"
-#include "run/project.hpp"
 #include "check/timed/timed.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+#include "report/report.hpp"
+#include "run/project.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 namespace {
 
@@ -27,30 +27,26 @@ std::string progress_text(const TimedProgress& now) {
                        grouped(now.queue), now.bytes >> 20U, now.seconds);
 }
 
-TimedResult search(const Network& network, const Options& options, const Streams& streams, const Interrupt& interrupt) {
-    ProgressLine line(streams.err, streams.err_is_terminal && !options.quiet);
+TimedResult search(const Network& network, const CheckOptions& options) {
     TimedOptions timed;
     timed.properties = options.properties;
-    timed.max_states = options.max_states.value_or(timed.max_states);
-    timed.max_memory = options.max_memory.value_or(timed.max_memory);
-    timed.deadline = options.deadline;
-    timed.stop = &interrupt.asked();
-    timed.progress = [&line](const TimedProgress& now) { line.show([&] { return progress_text(now); }); };
+    timed.max_states = options.limits.states.value_or(timed.max_states);
+    set_limits(timed, options.limits);
+    if (options.limits.progress)
+        timed.progress = [&options](const TimedProgress& now) {
+            options.limits.progress({[&now] { return progress_text(now); }});
+        };
     return check_timed(network, timed);
 }
 
 /// Turns what the engine found into a report; runs that do not replay are failures and are not told.
 class Reporter {
 public:
-    Reporter(const Network& network, std::vector<const Chart*> charts, const Options& options)
-        : network_(network),
-          charts_(std::move(charts)),
-          detail_(options.verbose ? Detail::Everything : Detail::Chart),
-          cures_left_out_(!options.cures_left_out.empty()),
-          witnesses_(options.verbose || options.format == Format::Json || options.trace_vcd || options.trace_svg) {}
+    Reporter(const LoopToCheck& loop, const CheckOptions& options)
+        : loop_(loop), network_(loop.network), witnesses_(options.witnesses), detail_(options.every_move ? Detail::Everything : Detail::Chart) {}
 
     Report report(TimedResult result) {
-        Report report{network_.name, basis_of(network_, "timed"), {}, {}};
+        Report report{network_.name, basis_of(network_, "timed")};
         for (ModelError& error : result.errors) {
             if (!replays(error.run, fmt::format("the way to `{}`", word(error.kind)))) error.run = {};
             report.breakdowns.push_back(breakdown_of(network_, error, detail_));
@@ -62,14 +58,13 @@ public:
                 verdict.run.reset();
             report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
         }
+        report.failures = std::move(failures_);
         return report;
     }
 
-    std::vector<std::string> failures() && { return std::move(failures_); }
-
 private:
     void name_race(Breakdown& breakdown, const Run& run) const {
-        const std::optional<Clash> found = clash(project(network_, run), charts_);
+        const std::optional<Clash> found = clash(project(network_, run), loop_.charts);
         if (!found) return;
         const std::string what = found->variable.empty()
                                      ? "forcing orders contradict each other"
@@ -78,27 +73,30 @@ private:
     }
 
     bool replays(const Run& run, const std::string& what) {
-        if (cures_left_out_) return true;   // not the runs of a chart: that is their point
-        const std::optional<Disagreement> found = disagreement(project(network_, run), charts_);
+        if (loop_.cures_left_out) return true;
+        const std::optional<Disagreement> found = disagreement(project(network_, run), loop_.charts);
         if (found) failures_.push_back(replay_failure(what, *found));
         return !found;
     }
 
+    const LoopToCheck& loop_;
     const Network& network_;
-    std::vector<const Chart*> charts_;
+    bool witnesses_;
     Detail detail_;
-    bool cures_left_out_;
-    bool witnesses_;  ///< whether anybody looks at them
     std::vector<std::string> failures_ = {};
 };
 
 }  // namespace
 
-Findings check_embedded(const LoopToCheck& loop, const Options& options, const Streams& streams, const Interrupt& interrupt) {
-    TimedResult result = search(loop.network, options, streams, interrupt);
-    Reporter reporter(loop.network, loop.charts, options);
-    Report report = reporter.report(std::move(result));
-    return {std::move(report), std::move(reporter).failures()};
+Report check(const LoopToCheck& loop, const CheckOptions& options) {
+    return Reporter(loop, options).report(search(loop.network, options));
 }
 
-}  // namespace grafverif::app
+std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
+                            Diagnostics& diagnostics) {
+    const auto network = network_of(model, loop, how, diagnostics);
+    if (!network || !all_known(options.properties, property_names(*network), diagnostics)) return {};
+    return check({*network, charts_of(model, model.loops[loop])}, options);
+}
+
+}  // namespace grafverif

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// The front door: from the text of a chart to everything that is made of it. Each function takes plain values and gives
+// one; nothing is kept between calls, and calls on different values may run at once.
+//
+//   read_file, read_string    text -> Model (Chart, Component, ClosedLoop)
+//   equations_of              Chart -> Equations
+//   network_of                ClosedLoop -> Network of timed automata
+//   transition_system_of      ClosedLoop or Chart -> TransitionSystem without time
+//   uppaal_project, nusmv_model, structured_text_of   the same as text, for other tools
+//   check, check_untimed      -> Report: a Verdict per property, with the run that shows it
+//   analysis_of               Chart -> Analysis: what can go wrong in it, and what never happens
+//   automaton_of, mealy_of, test_of                 Chart -> LocationAutomaton, MealyMachine, TestSequence
+//
+// A user's mistakes are Diagnostics: a function that returns nothing has added at least one error. What the system refuses
+// (memory, a library) is thrown, as std::bad_alloc or std::system_error.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/equations.hpp"
+#include "grafverif/ir/finding.hpp"
+#include "grafverif/ir/location_automaton.hpp"
+#include "grafverif/ir/mealy.hpp"
+#include "grafverif/ir/network.hpp"
+#include "grafverif/ir/report.hpp"
+#include "grafverif/ir/schedule_options.hpp"
+#include "grafverif/ir/test_sequence.hpp"
+#include "grafverif/ir/transition_system.hpp"
+#include "grafverif/support/diagnostic.hpp"
+#include "grafverif/support/source.hpp"
+
+namespace grafverif {
+
+// Reading
+
+struct ReadOptions {
+    std::vector<std::string> include_folders = {};   ///< looked in for includes, after the folder of the including file
+    bool lossy = false;   ///< what a file of another format says and a chart cannot is left out, with a warning
+    /// Where included files come from. Without it they are read from the disk, within the folder of the file, that of
+    /// its project (see docs/files.md) and `include_folders`; a string includes from the current folder.
+    std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};
+};
+
+/// What was read: all texts, what is wrong with them, and, where nothing is, what they say.
+struct Reading {
+    Sources sources = {};
+    Diagnostics diagnostics = {};   ///< for what is made of the model later too
+    std::optional<Model> model = {};
+
+    /// The diagnostics as a person reads them, each with its line and a caret.
+    std::string complaints() const;
+};
+
+/// A file and all it includes: our text, AGRAFE, PLCopen XML or textual SFC, whatever is in it.
+Reading read_file(const std::string& path, const ReadOptions& options = {});
+/// The same of a text; `name` stands for it in diagnostics.
+Reading read_string(std::string text, const std::string& name, const ReadOptions& options = {});
+
+/// The chart, or closed loop, of that name.
+std::optional<Id<Chart>> find_chart(const Model& model, std::string_view name);
+std::optional<Id<ClosedLoop>> find_loop(const Model& model, std::string_view name);
+
+// Models
+
+/// How charts are executed and loops made models, where it shall not be as the file says.
+struct ModelOptions {
+    std::optional<ExecutionMode> mode = {};
+    std::optional<Grain> grain = {};
+    ScheduleOptions untimed = {};   ///< of transition systems; its mode is the one above
+};
+
+std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Diagnostics& diagnostics);
+std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
+                                  Diagnostics& diagnostics);
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
+                                                     Diagnostics& diagnostics);
+/// Of a chart alone, its inputs free.
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Chart> chart, const ModelOptions& options,
+                                                     Diagnostics& diagnostics);
+
+/// How `chart` is executed where no loop says it: as `asked`, or as every loop that runs it says, or with stability
+/// search.
+ExecutionMode execution_mode(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> asked);
+
+struct UppaalProject {
+    std::string project = {};   ///< XML, its queries in it
+    std::string queries = {};   ///< the queries alone, for `verifyta`
+};
+/// Warns of properties that the tool cannot be asked.
+UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics);
+std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics);
+
+/// A function block of the chart (IEC 61131-3), one call being one PLC cycle: as text, or as PLCopen XML (TC6 2.01). At
+/// most `max_evolutions` are made in a call in search of stability. Nothing after an error: the block cannot be written.
+std::optional<std::string> structured_text_of(const Equations& equations, ExecutionMode mode, Diagnostics& diagnostics,
+                                              bool plcopen_xml = false, std::uint32_t max_evolutions = 1000);
+
+// Proofs
+
+/// How far a computation is; `words` makes the sentence.
+struct Progress {
+    std::function<std::string()> words = {};
+};
+
+/// What bounds a computation. At a bound it ends with what is known: verdicts are unknown, with the reason.
+struct Limits {
+    std::optional<std::uint64_t> states = {};   ///< empty: as many as the engine allows by itself; likewise memory
+    std::optional<std::uint64_t> memory = {};   ///< bytes
+    std::optional<std::chrono::steady_clock::time_point> deadline = {};
+    const std::atomic<bool>* stop = nullptr;    ///< looked at all the time; anybody may set it, `progress` too
+    std::function<void(const Progress&)> progress = {};   ///< called now and then
+};
+
+struct CheckOptions {
+    std::vector<std::string> properties = {};   ///< names; empty: all. Of one that expands: `S` means each `S.X7`
+    bool witnesses = true;                      ///< runs that show what holds (`reachable`) too
+    bool every_move = false;                    ///< the rows of a run tell the moves of the translation too
+    Limits limits = {};
+};
+
+/// Decides the properties of a closed loop with the timed engine. Every run in the report has been replayed on the rules
+/// of IEC 60848.
+std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
+                            Diagnostics& diagnostics);
+/// The same of the model without time, with the symbolic engine; what its verdicts say of the timed loop stands with
+/// each.
+std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
+                                    const CheckOptions& options, Diagnostics& diagnostics);
+/// Of a chart alone: that each step can be reached.
+std::optional<Report> check_untimed(const Model& model, Id<Chart> chart, const ModelOptions& how,
+                                    const CheckOptions& options, Diagnostics& diagnostics);
+
+/// As `grafverif check` prints it, and its form for programs (docs/trace.md).
+std::string text_of(const Report& report);
+std::string json_of(const Report& report);
+
+// Charts alone
+
+/// What can go wrong in a chart and what never happens in it, whatever the inputs do.
+std::optional<Analysis> analysis_of(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode,
+                                    const Limits& limits, Diagnostics& diagnostics);
+
+struct ConformOptions {
+    std::optional<ExecutionMode> mode = {};
+    bool partial = false;          ///< of an automaton: at a limit, what was found, not `complete`
+    bool minimise = false;         ///< states of the machine that nobody can tell apart become one
+    TestCover cover = TestCover::Transitions;
+    bool one_cycle_each = false;   ///< steps of a test last one cycle, not two
+    Limits limits = {};
+};
+std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> chart, const ConformOptions& options,
+                                              Diagnostics& diagnostics);
+std::optional<MealyMachine> mealy_of(const Model& model, Id<Chart> chart, const ConformOptions& options,
+                                     Diagnostics& diagnostics);
+std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const ConformOptions& options,
+                                    Diagnostics& diagnostics);
+
+}  // namespace grafverif

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "app/job.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "app/outputs.hpp"
+#include "pipeline/files.hpp"
+#include "pipeline/models.hpp"
+#include "read/test_csv.hpp"
+#include "read/text.hpp"
+#include "support/messages.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+std::optional<std::string> read_named(const std::string& path, const Job& job, std::string& why) {
+    const auto own = path == "-" ? std::optional(STDIN_FILENO) : own_descriptor(path);
+    if (own == STDIN_FILENO && job.in != nullptr) return read_stream(*job.in, why);
+    return own ? read_descriptor(*own, why) : content_of_file(path, why);
+}
+
+}  // namespace
+
+std::optional<Id<Source>> read_source(const std::string& path, Job& job) {
+    std::string why;
+    auto text = read_named(path, job, why);
+    if (!text) {
+        job.diagnostics.add(messages::cannot_read(path, why));
+        return {};
+    }
+    if (!note_input(path, job)) return {};
+    return job.sources.add({path == "-" ? "<standard input>" : path, std::move(*text)});
+}
+
+std::optional<Model> read_model(const std::string& path, Job& job) {
+    for (const std::string& folder : job.options.include_folders) {
+        if (std::filesystem::is_directory(folder)) continue;
+        job.diagnostics.add(messages::cannot_read(folder, "there is no such folder"));
+        return {};
+    }
+    const auto file = read_source(path, job);
+    if (!file) return {};
+    const Reach reach(path == "-" ? "./-" : path, job.options.include_folders);   // standard input stands in the current folder
+    const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
+        auto text = reach.read(included, why);
+        if (text && !note_input(included, job)) return why = "it is also an output", std::nullopt;
+        return text;
+    };
+    ReadContext context = context_of(reach, job.options.include_folders, job.options.lossy);
+    context.load = load;
+    return read_text(*file, job.sources, context, job.diagnostics);
+}
+
+namespace {
+
+/// The entity called `wanted`, or the only one; an error naming the candidates otherwise.
+template <class T>
+std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::string>& wanted, std::string_view kind,
+                            std::string_view option, Job& job) {
+    std::vector<std::string> names;
+    for (const Id<T> id : table.ids()) {
+        if (wanted && table[id].name == *wanted) return id;
+        names.push_back(table[id].name);
+    }
+    if (!wanted && table.size() == 1) return *table.ids().begin();
+    if (wanted) job.diagnostics.add(messages::no_such_choice(kind, *wanted, names));
+    else job.diagnostics.add(messages::ambiguous_choice(kind, option, names));
+    return {};
+}
+
+}  // namespace
+
+bool is_of_a_chart(const Model& model, const Options& options) {
+    return options.chart || (!options.loop && model.loops.empty());
+}
+
+std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, Job& job) {
+    if (model.loops.empty() && !job.options.loop) {
+        job.diagnostics.add(messages::no_closed_loop());
+        return {};
+    }
+    return chosen(model.loops, job.options.loop, "closed loop", "--loop", job);
+}
+
+std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job) {
+    return chosen(model.charts, job.options.chart, "chart", "--chart", job);
+}
+
+ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const Job& job) {
+    return grafverif::execution_mode(model, chart, job.options.mode);
+}
+
+ModelOptions model_options(const Options& options) { return {options.mode, options.grain, options.untimed}; }
+
+structured_text::Form structured_text_form(const Options& options) {
+    return options.format == Format::Text ? structured_text::Form::Text : structured_text::Form::PlcopenXml;
+}
+
+ConformOptions conform_options(const Options& options, const Limits& limits) {
+    return {options.mode, false, options.minimise, options.cover, options.one_cycle_each, limits};
+}
+
+std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Job& job) {
+    return grafverif::equations_of(model, chart, job.diagnostics);
+}
+
+std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, Job& job) {
+    const Chart& tested = model.charts[chart];
+    for (const auto& [kind, what] : {std::pair(Chart::VariableKind::Input, "inputs"), std::pair(Chart::VariableKind::Output, "outputs")})
+        if (std::ranges::none_of(tested.variables, [kind = kind](const auto& variable) { return variable.kind == kind; }))
+            job.diagnostics.add(messages::nothing_to_test(tested.origin, tested.name, what));
+    const auto file = job.diagnostics.has_errors() ? std::nullopt : read_source(*job.options.sequence, job);
+    if (!file) return {};
+    return read_test_csv(*file, job.sources, tested, execution_mode(model, chart, job), job.diagnostics);
+}
+
+std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Job& job) {
+    for (const std::string& cure : job.options.cures_left_out) job.diagnostics.add(messages::cure_left_out(cure));
+    return grafverif::network_of(model, loop, ComposeOptions{job.options.grain, job.options.mode, job.options.without}, job.diagnostics);
+}
+
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, Job& job) {
+    return grafverif::transition_system_of(model, loop, model_options(job.options), job.diagnostics);
+}
+
+Bounds::Bounds(const Options& options, const Streams& streams)
+    : line_(streams.err, streams.err_is_terminal && !options.quiet),
+      limits_{options.max_states, options.max_memory, options.deadline, &interrupt_.asked(),
+              [this](const Progress& now) { line_.show(now.words); }} {}
+
+}  // namespace grafverif::app

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Engines at work: each decides the properties of one model and returns what it found. No run is told that does not replay
+// on the rules.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analyse/analyse.hpp"
+#include "grafverif/grafverif.hpp"
+#include "ir/flat_system.hpp"
+#include "pipeline/untimed.hpp"
+#include "run/replay.hpp"
+
+namespace grafverif {
+
+/// `the counterexample of P15 does not replay: controller press, evolution 3: ...`
+std::string replay_failure(std::string_view what, const Disagreement& disagreement);
+
+/// Whether a property called `property` is one of those asked for; `S.X7` is asked for by `S` as well.
+bool is_asked(std::string_view property, const std::vector<std::string>& asked);
+
+/// What a check can be asked for by name; those that the model cannot be asked are answered too, as unknown.
+std::vector<std::string> property_names(const Network& network);
+std::vector<std::string> property_names(const TransitionSystem& system);
+
+/// Whether each of `names` asks for one of `known`; else an error that names what it may have meant.
+bool all_known(const std::vector<std::string>& names, const std::vector<std::string>& known, Diagnostics& diagnostics);
+
+/// A closed loop to be checked, with the charts of its controllers, in order.
+struct LoopToCheck {
+    const Network& network;
+    std::vector<const Chart*> charts = {};
+    bool cures_left_out = false;   ///< its runs are not those of its charts, which is the point
+};
+Report check(const LoopToCheck& loop, const CheckOptions& options);
+
+/// Turns verdicts on an untimed model and their runs into a report. A run of the embedded engine that does not replay is
+/// a failure of ours; a program whose run does not replay is not believed.
+class SystemReporter {
+public:
+    enum class Of { EmbeddedEngine, Program };
+
+    SystemReporter(const SystemToCheck& check, Of of, std::string engine, const CheckOptions& options,
+                   const std::vector<Verdict>& verdicts);
+
+    void add(Verdict verdict, std::optional<SystemRun> run);
+    void add(const SystemFault& fault);
+    /// What cannot be asked of the system, each in its place among the properties.
+    void add_omitted();
+
+    Report report() && { return std::move(report_); }
+
+private:
+    bool replays(const SystemRun& run, const std::string& what);
+
+    const SystemToCheck& check_;
+    Of of_;
+    const CheckOptions& options_;
+    std::vector<std::string> unproven_;
+    Report report_ = {};
+};
+
+/// Those of the system's properties that are asked for.
+std::vector<std::size_t> asked_properties(const TransitionSystem& system, const std::vector<std::string>& names);
+
+Report check(const SystemToCheck& check, const CheckOptions& options);
+
+/// Adds what a chart alone is asked: that each of its steps can be reached (`reachable.X2`).
+void ask_for_steps(TransitionSystem& system);
+
+/// The name of what a chart alone is asked under stability search, as `analyse` is: that its situation becomes stable
+/// whatever the inputs (code `total-instability`).
+inline constexpr const char* stabilises = "stabilises";
+
+bool asks_for_stability(const TransitionSystem& system);
+
+/// The system of a chart alone: its properties, and whether it stabilises where that is asked for.
+Report check(const Model& model, Id<Chart> chart, const Equations& equations, const SystemToCheck& check,
+             const CheckOptions& options);
+
+Analysis analysis_of(const Chart& chart, const Equations& equations, AnalyseOptions options, const Limits& limits);
+
+}  // namespace grafverif

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// The embedded symbolic engine at work, and reports on untimed models.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ranges>
+#include <utility>
+
+#include "check/symbolic/symbolic.hpp"
+#include "ir/step_names.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+#include "report/report.hpp"
+#include "run/project.hpp"
+#include "support/messages.hpp"
+#include "syntax/print/dialect.hpp"
+
+namespace grafverif {
+
+namespace {
+
+Detail detail(const CheckOptions& options) { return options.every_move ? Detail::Everything : Detail::Chart; }
+
+}  // namespace
+
+std::string replay_failure(std::string_view what, const Disagreement& disagreement) {
+    return fmt::format("{} does not replay on the rules of IEC 60848: {}: {} (move {})", what, disagreement.where,
+                       disagreement.what, disagreement.move);
+}
+
+bool is_asked(std::string_view property, const std::vector<std::string>& asked) {
+    return std::ranges::any_of(asked, [&](const std::string& name) {
+        return property == name || (property.starts_with(name) && property.substr(name.size()).starts_with('.'));
+    });
+}
+
+bool all_known(const std::vector<std::string>& names, const std::vector<std::string>& known, Diagnostics& diagnostics) {
+    for (const std::string& name : names) {
+        if (std::ranges::any_of(known, [&](const std::string& each) { return is_asked(each, {name}); })) continue;
+        diagnostics.add(messages::no_such_choice("property", name, known));
+        return false;
+    }
+    return true;
+}
+
+std::vector<std::string> property_names(const Network& network) {
+    std::vector<std::string> names;
+    for (const Property& property : network.properties) names.push_back(property.name);
+    return names;
+}
+
+std::vector<std::string> property_names(const TransitionSystem& system) {
+    std::vector<std::string> names;
+    for (const Property& property : system.properties) names.push_back(property.name);
+    for (const TransitionSystem::Omitted& omitted : system.omitted) names.push_back(omitted.property.name);
+    return names;
+}
+
+std::vector<std::size_t> asked_properties(const TransitionSystem& system, const std::vector<std::string>& names) {
+    std::vector<std::size_t> asked;
+    for (const Id<Property> id : system.properties.ids())
+        if (names.empty() || is_asked(system.properties[id].name, names)) asked.push_back(id.index);
+    return asked;
+}
+
+SystemReporter::SystemReporter(const SystemToCheck& check, Of of, std::string engine, const CheckOptions& options,
+                               const std::vector<Verdict>& verdicts)
+    : check_(check), of_(of), options_(options), unproven_(unproven_faults(check.system, verdicts)) {
+    report_ = {check.system.name, basis_of(check.system, std::move(engine), check.abstraction.words)};
+    report_.basis.grain = check.abstraction.grain;
+}
+
+void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
+    const bool told = verdict.outcome != Outcome::Holds || options_.witnesses;
+    if (run && of_ == Of::Program) {
+        if (const auto found = disagreement(project(check_.system, *run), check_.charts))
+            distrust(verdict, replay_failure("its trace", *found));
+    } else if (run && told && !replays(*run, fmt::format("the trace of `{}`", verdict.property))) {
+        run.reset();
+    }
+    if (!told || verdict.outcome == Outcome::Unknown) run.reset();
+    if (const auto found = run ? untimely(project(check_.system, *run)) : std::nullopt)
+        verdict.notes.push_back(fmt::format("no plant gives this run: {}/{} is over in it, and {}/{} is not",
+                                            duration_text(found->longer_ms), step_variable_name(found->step),
+                                            duration_text(found->shorter_ms), step_variable_name(found->step)));
+    std::string carries = carries_words(check_, check_.system.properties[verdict.about], verdict, unproven_);
+    Answer answer = answer_of(check_.system, std::move(verdict), run, detail(options_));
+    answer.carries = std::move(carries);
+    report_.answers.push_back(std::move(answer));
+}
+
+void SystemReporter::add(const SystemFault& fault) {
+    if (!fault.run.states.empty()) replays(fault.run, "the way to the fault");
+    report_.breakdowns.push_back(breakdown_of(check_.system, fault, detail(options_)));
+}
+
+void SystemReporter::add_omitted() {
+    const std::vector<std::string>& asked = options_.properties;
+    std::vector<Answer>& answers = report_.answers;
+    for (const TransitionSystem::Omitted& omitted : check_.system.omitted | std::views::reverse) {
+        const Property& property = omitted.property;
+        if (!asked.empty() && !is_asked(property.name, asked)) continue;
+        Answer answer{.text = property.text};
+        answer.verdict = verdict_on({}, property);
+        answer.verdict.obstacle = Obstacle::Unsupported;
+        answer.verdict.reason = omitted.reason;
+        answer.verdict.declared = true;
+        const std::size_t place = asked.empty() ? std::min(omitted.before, answers.size()) : answers.size();
+        answers.insert(answers.begin() + static_cast<std::ptrdiff_t>(place), std::move(answer));
+    }
+}
+
+bool SystemReporter::replays(const SystemRun& run, const std::string& what) {
+    const std::optional<Disagreement> found = disagreement(project(check_.system, run), check_.charts);
+    if (found) report_.failures.push_back(replay_failure(what, *found));
+    return !found;
+}
+
+Report check(const SystemToCheck& check, const CheckOptions& options) {
+    SymbolicOptions symbolic;
+    for (const std::size_t index : asked_properties(check.system, options.properties))
+        symbolic.properties.push_back(check.system.properties[{static_cast<std::uint32_t>(index)}].name);
+    set_limits(symbolic, options.limits);
+    if (options.limits.progress)
+        symbolic.progress = [&options](const SymbolicProgress& now) {
+            options.limits.progress({[&now] {
+                return fmt::format("{} steps deep, {} MiB, {:.0f} s", now.depth, now.bytes >> 20U, now.seconds);
+            }});
+        };
+    SymbolicResult result;
+    if (options.properties.empty() || !symbolic.properties.empty())   // no names would ask for all
+        result = check_symbolic(check.system, symbolic);
+    SystemReporter reporter(check, SystemReporter::Of::EmbeddedEngine, "symbolic", options, result.verdicts);
+    if (result.fault) reporter.add(*result.fault);
+    for (std::size_t i = 0; i < result.verdicts.size(); ++i)
+        reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));
+    reporter.add_omitted();
+    return std::move(reporter).report();
+}
+
+void ask_for_steps(TransitionSystem& system) {
+    for (const TransitionSystem::Controller& controller : system.controllers)
+        for (const TransitionSystem::Named& step : controller.steps) {
+            Property property{.name = "reachable." + step_variable_name(step.name), .pattern = Pattern::Reachable};
+            property.operands = {system.exprs.leaf(Op::Variable, step.symbol.index)};
+            system.properties.add(std::move(property));
+        }
+}
+
+namespace {
+
+void add_stabilises(const Chart& chart, const Equations& equations, const Limits& limits, Report& report) {
+    AnalyseOptions asked;
+    asked.instability_only = true;
+    set_limits(asked, limits);
+    Analysis analysis = analyse(chart, equations, asked);
+    report.failures.insert(report.failures.end(), analysis.failures.begin(), analysis.failures.end());
+    Answer answer{.text = "whatever the inputs, the situation becomes stable"};
+    Verdict& verdict = answer.verdict;
+    verdict = {.property = stabilises, .declared = false, .seconds = analysis.seconds, .origin = chart.origin};
+    const auto unstable = std::ranges::find(analysis.findings, "total-instability", &Finding::code);
+    if (unstable != analysis.findings.end()) {
+        verdict.outcome = Outcome::Violated;
+        verdict.expected_violated = unstable->accepted.has_value();
+        verdict.notes = {unstable->message};
+        if (unstable->accepted) verdict.notes.push_back("accepted: " + *unstable->accepted);
+        answer.trace = std::move(unstable->evidence);
+    } else if (analysis.obstacle.empty()) {
+        verdict.outcome = Outcome::Holds;
+    } else {
+        const bool stopped = analysis.obstacle.starts_with("stopped");
+        verdict.obstacle = stopped ? Obstacle::Stopped : Obstacle::Memory;
+        verdict.reason = analysis.obstacle;
+    }
+    report.answers.push_back(std::move(answer));
+}
+
+}  // namespace
+
+bool asks_for_stability(const TransitionSystem& system) {
+    return system.controllers.front().mode == ExecutionMode::StabilitySearch;
+}
+
+Report check(const Model& model, Id<Chart> chart, const Equations& equations, const SystemToCheck& system,
+             const CheckOptions& options) {
+    Report report = check(system, options);
+    const bool asked = options.properties.empty() || is_asked(stabilises, options.properties);
+    if (asked && asks_for_stability(system.system)) add_stabilises(model.charts[chart], equations, options.limits, report);
+    return report;
+}
+
+std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> id, const ModelOptions& how,
+                                    const CheckOptions& options, Diagnostics& diagnostics) {
+    const auto system = transition_system_of(model, id, how, diagnostics);
+    if (!system || !all_known(options.properties, property_names(*system), diagnostics)) return {};
+    const ClosedLoop& loop = model.loops[id];
+    return check(SystemToCheck{*system, charts_of(model, loop), abstraction_of(how, &loop)}, options);
+}
+
+std::optional<Report> check_untimed(const Model& model, Id<Chart> chart, const ModelOptions& how,
+                                    const CheckOptions& options, Diagnostics& diagnostics) {
+    const auto equations = equations_of(model, chart, diagnostics);
+    if (!equations) return {};
+    TransitionSystem system = transition_system_of(model, chart, *equations, how.mode);
+    ask_for_steps(system);
+    std::vector<std::string> known = property_names(system);
+    if (asks_for_stability(system)) known.emplace_back(stabilises);
+    if (!all_known(options.properties, known, diagnostics)) return {};
+    return check(model, chart, *equations, {system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, options);
+}
+
+}  // namespace grafverif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Model -> Equations, Network, TransitionSystem: the only place where the verbs that make models meet, in order.
+#include "pipeline/models.hpp"
+
+#include "derive/derive.hpp"
+#include "emit/nusmv/nusmv.hpp"
+#include "plant/plant.hpp"
+#include "schedule/controller.hpp"
+#include "schedule/network.hpp"
+#include "schedule/together.hpp"
+#include "support/messages.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// The equations of every controller of the loop, in order.
+std::optional<std::vector<Equations>> equations_of_controllers(const Model& model, const ClosedLoop& loop,
+                                                               Diagnostics& diagnostics) {
+    std::vector<Equations> all;
+    for (const ClosedLoop::Controller& controller : loop.controllers)
+        if (auto equations = derive(model.charts[controller.chart], diagnostics)) all.push_back(std::move(*equations));
+    if (all.size() != loop.controllers.size()) return {};
+    return all;
+}
+
+std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& loop, const ModelOptions& how,
+                                          Diagnostics& diagnostics) {
+    ScheduleOptions options = how.untimed;
+    options.mode = how.mode;
+    const auto equations = equations_of_controllers(model, loop, diagnostics);
+    if (!equations) return {};
+    if (options.plant != PlantApproach::Automata) {
+        if (options.plant == PlantApproach::Constraints && !constraints_agree(loop, diagnostics)) return {};
+        return schedule_controllers(model, loop, *equations, options);
+    }
+    const auto plant_network = plant(model, loop, diagnostics);
+    if (!plant_network) return {};
+    const Schedule schedule = options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved));
+    if (schedule != Schedule::Interleaved)
+        return schedule_together(model, loop, *equations, *plant_network, options, diagnostics);
+    const auto network = compose(*plant_network, loop, *equations, {how.grain, how.mode, {}}, diagnostics);
+    if (!network) return {};
+    return schedule_network(*network, options, diagnostics);
+}
+
+}  // namespace
+
+ExecutionMode execution_mode(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> asked) {
+    std::optional<ExecutionMode> agreed;
+    for (const ClosedLoop& loop : model.loops)
+        for (const ClosedLoop::Controller& controller : loop.controllers) {
+            if (controller.chart != chart) continue;
+            if (agreed && *agreed != controller.mode) return asked.value_or(ExecutionMode::StabilitySearch);
+            agreed = controller.mode;
+        }
+    return asked.value_or(agreed.value_or(ExecutionMode::StabilitySearch));
+}
+
+std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Diagnostics& diagnostics) {
+    return derive(model.charts[chart], diagnostics);
+}
+
+std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, const ComposeOptions& options,
+                                  Diagnostics& diagnostics) {
+    const ClosedLoop& loop = model.loops[id];
+    const auto equations = equations_of_controllers(model, loop, diagnostics);
+    const auto plant_network = plant(model, loop, diagnostics);
+    if (!equations || !plant_network) return {};
+    auto network = compose(*plant_network, loop, *equations, options, diagnostics);
+    if (network)
+        for (const Property& property : network->observed)
+            diagnostics.add(messages::not_expressible(property.origin, property.name, "timed",
+                                                      "it reads an observer, and observers watch untimed models"));
+    return network;
+}
+
+std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
+                                  Diagnostics& diagnostics) {
+    return network_of(model, loop, ComposeOptions{options.grain, options.mode, {}}, diagnostics);
+}
+
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
+                                                     Diagnostics& diagnostics) {
+    auto system = scheduled(model, model.loops[loop], options, diagnostics);
+    if (system) *system = nusmv::sayable(std::move(*system));
+    return system;
+}
+
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Chart> chart, const ModelOptions& options,
+                                                     Diagnostics& diagnostics) {
+    const auto equations = equations_of(model, chart, diagnostics);
+    if (!equations) return {};
+    return transition_system_of(model, chart, *equations, options.mode);
+}
+
+TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const Equations& equations,
+                                      std::optional<ExecutionMode> mode) {
+    return schedule_controller(equations, execution_mode(model, chart, mode));
+}
+
+std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop) {
+    std::vector<const Chart*> charts;
+    for (const ClosedLoop::Controller& controller : loop.controllers) charts.push_back(&model.charts[controller.chart]);
+    return charts;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What the program asks of the pipeline beyond the front door.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "check/external/verifyta.hpp"
+#include "compose/compose.hpp"
+#include "emit/structured_text/structured_text.hpp"
+#include "grafverif/grafverif.hpp"
+#include "pipeline/files.hpp"
+#include "read/text.hpp"
+
+namespace grafverif {
+
+/// How files are read within `reach`, which outlives the context, as `folders` do. Components come from the library.
+ReadContext context_of(const Reach& reach, const std::vector<std::string>& folders, bool lossy);
+
+/// The same as network_of for users, with cures of the method left out where `options` say so.
+std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const ComposeOptions& options,
+                                  Diagnostics& diagnostics);
+
+/// Equations -> TransitionSystem of a lone chart.
+TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const Equations& equations,
+                                      std::optional<ExecutionMode> mode);
+
+/// The charts of the loop's controllers, in order.
+std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop);
+
+/// Network -> UPPAAL project and what to ask of it, a formula per verdict.
+struct UppaalQuestions {
+    std::string project = {};
+    std::vector<ExternalQuestion> questions = {};
+};
+UppaalQuestions uppaal_questions(const Network& network);
+
+/// TestSequence -> Structured Text.
+std::string structured_text_test(const TestSequence& test, structured_text::Form form);
+
+/// LocationAutomaton -> MealyMachine, of least size where `options` say so; MealyMachine -> TestSequence.
+std::optional<MealyMachine> mealy_of(const LocationAutomaton& automaton, Span chart, const ConformOptions& options,
+                                     Diagnostics& diagnostics);
+std::optional<TestSequence> test_of(const MealyMachine& machine, Span chart, const ConformOptions& options,
+                                    Diagnostics& diagnostics);
+
+/// What all engines take.
+template <class EngineOptions>
+void set_limits(EngineOptions& options, const Limits& limits) {
+    options.max_memory = limits.memory.value_or(options.max_memory);
+    options.deadline = limits.deadline;
+    options.stop = limits.stop;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Models and reports as text.
+#include <algorithm>
+#include <sstream>
+
+#include "emit/nusmv/nusmv.hpp"
+#include "emit/uppaal/uppaal.hpp"
+#include "pipeline/models.hpp"
+#include "report/json.hpp"
+#include "report/terminal.hpp"
+#include "support/messages.hpp"
+
+namespace grafverif {
+
+namespace {
+
+template <class Write>
+std::string written(Write write) {
+    std::ostringstream out;
+    write(out);
+    return std::move(out).str();
+}
+
+}  // namespace
+
+UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics) {
+    const Network lowered = uppaal::lower(network);
+    for (const uppaal::Inexpressible& left_out : uppaal::inexpressible(lowered)) {
+        const Property& property = lowered.properties[left_out.property];
+        diagnostics.add(messages::not_expressible(property.origin, property.name, "UPPAAL", left_out.reason));
+    }
+    return {written([&](std::ostream& out) { uppaal::emit(lowered, out); }),
+            written([&](std::ostream& out) { uppaal::emit_queries(lowered, out); })};
+}
+
+UppaalQuestions uppaal_questions(const Network& network) {
+    const Network lowered = uppaal::lower(network);
+    const std::vector<uppaal::Inexpressible> left_out = uppaal::inexpressible(lowered);
+    UppaalQuestions result;
+    for (const uppaal::Formula& formula : uppaal::formulas(lowered)) {
+        const auto why = std::ranges::find(left_out, formula.property, &uppaal::Inexpressible::property);
+        result.questions.push_back({formula.property, formula.name, formula.text, why == left_out.end() ? "" : why->reason});
+    }
+    result.project = written([&](std::ostream& out) { uppaal::emit(lowered, out); });
+    return result;
+}
+
+std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics) {
+    for (const TransitionSystem::Omitted& omitted : system.omitted)
+        diagnostics.add(messages::not_expressible(omitted.property.origin, omitted.property.name, "NuSMV", omitted.reason));
+    return written([&](std::ostream& out) { nusmv::emit(system, out); });
+}
+
+std::optional<std::string> structured_text_of(const Equations& equations, ExecutionMode mode, Diagnostics& diagnostics,
+                                              bool plcopen_xml, std::uint32_t max_evolutions) {
+    if (!structured_text::expressible(equations, diagnostics)) return {};
+    const auto form = plcopen_xml ? structured_text::Form::PlcopenXml : structured_text::Form::Text;
+    return written([&](std::ostream& out) { structured_text::emit(equations, {mode, max_evolutions, form}, out); });
+}
+
+std::string structured_text_test(const TestSequence& test, structured_text::Form form) {
+    return written([&](std::ostream& out) { structured_text::emit_test(test, form, out); });
+}
+
+std::string text_of(const Report& report) {
+    return written([&](std::ostream& out) { print_report(report, {}, out); });
+}
+
+std::string json_of(const Report& report) {
+    return written([&](std::ostream& out) { print_json(report, out); });
+}
+
+}  // namespace grafverif
