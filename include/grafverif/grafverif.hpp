@@ -26,12 +26,12 @@
 
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/equations.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/finding.hpp"
 #include "grafverif/ir/location_automaton.hpp"
 #include "grafverif/ir/mealy.hpp"
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/report.hpp"
-#include "grafverif/ir/schedule_options.hpp"
 #include "grafverif/ir/test_sequence.hpp"
 #include "grafverif/ir/transition_system.hpp"
 #include "grafverif/support/diagnostic.hpp"

@@ -13,7 +13,7 @@
 #include "compose/compose.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/test_sequence.hpp"
-#include "grafverif/ir/schedule_options.hpp"
+#include "grafverif/ir/execution.hpp"
 
 namespace grafverif::app {
 

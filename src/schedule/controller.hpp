@@ -32,7 +32,7 @@
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/transition_system.hpp"
-#include "grafverif/ir/schedule_options.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/support/diagnostic.hpp"
 
 namespace grafverif {

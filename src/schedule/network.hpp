@@ -23,7 +23,7 @@
 
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/transition_system.hpp"
-#include "grafverif/ir/schedule_options.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/support/diagnostic.hpp"
 
 namespace grafverif {

@@ -8,7 +8,7 @@
 #include "grafverif/ir/network.hpp"
 #include "ir/network_clocks.hpp"
 #include "grafverif/ir/transition_system.hpp"
-#include "grafverif/ir/schedule_options.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/support/diagnostic.hpp"
 #include "schedule/properties.hpp"
 #include "support/unique_names.hpp"

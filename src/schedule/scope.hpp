@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "grafverif/ir/schedule_options.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "schedule/controller_instances.hpp"
 #include "grafverif/ir/network.hpp"
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/network.hpp"
 
 namespace grafverif {

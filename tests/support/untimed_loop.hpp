@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/transition_system.hpp"
-#include "grafverif/ir/schedule_options.hpp"
+#include "grafverif/ir/execution.hpp"
 
 namespace grafverif {
 

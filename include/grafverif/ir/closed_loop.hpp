@@ -14,16 +14,10 @@
 
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/component.hpp"
-#include "grafverif/ir/execution_mode.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/property.hpp"
 
 namespace grafverif {
-
-/// Whether the plant may move between the phases of one PLC cycle, or a cycle is one edge.
-enum class Grain { Phased, Atomic };
-/// In an untimed model with plant automata: any enabled automaton moves next; controller and automata step together
-/// (DESDES06); plant and controller take turns, and the plant settles in between (WODES06).
-enum class Schedule { Interleaved, Synchronous, Sequenced };
 
 struct ClosedLoop {
     struct Controller {

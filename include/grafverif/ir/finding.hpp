@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "grafverif/ir/chart.hpp"
-#include "grafverif/ir/execution_mode.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/chart_run.hpp"
 #include "grafverif/support/source.hpp"
 

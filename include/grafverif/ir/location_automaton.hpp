@@ -36,7 +36,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/ir/execution_mode.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/expr.hpp"
 #include "grafverif/ir/type.hpp"
 #include "grafverif/support/source.hpp"

@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/ir/execution_mode.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/expr.hpp"
 #include "grafverif/ir/type.hpp"
 #include "grafverif/support/table.hpp"

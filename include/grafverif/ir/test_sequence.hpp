@@ -24,7 +24,7 @@
 #include <string_view>
 #include <vector>
 
-#include "grafverif/ir/execution_mode.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/type.hpp"
 #include "grafverif/support/table.hpp"
 

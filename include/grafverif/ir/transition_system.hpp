@@ -23,7 +23,7 @@
 #include <variant>
 #include <vector>
 
-#include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/expr.hpp"
 #include "grafverif/ir/property.hpp"
 #include "grafverif/ir/type.hpp"

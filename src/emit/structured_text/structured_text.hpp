@@ -23,7 +23,7 @@
 #include <iosfwd>
 
 #include "grafverif/ir/equations.hpp"
-#include "grafverif/ir/execution_mode.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/test_sequence.hpp"
 #include "grafverif/support/diagnostic.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// How a PLC executes a chart, and which models are made of a closed loop.
+//
 // ScheduleOptions: which untimed model of a closed loop is made.
 //
 // Approach (DESDES06 sections 3, 5.1, 5.2):
@@ -15,10 +17,24 @@
 #pragma once
 
 #include <optional>
-
-#include "grafverif/ir/closed_loop.hpp"
+#include <string_view>
 
 namespace grafverif {
+
+/// How a PLC executes a chart (JESA13 section 3.2, Algorithms 1 and 2): outputs are written once the situation is stable,
+/// or in every cycle.
+enum class ExecutionMode { StabilitySearch, EveryCycle };
+
+/// `stability-search`, `every-cycle`.
+constexpr std::string_view word(ExecutionMode mode) {
+    return mode == ExecutionMode::StabilitySearch ? "stability-search" : "every-cycle";
+}
+
+/// Whether the plant may move between the phases of one PLC cycle, or a cycle is one edge.
+enum class Grain { Phased, Atomic };
+/// In an untimed model with plant automata: any enabled automaton moves next; controller and automata step together
+/// (DESDES06); plant and controller take turns, and the plant settles in between (WODES06).
+enum class Schedule { Interleaved, Synchronous, Sequenced };
 
 enum class PlantApproach { None, Constraints, Automata };
 enum class TimeModel { Abstract, Discrete };
