@@ -67,7 +67,7 @@ TransitionSystem sample(const std::string& path, const ScheduleOptions& options)
     std::optional<TransitionSystem> made;
     if (!interleaved) made = schedule_together(parts.model, loop, parts.equations, parts.plant, options, diagnostics);
     else if (const auto network = compose(parts.plant, loop, parts.equations, {.grain = loop.grain}, diagnostics))
-        made = schedule_network(*network, options, diagnostics);
+        made = schedule_network(parts.model, loop, parts.equations, *network, options, diagnostics);
     if (!made) give_up(diagnostics, {});
     return std::move(*made);
 }

@@ -82,10 +82,8 @@ std::optional<Network> compose(const Network& plant, const ClosedLoop& loop, std
     network.race = composition.race;
     find_readers(composition);
     add_plant_flags(composition);
-    for (const ControllerParts& parts : composition.controllers) {
-        add_cycle(composition, parts);
-        add_timers(composition, parts);
-    }
+    for (const ControllerParts& parts : composition.controllers)
+        add_timers(composition, parts, add_cycle(composition, parts));
     network.settled = settled(composition);
     add_properties(composition, loop);
     assert(verify(network).empty());

@@ -45,11 +45,11 @@ struct Composition {
 /// Adds the variables of a controller: steps, internals, firing conditions, images, samples, timers, flags.
 void declare(Composition& composition, const ClosedLoop& loop, ControllerParts& parts);
 
-/// Adds the template and process of its PLC cycle.
-void add_cycle(Composition& composition, const ControllerParts& parts);
+/// Adds the template and process of its PLC cycle, and the controller, whose timers are to follow.
+Id<Network::Controller> add_cycle(Composition& composition, const ControllerParts& parts);
 
-/// Adds its timers; fills Network::Controller::timers of the controller added last.
-void add_timers(Composition& composition, const ControllerParts& parts);
+/// Adds the timers of `controller`.
+void add_timers(Composition& composition, const ControllerParts& parts, Id<Network::Controller> controller);
 
 /// Makes every edge of the plant that assigns an input of a controller set its EVOL_PL.
 void add_plant_flags(Composition& composition);

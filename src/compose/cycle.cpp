@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The PLC cycle of CEP13 Fig. 33a and its process.
-#include <optional>
-
 #include "compose/controller.hpp"
 #include "compose/procedures.hpp"
+#include "ir/words_of.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif {
@@ -35,20 +34,6 @@ std::vector<Network::Assignment> flags_reset(Network& network, const ControllerP
     return list;
 }
 
-std::optional<Network::Role> symbol_role(Equations::Role role) {
-    switch (role) {
-        case Equations::Role::Input: return Network::Role::Input;
-        case Equations::Role::Output: return Network::Role::Output;
-        case Equations::Role::Internal: return Network::Role::Internal;
-        case Equations::Role::Step:
-        case Equations::Role::FiringCondition:
-        case Equations::Role::Previous:
-        case Equations::Role::Watched:
-        case Equations::Role::TimerEnd: return {};
-    }
-    unreachable();
-}
-
 class CycleBuilder {
 public:
     CycleBuilder(Composition& composition, const ControllerParts& parts) : composition_(composition), parts_(parts) {}
@@ -74,26 +59,22 @@ public:
         return std::move(automaton_);
     }
 
-    /// What tells a run of the cycle in the words of the chart; without its process.
-    Network::Controller words() const {
-        Network::Controller words{
-            .name = parts_.name, .mode = parts_.mode, .waiting = waiting_, .stable = parts_.stable};
-        words.start = start_;
-        words.fire = fire_;
-        words.evolve = evolve_;
-        words.write = write_;
+    /// Where the parts of the cycle are; without its process and timers.
+    Network::Controller controller() const {
         const Equations& equations = *parts_.equations;
+        const auto place = [&](Id<Equations::Variable> id) { return parts_.variable[id.index]; };
+        Network::Controller made{.words = words_of<Network::Variable>(equations, parts_.mode, place),
+                                 .waiting = waiting_,
+                                 .stable = parts_.stable,
+                                 .variables = parts_.variable,
+                                 .start = start_,
+                                 .fire = fire_,
+                                 .evolve = evolve_,
+                                 .write = write_};
         for (const Id<Equations::Variable> id : equations.variables.ids())
-            if (const auto role = symbol_role(equations.variables[id].role))
-                words.symbols.push_back(
-                    {*role, parts_.variable[id.index], parts_.image[id.index], equations.variables[id].name});
-        for (const Equations::StepActivity& step : equations.steps)
-            words.steps.push_back({step.step, parts_.variable[step.variable.index]});
-        for (const Equations::Firing& firing : equations.firings)
-            words.transitions.push_back({firing.transition, parts_.variable[firing.variable.index]});
-        for (const Id<Equations::Timer> timer : equations.conditions)
-            words.conditions.push_back(timer.valid() ? std::optional<std::size_t>(timer.index) : std::nullopt);
-        return words;
+            if (equations.variables[id].role == Equations::Role::Output)
+                made.images.push_back(parts_.image[id.index]);
+        return made;
     }
 
 private:
@@ -136,7 +117,7 @@ private:
 
 }  // namespace
 
-void add_cycle(Composition& composition, const ControllerParts& parts) {
+Id<Network::Controller> add_cycle(Composition& composition, const ControllerParts& parts) {
     CycleBuilder builder(composition, parts);
     Network::Template automaton = builder.build();
     Network& network = composition.network;
@@ -145,9 +126,9 @@ void add_cycle(Composition& composition, const ControllerParts& parts) {
                              .kind = Network::ProcessKind::Controller,
                              .origin = parts.origin};
     process.automaton = network.templates.add(std::move(automaton));
-    Network::Controller controller = builder.words();
+    Network::Controller controller = builder.controller();
     controller.process = network.processes.add(std::move(process));
-    network.controllers.add(std::move(controller));
+    return network.controllers.add(std::move(controller));
 }
 
 }  // namespace grafverif

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The properties of a loop in terms of its network, and what `settled` means there.
-#include <algorithm>
-
 #include "compose/controller.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/sentence.hpp"
@@ -28,21 +26,9 @@ Id<Expr> formula_of(const ClosedLoop::Symbol& symbol, Composition& composition) 
             [&](const ClosedLoop::LocationSymbol& of) {
                 return network.exprs.at(of.instance.index, of.location.index);
             },
-            [&](const ClosedLoop::ObserverSymbol& of) {
-                const auto behind = static_cast<std::uint32_t>(network.processes.size());
-                return network.exprs.at(behind + of.observer.index, of.location.index);
-            },
+            [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },   // see reads_observer
         },
         symbol);
-}
-
-bool reads_observer(const ClosedLoop& loop, const Property& property) {
-    return std::ranges::any_of(property.operands, [&](Id<Expr> operand) {
-        return std::ranges::any_of(leaves(loop.exprs, operand), [&](Id<Expr> leaf) {
-            const Id<ClosedLoop::Symbol> symbol{static_cast<std::uint32_t>(loop.exprs[leaf].value)};
-            return std::holds_alternative<ClosedLoop::ObserverSymbol>(loop.symbols[symbol]);
-        });
-    });
 }
 
 /// One formula per urgent edge of the plant: the process is where the edge starts, and its guard holds.
@@ -92,36 +78,23 @@ Id<Expr> settled(Composition& composition) {
 
 void add_properties(Composition& composition, const ClosedLoop& loop) {
     Network& network = composition.network;
-    const auto translated = [&](Id<Expr> operand) {
-        return translate(loop.exprs, operand, network.exprs, [&](const Expr& node) {
-            return formula_of(loop.symbols[{static_cast<std::uint32_t>(node.value)}], composition);
-        });
-    };
     UniqueNames taken;
-    for (const Property& from : loop.properties) {
-        Property property = from;
-        for (Id<Expr>& operand : property.operands) operand = translated(operand);
+    for (const Property& property : loop.properties) taken.fresh(property.name);
+    const auto add = [&](Property property) {
+        for (Id<Expr>& operand : property.operands)
+            operand = translate(loop.exprs, operand, network.exprs, [&](const Expr& node) {
+                return formula_of(loop.symbols[{static_cast<std::uint32_t>(node.value)}], composition);
+            });
         if (property.pattern == Pattern::ReachableAllSteps)
             for (const ControllerParts& parts : composition.controllers)
                 for (const Equations::StepActivity& step : parts.equations->steps)
                     property.operands.push_back(leaf(network, parts.variable[step.variable.index]));
         taken.fresh(property.name);
-        (reads_observer(loop, from) ? network.observed : network.properties).add(std::move(property));
-    }
-    for (const ClosedLoop::Constraint& constraint : loop.constraints)
-        network.properties.add({.name = taken.fresh(constraint.name),
-                                .text = sentence(loop, constraint),
-                                .pattern = Pattern::Always,
-                                .operands = {translated(constraint.condition)},
-                                .origin = constraint.origin});
-    for (const ClosedLoop::Observer& observer : loop.observers) {
-        Network::Observer made{.name = observer.name, .initial = observer.initial.index, .origin = observer.origin};
-        for (const ClosedLoop::ObserverLocation& location : observer.locations)
-            made.locations.push_back(location.name);
-        for (const ClosedLoop::ObserverEdge& edge : observer.edges)
-            made.edges.push_back({edge.from.index, edge.to.index, translated(edge.guard)});
-        network.observers.add(std::move(made));
-    }
+        network.properties.add(std::move(property));
+    };
+    for (const Property& property : loop.properties)
+        if (!reads_observer(loop, property)) add(property);
+    for (Property& constraint : constraints_to_prove(loop)) add(std::move(constraint));
     if (!composition.race.valid()) return;
     network.properties.add({.name = taken.fresh("no_race"),
                             .text = "no two stored actions give one variable different values",

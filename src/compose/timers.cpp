@@ -19,6 +19,7 @@
 
 #include "compose/controller.hpp"
 #include "ir/step_names.hpp"
+#include "ir/words_of.hpp"
 
 namespace grafverif {
 
@@ -195,45 +196,35 @@ Id<Network::Template> template_for(Composition& composition, const Equations::Ti
 }
 
 /// As conditions write it; of a longer term nothing.
-std::string watched_name(const Equations& equations, Id<Equations::Variable> watched) {
-    for (const Equations::StepActivity& step : equations.steps)
-        if (step.variable == watched) return step_variable_name(step.step);
-    const auto watch = std::ranges::find(equations.watches, watched, &Equations::Watch::variable);
+std::string watched_name(const Equations& equations, const Equations::Timer& timer) {
+    if (const auto step = watched_step(equations, timer)) return step_variable_name(equations.steps[*step].step);
+    const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
     const Expr& term = equations.exprs[watch->value];
     return term.op == Op::Variable ? equations.variables[{static_cast<std::uint32_t>(term.value)}].name : "";
 }
 
 }  // namespace
 
-void add_timers(Composition& composition, const ControllerParts& parts) {
+void add_timers(Composition& composition, const ControllerParts& parts, Id<Network::Controller> controller) {
     Network& network = composition.network;
-    const std::vector<Equations::Timer>& timers = parts.equations->timers;
-    if (timers.empty()) return;
-    const Id<Network::Controller> controller{static_cast<std::uint32_t>(network.controllers.size() - 1)};
-    for (std::size_t i = 0; i < timers.size(); ++i) {
-        Network::TimerVariables timing{.watched = parts.variable[timers[i].watched.index],
-                                       .watched_name = watched_name(*parts.equations, timers[i].watched),
-                                       .done = timers[i].rise_ms > 0 ? done : Id<Network::Location>{},
-                                       .pending = parts.pending.empty() ? Id<Network::Variable>{} : parts.pending[i],
-                                       .end = parts.variable[timers[i].end.index],
-                                       .rise = timers[i].rise_ms / network.time_unit_ms,
-                                       .fall = timers[i].fall_ms / network.time_unit_ms};
+    for (std::size_t i = 0; i < parts.equations->timers.size(); ++i) {
+        const Equations::Timer& timer = parts.equations->timers[i];
         std::vector<std::int64_t> durations;
-        if (timing.rise > 0) durations.push_back(timing.rise);
-        if (timing.fall > 0) durations.push_back(timing.fall);
-        const Id<Network::Template> automaton = template_for(composition, timers[i], durations);
-        Network::Process process{.name = composition.names.fresh(parts.prefix + timers[i].name),
-                                 .automaton = automaton,
+        for (const std::int64_t duration : {timer.rise_ms, timer.fall_ms})
+            if (duration > 0) durations.push_back(duration / network.time_unit_ms);
+        Network::Process process{.name = composition.names.fresh(parts.prefix + timer.name),
+                                 .automaton = template_for(composition, timer, durations),
                                  .kind = Network::ProcessKind::Timer,
-                                 .origin = timers[i].origin};
+                                 .origin = timer.origin};
         process.arguments.assign(durations.begin(), durations.end());
-        process.arguments.push_back(timing.watched);
-        if (timing.pending.valid()) process.arguments.push_back(timing.pending);
-        process.arguments.push_back(timing.end);
+        process.arguments.push_back(parts.variable[timer.watched.index]);
+        if (!parts.pending.empty()) process.arguments.push_back(parts.pending[i]);
+        process.arguments.push_back(parts.variable[timer.end.index]);
         process.arguments.push_back(parts.evol_ti);
         process.initial = network.templates[process.automaton].initial;
-        network.controllers[controller].timing.push_back(timing);
-        network.controllers[controller].timers.push_back(network.processes.add(std::move(process)));
+        network.controllers[controller].timers.push_back({network.processes.add(std::move(process)),
+                                                          timer.rise_ms > 0 ? done : Id<Network::Location>{},
+                                                          watched_name(*parts.equations, timer), !parts.pending.empty()});
     }
 }
 

@@ -156,6 +156,15 @@ std::vector<std::string> verify(const ClosedLoop& loop, const Model& model) {
     return checker.faults;
 }
 
+bool reads_observer(const ClosedLoop& loop, const Property& property) {
+    return std::ranges::any_of(property.operands, [&](Id<Expr> operand) {
+        return std::ranges::any_of(leaves(loop.exprs, operand), [&](Id<Expr> leaf) {
+            const Id<ClosedLoop::Symbol> symbol{static_cast<std::uint32_t>(loop.exprs[leaf].value)};
+            return std::holds_alternative<ClosedLoop::ObserverSymbol>(loop.symbols[symbol]);
+        });
+    });
+}
+
 std::vector<std::string> verify(const Model& model) {
     std::vector<std::string> faults;
     const auto take = [&faults](const std::string& owner, std::vector<std::string> found) {

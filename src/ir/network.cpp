@@ -171,54 +171,40 @@ private:
     }
 
     void check_controller(const Network::Controller& controller) {
-        const std::string where = "controller " + controller.name;
+        const std::string where = "controller " + controller.words.name;
         if (!network_.processes.contains(controller.process)) return fault(where + ": no process");
         const Network::Template& automaton = network_.templates[network_.processes[controller.process].automaton];
         if (!automaton.locations.contains(controller.waiting)) fault(where + ": no waiting location");
         if (!network_.variables.contains(controller.stable)) fault(where + ": no variable says whether it is stable");
-        for (const Id<Network::Process> timer : controller.timers)
-            if (!network_.processes.contains(timer)) fault(where + ": an unknown timer");
-        check_words(controller, where);
+        for (const Network::Timer& timer : controller.timers)
+            if (!network_.processes.contains(timer.process)) fault(where + ": an unknown timer");
+        check_words(controller.words, where);
     }
 
-    void check_words(const Network::Controller& controller, const std::string& where) {
-        const auto known = [&](Id<Network::Variable> variable) { return network_.variables.contains(variable); };
-        for (const auto& timing : controller.timing)
-            if (!known(timing.watched) || !known(timing.end)) fault(where + ": a timer of an unknown level or end");
-        for (const auto& symbol : controller.symbols)
-            if (!known(symbol.variable)) fault(where + ": a variable of the chart without one here");
-        for (const auto* list : {&controller.steps, &controller.transitions})
+    void check_words(const ControllerWords<Network::Variable>& words, const std::string& where) {
+        for (const auto* list : {&words.steps, &words.transitions, &words.inputs, &words.outputs, &words.internals})
             for (const auto& [name, variable] : *list)
-                if (!known(variable)) fault(where + ": `" + name + "` stands for no variable");
+                if (!network_.variables.contains(variable)) fault(where + ": `" + name + "` stands for no variable");
+        for (const auto& timer : words.timers) {
+            if (!network_.variables.contains(timer.end)) fault(where + ": a timer of an unknown end");
+            if (timer.step && *timer.step >= words.steps.size()) fault(where + ": a timer of an unknown step");
+        }
     }
 
-    /// Properties, and the guards of observers, which may ask where observers are as well.
     void check_properties() {
         read_terms_of(nullptr);
         std::unordered_set<std::string_view> names;
-        for (const Table<Property>* properties : {&network_.properties, &network_.observed})
-            for (const Property& property : *properties) {
-                if (!names.insert(property.name).second) fault("property " + property.name + ": its name is taken");
-                for (const Id<Expr> operand : property.operands)
-                    check_term(operand, Sort::Boolean, "property " + property.name + ": an operand");
-            }
-        for (const Network::Observer& observer : network_.observers) check_observer(observer);
-        if (network_.settled.valid()) check_term(network_.settled, Sort::Boolean, "settled");
-    }
-
-    void check_observer(const Network::Observer& observer) {
-        const std::string where = "observer " + observer.name;
-        if (observer.initial >= observer.locations.size()) fault(where + ": no initial location");
-        for (const Network::ObserverEdge& edge : observer.edges) {
-            if (edge.from >= observer.locations.size() || edge.to >= observer.locations.size())
-                fault(where + ": an edge leads nowhere");
-            check_term(edge.guard, Sort::Boolean, where + ": a guard");
+        for (const Property& property : network_.properties) {
+            if (!names.insert(property.name).second) fault("property " + property.name + ": its name is taken");
+            for (const Id<Expr> operand : property.operands)
+                check_term(operand, Sort::Boolean, "property " + property.name + ": an operand");
         }
+        if (network_.settled.valid()) check_term(network_.settled, Sort::Boolean, "settled");
     }
 
     bool check_term(Id<Expr> term, Sort sort, const std::string& what) { return sorts_.check(term, sort, what, faults_); }
 
-    /// Terms are those of `automaton` from here on; none: those of properties and observers.
+    /// Terms are those of `automaton` from here on; none: those of properties.
     void read_terms_of(const Network::Template* automaton) {
         here_ = automaton;
         sorts_ = Sorts(network_.exprs, [this](const Expr& leaf) { return leaf_sort(leaf); });
@@ -230,17 +216,10 @@ private:
             return sort_of(network_.variables[{index}].type);
         if (leaf.op == Op::Parameter && here_ && here_->parameters.contains({index}))
             return sort_of(here_->parameters[{index}].type);
-        if (leaf.op == Op::At && !here_ && at_location(leaf) < locations_of(at_process(leaf))) return Sort::Boolean;
+        if (leaf.op == Op::At && !here_ && network_.processes.contains({at_process(leaf)}) &&
+            at_location(leaf) < network_.templates[network_.processes[{at_process(leaf)}].automaton].locations.size())
+            return Sort::Boolean;
         return Sort::None;
-    }
-
-    /// How many locations a process has, or an observer, counted on behind the processes.
-    std::size_t locations_of(std::size_t process) const {
-        const std::size_t observer = process - network_.processes.size();
-        if (process < network_.processes.size())
-            return network_.templates[network_.processes[{static_cast<std::uint32_t>(process)}].automaton].locations.size();
-        if (observer >= network_.observers.size()) return 0;
-        return network_.observers[{static_cast<std::uint32_t>(observer)}].locations.size();
     }
 
     const Network& network_;

@@ -13,9 +13,9 @@ std::string step_variable_name(std::string_view label) {
 
 std::string step_variable_name(const Network& network, Id<Network::Variable> variable) {
     for (const Network::Controller& controller : network.controllers) {
-        const auto step = std::ranges::find(controller.steps, variable, &Network::Named::variable);
-        if (step == controller.steps.end()) continue;
-        return (network.controllers.size() == 1 ? "" : controller.name + ".") + step_variable_name(step->name);
+        const auto step = std::ranges::find(controller.words.steps, variable, &ControllerWords<Network::Variable>::Named::variable);
+        if (step == controller.words.steps.end()) continue;
+        return (network.controllers.size() == 1 ? "" : controller.words.name + ".") + step_variable_name(step->name);
     }
     return network.variables[variable].name;   // of no controller: a network that nobody composed
 }

@@ -234,7 +234,7 @@ void check_names(const System& system, Sorts& sorts, Faults& faults) {
         if (!symbols.contains(symbol)) faults.push_back(where + " is no symbol of main");
     };
     const auto each = [&](const std::vector<System::Named>& list, const std::string& where) {
-        for (const System::Named& named : list) known(named.symbol, where + ": `" + named.name + "`");
+        for (const System::Named& named : list) known(named.variable, where + ": `" + named.name + "`");
     };
     for (const Id<System::Instance> observer : system.observers)
         if (!system.instances.contains(observer)) faults.push_back("an observer is no instance");
@@ -242,13 +242,13 @@ void check_names(const System& system, Sorts& sorts, Faults& faults) {
         if (term.valid()) sorts.check(term, Sort::Boolean, where, faults);
     };
     for (const System::Controller& controller : system.controllers) {
-        const std::string where = "controller `" + controller.name + "`";
-        for (const auto* list : {&controller.steps, &controller.transitions, &controller.inputs, &controller.outputs,
-                                 &controller.internals})
+        const ControllerWords<System::Symbol>& words = controller.words;
+        const std::string where = "controller `" + words.name + "`";
+        for (const auto* list : {&words.steps, &words.transitions, &words.inputs, &words.outputs, &words.internals})
             each(*list, where);
-        for (const System::TimerEnd& timer : controller.timers) {
-            known(timer.symbol, where + ": a timer end");
-            if (timer.step && *timer.step >= controller.steps.size()) faults.push_back(where + ": a timer has no step");
+        for (const auto& timer : words.timers) {
+            known(timer.end, where + ": a timer end");
+            if (timer.step && *timer.step >= words.steps.size()) faults.push_back(where + ": a timer has no step");
         }
         for (const Id<Expr> term : {controller.starts, controller.samples, controller.evolves, controller.writes})
             condition(term, where);

@@ -140,9 +140,9 @@ Report check(const SystemToCheck& check, const CheckOptions& options) {
 
 void ask_for_steps(TransitionSystem& system) {
     for (const TransitionSystem::Controller& controller : system.controllers)
-        for (const TransitionSystem::Named& step : controller.steps) {
+        for (const TransitionSystem::Named& step : controller.words.steps) {
             Property property{.name = "reachable." + step_variable_name(step.name), .pattern = Pattern::Reachable};
-            property.operands = {system.exprs.leaf(Op::Variable, step.symbol.index)};
+            property.operands = {system.exprs.leaf(Op::Variable, step.variable.index)};
             system.properties.add(std::move(property));
         }
 }

@@ -41,7 +41,7 @@ std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& 
         return schedule_together(model, loop, *equations, *plant_network, options, diagnostics);
     const auto network = compose(*plant_network, loop, *equations, {how.grain, how.mode, {}}, diagnostics);
     if (!network) return {};
-    return schedule_network(*network, options, diagnostics);
+    return schedule_network(model, loop, *equations, *network, options, diagnostics);
 }
 
 }  // namespace
@@ -69,9 +69,10 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> id, const C
     if (!equations || !plant_network) return {};
     auto network = compose(*plant_network, loop, *equations, options, diagnostics);
     if (network)
-        for (const Property& property : network->observed)
-            diagnostics.add(messages::not_expressible(property.origin, property.name, "timed",
-                                                      "it reads an observer, and observers watch untimed models"));
+        for (const Property& property : loop.properties)
+            if (reads_observer(loop, property))
+                diagnostics.add(messages::not_expressible(property.origin, property.name, "timed",
+                                                          "it reads an observer, and observers watch untimed models"));
     return network;
 }
 

@@ -19,7 +19,7 @@ std::string mode_words(bool searches, bool cycles) {
 std::string edge_words(const Network& network, const ModelError& error) {
     const Network::Process& process = network.processes[error.process];
     for (const Network::Controller& controller : network.controllers)
-        if (controller.process == error.process) return fmt::format("an evolution of `{}`", controller.name);
+        if (controller.process == error.process) return fmt::format("an evolution of `{}`", controller.words.name);
     const Network::Template& automaton = network.templates[process.automaton];
     const Network::Edge& edge = automaton.edges[error.edge];
     return fmt::format("`{}` on its way {} -> {}", process.name, automaton.locations[edge.from].name,
@@ -46,7 +46,7 @@ std::string message_of(const Network& network, const ModelError& error) {
 Basis basis_of(const Network& network, std::string engine) {
     bool searches = false, cycles = false;
     for (const Network::Controller& controller : network.controllers)
-        (controller.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
+        (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
     const std::string mode = mode_words(searches, cycles);
     return {std::move(engine), mode, network.grain == Grain::Atomic ? "atomic" : "phased", network.time_unit_ms, {}};
 }
@@ -54,7 +54,7 @@ Basis basis_of(const Network& network, std::string engine) {
 Basis basis_of(const TransitionSystem& system, std::string engine, std::string untimed) {
     bool searches = false, cycles = false;
     for (const TransitionSystem::Controller& controller : system.controllers)
-        (controller.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
+        (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
     return {std::move(engine), mode_words(searches, cycles), {}, 0, std::move(untimed)};
 }
 

@@ -28,7 +28,18 @@ public:
     /// Names of steps are full names where the controller is `alone`.
     ChartView(ChartRun& run, std::size_t keys, bool alone) : run_(&run), alone_(alone), signals_(keys) {}
 
-    void add_step(ChartRun::Controller& controller, const std::string& name, std::uint32_t key);
+    /// The controller without timers and images. `add(named, role)` adds the signal of a variable.
+    template <class Variable, class Add>
+    ChartRun::Controller controller(const ControllerWords<Variable>& words, const Add& add) {
+        ChartRun::Controller made{.name = words.name, .mode = words.mode, .conditions = words.conditions};
+        for (const auto& step : words.steps) add_step(made, step.name, step.variable.index);
+        for (const auto& transition : words.transitions)
+            made.transitions.push_back(run_->transitions.add({transition.name}));
+        for (const auto& input : words.inputs) made.inputs.push_back(add(input, ChartRun::Role::Input));
+        for (const auto& output : words.outputs) made.outputs.push_back(add(output, ChartRun::Role::Output));
+        for (const auto& internal : words.internals) made.internals.push_back(add(internal, ChartRun::Role::Internal));
+        return made;
+    }
     /// What is there already keeps its role.
     Id<ChartRun::Signal> add_signal(std::uint32_t key, ChartRun::Signal signal);
     /// Not valid: the value is none of a signal.
@@ -36,6 +47,8 @@ public:
     ChartRun::State state(std::int64_t time_ms, const std::vector<std::int64_t>& values) const;
 
 private:
+    void add_step(ChartRun::Controller& controller, const std::string& name, std::uint32_t key);
+
     ChartRun* run_;
     bool alone_;
     std::vector<Id<ChartRun::Signal>> signals_;  ///< per key
@@ -53,6 +66,8 @@ public:
 
 private:
     void add_controllers();
+    Id<ChartRun::Signal> add_signal(Id<Network::Variable> id, ChartRun::Role role);
+    ChartRun::Controller controller_of(const Network::Controller& from);
     void add_timers(const Network::Controller& from, ChartRun::Controller& controller);
     void fill(ChartRun::Moment& moment, const Fire& fire, const NetworkState& before, const NetworkState& after) const;
     ChartRun::Act act(Id<Network::Controller> id, const Network::Edge& edge, const NetworkState& before,

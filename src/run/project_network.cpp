@@ -71,29 +71,12 @@ NetworkProjection::NetworkProjection(const Network& network, const NetworkState&
 }
 
 void NetworkProjection::add_controllers() {
-    const auto add = [this](Id<Network::Variable> id, ChartRun::Role role) {
-        return view_.add_signal(id.index, {role, network_.variables[id].name, network_.variables[id].type});
-    };
     // What a controller has written is an output, even where another one reads it.
     for (const Network::Controller& from : network_.controllers)
-        for (const Network::Symbol& symbol : from.symbols)
-            if (symbol.role == Network::Role::Output) add(symbol.variable, ChartRun::Role::Output);
+        for (const auto& output : from.words.outputs) add_signal(output.variable, ChartRun::Role::Output);
     for (const Id<Network::Controller> id : network_.controllers.ids()) {
         const Network::Controller& from = network_.controllers[id];
-        ChartRun::Controller controller{.name = from.name, .mode = from.mode};
-        for (const Network::Named& step : from.steps) view_.add_step(controller, step.name, step.variable.index);
-        for (const Network::Named& transition : from.transitions)
-            controller.transitions.push_back(run_.transitions.add({transition.name}));
-        for (const Network::Symbol& symbol : from.symbols) {
-            if (symbol.role == Network::Role::Input)
-                controller.inputs.push_back(add(symbol.variable, ChartRun::Role::Input));
-            if (symbol.role == Network::Role::Internal)
-                controller.internals.push_back(add(symbol.variable, ChartRun::Role::Internal));
-            if (symbol.role != Network::Role::Output) continue;
-            controller.outputs.push_back(view_.signal(symbol.variable.index));
-            controller.images.push_back(symbol.image.valid() ? add(symbol.image, ChartRun::Role::Image)
-                                                             : Id<ChartRun::Signal>{});
-        }
+        ChartRun::Controller controller = controller_of(from);
         add_timers(from, controller);
         controller_of_[from.process.index] = id;
         run_.controllers.add(std::move(controller));
@@ -101,21 +84,34 @@ void NetworkProjection::add_controllers() {
     shorten_names(run_.steps);
 }
 
+Id<ChartRun::Signal> NetworkProjection::add_signal(Id<Network::Variable> id, ChartRun::Role role) {
+    return view_.add_signal(id.index, {role, network_.variables[id].name, network_.variables[id].type});
+}
+
+/// An output and its image stand side by side.
+ChartRun::Controller NetworkProjection::controller_of(const Network::Controller& from) {
+    std::vector<Id<ChartRun::Signal>> images;
+    ChartRun::Controller controller = view_.controller(from.words, [&](const auto& named, ChartRun::Role role) {
+        const Id<ChartRun::Signal> signal = add_signal(named.variable, role);
+        if (role != ChartRun::Role::Output) return signal;
+        const Id<Network::Variable> image = from.images[images.size()];
+        images.push_back(image.valid() ? add_signal(image, ChartRun::Role::Image) : Id<ChartRun::Signal>{});
+        return signal;
+    });
+    controller.images = std::move(images);
+    return controller;
+}
+
 void NetworkProjection::add_timers(const Network::Controller& from, ChartRun::Controller& controller) {
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
-        const Network::TimerVariables& timing = from.timing[k];
-        ChartRun::Timer timer{.name = network_.processes[from.timers[k]].name,
-                              .watched = timing.watched_name,
-                              .rise_ms = timing.rise * network_.time_unit_ms,
-                              .fall_ms = timing.fall * network_.time_unit_ms,
-                              .exact = timing.pending.valid()};  // as published they are wrong, and are meant to be
-        const auto step = std::ranges::find(from.steps, timing.watched, &Network::Named::variable);
-        if (step != from.steps.end()) timer.step = static_cast<std::size_t>(step - from.steps.begin());
-        timer_of_[from.timers[k].index] = run_.timers.add(std::move(timer));
-        controller.timers.push_back(timer_of_[from.timers[k].index]);
-        end_of_.push_back(timing.end);
+        const Network::Timer& timer = from.timers[k];
+        const auto& words = from.words.timers[k];
+        const bool exact = timer.restarts;  // as published they are wrong, and are meant to be
+        timer_of_[timer.process.index] = run_.timers.add({network_.processes[timer.process].name, timer.watched,
+                                                          words.step, words.rise_ms, words.fall_ms, exact});
+        controller.timers.push_back(timer_of_[timer.process.index]);
+        end_of_.push_back(words.end);
     }
-    controller.conditions = from.conditions;
 }
 
 void NetworkProjection::append(const Move& move, const NetworkState& before, const NetworkState& after) {
@@ -169,21 +165,20 @@ ChartRun::Act NetworkProjection::act(Id<Network::Controller> id, const Network::
                       .samples = calls(edge, from.fire),
                       .evolves = calls(edge, from.evolve)};
     if (act.starts || act.samples)
-        for (const Network::Symbol& symbol : from.symbols)
-            if (symbol.role == Network::Role::Input) act.inputs.push_back(before.variables[symbol.variable.index]);
+        for (const auto& input : from.words.inputs) act.inputs.push_back(before.variables[input.variable.index]);
     for (std::size_t k = 0; k < from.timers.size(); ++k) {
-        if (act.samples) act.timers.push_back(holds(before, from.timing[k].end));
+        if (act.samples) act.timers.push_back(holds(before, from.words.timers[k].end));
         // Its end does not tell, since it may still be true of an earlier rise.
-        if (act.evolves) act.done.push_back(before.locations[from.timers[k].index] == from.timing[k].done);
+        if (act.evolves) act.done.push_back(before.locations[from.timers[k].process.index] == from.timers[k].done);
     }
     // Firing conditions are forgotten by the evolution where it is an edge of its own.
     const NetworkState& fired_in = act.samples ? after : before;
-    for (std::size_t k = 0; (act.samples || act.evolves) && k < from.transitions.size(); ++k)
-        if (holds(fired_in, from.transitions[k].variable))
+    for (std::size_t k = 0; (act.samples || act.evolves) && k < from.words.transitions.size(); ++k)
+        if (holds(fired_in, from.words.transitions[k].variable))
             act.fired.push_back(run_.controllers[act.controller].transitions[k]);
     if (act.evolves) act.stable = holds(after, from.stable);
     if (act.evolves || act.starts) act.race = network_.race.valid() && holds(after, network_.race);
-    const bool searches = network_.grain == Grain::Atomic && from.mode == ExecutionMode::StabilitySearch;
+    const bool searches = network_.grain == Grain::Atomic && from.words.mode == ExecutionMode::StabilitySearch;
     if (calls(edge, from.write) && (!searches || holds(after, from.stable))) act.writes = ChartRun::Act::Writes::Yes;
     return act;
 }

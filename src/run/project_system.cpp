@@ -53,30 +53,23 @@ private:
     const Table<System::Symbol>& symbols() const { return system_.modules[system_.main].symbols; }
 
     Id<ChartRun::Signal> add_signal(const System::Named& named, ChartRun::Role role) {
-        return view_.add_signal(named.symbol.index, {role, named.name, symbols()[named.symbol].type});
+        return view_.add_signal(named.variable.index, {role, named.name, symbols()[named.variable].type});
     }
 
     void add_controllers() {
         // What a controller has written is an output, even where another one reads it.
         for (const System::Controller& from : system_.controllers)
-            for (const System::Named& output : from.outputs) add_signal(output, ChartRun::Role::Output);
-        for (const System::Controller& from : system_.controllers) {
-            ChartRun::Controller controller{.name = from.name, .mode = from.mode, .conditions = from.conditions};
-            for (const System::Named& step : from.steps) view_.add_step(controller, step.name, step.symbol.index);
-            for (const System::Named& transition : from.transitions)
-                controller.transitions.push_back(made_.transitions.add({transition.name}));
-            for (const System::Named& input : from.inputs)
-                controller.inputs.push_back(add_signal(input, ChartRun::Role::Input));
-            for (const System::Named& output : from.outputs)
-                controller.outputs.push_back(view_.signal(output.symbol.index));
-            controller.images.resize(controller.outputs.size());
-            for (const System::Named& internal : from.internals)
-                controller.internals.push_back(add_signal(internal, ChartRun::Role::Internal));
-            for (const System::TimerEnd& timer : from.timers)
-                controller.timers.push_back(
+            for (const System::Named& output : from.words.outputs) add_signal(output, ChartRun::Role::Output);
+        for (const System::Controller& controller : system_.controllers) {
+            const auto& from = controller.words;
+            ChartRun::Controller made = view_.controller(
+                from, [this](const System::Named& named, ChartRun::Role role) { return add_signal(named, role); });
+            made.images.resize(made.outputs.size());
+            for (const auto& timer : from.timers)
+                made.timers.push_back(
                     made_.timers.add({from.name, timer.step ? step_variable_name(from.steps[*timer.step].name) : "",
                                       timer.step, timer.rise_ms, timer.fall_ms, false}));
-            made_.controllers.add(std::move(controller));
+            made_.controllers.add(std::move(made));
         }
         shorten_names(made_.steps);
     }
@@ -93,8 +86,8 @@ private:
         for (std::uint32_t index = 0; index < system_.controllers.size(); ++index) {
             const System::Controller& from = system_.controllers[index];
             if (from.starts.valid()) continue;
-            ChartRun::Act act{.controller = {index}, .starts = true, .inputs = Values(from.inputs.size())};
-            if (from.mode == ExecutionMode::EveryCycle && holds(from.writes, shown_, true)) act.writes = Writes::Yes;
+            ChartRun::Act act{.controller = {index}, .starts = true, .inputs = Values(from.words.inputs.size())};
+            if (from.words.mode == ExecutionMode::EveryCycle && holds(from.writes, shown_, true)) act.writes = Writes::Yes;
             moment.acts.push_back(std::move(act));
         }
         return moment;
@@ -111,7 +104,7 @@ private:
     }
     bool take(const std::vector<System::Named>& list, const Values& next) {
         bool changed = false;
-        for (const System::Named& named : list) changed = take(named.symbol, next) || changed;
+        for (const System::Named& named : list) changed = take(named.variable, next) || changed;
         return changed;
     }
 
@@ -132,8 +125,8 @@ private:
             project_component(component, next);
         ChartRun::Moment inputs{.kind = ChartRun::Kind::Environment};
         for (const System::Controller& controller : system_.controllers)
-            for (const System::Named& input : controller.inputs)
-                if (take(input.symbol, next)) inputs.changed.push_back(view_.signal(input.symbol.index));
+            for (const System::Named& input : controller.words.inputs)
+                if (take(input.variable, next)) inputs.changed.push_back(view_.signal(input.variable.index));
         inputs.internal = inputs.changed.empty();
         shown_ = next;
         if (!inputs.internal || made_.moments.size() == first) add(std::move(inputs));
@@ -145,38 +138,38 @@ private:
         act.evolves = !act.starts && holds(from.evolves, before, true);
         act.samples = !act.starts && holds(from.samples, before, act.evolves);
         if (act.starts || act.samples)
-            for (const System::Named& input : from.inputs) act.inputs.push_back(before[input.symbol.index]);
+            for (const System::Named& input : from.words.inputs) act.inputs.push_back(before[input.variable.index]);
         if (act.samples)
-            for (const System::TimerEnd& timer : from.timers) act.timers.push_back(before[timer.symbol.index] != 0);
-        for (std::size_t k = 0; act.evolves && k < from.transitions.size(); ++k)
-            if (before[from.transitions[k].symbol.index] != 0)
+            for (const auto& timer : from.words.timers) act.timers.push_back(before[timer.end.index] != 0);
+        for (std::size_t k = 0; act.evolves && k < from.words.transitions.size(); ++k)
+            if (before[from.words.transitions[k].variable.index] != 0)
                 act.fired.push_back(made_.controllers[act.controller].transitions[k]);
         if (holds(from.writes, before, act.starts || act.evolves)) act.writes = writes(from, act);
-        bool changed = take(from.steps, next);
-        changed = take(from.outputs, next) || changed;
-        changed = take(from.internals, next) || changed;
+        bool changed = take(from.words.steps, next);
+        changed = take(from.words.outputs, next) || changed;
+        changed = take(from.words.internals, next) || changed;
         if (changed || act.starts || act.samples || act.evolves || act.writes != Writes::No)
             add({.kind = ChartRun::Kind::Controller, .acts = {std::move(act)}});
     }
 
     /// Whoever evolves and writes at once writes nothing as long as the search for stability goes on.
     static Writes writes(const System::Controller& from, const ChartRun::Act& act) {
-        const bool searches = from.mode == ExecutionMode::StabilitySearch;
+        const bool searches = from.words.mode == ExecutionMode::StabilitySearch;
         if (act.starts) return searches ? Writes::No : Writes::Yes;
         return act.evolves && searches ? Writes::IfStable : Writes::Yes;
     }
 
     /// A timer t1/X matters while its step is active.
     void project_timers(std::uint32_t index, const Values& before, const Values& next) {
-        const System::Controller& from = system_.controllers[index];
+        const auto& from = system_.controllers[index].words;
         for (std::size_t k = 0; k < from.timers.size(); ++k) {
-            const System::TimerEnd& timer = from.timers[k];
+            const auto& timer = from.timers[k];
             const auto over = [&](const Values& values) {
                 const bool lapses = timer.step && timer.fall_ms == 0;
-                return values[timer.symbol.index] != 0 &&
-                       (!lapses || values[from.steps[*timer.step].symbol.index] != 0);
+                return values[timer.end.index] != 0 &&
+                       (!lapses || values[from.steps[*timer.step].variable.index] != 0);
             };
-            take(timer.symbol, next);
+            take(timer.end, next);
             if (!over(before) && over(next))
                 add({.kind = ChartRun::Kind::Timer,
                      .timer = made_.controllers[{index}].timers[k],
@@ -193,9 +186,9 @@ private:
         bool changed = moment.location.has_value();
         for (const std::vector<System::Named>* list : {&component.variables, &component.inputs})
             for (const System::Named& variable : *list) {
-                if (!take(variable.symbol, next)) continue;
+                if (!take(variable.variable, next)) continue;
                 changed = true;
-                if (const auto signal = view_.signal(variable.symbol.index); signal.valid())
+                if (const auto signal = view_.signal(variable.variable.index); signal.valid())
                     moment.changed.push_back(signal);
             }
         if (changed) add(std::move(moment));

@@ -78,11 +78,12 @@ private:
 
 /// Every constraint that reads inputs of controllers only holds in every state (DESDES06 5.1); others say nothing of
 /// this model.
-void assume_constraints(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning) {
-    for (const ClosedLoop::Constraint& constraint : loop.constraints) {
+void assume_constraints(const LoopMeaning& meaning) {
+    TransitionSystem& system = meaning.system;
+    for (const ClosedLoop::Constraint& constraint : meaning.loop.constraints) {
         std::string reason;
-        if (!inputs_of(loop, constraint.condition)) continue;
-        const Id<Expr> term = term_of(system, loop, meaning, constraint.condition, reason);
+        if (!inputs_of(meaning.loop, constraint.condition)) continue;
+        const Id<Expr> term = term_of(meaning, constraint.condition, reason);
         if (term.valid()) system.modules[system.main].invariants.push_back(term);
     }
 }
@@ -192,10 +193,10 @@ TransitionSystem schedule_controllers(const Model& model, const ClosedLoop& loop
     share_outputs(all, loop, equations, shared);
     wire_inputs(all, loop, equations, shared);
     system.settled = settled_controllers(all);
-    LoopMeaning meaning = meaning_of_controllers(all, model, loop, equations, shared);
-    if (constrained) assume_constraints(system, loop, meaning);
-    add_observers(all, loop, meaning, assembly.names, assembly.module_names);
-    add_properties(system, loop, meaning);
+    LoopMeaning meaning{system, model, loop, equations, std::move(shared), of_controllers(all)};
+    if (constrained) assume_constraints(meaning);
+    add_observers(all, meaning, assembly.names, assembly.module_names);
+    for (const Property& property : loop.properties) add_property(meaning, property);
     add_fault_properties(all, equations);
     add_names(all, controllers, turns(system, system.exprs, controllers.size()));
     return std::move(assembly.system);

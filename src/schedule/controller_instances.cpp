@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "schedule/controller_instances.hpp"
 
-#include <algorithm>
 #include <cassert>
-#include <optional>
 #include <string_view>
 #include <unordered_map>
+
+#include "ir/words_of.hpp"
 
 namespace grafverif::schedule {
 
@@ -35,31 +35,14 @@ TransitionSystem::Controller named_controller(Members& members, std::size_t inde
                                               Id<Expr> runs) {
     const Equations& equations = controller.equations;
     const ControllerModule& module = members.controllers[index];
-    TransitionSystem::Controller named{.name = equations.name, .mode = controller.mode};
-    const auto in_main = [&](Id<Equations::Variable> id) { return member(members, index, module.symbols[id.index]); };
-    for (const Equations::StepActivity& step : equations.steps)
-        named.steps.push_back({step.step, in_main(step.variable)});
-    for (const Equations::Firing& firing : equations.firings)
-        named.transitions.push_back({firing.transition, in_main(firing.variable)});
-    const std::vector<Id<Symbol>>& arguments = members.system.instances[controller_instance(index)].arguments;
     std::vector<Id<Symbol>> argument_of(equations.variables.size());
+    const std::vector<Id<Symbol>>& arguments = members.system.instances[controller_instance(index)].arguments;
     for (std::size_t i = 0; i < module.parameters.size(); ++i) argument_of[module.parameters[i].index] = arguments[i];
-    for (const Id<Equations::Variable> id : equations.variables.ids()) {
-        const Equations::Variable& variable = equations.variables[id];
-        if (variable.role == Role::Input) named.inputs.push_back({variable.name, argument_of[id.index]});
-        if (variable.role == Role::Output) named.outputs.push_back({variable.name, in_main(id)});
-        if (variable.role == Role::Internal) named.internals.push_back({variable.name, in_main(id)});
-    }
-    for (const Equations::Timer& timer : equations.timers) {
-        const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
-        std::optional<std::size_t> watched;
-        if (step != equations.steps.end()) watched = static_cast<std::size_t>(step - equations.steps.begin());
-        const Id<Symbol> own = module.symbols[timer.end.index];
-        named.timers.push_back({own.valid() ? in_main(timer.end) : argument_of[timer.end.index], watched, timer.rise_ms,
-                                timer.fall_ms});
-    }
-    for (const Id<Equations::Timer> timer : equations.conditions)
-        named.conditions.push_back(timer.valid() ? std::optional<std::size_t>(timer.index) : std::nullopt);
+    const auto in_main = [&](Id<Equations::Variable> id) {
+        const Id<Symbol> argument = argument_of[id.index];
+        return argument.valid() ? argument : member(members, index, module.symbols[id.index]);
+    };
+    TransitionSystem::Controller named{.words = words_of<Symbol>(equations, controller.mode, in_main)};
     named.evolves = runs;
     if (!module.started.valid()) return named;
     Exprs& exprs = members.system.exprs;

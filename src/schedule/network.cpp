@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ir/words_of.hpp"
 #include "schedule/observers.hpp"
 #include "schedule/plant_instances.hpp"
 #include "schedule/scope.hpp"
 #include "schedule/slots.hpp"
+#include "syntax/print/sentence.hpp"
 
 namespace grafverif {
 
@@ -28,9 +30,9 @@ std::vector<bool> shared_variables(const Network& network) {
 
 class LoopBuilder {
 public:
-    LoopBuilder(const Network& network, const ScheduleOptions& options)
-        : network_(network),
-          options_(options),
+    LoopBuilder(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
+                const Network& network, const ScheduleOptions& options)
+        : model_(model), loop_(loop), equations_(equations), network_(network), options_(options),
           context_{network, Discipline::Turns, shared_variables(network), options.fairness, clocks(network, options)} {}
 
     System build() {
@@ -43,7 +45,6 @@ public:
         add_effects(plant_);
         add_offers();
         if (options_.fairness) add_fair_runs();
-        add_watchers();
         add_questions();
         add_range_property(plant_);
         add_trace_names();
@@ -118,73 +119,40 @@ private:
         main().justice.push_back(none_urgent());
     }
 
-    /// A term of the network over the symbols of main.
-    Id<Expr> term(Id<Expr> root) {
-        return translate(network_.exprs, root, exprs(), [&](const Expr& leaf) {
-            if (leaf.op == Op::Integer) return exprs().integer(leaf.value);
-            if (leaf.op == Op::Variable)
-                return plant_.leaf(plant_.variables[static_cast<std::size_t>(leaf.value)]);
-            const std::uint32_t process = at_process(leaf), location = at_location(leaf);
-            if (process >= network_.processes.size())
-                return is_at(system_, observers_[process - network_.processes.size()], location);
-            return plant_.at(process, location);
-        });
+    /// A variable of the network.
+    Id<Symbol> in_main(Id<Network::Variable> variable) const { return plant_.variables[variable.index]; }
+
+    LoopMeaning meaning() {
+        return {.system = system_,
+                .model = model_,
+                .loop = loop_,
+                .equations = equations_,
+                .shared = {plant_.variables.begin(), plant_.variables.begin() + static_cast<std::ptrdiff_t>(loop_.shared.size())},
+                .variable = [this](std::size_t controller, Id<Equations::Variable> variable) {
+                    const Id<Network::Controller> id{static_cast<std::uint32_t>(controller)};
+                    return in_main(network_.controllers[id].variables[variable.index]);
+                },
+                .at = [this](std::size_t process, std::uint32_t location) { return plant_.at(process, location); },
+                .can_move = can_move_,
+                .can_wait = can_wait_};
     }
 
-    void add_watchers() {
-        for (const Network::Observer& observer : network_.observers)
-            observers_.push_back(declare_observer(
-                members_, {observer.name, observer.locations, observer.initial, observer.origin}, names_, modules_));
-        for (const Id<Network::Observer> id : network_.observers.ids()) {
-            std::vector<ObserverGuard> edges;
-            for (const Network::ObserverEdge& edge : network_.observers[id].edges)
-                edges.push_back({edge.from, edge.to, term(edge.guard)});
-            watch(members_, observers_[id.index], edges);
-        }
-    }
-
-    /// One `reachable` per step, in the order of the operands.
-    void add_all_steps(const Property& property) {
-        std::size_t k = 0;
-        for (const Network::Controller& controller : network_.controllers) {
-            const std::string chart = network_.controllers.size() > 1 ? controller.name + "." : "";
-            for (const Network::Named& step : controller.steps) {
-                Property one = property;
-                const std::size_t dot = step.name.rfind('.');
-                const std::size_t own = dot == std::string::npos ? 0 : dot + 1;
-                one.name = property.name + "." + chart + step.name.substr(0, own) + "X" + step.name.substr(own);
-                one.pattern = Pattern::Reachable;
-                one.operands = {property.operands[k++]};
-                system_.properties.add(std::move(one));
-            }
-        }
-    }
-
-    void add_question(const Property& from) {
-        Property property = from;
-        const bool of_time = from.pattern == Pattern::NoDeadlock || from.pattern == Pattern::NoTimelock;
-        if (is_discrete() && of_time) {
-            // Where no edge is enabled, time alone goes on until one is; so `possible` is `in the end`.
-            property.pattern = Pattern::AlwaysPossible;
-            property.operands = {from.pattern == Pattern::NoDeadlock ? can_move_ : can_wait_};
-            system_.properties.add(std::move(property));
-            return;
-        }
-        std::string reason = untimed_refusal(from.pattern);
-        if (!reason.empty()) {
-            property.operands.clear();
-            system_.omitted.push_back({std::move(property), std::move(reason), system_.properties.size()});
-            return;
-        }
-        for (Id<Expr>& operand : property.operands) operand = term(operand);
-        if (property.pattern == Pattern::ReachableAllSteps) add_all_steps(property);
-        else system_.properties.add(std::move(property));
-    }
-
+    /// Those of the network first, then those that ask observers.
     void add_questions() {
-        for (const Property& property : network_.properties) add_question(property);
-        for (const Property& property : network_.observed) add_question(property);
-        system_.settled = term(network_.settled);
+        LoopMeaning known = meaning();
+        add_observers(members_, known, names_, modules_);
+        for (const Property& property : loop_.properties)
+            if (!reads_observer(loop_, property)) add_property(known, property);
+        for (const Property& constraint : constraints_to_prove(loop_)) add_property(known, constraint);
+        if (network_.race.valid())
+            add_never(system_, "no_race", "no two stored actions give one variable different values",
+                      {plant_.leaf(in_main(network_.race))});
+        for (const Property& property : loop_.properties)
+            if (reads_observer(loop_, property)) add_property(known, property);
+        system_.settled = translate(network_.exprs, network_.settled, exprs(), [this](const Expr& leaf) {
+            if (leaf.op == Op::At) return plant_.at(at_process(leaf), at_location(leaf));
+            return plant_.leaf(in_main({static_cast<std::uint32_t>(leaf.value)}));
+        });
         system_.scope = network_scope(network_, options_);
     }
 
@@ -209,41 +177,30 @@ private:
         return plant_.variables[variable.index];
     }
 
-    System::Controller named(const Network::Controller& controller) {
-        System::Controller made{.name = controller.name, .mode = controller.mode};
-        const auto in_main = [&](Id<Network::Variable> variable) { return plant_.variables[variable.index]; };
-        for (const Network::Named& step : controller.steps) made.steps.push_back({step.name, in_main(step.variable)});
-        for (const Network::Named& transition : controller.transitions)
-            made.transitions.push_back({transition.name, firing(controller, transition.variable)});
-        for (const Network::Symbol& symbol : controller.symbols) {
-            if (symbol.role == Network::Role::Input) made.inputs.push_back({symbol.name, in_main(symbol.variable)});
-            if (symbol.role == Network::Role::Output) made.outputs.push_back({symbol.name, in_main(symbol.variable)});
-            if (symbol.role == Network::Role::Internal)
-                made.internals.push_back({symbol.name, in_main(symbol.variable)});
-        }
-        for (const Network::TimerVariables& timer : controller.timing) {
-            const auto step = std::ranges::find(controller.steps, timer.watched, &Network::Named::variable);
-            std::optional<std::size_t> watched;
-            if (step != controller.steps.end()) watched = static_cast<std::size_t>(step - controller.steps.begin());
-            made.timers.push_back({in_main(timer.end), watched, timer.rise * network_.time_unit_ms,
-                                   timer.fall * network_.time_unit_ms});
-        }
-        made.conditions = controller.conditions;
-        made.starts = calls(controller, controller.start);
-        made.samples = calls(controller, controller.fire);
-        made.evolves = calls(controller, controller.evolve);
-        made.writes = calls(controller, controller.write);
-        return made;
+    System::Controller named(const Network::Controller& controller, const Equations& equations) {
+        const auto place = [&](Id<Equations::Variable> id) {
+            const Id<Network::Variable> variable = controller.variables[id.index];
+            const bool fires = equations.variables[id].role == Equations::Role::FiringCondition;
+            return fires ? firing(controller, variable) : in_main(variable);
+        };
+        return {.words = words_of<Symbol>(equations, controller.words.mode, place),
+                .starts = calls(controller, controller.start),
+                .samples = calls(controller, controller.fire),
+                .evolves = calls(controller, controller.evolve),
+                .writes = calls(controller, controller.write)};
     }
 
     void add_trace_names() {
-        for (const Network::Controller& controller : network_.controllers)
-            system_.controllers.push_back(named(controller));
+        for (const Id<Network::Controller> id : network_.controllers.ids())
+            system_.controllers.push_back(named(network_.controllers[id], equations_[id.index]));
         for (const Id<Network::Process> process : network_.processes.ids())
             if (network_.processes[process].kind != Network::ProcessKind::Controller)
                 system_.components.push_back(plant_.component(process.index));
     }
 
+    const Model& model_;
+    const ClosedLoop& loop_;
+    std::span<const Equations> equations_;
     const Network& network_;
     const ScheduleOptions& options_;
     const AutomatonContext context_;
@@ -253,17 +210,17 @@ private:
     PlantInstances plant_{members_, context_, names_, modules_, {}, {}, {}};
     Id<Symbol> move_ = {};
     Id<Expr> can_move_ = {}, can_wait_ = {};   ///< of some process; of time: with clocks that count
-    std::vector<ObserverInstance> observers_ = {};
 };
 
 }  // namespace
 
-std::optional<TransitionSystem> schedule_network(const Network& network, const ScheduleOptions& options,
-                                                 Diagnostics& diagnostics) {
+std::optional<TransitionSystem> schedule_network(const Model& model, const ClosedLoop& loop,
+                                                 std::span<const Equations> equations, const Network& network,
+                                                 const ScheduleOptions& options, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     check_widths(network, diagnostics);
     if (diagnostics.errors() != errors) return {};
-    TransitionSystem system = LoopBuilder(network, options).build();
+    TransitionSystem system = LoopBuilder(model, loop, equations, network, options).build();
     assert(verify(system).empty());
     return system;
 }

@@ -20,7 +20,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
+#include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/transition_system.hpp"
 #include "grafverif/ir/execution.hpp"
@@ -28,9 +31,10 @@
 
 namespace grafverif {
 
-/// Requires verify(network).empty(), `network` being what compose returned. Nothing after an error: a variable with too
-/// many values for a symbolic model.
-std::optional<TransitionSystem> schedule_network(const Network& network, const ScheduleOptions& options,
-                                                 Diagnostics& diagnostics);
+/// Requires that `network` is what compose made of `loop` and the `equations` of its controllers. Nothing after an
+/// error: a variable with too many values for a symbolic model.
+std::optional<TransitionSystem> schedule_network(const Model& model, const ClosedLoop& loop,
+                                                 std::span<const Equations> equations, const Network& network,
+                                                 const ScheduleOptions& options, Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "schedule/properties.hpp"
 
-#include <algorithm>
-
 #include "ir/step_names.hpp"
 #include "support/overloaded.hpp"
 #include "support/unique_names.hpp"
 #include "syntax/print/sentence.hpp"
+#include <algorithm>
 
 namespace grafverif::schedule {
 
@@ -24,10 +23,48 @@ Id<Symbol> member(Members& members, std::size_t controller, Id<Symbol> symbol) {
     return member(members, Id<TransitionSystem::Instance>{static_cast<std::uint32_t>(controller)}, symbol);
 }
 
-std::string untimed_refusal(Pattern pattern) {
+namespace {
+
+/// What a name of the loop stands for; or not valid, and `reason` says why.
+Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, std::string& reason) {
+    const ClosedLoop& loop = meaning.loop;
+    Exprs& exprs = meaning.system.exprs;
+    const auto leaf = [&exprs](Id<Symbol> of) { return exprs.leaf(Op::Variable, of.index); };
+    return std::visit(overloaded{
+        [&](const ClosedLoop::SharedSymbol& of) -> Id<Expr> {
+            if (meaning.shared[of.shared.index].valid()) return leaf(meaning.shared[of.shared.index]);
+            reason = "`" + loop.shared[of.shared].name + "` is a variable of the plant";
+            return {};
+        },
+        [&](const ClosedLoop::InternalSymbol& of) -> Id<Expr> {
+            return leaf(meaning.variable(of.controller.index, {of.variable.index}));
+        },
+        [&](const ClosedLoop::StepSymbol& of) -> Id<Expr> {
+            const Equations& chart = meaning.equations[of.controller.index];
+            return leaf(meaning.variable(of.controller.index, chart.steps[of.step.index].variable));
+        },
+        [&](const ClosedLoop::LocationSymbol& of) -> Id<Expr> {
+            if (meaning.at) return meaning.at(of.instance.index, of.location.index);
+            const ClosedLoop::Instance& instance = loop.instances[of.instance];
+            const Component& component = meaning.model.components[instance.component];
+            reason = "`" + instance.name + "." + component.locations[of.location].name + "` is a location of the plant";
+            return {};
+        },
+        [&](const ClosedLoop::ObserverSymbol& of) -> Id<Expr> {
+            reason = meaning.unobserved[of.observer.index];
+            if (!reason.empty()) return {};
+            const Id<Expr> location = leaf(meaning.observers[of.observer.index]);
+            return exprs.apply(Op::Equal, location, exprs.integer(of.location.index));
+        },
+    }, symbol);
+}
+
+/// Why the model cannot answer a pattern; empty: it can.
+std::string refusal(const LoopMeaning& meaning, Pattern pattern) {
     switch (pattern) {
-    case Pattern::NoDeadlock: return "this model is total, and cannot say whether the closed loop is";
-    case Pattern::NoTimelock: return "there is no time in this model";
+    case Pattern::NoDeadlock:
+        return meaning.can_move.valid() ? "" : "this model is total, and cannot say whether the closed loop is";
+    case Pattern::NoTimelock: return meaning.can_wait.valid() ? "" : "there is no time in this model";
     case Pattern::RawUppaal:  return "it is a formula for UPPAAL";
     case Pattern::Always: case Pattern::Never: case Pattern::Reachable: case Pattern::Inevitable:
     case Pattern::LeadsTo: case Pattern::ReachableAllSteps: case Pattern::ExactlyOneOf:
@@ -37,114 +74,55 @@ std::string untimed_refusal(Pattern pattern) {
     unreachable();
 }
 
-LoopMeaning meaning_of_controllers(Members& members, const Model& model, const ClosedLoop& loop,
-                                   std::span<const Equations> equations, const std::vector<Id<Symbol>>& shared) {
-    const auto leaf = [&members](Id<Symbol> symbol) { return members.system.exprs.leaf(Op::Variable, symbol.index); };
-    const auto of_controller = [&members, leaf](std::size_t controller, std::size_t variable) {
-        return leaf(member(members, controller, members.controllers[controller].symbols[variable]));
-    };
-    LoopMeaning meaning;
-    meaning.refusal = untimed_refusal;
-    meaning.term = [&loop, &model, equations, shared, leaf, of_controller](const ClosedLoop::Symbol& symbol,
-                                                                          std::string& reason) {
-        return std::visit(overloaded{
-            [&](const ClosedLoop::SharedSymbol& of) -> Id<Expr> {
-                const Id<Symbol> known = shared[of.shared.index];
-                if (known.valid()) return leaf(known);
-                reason = "`" + loop.shared[of.shared].name + "` is a variable of the plant";
-                return {};
-            },
-            [&](const ClosedLoop::InternalSymbol& of) -> Id<Expr> {
-                return of_controller(of.controller.index, of.variable.index);
-            },
-            [&](const ClosedLoop::StepSymbol& of) -> Id<Expr> {
-                const Equations& chart = equations[of.controller.index];
-                return of_controller(of.controller.index, chart.steps[of.step.index].variable.index);
-            },
-            [&](const ClosedLoop::LocationSymbol& of) -> Id<Expr> {
-                const ClosedLoop::Instance& instance = loop.instances[of.instance];
-                const Component& component = model.components[instance.component];
-                reason = "`" + instance.name + "." + component.locations[of.location].name +
-                         "` is a location of the plant";
-                return {};
-            },
-            [&](const ClosedLoop::ObserverSymbol& of) -> Id<Expr> {
-                reason = "`" + loop.observers[of.observer].name + "` is an observer";
-                return {};
-            },
-        }, symbol);
-    };
-    for (std::size_t controller = 0; controller < equations.size(); ++controller) {
-        const std::string chart = equations.size() > 1 ? equations[controller].name + "." : "";
-        for (const Equations::StepActivity& step : equations[controller].steps)
-            meaning.steps.push_back({chart + step.step, of_controller(controller, step.variable.index)});
+/// One `reachable` per step, named `PROP.X7`; with several controllers `PROP.chart.X7`.
+void add_all_steps(const LoopMeaning& meaning, const Property& property) {
+    for (std::size_t controller = 0; controller < meaning.equations.size(); ++controller) {
+        const Equations& equations = meaning.equations[controller];
+        const std::string chart = meaning.equations.size() > 1 ? equations.name + "." : "";
+        for (const Equations::StepActivity& step : equations.steps) {
+            Property one = property;
+            one.name = property.name + "." + step_variable_name(chart + step.step);
+            one.pattern = Pattern::Reachable;
+            const Id<Symbol> active = meaning.variable(controller, step.variable);
+            one.operands = {meaning.system.exprs.leaf(Op::Variable, active.index)};
+            meaning.system.properties.add(std::move(one));
+        }
     }
-    return meaning;
 }
 
-Id<Expr> term_of(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning, Id<Expr> expr,
-                 std::string& reason) {
+}  // namespace
+
+Id<Expr> term_of(const LoopMeaning& meaning, Id<Expr> expr, std::string& reason) {
+    const ClosedLoop& loop = meaning.loop;
     const auto symbol_of = [&](const Expr& leaf) -> const ClosedLoop::Symbol& {
         return loop.symbols[{static_cast<std::uint32_t>(leaf.value)}];
     };
     for (const Id<Expr> leaf : leaves(loop.exprs, expr))
-        if (!meaning.term(symbol_of(loop.exprs[leaf]), reason).valid()) return {};
-    return translate(loop.exprs, expr, system.exprs, [&](const Expr& leaf) {
-        std::string none;
-        return meaning.term(symbol_of(leaf), none);
-    });
+        if (!leaf_of(meaning, symbol_of(loop.exprs[leaf]), reason).valid()) return {};
+    return translate(loop.exprs, expr, meaning.system.exprs,
+                     [&](const Expr& leaf) { return leaf_of(meaning, symbol_of(leaf), reason); });
 }
 
-namespace {
-
-/// One `reachable` per step, named `PROP.X7`; with several controllers `PROP.chart.X7`.
-void add_all_steps(TransitionSystem& system, const Property& property, const LoopMeaning& meaning) {
-    for (const StepTerm& step : meaning.steps) {
-        Property one = property;
-        one.name = property.name + "." + step_variable_name(step.label);
-        one.pattern = Pattern::Reachable;
-        one.operands = {step.active};
-        system.properties.add(std::move(one));
-    }
-}
-
-void add_property(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning,
-                  const Property& property) {
-    std::string reason = meaning.refusal(property.pattern);
+void add_property(const LoopMeaning& meaning, const Property& property) {
+    TransitionSystem& system = meaning.system;
+    std::string reason = refusal(meaning, property.pattern);
     Property translated = property;
     translated.operands.clear();
     for (std::size_t k = 0; reason.empty() && k < property.operands.size(); ++k)
-        translated.operands.push_back(term_of(system, loop, meaning, property.operands[k], reason));
+        translated.operands.push_back(term_of(meaning, property.operands[k], reason));
     if (!reason.empty()) {
         translated.operands.clear();
         system.omitted.push_back({std::move(translated), std::move(reason), system.properties.size()});
         return;
     }
     if (meaning.judged_when_settled) translated.at_stable = true;
-    if (property.pattern == Pattern::ReachableAllSteps) add_all_steps(system, translated, meaning);
-    else system.properties.add(std::move(translated));
-}
-
-}  // namespace
-
-void add_properties(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning) {
-    for (const Property& property : loop.properties) add_property(system, loop, meaning, property);
-}
-
-void add_constraint_properties(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning) {
-    UniqueNames names;
-    for (const Property& property : system.properties) names.fresh(property.name);
-    for (const ClosedLoop::Constraint& constraint : loop.constraints) {
-        std::string reason;
-        const Id<Expr> term = term_of(system, loop, meaning, constraint.condition, reason);
-        if (!term.valid()) continue;
-        system.properties.add({.name = names.fresh(constraint.name),
-                               .text = sentence(loop, constraint),
-                               .pattern = Pattern::Always,
-                               .operands = {term},
-                               .at_stable = meaning.judged_when_settled,
-                               .origin = constraint.origin});
+    if (property.pattern == Pattern::ReachableAllSteps) return add_all_steps(meaning, translated);
+    if (property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock) {
+        // Where no edge is enabled, time alone goes on until one is; so `possible` is `in the end`.
+        translated.pattern = Pattern::AlwaysPossible;
+        translated.operands = {property.pattern == Pattern::NoDeadlock ? meaning.can_move : meaning.can_wait};
     }
+    system.properties.add(std::move(translated));
 }
 
 void add_never(TransitionSystem& system, std::string name, std::string text, const std::vector<Id<Expr>>& flags) {

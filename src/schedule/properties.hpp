@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The properties of a loop as properties of an untimed model of it.
+// The properties of a loop as properties of an untimed model of it, whatever the schedule: LoopMeaning says where the
+// names of the loop are in main, and every term of a property, of a constraint, of an observer's guard is translated by
+// it. What a model cannot say is left out of it, with the reason.
 #pragma once
 
 #include <functional>
@@ -26,42 +28,41 @@ struct Members {
 Id<Symbol> member(Members& members, Id<TransitionSystem::Instance> instance, Id<Symbol> symbol);
 Id<Symbol> member(Members& members, std::size_t controller, Id<Symbol> symbol);
 
-/// One step of a chart: `7`, `G2.7`, or with several controllers `press.7`, `press.G2.7`; and whether it is active.
-struct StepTerm {
-    std::string label = {};
-    Id<Expr> active = {};
-};
+/// Of controllers that are instances of main: LoopMeaning::variable.
+inline auto of_controllers(Members& members) {
+    return [&members](std::size_t controller, Id<Equations::Variable> variable) {
+        return member(members, controller, members.controllers[controller].symbols[variable.index]);
+    };
+}
 
-/// What an untimed model says of the names of a loop, over the symbols of main.
+/// What the names of a loop stand for in a model of it.
 struct LoopMeaning {
-    /// Not valid where the model has nothing of the kind; then `reason` says why.
-    std::function<Id<Expr>(const ClosedLoop::Symbol&, std::string& reason)> term = {};
-    std::vector<StepTerm> steps = {};
-    /// Why the model cannot answer a pattern; empty: it can.
-    std::function<std::string(Pattern)> refusal = {};
-    /// Whether every property is judged in settled states only.
-    bool judged_when_settled = false;
+    TransitionSystem& system;
+    const Model& model;
+    const ClosedLoop& loop;
+    std::span<const Equations> equations;                 ///< of the controllers, in order
+    /// Per shared variable: the symbol of main. Not valid: it is the plant's own, and the model has no plant.
+    std::vector<Id<Symbol>> shared = {};
+    /// The symbol of main that is a variable of a controller's equations.
+    std::function<Id<Symbol>(std::size_t controller, Id<Equations::Variable>)> variable = {};
+    /// An instance of the plant is at a location. None: the model has no plant.
+    std::function<Id<Expr>(std::size_t instance, std::uint32_t location)> at = {};
+    /// Per observer: the symbol of main that is its location; not valid: the model has not what it reads, and
+    /// `unobserved` says why. Empty: see add_observers.
+    std::vector<Id<Symbol>> observers = {};
+    std::vector<std::string> unobserved = {};
+    /// Some edge can fire, time can pass: what `no deadlock` and `no timelock` ask for. Not valid: the model cannot say.
+    Id<Expr> can_move = {}, can_wait = {};
+    bool judged_when_settled = false;                     ///< every property, in settled states only
 };
-
-/// Of controllers that are instances of main: per shared variable in `shared` the symbol of main that it is; not valid
-/// for one of the plant's own. Locations of the plant have no meaning.
-LoopMeaning meaning_of_controllers(Members& members, const Model& model, const ClosedLoop& loop,
-                                   std::span<const Equations> equations, const std::vector<Id<Symbol>>& shared);
-
-/// Why a model without deadlocks of its own cannot answer a pattern.
-std::string untimed_refusal(Pattern pattern);
 
 /// `expr` of the loop over the symbols of main; or not valid, and `reason` says why.
-Id<Expr> term_of(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning, Id<Expr> expr,
-                 std::string& reason);
+Id<Expr> term_of(const LoopMeaning& meaning, Id<Expr> expr, std::string& reason);
 
-/// The properties of `loop`, each in `system.properties` or in `system.omitted`.
-void add_properties(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning);
+/// A property of the loop, in `system.properties` or in `system.omitted`.
+void add_property(const LoopMeaning& meaning, const Property& property);
 
-/// The constraints of `loop` as properties to prove, where the model has what they read.
-void add_constraint_properties(TransitionSystem& system, const ClosedLoop& loop, const LoopMeaning& meaning);
-
-/// `no_race` and `no_out_of_range`, where such faults are possible.
+/// Of a model with controllers that are instances of main: `no_race` and `no_out_of_range`, where such faults are possible.
 void add_fault_properties(Members& members, std::span<const Equations> equations);
 
 /// `name`: never one of `flags`; nothing where there are none.

@@ -8,6 +8,7 @@
 #include "schedule/observers.hpp"
 #include "schedule/scope.hpp"
 #include "schedule/sequencer.hpp"
+#include "syntax/print/sentence.hpp"
 
 namespace grafverif {
 
@@ -96,28 +97,25 @@ private:
         return exprs().conjunction(over);
     }
 
-    LoopMeaning meaning() {
-        LoopMeaning meaning = meaning_of_controllers(members_, model_, loop_, equations_, shared_);
-        meaning.judged_when_settled = sequenced_;
-        meaning.term = [this, before = meaning.term](const ClosedLoop::Symbol& symbol, std::string& reason) {
-            const auto* location = std::get_if<ClosedLoop::LocationSymbol>(&symbol);
-            return location == nullptr ? before(symbol, reason) : plant_.at(location->instance.index, location->location.index);
-        };
-        return meaning;
-    }
-
     void add_questions() {
-        LoopMeaning known = meaning();
         if (sequenced_) {
             system().settled = sequencer_->judged();
         } else {
             const Id<Expr> urgent = exprs().disjunction(plant_.each(&AutomatonModule::must_move));
             system().settled = exprs().conjunction(settled_controllers(members_), exprs().negation(urgent));
         }
-        add_observers(members_, loop_, known, assembly_.names, assembly_.module_names,
+        LoopMeaning meaning{.system = system(),
+                            .model = model_,
+                            .loop = loop_,
+                            .equations = equations_,
+                            .shared = shared_,
+                            .variable = of_controllers(members_),
+                            .at = [this](std::size_t process, std::uint32_t location) { return plant_.at(process, location); },
+                            .judged_when_settled = sequenced_};
+        add_observers(members_, meaning, assembly_.names, assembly_.module_names,
                       sequenced_ ? system().settled : Id<Expr>{});
-        add_properties(system(), loop_, known);
-        add_constraint_properties(system(), loop_, known);
+        for (const Property& property : loop_.properties) add_property(meaning, property);
+        for (const Property& constraint : constraints_to_prove(loop_)) add_property(meaning, constraint);
         add_fault_properties(members_, equations_);
         add_range_property(plant_);
         if (sequenced_) sequencer_->add_properties();

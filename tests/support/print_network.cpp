@@ -196,13 +196,13 @@ private:
 
     void print(const Network::Controller& controller) {
         const Network::Process& process = network_.processes[controller.process];
-        out_ << "\ncontroller " << controller.name << " with "
-             << (controller.mode == ExecutionMode::EveryCycle ? "every_cycle" : "stability_search") << ": "
+        out_ << "\ncontroller " << controller.words.name << " with "
+             << (controller.words.mode == ExecutionMode::EveryCycle ? "every_cycle" : "stability_search") << ": "
              << process.name << " waits in " << network_.templates[process.automaton].locations[controller.waiting].name
              << ", stable is " << network_.variables[controller.stable].name;
         std::string_view before = ", timers ";
-        for (const Id<Network::Process> timer : controller.timers) {
-            out_ << before << network_.processes[timer].name;
+        for (const Network::Timer& timer : controller.timers) {
+            out_ << before << network_.processes[timer.process].name;
             before = ", ";
         }
         out_ << '\n';

@@ -39,7 +39,7 @@ std::optional<TransitionSystem> scheduled(const Model& model, const ScheduleOpti
         return schedule_together(model, loop, equations, *plant_network, options, diagnostics);
     const auto network = compose(*plant_network, loop, equations, {grain, options.mode, {}}, diagnostics);
     if (!network) return {};
-    return schedule_network(*network, options, diagnostics);
+    return schedule_network(model, loop, equations, *network, options, diagnostics);
 }
 
 }  // namespace

@@ -400,8 +400,10 @@ private:
         const Id<Network::Process> process = find(processes_, line.process);
         const Id<Network::Location> waiting =
             find(location_names_[network_.processes[process].automaton.index], line.waiting);
-        network_.controllers.add({line.name, line.mode, process, waiting, find(variables_, line.stable),
-                                  timers_[controllers_.size() > 1 ? line.name : ""]});
+        Network::Controller controller{{.name = line.name, .mode = line.mode}, process, waiting, find(variables_, line.stable)};
+        for (const Id<Network::Process> timer : timers_[controllers_.size() > 1 ? line.name : ""])
+            controller.timers.push_back({timer});
+        network_.controllers.add(std::move(controller));
     }
 
     pugi::xml_document document_ = {};

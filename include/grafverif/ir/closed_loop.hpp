@@ -122,6 +122,9 @@ struct Model {
 };
 
 std::vector<std::string> verify(const ClosedLoop& loop, const Model& model);
+
+/// Whether an operand of `property` asks where an observer is: untimed models alone have observers.
+bool reads_observer(const ClosedLoop& loop, const Property& property);
 /// Of every chart, component and loop.
 std::vector<std::string> verify(const Model& model);
 

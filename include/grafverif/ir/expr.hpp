@@ -11,7 +11,7 @@
 //   Step       Chart::steps: the step variable X of a step (IEC 60848, 4.3); only in Chart
 //   Timed      Chart::time_conditions; only in Chart
 //   Parameter  the parameters of the enclosing Component or Network template
-//   At         Network: a process, or an observer, is at a location; only in properties and guards of observers
+//   At         Network: a process is at a location; only in properties and `settled`
 //   Integer    a number; Duration: milliseconds (only in Component)
 //
 // Integers are 64-bit; an operation that would overflow is not folded, and evaluation reports it.

@@ -18,11 +18,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "grafverif/ir/controller_words.hpp"
 #include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/expr.hpp"
 #include "grafverif/ir/property.hpp"
@@ -125,62 +125,25 @@ struct Network {
         bool operator==(const Process&) const = default;
     };
 
-    /// A variable that stands for something of the chart, under the chart's name for it.
-    struct Named {
-        std::string name = {};
-        Id<Variable> variable = {};
-        bool operator==(const Named&) const = default;
+    /// One controller: its words, and where the parts of its cycle are.
+    struct Timer {
+        Id<Process> process = {};
+        Id<Location> done = {};              ///< of the process, where t1 is over; not valid: it has no t1
+        std::string watched = {};            ///< what it watches as conditions write it: `X2`, `a`; of a longer term empty
+        bool restarts = true;                ///< a request restarts it; false: it follows its step by level
+        bool operator==(const Timer&) const = default;
     };
-    /// An input, output or internal of a controller.
-    struct Symbol {
-        Role role = Role::Input;
-        Id<Variable> variable = {};
-        Id<Variable> image = {};             ///< of an output with stored actions: what holds it until it is written
-        std::string name = {};               ///< in its chart
-        bool operator==(const Symbol&) const = default;
-    };
-    struct TimerVariables {
-        Id<Variable> watched = {};           ///< a step, or the level of a watched term
-        std::string watched_name = {};       ///< the same as conditions write it: `X2`, `a`; of a longer term empty
-        Id<Location> done = {};              ///< of the timer's process, where t1 is over; not valid: it has no t1
-        Id<Variable> pending = {};           ///< not valid: the timer follows its step by level
-        Id<Variable> end = {};
-        std::int64_t rise = 0, fall = 0;     ///< t1 and t2, in time units
-        bool operator==(const TimerVariables&) const = default;
-    };
-
-    /// What a report needs to tell a run of the network in the words of the chart, and a replay to compare it with the
-    /// chart. The lists behind `timers` are in the order of the chart's tables.
     struct Controller {
-        std::string name = {};
-        ExecutionMode mode = ExecutionMode::StabilitySearch;
+        ControllerWords<Variable> words = {};
         Id<Process> process = {};            ///< the PLC
         Id<Location> waiting = {};           ///< W, in its template
         Id<Variable> stable = {};
-        std::vector<Id<Process>> timers = {};
-        std::vector<TimerVariables> timing = {};   ///< per timer
-        std::vector<std::optional<std::size_t>> conditions = {};   ///< per time condition: its timer; empty: none waits for it
-        std::vector<Symbol> symbols = {};          ///< per variable
-        std::vector<Named> steps = {};             ///< per step: `2`, `G2.2`
-        std::vector<Named> transitions = {};       ///< per transition: its firing condition
-        Id<Procedure> start = {};                  ///< not valid: nothing happens before the first cycle
+        std::vector<Timer> timers = {};      ///< those of `words`
+        std::vector<Id<Variable>> variables = {};   ///< per variable of its equations, as the plant and others see it
+        std::vector<Id<Variable>> images = {};      ///< per output: what holds it until it is written; not valid: nothing
+        Id<Procedure> start = {};            ///< not valid: nothing happens before the first cycle
         Id<Procedure> fire = {}, evolve = {}, write = {};
         bool operator==(const Controller&) const = default;
-    };
-
-    /// An automaton that watches (ClosedLoop::Observer). Untimed models have it; the engines of the Network do not.
-    struct ObserverEdge {
-        std::uint32_t from = 0, to = 0;      ///< places in `locations`
-        Id<Expr> guard = {};
-        bool operator==(const ObserverEdge&) const = default;
-    };
-    struct Observer {
-        std::string name = {};
-        std::vector<std::string> locations = {};
-        std::uint32_t initial = 0;
-        std::vector<ObserverEdge> edges = {};   ///< in order of precedence
-        Span origin = {};
-        bool operator==(const Observer&) const = default;
     };
 
     std::string name = {};
@@ -192,10 +155,6 @@ struct Network {
     Table<Process> processes = {};
     Table<Controller> controllers = {};
     Table<Property> properties = {};
-    /// Observers, and the properties that read them: there, and in the guards of observers, At takes an observer for a
-    /// process, counted on behind those of `processes`.
-    Table<Observer> observers = {};
-    Table<Property> observed = {};
     /// Settled: every controller in W and stable, no flag set, no urgent edge enabled. Over variables and At.
     Id<Expr> settled = {};
     /// The flag that two stored actions have raced; not valid where none can.
@@ -215,7 +174,7 @@ std::int64_t bound_value(const Network& network, const Network::Process& process
 bool keeps_target_invariant(const Network& network, const Network::Process& process, const Network::Edge& edge);
 
 /// The same network with one template per process and no parameters; process and location indices are unchanged, and
-/// properties keep their meaning. Without observers and the properties that read them.
+/// properties keep their meaning.
 Network expand(const Network& network);
 
 }  // namespace grafverif

@@ -23,6 +23,7 @@
 #include <variant>
 #include <vector>
 
+#include "grafverif/ir/controller_words.hpp"
 #include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/expr.hpp"
 #include "grafverif/ir/property.hpp"
@@ -84,31 +85,12 @@ struct TransitionSystem {
         bool operator==(const Omitted&) const = default;
     };
 
-    // What the symbols of main are to the charts and the plant: for traces, and for their replay on the rules. Names are
-    // those of the loop; lists are in the order of the chart.
+    // What the symbols of main are to the charts and the plant: for traces, and for their replay on the rules.
 
-    struct Named {
-        std::string name = {};
-        Id<Symbol> symbol = {};
-        bool operator==(const Named&) const = default;
-    };
-    struct TimerEnd {
-        Id<Symbol> symbol = {};
-        std::optional<std::size_t> step = {};   ///< whose time it is, index in Controller::steps; empty: of another term
-        std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
-        bool operator==(const TimerEnd&) const = default;
-    };
+    using Named = ControllerWords<Symbol>::Named;
     /// Of each condition below: it holds in a state and the choices with which a step leaves it. Not valid: as said.
     struct Controller {
-        std::string name = {};
-        ExecutionMode mode = ExecutionMode::StabilitySearch;
-        std::vector<Named> steps = {};
-        std::vector<Named> transitions = {};   ///< cleared by a step that `evolves` leaves a state where it holds
-        std::vector<Named> inputs = {};
-        std::vector<Named> outputs = {};       ///< as written to the plant
-        std::vector<Named> internals = {};
-        std::vector<TimerEnd> timers = {};
-        std::vector<std::optional<std::size_t>> conditions = {};   ///< per time condition of the chart: its timer, if any
+        ControllerWords<Symbol> words = {};    ///< a transition is cleared by a step that `evolves` leaves a state where it holds
         Id<Expr> starts = {};                  ///< the first evolution; none: it shows in nothing
         Id<Expr> samples = {};                 ///< inputs and timer ends are read; none: where it evolves
         Id<Expr> evolves = {};                 ///< one evolution; none: in every step

@@ -135,10 +135,10 @@ std::vector<std::string_view> headings(const System& system) {
         const std::string_view heading = timer ? "the timers" : "the plant and its environment";
         note(component.location, heading);
         for (const auto* named : {&component.variables, &component.inputs})
-            for (const System::Named& variable : *named) note(variable.symbol, heading);
+            for (const System::Named& variable : *named) note(variable.variable, heading);
     }
     for (const System::Controller& controller : system.controllers)
-        for (const System::Named& step : controller.steps) note(step.symbol, of_charts);
+        for (const System::Named& step : controller.words.steps) note(step.variable, of_charts);
     return found;
 }
 

@@ -84,7 +84,7 @@ void write_header(std::ostream& out, const Network& network, const Names& names)
     out << "// " << network.name << ": the closed loop of a GRAFCET controller (IEC 60848) and its plant.\n";
     for (const Network::Controller& controller : network.controllers) {
         const Id<Network::Template> automaton = network.processes[controller.process].automaton;
-        out << "// Controller " << controller.name << " " << mode_text(controller.mode) << ".\n//   process "
+        out << "// Controller " << controller.words.name << " " << mode_text(controller.words.mode) << ".\n//   process "
             << names.processes[controller.process.index] << ", between two cycles in "
             << names.locals[automaton.index].locations[controller.waiting.index] << "; stable situation: "
             << names.variables[controller.stable.index] << "\n";
@@ -151,7 +151,7 @@ std::vector<std::string_view> timer_owners(const Network& network) {
     std::vector<std::string_view> owners(network.processes.size());
     if (network.controllers.size() < 2) return owners;
     for (const Network::Controller& controller : network.controllers)
-        for (const Id<Network::Process> timer : controller.timers) owners[timer.index] = controller.name;
+        for (const Network::Timer& timer : controller.timers) owners[timer.process.index] = controller.words.name;
     return owners;
 }
 

@@ -4,6 +4,7 @@
 #include <ostream>
 #include <variant>
 
+#include "support/unique_names.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif {
@@ -16,6 +17,19 @@ std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& const
             out << loop.shared[std::get<ClosedLoop::SharedSymbol>(symbol).shared].name;   // it reads inputs only
         });
     return text.size() > longest ? "a long constraint holds of this plant" : text + " holds of this plant";
+}
+
+std::vector<Property> constraints_to_prove(const ClosedLoop& loop) {
+    UniqueNames names;
+    for (const Property& property : loop.properties) names.fresh(property.name);
+    std::vector<Property> properties;
+    for (const ClosedLoop::Constraint& constraint : loop.constraints)
+        properties.push_back({.name = names.fresh(constraint.name),
+                              .text = sentence(loop, constraint),
+                              .pattern = Pattern::Always,
+                              .operands = {constraint.condition},
+                              .origin = constraint.origin});
+    return properties;
 }
 
 }  // namespace grafverif

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "grafverif/ir/closed_loop.hpp"
 
@@ -9,5 +10,8 @@ namespace grafverif {
 
 /// What is to prove of a constraint beside a plant, in words: `!(IN && OUT)` holds of it.
 std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& constraint);
+
+/// The constraints of `loop` as properties of it, under names that no property has.
+std::vector<Property> constraints_to_prove(const ClosedLoop& loop);
 
 }  // namespace grafverif

@@ -94,26 +94,11 @@ TEST(Network, EachBrokenInvariantIsNamed) {
          [](Network& n) { n.properties.add({.name = "P", .operands = {n.exprs.at(0, 5)}}); }},
         {"an operand is not Boolean",
          [](Network& n) { n.properties.add({.name = "P", .operands = {n.exprs.integer(5)}}); }},
-        {"property Q: an operand is not Boolean",
-         [](Network& n) { n.observed.add({.name = "Q", .operands = {n.exprs.integer(5)}}); }},
         {"property P: its name is taken",
          [](Network& n) {
              n.properties.add({.name = "P", .operands = {n.exprs.constant(true)}});
-             n.observed.add({.name = "P", .operands = {n.exprs.constant(true)}});
+             n.properties.add({.name = "P", .operands = {n.exprs.constant(true)}});
          }},
-        {"observer watch: a guard is wrongly typed inside",
-         [](Network& n) {
-             const auto nested = n.exprs.apply(Op::Plus, n.exprs.leaf(Op::Variable, 0), n.exprs.integer(1));
-             n.observers.add({"watch", {"calm", "alarm"}, 0, {{0, 1, n.exprs.apply(Op::Less, nested, n.exprs.integer(3))}}, {}});
-         }},
-        {"observer watch: a guard is wrongly typed inside",   // it asks for its third location, which it has not
-         [](Network& n) {
-             const auto self = static_cast<std::uint32_t>(n.processes.size());
-             n.observers.add({"watch", {"calm", "alarm"}, 0, {{0, 1, n.exprs.at(self, 2)}}, {}});
-         }},
-        {"observer watch: an edge leads nowhere",
-         [](Network& n) { n.observers.add({"watch", {"calm"}, 0, {{0, 1, n.exprs.constant(true)}}, {}}); }},
-        {"observer watch: no initial location", [](Network& n) { n.observers.add({"watch", {"calm"}, 1, {}, {}}); }},
         {"settled is not Boolean", [](Network& n) { n.settled = n.exprs.integer(0); }},
     };
     for (const Case& c : cases) {

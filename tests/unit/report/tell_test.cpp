@@ -255,7 +255,7 @@ TEST(TellLaw, TheStepsOfATraceEndWhereTheRunEnds) {
                 for (const Id<ChartRun::Signal> id : trace.signals.ids())
                     EXPECT_EQ(end.values[id.index], variable(trace.signals[id].name)) << trace.signals[id].name;
                 std::vector<Id<ChartRun::Step>> situation;
-                const auto& steps = loop.network.controllers[{0}].steps;
+                const auto& steps = loop.network.controllers[{0}].words.steps;
                 for (std::uint32_t i = 0; i < steps.size(); ++i)
                     if (states->back().variables[steps[i].variable.index] != 0) situation.push_back({i});
                 EXPECT_EQ(end.situation, situation);

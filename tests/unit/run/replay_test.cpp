@@ -59,9 +59,9 @@ void meet(const Network& network, const Run& run, Met& met) {
         const NetworkState before = state;
         perform(network, state, move);
         for (const Network::Controller& controller : network.controllers) {
-            for (const Network::Named& step : controller.steps)
+            for (const auto& step : controller.words.steps)
                 if (before.variables[step.variable.index] < state.variables[step.variable.index]) ++met.evolutions;
-            for (const auto& timing : controller.timing)
+            for (const auto& timing : controller.words.timers)
                 if (before.variables[timing.end.index] < state.variables[timing.end.index]) ++met.timers;
         }
     }

@@ -219,8 +219,8 @@ closed_loop pair {
         const TransitionSystem system = untimed_text(text, with(schedule));
         ASSERT_EQ(system.controllers.size(), 2u);
         for (const TransitionSystem::Controller& controller : system.controllers) {
-            ASSERT_EQ(controller.internals.size(), 1u);
-            EXPECT_EQ(controller.internals.front().name, "n");
+            ASSERT_EQ(controller.words.internals.size(), 1u);
+            EXPECT_EQ(controller.words.internals.front().name, "n");
         }
     }
 }

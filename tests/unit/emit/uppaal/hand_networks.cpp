@@ -285,12 +285,11 @@ Network station() {
     for (const auto p : h.network.templates[timer_template].parameters.ids())
         if (p.index == 0) h.network.templates[timer_template].parameters[p].type = integer_type(0, 60000);
 
-    h.network.controllers.add({.name = "handling",
+    h.network.controllers.add({.words = {.name = "handling", .steps = {{"0", w.x0}, {"G2.1", w.x1}}},
                                .process = plc,
                                .waiting = {0},
                                .stable = w.stable,
-                               .timers = {t},
-                               .steps = {{"0", w.x0}, {"G2.1", w.x1}}});
+                               .timers = {{t}}});
     h.network.settled = h.all(
         {h.at(plc, 0), h.v(w.stable), h.neither(h.v(w.evol_pl)), h.neither(h.v(w.evol_ti)), h.neither(h.v(w.pending))});
     add_properties(h, w, actuator);
@@ -318,7 +317,7 @@ Network awkward_names() {
     h.process("free", a, {x}, Network::ProcessKind::Environment);
     h.process("Pr", a, {kept}, Network::ProcessKind::Environment);
     const auto plc = h.process("sqrt", b, {}, Network::ProcessKind::Controller);
-    h.network.controllers.add({"sqrt", ExecutionMode::EveryCycle, plc, {0}, stable, {}});
+    h.network.controllers.add({{.name = "sqrt", .mode = ExecutionMode::EveryCycle}, plc, {0}, stable});
     h.network.settled = h.v(stable);
     h.property("under", "names", Pattern::Always,
                {h.any({h.at(plc, 0), h.at(plc, 1), h.v(x), h.v(kept), h.at({0}, 0), h.at({1}, 1)})});

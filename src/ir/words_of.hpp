@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The words of a chart for a model that was made of its equations.
+#pragma once
+
+#include <algorithm>
+
+#include "grafverif/ir/controller_words.hpp"
+#include "grafverif/ir/equations.hpp"
+
+namespace grafverif {
+
+/// The index in `equations.steps` of the step that a timer watches; empty: it watches another term.
+inline std::optional<std::size_t> watched_step(const Equations& equations, const Equations::Timer& timer) {
+    const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
+    if (step == equations.steps.end()) return {};
+    return static_cast<std::size_t>(step - equations.steps.begin());
+}
+
+/// `place` gives the variable of the model that stands for one of the equations.
+template <class Variable, class Place>
+ControllerWords<Variable> words_of(const Equations& equations, ExecutionMode mode, const Place& place) {
+    ControllerWords<Variable> words{.name = equations.name, .mode = mode};
+    for (const Equations::StepActivity& step : equations.steps) words.steps.push_back({step.step, place(step.variable)});
+    for (const Equations::Firing& firing : equations.firings)
+        words.transitions.push_back({firing.transition, place(firing.variable)});
+    for (const Id<Equations::Variable> id : equations.variables.ids()) {
+        const Equations::Variable& variable = equations.variables[id];
+        if (variable.role == Equations::Role::Input) words.inputs.push_back({variable.name, place(id)});
+        if (variable.role == Equations::Role::Output) words.outputs.push_back({variable.name, place(id)});
+        if (variable.role == Equations::Role::Internal) words.internals.push_back({variable.name, place(id)});
+    }
+    for (const Equations::Timer& timer : equations.timers)
+        words.timers.push_back({place(timer.end), watched_step(equations, timer), timer.rise_ms, timer.fall_ms});
+    for (const Id<Equations::Timer> timer : equations.conditions)
+        words.conditions.push_back(timer.valid() ? std::optional<std::size_t>(timer.index) : std::nullopt);
+    return words;
+}
+
+}  // namespace grafverif
