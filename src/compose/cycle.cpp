@@ -72,8 +72,7 @@ public:
                                  .evolve = evolve_,
                                  .write = write_};
         for (const Id<Equations::Variable> id : equations.variables.ids())
-            if (equations.variables[id].role == Equations::Role::Output)
-                made.images.push_back(parts_.image[id.index]);
+            if (equations.variables[id].role == Equations::Role::Output) made.images.push_back(parts_.image[id.index]);
         return made;
     }
 

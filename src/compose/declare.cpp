@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The variables of a controller, in the order in which its equations use them.
-#include <string_view>
-#include <unordered_map>
-
 #include "compose/controller.hpp"
 #include "ir/reads.hpp"
+#include "ir/shared_by_name.hpp"
 
 namespace grafverif {
 
@@ -71,16 +69,15 @@ public:
 
     /// Inputs and outputs are variables of the plant, under their names there.
     void shared(const ClosedLoop& loop) {
-        std::unordered_map<std::string_view, std::uint32_t> index;
-        for (const Id<ClosedLoop::Shared> id : loop.shared.ids()) index.emplace(loop.shared[id].name, id.index);
+        const SharedByName place(loop);
         for (const Id<Equations::Variable> id : parts_.equations->variables.ids()) {
             const Equations::Variable& from = parts_.equations->variables[id];
             if (from.role != Equations::Role::Input && from.role != Equations::Role::Output) continue;
-            const auto found = index.find(from.name);
+            const Id<ClosedLoop::Shared> known = place(from.name);
             const Network::Role role =
                 from.role == Equations::Role::Input ? Network::Role::Input : Network::Role::Output;
-            parts_.variable[id.index] = found != index.end()
-                                            ? Id<Variable>{found->second}
+            parts_.variable[id.index] = known.valid()
+                                            ? Id<Variable>{known.index}
                                             : fresh({from.name, role, from.type, from.initial, false, from.origin});
         }
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ir/literal.hpp"
 #include "ir/reads.hpp"
 
 namespace grafverif {
@@ -66,9 +67,7 @@ private:
 
     Network::Assignment forgotten(Variable input) {
         const Network::Variable sample = network_.variables[parts_.sample[input.index]];
-        const Id<Expr> initial =
-            sample.type.boolean ? exprs().constant(sample.initial != 0) : exprs().integer(sample.initial);
-        return {leaf_of(parts_.sample[input.index]), initial};
+        return {leaf_of(parts_.sample[input.index]), literal(exprs(), sample.type, sample.initial)};
     }
 
     Assignments fire() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The properties of a loop in terms of its network, and what `settled` means there.
 #include "compose/controller.hpp"
+#include "ir/slots.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/sentence.hpp"
 
@@ -13,41 +14,33 @@ Id<Expr> formula_of(const ClosedLoop::Symbol& symbol, Composition& composition) 
     const auto in_controller = [&](const ControllerParts& parts, Id<Equations::Variable> variable) {
         return leaf(network, parts.variable[variable.index]);
     };
-    return std::visit(
-        overloaded{
-            [&](const ClosedLoop::SharedSymbol& of) { return leaf(network, {of.shared.index}); },
-            [&](const ClosedLoop::InternalSymbol& of) {
-                return in_controller(composition.controllers[of.controller.index], {of.variable.index});
-            },
-            [&](const ClosedLoop::StepSymbol& of) {
-                const ControllerParts& parts = composition.controllers[of.controller.index];
-                return in_controller(parts, parts.equations->steps[of.step.index].variable);
-            },
-            [&](const ClosedLoop::LocationSymbol& of) {
-                return network.exprs.at(of.instance.index, of.location.index);
-            },
-            [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },   // see reads_observer
-        },
-        symbol);
+    return std::visit(overloaded{
+                          [&](const ClosedLoop::SharedSymbol& of) { return leaf(network, {of.shared.index}); },
+                          [&](const ClosedLoop::InternalSymbol& of) {
+                              return in_controller(composition.controllers[of.controller.index], {of.variable.index});
+                          },
+                          [&](const ClosedLoop::StepSymbol& of) {
+                              const ControllerParts& parts = composition.controllers[of.controller.index];
+                              return in_controller(parts, parts.equations->steps[of.step.index].variable);
+                          },
+                          [&](const ClosedLoop::LocationSymbol& of) {
+                              return network.exprs.at(of.instance.index, of.location.index);
+                          },
+                          [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },  // see reads_observer
+                      },
+                      symbol);
 }
 
-/// One formula per urgent edge of the plant: the process is where the edge starts, and its guard holds.
+/// One formula per urgent edge of a process: it is where the edge starts, and the guard holds.
 void add_enabled(Network& network, Id<Network::Process> id, std::vector<Id<Expr>>& found) {
-    const Network::Process& process = network.processes[id];
-    const Network::Template& automaton = network.templates[process.automaton];
-    for (const Network::Edge& edge : automaton.edges) {
+    const Slots slots(network, id);
+    TermCopier terms = slots.terms(network.exprs);
+    for (const Network::Edge& edge : slots.automaton.edges) {
         if (!edge.urgent) continue;
-        const Id<Expr> guard = translate(network.exprs, edge.guard, network.exprs, [&](const Expr& node) {
-            const auto parameter = static_cast<std::uint32_t>(node.value);
-            const Network::Argument& argument = process.arguments[parameter];
-            if (const auto* variable = std::get_if<Id<Network::Variable>>(&argument)) return leaf(network, *variable);
-            const std::int64_t value = std::get<std::int64_t>(argument);
-            return automaton.parameters[{parameter}].type.boolean ? network.exprs.constant(value != 0)
-                                                                  : network.exprs.integer(value);
-        });
-        const Id<Expr> here = network.exprs.at(id.index, edge.from.index);
-        found.push_back(
-            network.exprs.conjunction(automaton.locations.size() == 1 ? network.exprs.constant(true) : here, guard));
+        const Id<Expr> guard = terms(edge.guard);
+        const bool anywhere = slots.automaton.locations.size() == 1;
+        const Id<Expr> here = anywhere ? network.exprs.constant(true) : network.exprs.at(id.index, edge.from.index);
+        found.push_back(network.exprs.conjunction(here, guard));
     }
 }
 

@@ -13,7 +13,8 @@ std::string step_variable_name(std::string_view label) {
 
 std::string step_variable_name(const Network& network, Id<Network::Variable> variable) {
     for (const Network::Controller& controller : network.controllers) {
-        const auto step = std::ranges::find(controller.words.steps, variable, &ControllerWords<Network::Variable>::Named::variable);
+        const auto step =
+            std::ranges::find(controller.words.steps, variable, &ControllerWords<Network::Variable>::Named::variable);
         if (step == controller.words.steps.end()) continue;
         return (network.controllers.size() == 1 ? "" : controller.words.name + ".") + step_variable_name(step->name);
     }

@@ -20,7 +20,8 @@ inline std::optional<std::size_t> watched_step(const Equations& equations, const
 template <class Variable, class Place>
 ControllerWords<Variable> words_of(const Equations& equations, ExecutionMode mode, const Place& place) {
     ControllerWords<Variable> words{.name = equations.name, .mode = mode};
-    for (const Equations::StepActivity& step : equations.steps) words.steps.push_back({step.step, place(step.variable)});
+    for (const Equations::StepActivity& step : equations.steps)
+        words.steps.push_back({step.step, place(step.variable)});
     for (const Equations::Firing& firing : equations.firings)
         words.transitions.push_back({firing.transition, place(firing.variable)});
     for (const Id<Equations::Variable> id : equations.variables.ids()) {

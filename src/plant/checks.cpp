@@ -9,31 +9,25 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ir/slots.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif {
 
 namespace {
 
-/// The value of a term that reads no variable, under the arguments of a process.
-std::optional<std::int64_t> constant_value(const Network& network, const Network::Process& process, Id<Expr> root) {
-    for (const Id<Expr> leaf : leaves(network.exprs, root)) {
-        const Expr& node = network.exprs[leaf];
-        if (node.op != Op::Parameter ||
-            !std::holds_alternative<std::int64_t>(process.arguments[static_cast<std::size_t>(node.value)]))
-            return {};
-    }
-    return evaluate(network.exprs, root, [&](const Expr& leaf) {
-        return std::get<std::int64_t>(process.arguments[static_cast<std::size_t>(leaf.value)]);
-    });
+/// The value of a term that reads no variable.
+std::optional<std::int64_t> constant_value(const Slots& slots, Id<Expr> root) {
+    const Exprs& exprs = slots.network.exprs;
+    for (const Id<Expr> leaf : leaves(exprs, root))
+        if (slots.variable(exprs[leaf]).valid()) return {};
+    return evaluate(exprs, root, [&](const Expr& leaf) { return slots.constant(leaf); });
 }
 
-/// The variable that a leaf stands for in a process; not valid for anything else.
-Id<Network::Variable> variable_of(const Network& network, const Network::Process& process, Id<Expr> root) {
-    const Expr& node = network.exprs[root];
-    if (node.op != Op::Parameter) return {};
-    const auto* variable = std::get_if<Id<Network::Variable>>(&process.arguments[static_cast<std::size_t>(node.value)]);
-    return variable ? *variable : Id<Network::Variable>{};
+/// The variable that a term is; not valid for anything else.
+Id<Network::Variable> variable_of(const Slots& slots, Id<Expr> root) {
+    const Expr& node = slots.network.exprs[root];
+    return node.op == Op::Parameter ? slots.variable(node) : Id<Network::Variable>{};
 }
 
 /// A variable moved by a constant amount: `X := X + D_X`.
@@ -44,16 +38,16 @@ struct Step {
 using Steps = std::unordered_map<Id<Network::Variable>, Step>;  // the longest one of each variable
 
 void collect_steps(const Network& network, Id<Network::Process> id, Steps& steps) {
-    const Network::Process& process = network.processes[id];
-    for (const Network::Edge& edge : network.templates[process.automaton].edges) {
+    const Slots slots(network, id);
+    for (const Network::Edge& edge : slots.automaton.edges) {
         for (const auto& [target, value] : edge.assignments) {
             const Expr& node = network.exprs[value];
             if (node.op != Op::Plus && node.op != Op::Minus) continue;
             const auto operands = network.exprs.operands(value);
             const bool left = operands[0] == target;
             if (!left && (operands[1] != target || node.op == Op::Minus)) continue;
-            const auto length = constant_value(network, process, operands[left ? 1 : 0]);
-            const Id<Network::Variable> variable = variable_of(network, process, target);
+            const auto length = constant_value(slots, operands[left ? 1 : 0]);
+            const Id<Network::Variable> variable = variable_of(slots, target);
             if (!length || !variable.valid()) continue;
             Step& step = steps[variable];
             if (std::abs(*length) > step.length) step = {id, std::abs(*length)};
@@ -67,14 +61,13 @@ struct Bounds {
     std::optional<std::int64_t> low = {}, high = {};
 };
 
-void note_bound(const Network& network, const Network::Process& process, Id<Expr> comparison,
-                std::vector<Bounds>& found) {
-    const Op op = network.exprs[comparison].op;
+void note_bound(const Slots& slots, Id<Expr> comparison, std::vector<Bounds>& found) {
+    const Op op = slots.network.exprs[comparison].op;
     if (op < Op::Less || op > Op::GreaterEqual) return;
-    const auto operands = network.exprs.operands(comparison);
-    const bool turned = !variable_of(network, process, operands[0]).valid();  // `3 <= X`
-    const Id<Network::Variable> variable = variable_of(network, process, operands[turned ? 1 : 0]);
-    const auto value = constant_value(network, process, operands[turned ? 0 : 1]);
+    const auto operands = slots.network.exprs.operands(comparison);
+    const bool turned = !variable_of(slots, operands[0]).valid();  // `3 <= X`
+    const Id<Network::Variable> variable = variable_of(slots, operands[turned ? 1 : 0]);
+    const auto value = constant_value(slots, operands[turned ? 0 : 1]);
     if (!variable.valid() || !value) return;
     auto here = std::ranges::find(found, variable, &Bounds::variable);
     if (here == found.end()) here = found.insert(found.end(), Bounds{variable, {}, {}});
@@ -84,10 +77,11 @@ void note_bound(const Network& network, const Network::Process& process, Id<Expr
     else here->low = std::max(here->low.value_or(INT64_MIN), *value + strict);
 }
 
-std::vector<Bounds> bounds(const Network& network, const Network::Process& process, Id<Expr> guard) {
+std::vector<Bounds> bounds(const Slots& slots, Id<Expr> guard) {
+    const Exprs& exprs = slots.network.exprs;
     std::vector<Bounds> found;
-    if (network.exprs[guard].op == Op::And)
-        for (const Id<Expr> operand : network.exprs.operands(guard)) note_bound(network, process, operand, found);
+    if (exprs[guard].op == Op::And)
+        for (const Id<Expr> operand : exprs.operands(guard)) note_bound(slots, operand, found);
     return found;
 }
 
@@ -112,16 +106,16 @@ void warn_skipped_ranges(const Network& network, Diagnostics& diagnostics) {
     for (const Id<Network::Process> process : network.processes.ids()) collect_steps(network, process, steps);
     std::set<std::tuple<std::uint32_t, std::uint32_t, std::int64_t, std::int64_t>> told;
     for (const Id<Network::Process> id : network.processes.ids()) {
-        const Network::Process& process = network.processes[id];
-        for (const Network::Edge& edge : network.templates[process.automaton].edges) {
-            for (const auto& [variable, low, high] : bounds(network, process, edge.guard)) {
+        const Slots slots(network, id);
+        for (const Network::Edge& edge : slots.automaton.edges) {
+            for (const auto& [variable, low, high] : bounds(slots, edge.guard)) {
                 const auto step = steps.find(variable);
                 if (step == steps.end() || step->second.process == id || !low || !high || *low > *high) continue;
                 if (*high - *low + 1 >= step->second.length) continue;
                 if (!told.emplace(id.index, variable.index, *low, *high).second) continue;
                 const std::string& mover = network.processes[step->second.process].name;
-                diagnostics.add(messages::range_skipped(process.origin, network.variables[variable].name, mover,
-                                                        step->second.length, process.name, *low, *high));
+                diagnostics.add(messages::range_skipped(slots.process.origin, network.variables[variable].name, mover,
+                                                        step->second.length, slots.process.name, *low, *high));
             }
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "ir/slots.hpp"
 #include "run/project.hpp"
 #include "support/overloaded.hpp"
 
@@ -24,16 +25,11 @@ bool calls(const Network::Edge& edge, Id<Network::Procedure> procedure) {
     return procedure.valid() && std::ranges::find(edge.calls, procedure) != edge.calls.end();
 }
 
-/// The variables that `edge` assigns, each once, in order.
-std::vector<Id<Network::Variable>> assigned(const Network& network, const Network::Process& process,
-                                            const Network::Edge& edge) {
+/// The variables that `edge` assigns by itself, each once, in order.
+std::vector<Id<Network::Variable>> assigned(const Slots& slots, const Network::Edge& edge) {
     std::vector<Id<Network::Variable>> found;
     for (const Network::Assignment& assignment : edge.assignments) {
-        const Expr& leaf = network.exprs[assignment.target];
-        const auto index = static_cast<std::uint32_t>(leaf.value);
-        const Id<Network::Variable> variable = leaf.op == Op::Variable
-                                                   ? Id<Network::Variable>{index}
-                                                   : std::get<Id<Network::Variable>>(process.arguments[index]);
+        const Id<Network::Variable> variable = slots.variable(slots.network.exprs[assignment.target]);
         if (std::ranges::find(found, variable) == found.end()) found.push_back(variable);
     }
     return found;
@@ -107,8 +103,8 @@ void NetworkProjection::add_timers(const Network::Controller& from, ChartRun::Co
         const Network::Timer& timer = from.timers[k];
         const auto& words = from.words.timers[k];
         const bool exact = timer.restarts;  // as published they are wrong, and are meant to be
-        timer_of_[timer.process.index] = run_.timers.add({network_.processes[timer.process].name, timer.watched,
-                                                          words.step, words.rise_ms, words.fall_ms, exact});
+        timer_of_[timer.process.index] = run_.timers.add(
+            {network_.processes[timer.process].name, timer.watched, words.step, words.rise_ms, words.fall_ms, exact});
         controller.timers.push_back(timer_of_[timer.process.index]);
         end_of_.push_back(words.end);
     }
@@ -138,7 +134,7 @@ void NetworkProjection::fill(ChartRun::Moment& moment, const Fire& fire, const N
         return moment.acts.push_back(act(controller_of_[fire.process.index], edge, before, after));
     if (edge.from != edge.to || moment.kind == ChartRun::Kind::Timer) moment.location = edge.to.index;
     if (moment.kind != ChartRun::Kind::Timer) {
-        for (const Id<Network::Variable> variable : assigned(network_, process, edge)) {
+        for (const Id<Network::Variable> variable : assigned(Slots(network_, fire.process), edge)) {
             const bool changes = before.variables[variable.index] != after.variables[variable.index];
             if (const auto signal = view_.signal(variable.index); signal.valid() && changes)
                 moment.changed.push_back(signal);

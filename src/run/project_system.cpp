@@ -87,7 +87,8 @@ private:
             const System::Controller& from = system_.controllers[index];
             if (from.starts.valid()) continue;
             ChartRun::Act act{.controller = {index}, .starts = true, .inputs = Values(from.words.inputs.size())};
-            if (from.words.mode == ExecutionMode::EveryCycle && holds(from.writes, shown_, true)) act.writes = Writes::Yes;
+            if (from.words.mode == ExecutionMode::EveryCycle && holds(from.writes, shown_, true))
+                act.writes = Writes::Yes;
             moment.acts.push_back(std::move(act));
         }
         return moment;
@@ -166,8 +167,7 @@ private:
             const auto& timer = from.timers[k];
             const auto over = [&](const Values& values) {
                 const bool lapses = timer.step && timer.fall_ms == 0;
-                return values[timer.end.index] != 0 &&
-                       (!lapses || values[from.steps[*timer.step].variable.index] != 0);
+                return values[timer.end.index] != 0 && (!lapses || values[from.steps[*timer.step].variable.index] != 0);
             };
             take(timer.end, next);
             if (!over(before) && over(next))

@@ -14,17 +14,15 @@ using Place = Id<Network::Variable>;
 
 class Walk {
 public:
-    Walk(const Slots& slots, const std::vector<Id<TransitionSystem::Symbol>>& symbols,
-         const Table<TransitionSystem::Symbol>& module, Exprs& exprs)
-        : slots_(slots), symbols_(symbols), module_(module), exprs_(exprs) {}
+    Walk(const Slots& slots, const std::vector<Id<TransitionSystem::Symbol>>& symbols, const Draft& draft)
+        : slots_(slots), symbols_(symbols), exprs_(draft.exprs), types_(draft.types()) {}
 
     EdgeTerms run(const Network::Edge& edge, const std::function<Id<Expr>(const EdgeValue&)>& name) {
         EdgeTerms result;
         result.fault = exprs_.constant(false);
-        const Id<Expr> written = term(edge.guard);
-        const Id<Expr> undefined = divides_by_zero(exprs_, written, types());
-        result.guard_fault = with_safe_divisors(exprs_, undefined, types());
-        result.guard = exprs_.conjunction(exprs_.negation(result.guard_fault), with_safe_divisors(exprs_, written, types()));
+        const Total guard = total(exprs_, term(edge.guard), types_);
+        result.guard_fault = guard.undefined;
+        result.guard = exprs_.conjunction(exprs_.negation(guard.undefined), guard.term);
         const std::vector<Network::Assignment> all = slots_.assignments(edge);
         for (std::size_t k = 0; k < all.size(); ++k) {
             const Place target = slots_.variable(slots_.network.exprs[all[k].target]);
@@ -37,16 +35,11 @@ public:
             if (std::ranges::find(order_, target) == order_.end()) order_.push_back(target);
         }
         for (const Place variable : order_)
-            if (!slots_.network.variables[variable].scratch)
-                result.values.push_back({variable, now_[variable.index]});
+            if (!slots_.network.variables[variable].scratch) result.values.push_back({variable, now_[variable.index]});
         return result;
     }
 
 private:
-    TypeOf types() const {
-        return [this](const Expr& leaf) { return module_[{static_cast<std::uint32_t>(leaf.value)}].type; };
-    }
-
     /// Not valid: a scratch variable that holds nothing yet, or one of main that the automaton only writes.
     Id<Expr> value_of(Place variable) {
         const auto found = now_.find(variable.index);
@@ -60,8 +53,7 @@ private:
             if (leaf.op == Op::Integer) return exprs_.integer(leaf.value);
             const Place variable = slots_.variable(leaf);
             if (variable.valid()) return value_of(variable);
-            const std::int64_t value = slots_.constant(leaf);
-            return slots_.is_boolean_constant(leaf) ? exprs_.constant(value != 0) : exprs_.integer(value);
+            return slots_.literal_of(leaf, exprs_);
         });
     }
 
@@ -80,10 +72,9 @@ private:
 
     /// Whether the guard of the edge keeps `value`, which it compares with numbers, in the range.
     bool kept_by_guard(Id<Expr> guard, Id<Expr> value, Type range) const {
-        Interval bounds = interval(exprs_, value, types());
+        Interval bounds = interval(exprs_, value, types_);
         std::vector<Id<Expr>> conjuncts{guard};
-        if (exprs_[guard].op == Op::And)
-            conjuncts.assign(exprs_.operands(guard).begin(), exprs_.operands(guard).end());
+        if (exprs_[guard].op == Op::And) conjuncts.assign(exprs_.operands(guard).begin(), exprs_.operands(guard).end());
         for (const Id<Expr> conjunct : conjuncts) {
             const Op op = exprs_[conjunct].op;
             if (op < Op::Equal || op > Op::GreaterEqual) continue;
@@ -98,26 +89,25 @@ private:
         return range.low <= bounds.low && bounds.high <= range.high;
     }
 
-    /// `value`, or `kept` where it does not exist or leaves the range; the fault is noted unless the guard excludes it. The
-    /// range is written out even then: a model checker evaluates what no run does.
+    /// `value`, or `kept` where it does not exist or leaves the range; the fault is noted unless the guard excludes it.
+    /// The range is written out even then: a model checker evaluates what no run does.
     Id<Expr> guarded(EdgeTerms& edge, Place target, Id<Expr> value, Id<Expr> kept) {
         const Type type = slots_.network.variables[target].type;
-        const Id<Expr> undefined = with_safe_divisors(exprs_, divides_by_zero(exprs_, value, types()), types());
-        const Id<Expr> safe = with_safe_divisors(exprs_, value, types());
-        const Id<Expr> outside = type.boolean ? exprs_.constant(false) : leaves_range(exprs_, safe, type, types());
+        const auto [safe, undefined] = total(exprs_, value, types_);
+        const Id<Expr> outside = leaves_range(exprs_, safe, type, types_);
         const bool excluded = type.boolean || kept_by_guard(edge.guard, safe, type);
         edge.fault = exprs_.disjunction(edge.fault, undefined);
         if (!excluded) edge.fault = exprs_.disjunction(edge.fault, outside);
         const Id<Expr> lost = exprs_.disjunction(undefined, outside);
         if (is_false(exprs_, lost)) return safe;
-        if (!kept.valid()) kept = type.boolean ? exprs_.constant(false) : exprs_.integer(type.low);
+        if (!kept.valid()) kept = literal(exprs_, type, type.low);
         return exprs_.conditional(lost, kept, safe);
     }
 
     const Slots& slots_;
     const std::vector<Id<TransitionSystem::Symbol>>& symbols_;
-    const Table<TransitionSystem::Symbol>& module_;
     Exprs& exprs_;
+    const TypeOf types_;
     std::unordered_map<std::uint32_t, Id<Expr>> now_ = {};
     std::vector<Place> order_ = {};
 };
@@ -125,10 +115,9 @@ private:
 }  // namespace
 
 EdgeTerms edge_terms(const Slots& slots, const Network::Edge& edge,
-                     const std::vector<Id<TransitionSystem::Symbol>>& symbols,
-                     const Table<TransitionSystem::Symbol>& module, Exprs& exprs,
+                     const std::vector<Id<TransitionSystem::Symbol>>& symbols, const Draft& draft,
                      const std::function<Id<Expr>(const EdgeValue&)>& name) {
-    return Walk(slots, symbols, module, exprs).run(edge, name);
+    return Walk(slots, symbols, draft).run(edge, name);
 }
 
 namespace {
@@ -141,8 +130,7 @@ std::optional<std::int64_t> value_after(const Slots& slots, const Network::Edge&
     for (const auto& [target, term] : slots.assignments(edge)) {
         if (slots.variable(exprs[target]) != variable) continue;
         bool constant = true;
-        for (const Id<Expr> leaf : leaves(exprs, term))
-            constant = constant && !slots.variable(exprs[leaf]).valid();
+        for (const Id<Expr> leaf : leaves(exprs, term)) constant = constant && !slots.variable(exprs[leaf]).valid();
         if (!constant) return {};
         value = evaluate(exprs, term, [&](const Expr& leaf) { return slots.constant(leaf); });
         if (!value) return {};

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "grafverif/ir/transition_system.hpp"
-#include "schedule/slots.hpp"
+#include "ir/slots.hpp"
+#include "schedule/main.hpp"
 
 namespace grafverif::schedule {
 
@@ -25,17 +25,16 @@ struct EdgeValue {
 };
 
 struct EdgeTerms {
-    Id<Expr> guard = {};                    ///< without the location
-    std::vector<EdgeValue> values = {};     ///< of each variable written, scratch variables apart
-    Id<Expr> guard_fault = {};              ///< the guard divides by zero
-    Id<Expr> fault = {};                    ///< some assignment would leave its range, or divide by zero
+    Id<Expr> guard = {};                 ///< without the location
+    std::vector<EdgeValue> values = {};  ///< of each variable written, scratch variables apart
+    Id<Expr> guard_fault = {};           ///< the guard divides by zero
+    Id<Expr> fault = {};                 ///< some assignment would leave its range, or divide by zero
 };
 
-/// `symbols`: per variable the symbol of the module that holds it before the step. `name`: a definition for a value that
-/// a later assignment reads, as a term.
+/// `symbols`: per variable the symbol of the module `draft` that holds it before the step. `name`: a definition for a
+/// value that a later assignment reads, as a term.
 EdgeTerms edge_terms(const Slots& slots, const Network::Edge& edge,
-                     const std::vector<Id<TransitionSystem::Symbol>>& symbols,
-                     const Table<TransitionSystem::Symbol>& module, Exprs& exprs,
+                     const std::vector<Id<TransitionSystem::Symbol>>& symbols, const Draft& draft,
                      const std::function<Id<Expr>(const EdgeValue&)>& name);
 
 }  // namespace grafverif::schedule

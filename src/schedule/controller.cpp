@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "bdd/terms.hpp"
-#include "support/messages.hpp"
 #include "schedule/controller_instances.hpp"
 #include "schedule/observers.hpp"
 #include "schedule/scope.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
@@ -39,10 +39,12 @@ std::optional<std::vector<Id<ClosedLoop::Shared>>> inputs_of(const ClosedLoop& l
 class Inputs {
 public:
     /// Bits of one place are neighbours, so that inputs can be compared.
-    explicit Inputs(const ClosedLoop& loop) : loop_(loop), terms_(loop.exprs, [this](const Expr& leaf) { return term(leaf); }) {
+    explicit Inputs(const ClosedLoop& loop)
+        : loop_(loop), terms_(loop.exprs, [this](const Expr& leaf) { return term(leaf); }) {
         std::size_t most = 0;
         for (const ClosedLoop::Constraint& constraint : loop.constraints)
-            for (const Id<ClosedLoop::Shared> input : inputs_of(loop, constraint.condition).value_or(std::vector<Id<ClosedLoop::Shared>>{})) {
+            for (const Id<ClosedLoop::Shared> input :
+                 inputs_of(loop, constraint.condition).value_or(std::vector<Id<ClosedLoop::Shared>>{})) {
                 const Type type = loop.shared[input].type;
                 if (words_.try_emplace(input, BddWord{type, {}}).second) most = std::max(most, bit_count(type));
             }
@@ -79,67 +81,44 @@ private:
 /// Every constraint that reads inputs of controllers only holds in every state (DESDES06 5.1); others say nothing of
 /// this model.
 void assume_constraints(const LoopMeaning& meaning) {
-    TransitionSystem& system = meaning.system;
     for (const ClosedLoop::Constraint& constraint : meaning.loop.constraints) {
         std::string reason;
         if (!inputs_of(meaning.loop, constraint.condition)) continue;
         const Id<Expr> term = term_of(meaning, constraint.condition, reason);
-        if (term.valid()) system.modules[system.main].invariants.push_back(term);
+        if (term.valid()) meaning.main.draft.module.invariants.push_back(term);
     }
 }
 
 // -- main --
 
-/// The free variables that are each controller's own: ends of timers and its turn; wired as its last arguments.
-void add_own_variables(Assembly& assembly, std::span<const ControllerPart> controllers) {
-    const bool several = controllers.size() > 1;
-    for (std::size_t index = 0; index < controllers.size(); ++index) {
-        const Equations& equations = controllers[index].equations;
+Id<Symbol> add_free(Main& main, const std::string& wish, Type type, const char* section, Span origin) {
+    return main.draft.add(wish, type, TransitionSystem::StateSymbol{}, section, origin);
+}
+
+/// The free variables that are each controller's own: ends of timers and, of several, its turn; wired as its last
+/// arguments. Then the instances get names that none of them has. Returns the turns, which each comes again and again.
+std::vector<Id<Expr>> add_own_variables(const ControllerInstances& controllers) {
+    Main& main = controllers.main;
+    const bool several = controllers.parts.size() > 1;
+    for (std::size_t index = 0; index < controllers.parts.size(); ++index) {
+        const Equations& equations = controllers.parts[index].equations;
         const std::string prefix = several ? equations.name + "_" : "";
-        for (const Id<Equations::Variable> id : assembly.modules[index].parameters) {
-            const Equations::Variable& variable = equations.variables[id];
-            if (variable.role != Role::TimerEnd) continue;
-            const Id<Symbol> end =
-                assembly.free(prefix + variable.name, variable.type, "ends of timers", variable.origin);
-            assembly.system.instances[controller_instance(index)].arguments.push_back(end);
+        for (const Id<Equations::Variable> id : controllers.modules[index].parameters) {
+            const auto& [name, role, type, initial, origin] = equations.variables[id];
+            if (role == Role::TimerEnd)
+                controllers.arguments(index).push_back(add_free(main, prefix + name, type, "ends of timers", origin));
         }
     }
-    for (std::size_t index = 0; several && index < controllers.size(); ++index) {
-        const Equations& equations = controllers[index].equations;
-        const Id<Symbol> turn = assembly.free("turn_" + equations.name, {}, "turns", equations.origin);
-        assembly.system.instances[controller_instance(index)].arguments.push_back(turn);
+    std::vector<Id<Expr>> turns;
+    for (std::size_t index = 0; several && index < controllers.parts.size(); ++index) {
+        const Equations& equations = controllers.parts[index].equations;
+        const Id<Symbol> turn = add_free(main, "turn_" + equations.name, {}, "turns", equations.origin);
+        controllers.arguments(index).push_back(turn);
+        turns.push_back(main.draft.leaf(turn));
     }
-}
-
-/// Instances get names that no free variable has; every controller that has a turn gets it again and again.
-void name_instances(Assembly& assembly, std::span<const ControllerPart> controllers) {
-    for (std::size_t index = 0; index < controllers.size(); ++index) {
-        TransitionSystem::Instance& instance = assembly.system.instances[controller_instance(index)];
-        instance.name = assembly.names.fresh(instance.name);
-        if (controllers.size() == 1) continue;
-        const Id<Expr> turn = assembly.system.exprs.leaf(Op::Variable, instance.arguments.back().index);
-        assembly.main().justice.push_back(turn);
-    }
-}
-
-/// Per shared variable its symbol in main, the free inputs among them added.
-std::vector<Id<Symbol>> add_shared_inputs(Assembly& assembly, const ClosedLoop& loop) {
-    std::vector<Id<Symbol>> symbols(loop.shared.size());
-    for (const Id<ClosedLoop::Shared> id : loop.shared.ids()) {
-        const ClosedLoop::Shared& shared = loop.shared[id];
-        if (shared.reader.valid() && !shared.writer.valid())
-            symbols[id.index] = assembly.free(shared.name, shared.type, "inputs", shared.origin);
-    }
-    return symbols;
-}
-
-/// The turn of each of several controllers, which is its last argument.
-std::vector<Id<Expr>> turns(const TransitionSystem& system, Exprs& exprs, std::size_t controllers) {
-    std::vector<Id<Expr>> found;
-    for (std::size_t index = 0; controllers > 1 && index < controllers; ++index)
-        found.push_back(
-            exprs.leaf(Op::Variable, system.instances[controller_instance(index)].arguments.back().index));
-    return found;
+    controllers.name();
+    main.draft.module.justice = turns;
+    return turns;
 }
 
 }  // namespace
@@ -157,49 +136,46 @@ bool constraints_agree(const ClosedLoop& loop, Diagnostics& diagnostics) {
 }
 
 TransitionSystem schedule_controller(const Equations& equations, ExecutionMode mode) {
-    const std::vector<ControllerPart> controllers{{equations, mode}};
-    Assembly assembly = assemble(controllers, false, false);
-    assembly.system.scope = controllers_scope(controllers, false);
-    assembly.system.name = equations.name;
-    for (const Id<Equations::Variable> id : assembly.modules[0].parameters) {
-        const Equations::Variable& variable = equations.variables[id];
-        if (variable.role != Role::Input) continue;
-        const Id<Symbol> input = assembly.free(variable.name, variable.type, "inputs", variable.origin);
-        assembly.system.instances[controller_instance(0)].arguments.push_back(input);
+    Main main(equations.name);
+    const ControllerInstances controllers(main, {{equations, mode}}, false, false);
+    main.system.scope = controllers_scope(controllers.parts, false);
+    for (const Id<Equations::Variable> id : controllers.modules[0].parameters) {
+        const auto& [name, role, type, initial, origin] = equations.variables[id];
+        if (role == Role::Input) controllers.arguments(0).push_back(add_free(main, name, type, "inputs", origin));
     }
-    add_own_variables(assembly, controllers);
-    name_instances(assembly, controllers);
-    Members all{assembly.system, assembly.modules, {}};
-    assembly.system.settled = settled_controllers(all);
-    add_fault_properties(all, std::span(&equations, 1));
-    add_names(all, controllers, {});
-    return std::move(assembly.system);
+    add_own_variables(controllers);
+    main.system.settled = controllers.settled();
+    controllers.add_fault_properties();
+    controllers.add_words({});
+    return main.finish();
 }
 
 TransitionSystem schedule_controllers(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
                                       const ScheduleOptions& options) {
-    std::vector<ControllerPart> controllers;
-    for (const Id<ClosedLoop::Controller> id : loop.controllers.ids())
-        controllers.push_back({equations[id.index], options.mode.value_or(loop.controllers[id].mode)});
-    Assembly assembly = assemble(controllers, controllers.size() > 1, false);
-    TransitionSystem& system = assembly.system;
+    const std::vector<ControllerPart> parts = controller_parts(loop, equations, options.mode);
+    Main main(loop.name);
+    const ControllerInstances controllers(main, parts, parts.size() > 1, false);
     const bool constrained = options.plant == PlantApproach::Constraints;
-    system.name = loop.name;
-    system.scope = controllers_scope(controllers, constrained);
-    std::vector<Id<Symbol>> shared = add_shared_inputs(assembly, loop);
-    add_own_variables(assembly, controllers);
-    name_instances(assembly, controllers);
-    Members all{system, assembly.modules, {}};
-    share_outputs(all, loop, equations, shared);
-    wire_inputs(all, loop, equations, shared);
-    system.settled = settled_controllers(all);
-    LoopMeaning meaning{system, model, loop, equations, std::move(shared), of_controllers(all)};
+    main.system.scope = controllers_scope(parts, constrained);
+    std::vector<Id<Symbol>> shared;
+    for (const ClosedLoop::Shared& each : loop.shared) {
+        const bool input = each.reader.valid() && !each.writer.valid();
+        shared.push_back(input ? add_free(main, each.name, each.type, "inputs", each.origin) : Id<Symbol>{});
+    }
+    const std::vector<Id<Expr>> turns = add_own_variables(controllers);
+    controllers.share_outputs(loop, shared);
+    controllers.wire_inputs(loop, shared);
+    main.system.settled = controllers.settled();
+    LoopMeaning meaning{
+        main, model, loop, equations, std::move(shared), [&](std::size_t controller, Id<Equations::Variable> id) {
+            return controllers.variable(controller, id);
+        }};
     if (constrained) assume_constraints(meaning);
-    add_observers(all, meaning, assembly.names, assembly.module_names);
+    add_observers(meaning);
     for (const Property& property : loop.properties) add_property(meaning, property);
-    add_fault_properties(all, equations);
-    add_names(all, controllers, turns(system, system.exprs, controllers.size()));
-    return std::move(assembly.system);
+    controllers.add_fault_properties();
+    controllers.add_words(turns);
+    return main.finish();
 }
 
 }  // namespace grafverif

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "schedule/controller_instances.hpp"
 
-#include <cassert>
-#include <string_view>
-#include <unordered_map>
-
+#include "ir/shared_by_name.hpp"
 #include "ir/words_of.hpp"
+#include "schedule/properties.hpp"
 
 namespace grafverif::schedule {
 
@@ -13,101 +11,103 @@ namespace {
 
 using Role = Equations::Role;
 
-/// The shared variables of a loop by name: those of the inputs and outputs that they are.
-class SharedByName {
-public:
-    explicit SharedByName(const ClosedLoop& loop) {
-        for (const Id<ClosedLoop::Shared> id : loop.shared.ids()) known_.emplace(loop.shared[id].name, id);
-    }
-    std::size_t operator()(const Equations::Variable& variable) const {
-        const auto found = known_.find(variable.name);
-        assert(found != known_.end());
-        return found->second.index;
-    }
-
-private:
-    std::unordered_map<std::string_view, Id<ClosedLoop::Shared>> known_ = {};
-};
-
-/// What traces say of controller `index`: its symbols under the names of its chart. `runs`: it makes a cycle; not valid:
-/// in every step.
-TransitionSystem::Controller named_controller(Members& members, std::size_t index, const ControllerPart& controller,
-                                              Id<Expr> runs) {
-    const Equations& equations = controller.equations;
-    const ControllerModule& module = members.controllers[index];
+/// The words of controller `index`: its symbols under the names of its chart. `runs`: it makes a cycle; not valid: in
+/// every step.
+TransitionSystem::Controller words(const ControllerInstances& controllers, std::size_t index, Id<Expr> runs) {
+    const Equations& equations = controllers.parts[index].equations;
+    const ControllerModule& module = controllers.modules[index];
     std::vector<Id<Symbol>> argument_of(equations.variables.size());
-    const std::vector<Id<Symbol>>& arguments = members.system.instances[controller_instance(index)].arguments;
-    for (std::size_t i = 0; i < module.parameters.size(); ++i) argument_of[module.parameters[i].index] = arguments[i];
+    for (std::size_t i = 0; i < module.parameters.size(); ++i)
+        argument_of[module.parameters[i].index] = controllers.arguments(index)[i];
     const auto in_main = [&](Id<Equations::Variable> id) {
-        const Id<Symbol> argument = argument_of[id.index];
-        return argument.valid() ? argument : member(members, index, module.symbols[id.index]);
+        return argument_of[id.index].valid() ? argument_of[id.index] : controllers.variable(index, id);
     };
-    TransitionSystem::Controller named{.words = words_of<Symbol>(equations, controller.mode, in_main)};
-    named.evolves = runs;
-    if (!module.started.valid()) return named;
-    Exprs& exprs = members.system.exprs;
-    const Id<Expr> started = exprs.leaf(Op::Variable, member(members, index, module.started).index);
-    named.starts = exprs.negation(started);
-    named.evolves = started;
-    if (!runs.valid()) return named;
-    named.starts = exprs.conjunction(runs, named.starts);
-    named.evolves = exprs.conjunction(runs, started);
-    return named;
+    TransitionSystem::Controller made{.words = words_of<Symbol>(equations, controllers.parts[index].mode, in_main)};
+    made.evolves = runs;
+    if (!module.started.valid()) return made;
+    Exprs& exprs = controllers.main.system.exprs;
+    const Id<Expr> started = controllers.inner(index, module.started);
+    made.starts = exprs.negation(started);
+    made.evolves = started;
+    if (!runs.valid()) return made;
+    made.starts = exprs.conjunction(runs, made.starts);
+    made.evolves = exprs.conjunction(runs, started);
+    return made;
 }
 
 }  // namespace
 
-Assembly assemble(std::span<const ControllerPart> controllers, bool turns, bool with_plant) {
-    Assembly assembly;
-    assembly.system.main = assembly.system.modules.add({"main", {}, {}, {}, {}});
-    assembly.module_names.fresh("main");
-    for (const ControllerPart& controller : controllers) {
-        ControllerModule module =
-            controller_module(controller.equations, {controller.mode, turns, with_plant}, assembly.system.exprs);
-        module.module.name = assembly.module_names.fresh(module.module.name);
-        const Id<TransitionSystem::Module> id = assembly.system.modules.add(std::move(module.module));
-        assembly.system.instances.add({controller.equations.name, id, {}});
-        assembly.modules.push_back(std::move(module));
+std::vector<ControllerPart> controller_parts(const ClosedLoop& loop, std::span<const Equations> equations,
+                                             std::optional<ExecutionMode> mode) {
+    std::vector<ControllerPart> found;
+    for (const Id<ClosedLoop::Controller> id : loop.controllers.ids())
+        found.push_back({equations[id.index], mode.value_or(loop.controllers[id].mode)});
+    return found;
+}
+
+ControllerInstances::ControllerInstances(Main& in, std::vector<ControllerPart> of, bool turns, bool with_plant)
+    : main(in), parts(std::move(of)) {
+    for (const ControllerPart& part : parts) {
+        ControllerModule module = controller_module(part.equations, {part.mode, turns, with_plant}, main.system.exprs);
+        const Id<TransitionSystem::Module> id = main.add_module(std::move(module.module));
+        instances.push_back(main.system.instances.add({part.equations.name, id, {}}));
+        modules.push_back(std::move(module));
     }
-    return assembly;
 }
 
-void share_outputs(Members& members, const ClosedLoop& loop, std::span<const Equations> equations,
-                   std::vector<Id<Symbol>>& shared) {
-    const SharedByName place(loop);
-    for (std::size_t index = 0; index < equations.size(); ++index)
-        for (const Id<Equations::Variable> id : equations[index].variables.ids())
-            if (equations[index].variables[id].role == Role::Output)
-                shared[place(equations[index].variables[id])] =
-                    member(members, index, members.controllers[index].symbols[id.index]);
+void ControllerInstances::name() const {
+    for (const Id<TransitionSystem::Instance> id : instances) {
+        std::string& name = main.system.instances[id].name;
+        name = main.draft.names.fresh(name);
+    }
 }
 
-void wire_inputs(Members& members, const ClosedLoop& loop, std::span<const Equations> equations,
-                 const std::vector<Id<Symbol>>& shared) {
+void ControllerInstances::share_outputs(const ClosedLoop& loop, std::vector<Id<Symbol>>& shared) const {
     const SharedByName place(loop);
-    for (std::size_t index = 0; index < equations.size(); ++index) {
+    for (std::size_t index = 0; index < parts.size(); ++index) {
+        const Table<Equations::Variable>& variables = parts[index].equations.variables;
+        for (const Id<Equations::Variable> id : variables.ids())
+            if (variables[id].role == Role::Output) shared[place(variables[id].name).index] = variable(index, id);
+    }
+}
+
+void ControllerInstances::wire_inputs(const ClosedLoop& loop, const std::vector<Id<Symbol>>& shared) const {
+    const SharedByName place(loop);
+    for (std::size_t index = 0; index < parts.size(); ++index) {
+        const Table<Equations::Variable>& variables = parts[index].equations.variables;
         std::vector<Id<Symbol>> inputs;
-        for (const Id<Equations::Variable> id : members.controllers[index].parameters)
-            if (equations[index].variables[id].role == Role::Input)
-                inputs.push_back(shared[place(equations[index].variables[id])]);
-        std::vector<Id<Symbol>>& arguments = members.system.instances[controller_instance(index)].arguments;
-        arguments.insert(arguments.begin(), inputs.begin(), inputs.end());
+        for (const Id<Equations::Variable> id : modules[index].parameters)
+            if (variables[id].role == Role::Input) inputs.push_back(shared[place(variables[id].name).index]);
+        arguments(index).insert(arguments(index).begin(), inputs.begin(), inputs.end());
     }
 }
 
-Id<Expr> settled_controllers(Members& members) {
+Id<Expr> ControllerInstances::settled() const {
     std::vector<Id<Expr>> settled;
-    for (std::size_t index = 0; index < members.controllers.size(); ++index) {
-        const Id<Symbol> symbol = member(members, index, members.controllers[index].settled);
-        settled.push_back(members.system.exprs.leaf(Op::Variable, symbol.index));
-    }
-    return members.system.exprs.conjunction(settled);
+    for (std::size_t index = 0; index < parts.size(); ++index) settled.push_back(inner(index, modules[index].settled));
+    return main.system.exprs.conjunction(settled);
 }
 
-void add_names(Members& members, std::span<const ControllerPart> controllers, const std::vector<Id<Expr>>& runs) {
-    for (std::size_t index = 0; index < controllers.size(); ++index)
-        members.system.controllers.push_back(named_controller(
-            members, index, controllers[index], runs.empty() ? Id<Expr>{} : runs[index]));
+void ControllerInstances::add_fault_properties() const {
+    std::vector<Id<Expr>> races, ranges;
+    std::string bounded;
+    for (std::size_t index = 0; index < parts.size(); ++index) {
+        const ControllerModule& module = modules[index];
+        if (module.race.valid()) races.push_back(inner(index, module.race));
+        if (module.out_of_range.valid()) ranges.push_back(inner(index, module.out_of_range));
+        for (const Id<Equations::Variable> id : module.bounded)
+            bounded += (bounded.empty() ? "" : ", ") + parts[index].equations.variables[id].name;
+    }
+    add_never(main.system, "no_race", "no two stored actions write different values to one variable in one cycle",
+              races);
+    const std::string text =
+        bounded.empty() ? "nothing is divided by zero" : "no assignment leaves the range of its variable: " + bounded;
+    add_never(main.system, "no_out_of_range", text, ranges);
+}
+
+void ControllerInstances::add_words(const std::vector<Id<Expr>>& runs) const {
+    for (std::size_t index = 0; index < parts.size(); ++index)
+        main.system.controllers.push_back(words(*this, index, runs.empty() ? Id<Expr>{} : runs[index]));
 }
 
 }  // namespace grafverif::schedule

@@ -2,14 +2,13 @@
 // The controllers as instances of main, whatever their inputs come from.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "grafverif/ir/closed_loop.hpp"
 #include "schedule/controller_module.hpp"
-#include "schedule/properties.hpp"
-#include "support/unique_names.hpp"
 
 namespace grafverif::schedule {
 
@@ -18,37 +17,43 @@ struct ControllerPart {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
 };
 
-/// The modules and main, without properties. `names`: those taken in main; `module_names`: those of modules.
-struct Assembly {
-    TransitionSystem system = {};
-    std::vector<ControllerModule> modules = {};
-    UniqueNames names = {}, module_names = {};
+/// Of a loop, in order; `mode` wins over what the loop says.
+std::vector<ControllerPart> controller_parts(const ClosedLoop& loop, std::span<const Equations> equations,
+                                             std::optional<ExecutionMode> mode);
 
-    TransitionSystem::Module& main() { return system.modules[system.main]; }
+struct ControllerInstances {
+    Main& main;
+    const std::vector<ControllerPart> parts;
+    std::vector<ControllerModule> modules = {};                  ///< per controller; its module moved into the system
+    std::vector<Id<TransitionSystem::Instance>> instances = {};  ///< per controller
 
-    Id<Symbol> free(const std::string& wish, Type type, const char* section, Span origin) {
-        return main().symbols.add({names.fresh(wish), type, TransitionSystem::StateSymbol{}, section, origin});
+    /// `turns`, `with_plant`: as in ControllerStyle. The instances get their names later (`name`), arguments too.
+    ControllerInstances(Main& main, std::vector<ControllerPart> parts, bool turns, bool with_plant);
+
+    /// Gives the instances names that nothing in main has so far. Requires that no member was asked for.
+    void name() const;
+
+    /// A variable of the equations of a controller, as properties read it.
+    Id<Symbol> variable(std::size_t controller, Id<Equations::Variable> id) const {
+        return main.member(instances[controller], modules[controller].symbols[id.index]);
     }
+    Id<Expr> inner(std::size_t controller, Id<Symbol> symbol) const {
+        return main.inner(instances[controller], symbol);
+    }
+    std::vector<Id<Symbol>>& arguments(std::size_t controller) const {
+        return main.system.instances[instances[controller]].arguments;
+    }
+
+    /// Puts the outputs of every controller among the shared variables of the loop.
+    void share_outputs(const ClosedLoop& loop, std::vector<Id<Symbol>>& shared) const;
+    /// The inputs of every controller, as its first arguments.
+    void wire_inputs(const ClosedLoop& loop, const std::vector<Id<Symbol>>& shared) const;
+    /// Every controller is settled.
+    Id<Expr> settled() const;
+    /// `no_race` and `no_out_of_range`, where such faults are possible.
+    void add_fault_properties() const;
+    /// What traces say of the controllers; `runs` per controller, when it makes a step, or empty: in every step.
+    void add_words(const std::vector<Id<Expr>>& runs) const;
 };
-
-/// `turns`, `with_plant`: as in ControllerStyle.
-Assembly assemble(std::span<const ControllerPart> controllers, bool turns, bool with_plant);
-
-inline Id<TransitionSystem::Instance> controller_instance(std::size_t controller) {
-    return {static_cast<std::uint32_t>(controller)};
-}
-
-/// The outputs of every controller, among the shared variables of the loop.
-void share_outputs(Members& members, const ClosedLoop& loop, std::span<const Equations> equations,
-                   std::vector<Id<Symbol>>& shared);
-/// The inputs of every controller as its first arguments.
-void wire_inputs(Members& members, const ClosedLoop& loop, std::span<const Equations> equations,
-                 const std::vector<Id<Symbol>>& shared);
-
-/// Every controller is settled.
-Id<Expr> settled_controllers(Members& members);
-
-/// What traces say of the controllers; `runs` per controller, when it makes a step, or empty: in every step.
-void add_names(Members& members, std::span<const ControllerPart> controllers, const std::vector<Id<Expr>>& runs);
 
 }  // namespace grafverif::schedule

@@ -1,16 +1,30 @@
 // SPDX-License-Identifier: MIT
-// The module of one controller. Three readings of the equations meet in it, and they differ in what a leaf stands for:
-//   in a cycle     variables before the cycle and the inputs it samples: firing conditions, next values
-//   after a cycle  activities and internals after it, the inputs it sampled: equation (13), every_cycle mode
-//   at first       initial values and the inputs that the first evolution samples; no timer has ended
+// The module of one controller: what the equations say of a cycle, said of a step of the system.
+//
+// First every variable of the equations gets a symbol, for each equation may read any of them (Cycle). Then each kind
+// of equation becomes the values of its symbols. Three readings of the equations meet there; they differ in what a leaf
+// stands for:
+//   now     in a cycle: variables before it and the inputs it samples: firing conditions, next values
+//   after   after a cycle: activities and stored values after it, the inputs it sampled: equation (13), every cycle
+//   first   in the first evolution: initial values and the inputs that it samples; no timer has ended
+//
 // State 0 is power-on. Where the first evolution shows (a stored action, an output, a previous value), it is a step of
-// its own, which `started` tells from the cycles; else the first step is the first cycle.
+// its own, which `started` tells from the cycles: what happens in cycles is guarded by it. Else the first step is the
+// first cycle, and `started` is constantly true.
+//
+// Why every step has next values, as a TransitionSystem must: a term that divides by zero is replaced by one that does
+// not (ranges.hpp), an assignment that leaves its range keeps the variable, and both are faults (Faults), of which
+// `out_of_range` is set for ever. Why a cycle reads what the PLC reads: all right-hand sides are over the values before
+// the step, but those of `after`, which insert the next values; an output with stored actions is read in its image,
+// since the plant may not have it yet. Nothing at all happens out of `turn`.
 #include "schedule/controller_module.hpp"
 
 #include <algorithm>
+#include <iterator>
 
+#include "ir/literal.hpp"
+#include "ir/words_of.hpp"
 #include "schedule/ranges.hpp"
-#include "support/unique_names.hpp"
 
 namespace grafverif::schedule {
 
@@ -19,392 +33,393 @@ namespace {
 using Role = Equations::Role;
 using Variable = Equations::Variable;
 
-struct Builder {
-    const Equations& equations;
-    const ControllerStyle style;
-    Exprs& exprs;
-    const ExecutionMode mode = style.mode;
-    ControllerModule result = {};
-    UniqueNames names = {};
-    Id<Symbol> turn = {}, elapse = {};
-    /// Per variable: the symbol that the cycle reads (of an output with stored actions, its image), and the stored
-    /// equation.
-    std::vector<Id<Symbol>> read = {};
-    std::vector<const Equations::Stored*> stored = {};
-    std::vector<Id<Expr>> next = {};   ///< per variable, where it changes: its value after the step at hand
-    std::vector<Id<Expr>> faults = {};
-    Id<Symbol> stable = {};
-    bool divides = false;   ///< some equation does
+/// What goes wrong in a step, gathered as it is met.
+struct Faults {
+    std::vector<Id<Expr>> conditions = {};
+    std::vector<Id<Variable>> bounded = {};  ///< the variables that an assignment would take out of their range
+};
 
-    const Variable& variable(std::size_t index) const {
-        return equations.variables[{static_cast<std::uint32_t>(index)}];
+// -- symbols and readings ---------------------------------------------------------------------------------------------
+
+/// Declares the symbols, in this order, and reads the equations over them. Whole once it is made.
+class Cycle {
+public:
+    Cycle(const Equations& equations, const ControllerStyle& style, Draft& draft)
+        : equations_(equations),
+          style_(style),
+          draft_(draft),
+          read_(equations.variables.size()),
+          shown_(equations.variables.size()) {
+        for (const Variable& variable : equations.variables) draft.names.take(variable.name);
+        for (const Equations::Stored& stored : equations.stored) stored_[stored.variable.index] = true;
+        add_parameters();
+        add_started();
+        add_variables();
     }
 
-    Id<Expr> leaf(Id<Symbol> symbol) { return exprs.leaf(Op::Variable, symbol.index); }
+    const Equations& equations() const { return equations_; }
+    const ControllerStyle& style() const { return style_; }
+    bool searches() const { return style_.mode == ExecutionMode::StabilitySearch; }
+    const Variable& variable(Id<Variable> id) const { return equations_.variables[id]; }
+    bool is_stored(Id<Variable> id) const { return stored_[id.index]; }
 
-    Id<Expr> constant(Type type, std::int64_t value) {
-        return type.boolean ? exprs.constant(value != 0) : exprs.integer(value);
-    }
+    Id<Symbol> read(Id<Variable> id) const { return read_[id.index]; }
+    Id<Symbol> shown(Id<Variable> id) const { return shown_[id.index]; }
+    bool has_image(Id<Variable> id) const { return shown_[id.index].valid() && read_[id.index] != shown_[id.index]; }
+    Id<Symbol> started() const { return started_; }
+    const std::vector<Id<Symbol>>& all_shown() const { return shown_; }
+    const std::vector<Id<Variable>>& parameters() const { return parameters_; }
+    Id<Expr> turn() const { return turn_.valid() ? draft_.leaf(turn_) : draft_.exprs.constant(true); }
+    Id<Expr> elapses() const { return draft_.leaf(elapse_); }
 
-    Id<Symbol> add(const std::string& wish, Type type, const char* section, Span origin = {}) {
-        return result.module.symbols.add(
-            {names.fresh(wish), type, TransitionSystem::ParameterSymbol{}, section, origin});
-    }
-
-    void define(Id<Symbol> symbol, Id<Expr> value) {
-        result.module.symbols[symbol].kind = TransitionSystem::DefineSymbol{value};
+    /// The first evolution has been made: the step at hand is a cycle.
+    Id<Expr> in_cycles() const { return started_.valid() ? draft_.leaf(started_) : draft_.exprs.constant(true); }
+    Id<Expr> initial(Id<Variable> id) const { return literal(draft_.exprs, variable(id).type, variable(id).initial); }
+    Id<Expr> now(Id<Expr> term) { return now_(term); }
+    Id<Expr> first(Id<Expr> term) { return first_(term); }
+    /// `next`: per variable, where it changes, its value after the step.
+    TermCopier after(const std::vector<Id<Expr>>& next) const {
+        return {equations_.exprs, draft_.exprs, [this, &next](const Expr& node) {
+                    const Id<Expr> changed = next[static_cast<std::size_t>(node.value)];
+                    return changed.valid() ? changed : draft_.leaf(read(of(node)));
+                }};
     }
 
     /// A state variable; nothing happens to it out of turn.
-    void state(Id<Symbol> symbol, Id<Expr> initial, Id<Expr> value) {
-        if (turn.valid()) value = exprs.conditional(exprs.negation(leaf(turn)), leaf(symbol), value);
-        result.module.symbols[symbol].kind = TransitionSystem::StateSymbol{initial, value};
+    void set(Id<Symbol> symbol, Id<Expr> initial, Id<Expr> next) const {
+        if (turn_.valid()) next = draft_.exprs.conditional(draft_.exprs.negation(turn()), draft_.leaf(symbol), next);
+        draft_.set(symbol, TransitionSystem::StateSymbol{initial, next});
     }
 
-    TermCopier in_cycle{equations.exprs, exprs, [this](const Expr& node) { return leaf(read[static_cast<std::size_t>(node.value)]); }};
-    TermCopier after_cycle{equations.exprs, exprs, [this](const Expr& node) {
-        const auto index = static_cast<std::size_t>(node.value);
-        return next[index].valid() ? next[index] : leaf(read[index]);
-    }};
-    /// Over the initial values: as the first evolution reads a term.
-    TermCopier at_first{equations.exprs, exprs, [this](const Expr& node) {
-        const auto index = static_cast<std::size_t>(node.value);
-        const Role role = variable(index).role;
-        return role == Role::TimerEnd ? exprs.constant(false) : role == Role::Input ? leaf(read[index]) : initial(index);
-    }};
-
-    Id<Expr> initial(std::size_t index) { return constant(variable(index).type, variable(index).initial); }
-
-    /// The first evolution has been made: the step at hand is a cycle.
-    Id<Expr> in_cycles() { return result.started.valid() ? leaf(result.started) : exprs.constant(true); }
-
-    TypeOf types() const {
-        return [this](const Expr& node) {
-            return result.module.symbols[{static_cast<std::uint32_t>(node.value)}].type;
-        };
+    /// `term`, or `instead` where it divides by zero, which is one of `faults`.
+    Id<Expr> total(Id<Expr> term, Id<Expr> instead, std::vector<Id<Expr>>& faults) const {
+        if (!divides_) return term;
+        const auto [safe, undefined] = schedule::total(draft_.exprs, term, draft_.types());
+        if (is_false(draft_.exprs, undefined)) return safe;
+        faults.push_back(undefined);
+        return draft_.exprs.conditional(undefined, instead, safe);
     }
+
+private:
+    static Id<Variable> of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
+
+    /// Every variable of a role, under its name.
+    std::vector<Id<Variable>> declare(Role role, const char* section) {
+        std::vector<Id<Variable>> found;
+        for (const Id<Variable> id : equations_.variables.ids()) {
+            if (variable(id).role != role) continue;
+            read_[id.index] =
+                draft_.module.symbols.add({variable(id).name, variable(id).type, TransitionSystem::ParameterSymbol{},
+                                           section, variable(id).origin});
+            found.push_back(id);
+        }
+        return found;
+    }
+    void show(const std::vector<Id<Variable>>& variables) {
+        for (const Id<Variable> id : variables) shown_[id.index] = read_[id.index];
+    }
+
+    void add_parameters() {
+        parameters_ = declare(Role::Input, "");
+        if (!style_.with_plant) std::ranges::copy(declare(Role::TimerEnd, ""), std::back_inserter(parameters_));
+        if (style_.turns) turn_ = draft_.add("turn", Type{}, TransitionSystem::ParameterSymbol{});
+        if (!style_.with_plant || equations_.timers.empty()) return;
+        elapse_ = draft_.add("elapse", Type{}, TransitionSystem::ParameterSymbol{});
+        show(declare(Role::TimerEnd, "ends of timers"));
+    }
+
+    /// Whether anybody can tell the state after the first evolution from power-on.
+    bool first_evolution_shows() {
+        if (acts_at_first(equations_) || !equations_.previous.empty()) return true;
+        return !searches() && std::ranges::any_of(equations_.outputs, [&](const Equations::Output& output) {
+            return first(output.value) != initial(output.variable);
+        });
+    }
+
+    /// The end of a timer comes after the activation that it counts from, and the first is the first evolution's.
+    void add_started() {
+        if (!first_evolution_shows()) return;
+        Exprs& exprs = draft_.exprs;
+        started_ =
+            draft_.add("started", Type{}, TransitionSystem::ParameterSymbol{}, "the first evolution has been made");
+        set(started_, exprs.constant(false), exprs.constant(true));
+        if (style_.with_plant) return;
+        for (const Equations::Timer& timer : equations_.timers)
+            draft_.module.invariants.push_back(
+                exprs.disjunction(in_cycles(), exprs.negation(draft_.leaf(read(timer.end)))));
+    }
+
+    void add_variables() {
+        show(declare(Role::Step, "steps"));
+        show(declare(Role::Internal, "internals"));
+        for (const Id<Variable> id : equations_.variables.ids()) {
+            if (variable(id).role == Role::Output) add_output(id);
+        }
+        show(declare(Role::Previous, "previous values, for edges"));
+        show(declare(Role::FiringCondition, "firing conditions"));
+    }
+
+    void add_output(Id<Variable> id) {
+        const auto& [name, role, type, initial, origin] = variable(id);
+        read_[id.index] = shown_[id.index] =
+            draft_.module.symbols.add({name, type, TransitionSystem::ParameterSymbol{}, "outputs", origin});
+        if (searches() && is_stored(id))
+            read_[id.index] = draft_.add(name + "_image", type, TransitionSystem::ParameterSymbol{},
+                                         "outputs of stored actions, not yet written", origin);
+    }
+
+    /// Whether some equation divides.
+    static bool divides(const Exprs& exprs) {
+        for (std::uint32_t term = 0; term < exprs.size(); ++term) {
+            const Op op = exprs[Id<Expr>{term}].op;
+            if (op == Op::Divide || op == Op::Modulo) return true;
+        }
+        return false;
+    }
+
+    const Equations& equations_;
+    const ControllerStyle& style_;
+    Draft& draft_;
+    const bool divides_ = divides(equations_.exprs);
+    std::vector<bool> stored_ =
+        std::vector<bool>(equations_.variables.size());  ///< per variable: it has stored actions
+    /// Per variable: the symbol that the cycle reads, and the one that others do; of an output with stored actions
+    /// under stability search the first is its image.
+    std::vector<Id<Symbol>> read_, shown_;
+    std::vector<Id<Variable>> parameters_ = {};
+    Id<Symbol> turn_ = {}, elapse_ = {}, started_ = {};  ///< not valid: there is none
+    TermCopier now_{equations_.exprs, draft_.exprs, [this](const Expr& node) { return draft_.leaf(read(of(node))); }};
+    TermCopier first_{equations_.exprs, draft_.exprs, [this](const Expr& node) {
+                          const Role role = variable(of(node)).role;
+                          if (role == Role::TimerEnd) return draft_.exprs.constant(false);
+                          return role == Role::Input ? draft_.leaf(read(of(node))) : initial(of(node));
+                      }};
 };
 
-bool is_image(const Builder& builder, std::size_t index) {
-    return builder.mode == ExecutionMode::StabilitySearch && builder.stored[index] != nullptr &&
-           builder.variable(index).role == Role::Output;
+// -- values
+// ------------------------------------------------------------------------------------------------------------
+
+/// `value` where it exists and lies in the range of the variable, else `kept`; a definition names the fault.
+Id<Expr> guarded(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> value, Id<Expr> kept, bool at_first,
+                 Faults& faults) {
+    Exprs& exprs = draft.exprs;
+    const Variable& variable = cycle.variable(id);
+    const auto [safe, undefined] = total(exprs, value, draft.types());
+    const Id<Expr> fault = exprs.disjunction(undefined, leaves_range(exprs, safe, variable.type, draft.types()));
+    if (is_false(exprs, fault)) return safe;
+    if (!variable.type.boolean) faults.bounded.push_back(id);
+    const Id<Expr> when = at_first ? exprs.negation(cycle.in_cycles()) : cycle.in_cycles();
+    if (is_true(exprs, fault)) {
+        faults.conditions.push_back(when);
+        return kept;
+    }
+    const std::string wish = variable.name + (at_first ? "_leaves_range_at_first" : "_leaves_range");
+    const Id<Symbol> symbol = draft.add(wish, Type{}, TransitionSystem::DefineSymbol{fault},
+                                        "assignments that would leave the range of their variable", variable.origin);
+    faults.conditions.push_back(exprs.conjunction(when, draft.leaf(symbol)));
+    return exprs.conditional(draft.leaf(symbol), kept, safe);
+}
+
+void set_firings(Cycle& cycle, Draft& draft, Faults& faults) {
+    for (const Equations::Firing& firing : cycle.equations().firings) {
+        const Id<Expr> condition = draft.exprs.conjunction(cycle.in_cycles(), cycle.now(firing.condition));
+        draft.set(cycle.read(firing.variable), TransitionSystem::DefineSymbol{cycle.total(
+                                                   condition, draft.exprs.constant(false), faults.conditions)});
+    }
+}
+
+/// Sets step activities and stored variables. Returns per variable its value after the step, where it changes.
+std::vector<Id<Expr>> set_next_values(Cycle& cycle, Draft& draft, Faults& faults) {
+    std::vector<Id<Expr>> next(cycle.equations().variables.size());
+    for (const Equations::StepActivity& step : cycle.equations().steps) {
+        next[step.variable.index] = cycle.now(step.next);
+        cycle.set(cycle.read(step.variable), cycle.initial(step.variable), next[step.variable.index]);
+    }
+    for (const Equations::Stored& stored : cycle.equations().stored) {
+        const Id<Variable> id = stored.variable;
+        const Id<Expr> kept = draft.leaf(cycle.read(id)), initial = cycle.initial(id);
+        Id<Expr> value = guarded(cycle, draft, id, cycle.now(stored.next), kept, false, faults);
+        if (cycle.started().valid()) {
+            const Id<Expr> first = guarded(cycle, draft, id, cycle.first(stored.first), initial, true, faults);
+            value = draft.exprs.conditional(cycle.in_cycles(), value, first == initial ? kept : first);
+        }
+        next[id.index] = value;
+        cycle.set(cycle.read(id), initial, value);
+    }
+    return next;
+}
+
+/// What edges compare with. A term that divides by zero is a fault.
+void set_previous(Cycle& cycle, Draft& draft, Faults& faults) {
+    const Id<Expr> off = draft.exprs.constant(false);
+    for (const Equations::Previous& previous : cycle.equations().previous)
+        cycle.set(cycle.read(previous.variable), off, cycle.total(cycle.now(previous.value), off, faults.conditions));
+}
+
+/// Whether the output always has its initial value.
+bool is_unwritten(Cycle& cycle, const Equations::Output& output) {
+    return cycle.now(output.value) == cycle.initial(output.variable);
+}
+
+/// Variables that nothing writes.
+void set_constants(Cycle& cycle, Draft& draft) {
+    const Equations& equations = cycle.equations();
+    std::vector<bool> written(equations.variables.size());
+    for (const Equations::Output& output : equations.outputs)
+        written[output.variable.index] = !is_unwritten(cycle, output);
+    for (const Id<Variable> id : equations.variables.ids()) {
+        const Role role = cycle.variable(id).role;
+        if ((role == Role::Internal || role == Role::Output) && !cycle.is_stored(id) && !written[id.index])
+            draft.set(cycle.read(id), TransitionSystem::DefineSymbol{cycle.initial(id)});
+    }
+}
+
+Id<Symbol> add_stable(Cycle& cycle, Draft& draft, Faults& faults) {
+    const Id<Expr> value = draft.exprs.conjunction(cycle.in_cycles(), cycle.now(cycle.equations().stable));
+    const Id<Expr> total = cycle.total(value, draft.exprs.constant(false), faults.conditions);
+    return draft.define("stable", total, "stability: one more cycle would change no step and no stored variable");
+}
+
+/// Written when stable: `now` is what would be written. Returns when the output is up to date.
+Id<Expr> written_when_stable(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> stable, Id<Expr> now) {
+    const Id<Expr> kept = draft.leaf(cycle.shown(id));
+    cycle.set(cycle.shown(id), cycle.initial(id), draft.exprs.conditional(stable, now, kept));
+    return draft.exprs.apply(Op::Equal, kept, now);
+}
+
+Id<Expr> add_now(const Cycle& cycle, Draft& draft, Id<Variable> id, Id<Expr> value, const char* section) {
+    const Variable& variable = cycle.variable(id);
+    return draft.leaf(draft.add(variable.name + "_now", variable.type, TransitionSystem::DefineSymbol{value}, section,
+                                variable.origin));
+}
+
+/// Equation (13) in stability search; returns when the output is up to date.
+Id<Expr> set_searching_output(Cycle& cycle, Draft& draft, const Equations::Output& output, Id<Expr> stable,
+                              Faults& faults) {
+    Exprs& exprs = draft.exprs;
+    std::vector<Id<Expr>> found;
+    Id<Expr> value = cycle.total(cycle.now(output.value), exprs.constant(false), found);
+    for (const Id<Expr> fault : found) faults.conditions.push_back(exprs.conjunction(stable, fault));
+    if (!is_constant(exprs[value].op))
+        value = add_now(cycle, draft, output.variable, value, "outputs by equation (13)");
+    return written_when_stable(cycle, draft, output.variable, stable, value);
 }
 
 /// Whether what `term` says after a cycle depends on more than the state after it: on an input sampled in the cycle.
 bool reads_inputs(const Equations& equations, Id<Expr> term) {
     return std::ranges::any_of(leaves(equations.exprs, term), [&](Id<Expr> leaf) {
-        const auto index = static_cast<std::uint32_t>(equations.exprs[leaf].value);
-        const Role role = equations.variables[{index}].role;
+        const Role role = equations.variables[{static_cast<std::uint32_t>(equations.exprs[leaf].value)}].role;
         return role == Role::Input || role == Role::TimerEnd;
     });
 }
 
-// -- symbols, in the order in which they are declared -----------------------------------------------------------------
+/// Equation (13) in every cycle, the first evolution included; returns when the output is up to date.
+Id<Expr> set_cyclic_output(Cycle& cycle, Draft& draft, const Equations::Output& output, TermCopier& after,
+                           Faults& faults) {
+    Exprs& exprs = draft.exprs;
+    const Id<Symbol> symbol = cycle.shown(output.variable);
+    const Id<Expr> off = exprs.constant(false), initial = cycle.initial(output.variable);
+    const Id<Expr> then = cycle.total(after(output.value), off, faults.conditions);
+    if (!reads_inputs(cycle.equations(), output.value)) {
+        Id<Expr> value = cycle.now(output.value);
+        if (cycle.first(output.value) != initial)
+            value = is_false(exprs, initial) ? exprs.conjunction(cycle.in_cycles(), value)
+                                             : exprs.conditional(cycle.in_cycles(), value, initial);
+        std::vector<Id<Expr>> seen_before;  // in the cycle that led here
+        draft.set(symbol, TransitionSystem::DefineSymbol{cycle.total(value, off, seen_before)});
+        return exprs.constant(true);
+    }
+    const Id<Expr> now =
+        add_now(cycle, draft, output.variable, then, "outputs by equation (13), of the steps after the cycle");
+    cycle.set(symbol, initial, now);
+    return exprs.apply(Op::Equal, draft.leaf(symbol), now);
+}
 
-void add_parameters(Builder& builder) {
-    const auto add = [&builder](Role role, std::string_view section, bool parameter) {
-        for (const Id<Variable> id : builder.equations.variables.ids()) {
-            const Variable& variable = builder.equations.variables[id];
-            if (variable.role != role) continue;
-            builder.read[id.index] = builder.result.module.symbols.add({variable.name, variable.type,
-                                                                        TransitionSystem::ParameterSymbol{},
-                                                                        std::string(section), variable.origin});
-            if (parameter) builder.result.parameters.push_back(id);
-            else builder.result.symbols[id.index] = builder.read[id.index];
-        }
-    };
-    add(Role::Input, "", true);
-    if (!builder.style.with_plant) add(Role::TimerEnd, "", true);
-    if (builder.style.turns) builder.turn = builder.add("turn", {}, "");
-    if (!builder.style.with_plant || builder.equations.timers.empty()) return;
-    builder.elapse = builder.add("elapse", {}, "");
-    add(Role::TimerEnd, "ends of timers", false);
+/// Outputs, and those with images; returns `settled`.
+Id<Symbol> set_outputs(Cycle& cycle, Draft& draft, Id<Symbol> stable, const std::vector<Id<Expr>>& next,
+                       Faults& faults) {
+    TermCopier after = cycle.after(next);
+    std::vector<Id<Expr>> settled{draft.leaf(stable)};
+    for (const Equations::Output& output : cycle.equations().outputs)
+        if (!is_unwritten(cycle, output))
+            settled.push_back(cycle.searches() ? set_searching_output(cycle, draft, output, settled.front(), faults)
+                                               : set_cyclic_output(cycle, draft, output, after, faults));
+    for (const Id<Variable> id : cycle.equations().variables.ids())
+        if (cycle.has_image(id))
+            settled.push_back(written_when_stable(cycle, draft, id, settled.front(), draft.leaf(cycle.read(id))));
+    return draft.define("settled", draft.exprs.conjunction(settled),
+                        "settled: one more cycle with the same inputs would change nothing");
 }
 
 /// The end of a timer over a step comes at any moment that `elapse` allows while the step is active, and goes when the
 /// step is left or activated anew. Other timers (with a second duration, over another term) are left free.
-void set_timers(Builder& builder) {
-    if (!builder.style.with_plant) return;
-    Exprs& exprs = builder.exprs;
-    for (const Equations::Timer& timer : builder.equations.timers) {
-        const Id<Symbol> end = builder.read[timer.end.index];
-        const auto step =
-            std::ranges::find(builder.equations.steps, timer.watched, &Equations::StepActivity::variable);
-        const Id<Symbol> now = builder.add(timer.name + "_elapses", {}, "timers that end in a step");
-        builder.result.module.symbols[now].kind = TransitionSystem::ChoiceSymbol{};
-        const Id<Expr> ended = exprs.disjunction(
-            builder.leaf(end), exprs.conjunction(builder.leaf(builder.elapse), builder.leaf(now)));
-        Id<Expr> next = exprs.conjunction(builder.in_cycles(), builder.leaf(now));
-        if (step != builder.equations.steps.end() && timer.fall_ms == 0) {
-            const Id<Expr> stays = exprs.conjunction(builder.next[timer.watched.index],
-                                                     exprs.negation(builder.in_cycle(step->activated)));
-            next = exprs.conjunction(std::vector{builder.in_cycles(), stays, ended});
-            if (builder.turn.valid())
-                next = exprs.conditional(builder.leaf(builder.turn), next,
-                                         exprs.conjunction(builder.leaf(builder.read[timer.watched.index]), ended));
+void set_timers(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next) {
+    if (!cycle.style().with_plant) return;
+    Exprs& exprs = draft.exprs;
+    const Equations& equations = cycle.equations();
+    for (const Equations::Timer& timer : equations.timers) {
+        const Id<Symbol> end = cycle.read(timer.end);
+        const Id<Expr> now = draft.leaf(
+            draft.add(timer.name + "_elapses", Type{}, TransitionSystem::ChoiceSymbol{}, "timers that end in a step"));
+        const Id<Expr> ended = exprs.disjunction(draft.leaf(end), exprs.conjunction(cycle.elapses(), now));
+        Id<Expr> value = exprs.conjunction(cycle.in_cycles(), now);
+        if (const auto step = watched_step(equations, timer); step && timer.fall_ms == 0) {
+            const Id<Expr> anew = cycle.now(equations.steps[*step].activated);
+            const Id<Expr> stays = exprs.conjunction(next[timer.watched.index], exprs.negation(anew));
+            value = exprs.conjunction(std::vector{cycle.in_cycles(), stays, ended});
+            const Id<Expr> active = draft.leaf(cycle.read(timer.watched));
+            value = exprs.conditional(cycle.turn(), value, exprs.conjunction(active, ended));
         }
-        builder.result.module.symbols[end].kind = TransitionSystem::StateSymbol{exprs.constant(false), next};
+        draft.set(end, TransitionSystem::StateSymbol{exprs.constant(false), value});
     }
 }
 
-/// Whether anybody can tell the state after the first evolution from power-on.
-bool first_evolution_shows(Builder& builder) {
-    const Equations& equations = builder.equations;
-    if (acts_at_first(equations) || !equations.previous.empty()) return true;
-    return builder.mode == ExecutionMode::EveryCycle &&
-           std::ranges::any_of(equations.outputs, [&](const Equations::Output& output) {
-               return builder.at_first(output.value) != builder.initial(output.variable.index);
-           });
-}
-
-/// The end of a timer comes after the activation that it counts from, and the first is the first evolution's.
-void add_started(Builder& builder) {
-    if (!first_evolution_shows(builder)) return;
-    Exprs& exprs = builder.exprs;
-    builder.result.started = builder.add("started", {}, "the first evolution has been made");
-    builder.state(builder.result.started, exprs.constant(false), exprs.constant(true));
-    if (builder.style.with_plant) return;
-    for (const Equations::Timer& timer : builder.equations.timers)
-        builder.result.module.invariants.push_back(exprs.disjunction(
-            builder.leaf(builder.result.started), exprs.negation(builder.leaf(builder.read[timer.end.index]))));
-}
-
-void add_states(Builder& builder) {
-    const auto add_role = [&](Role role, const char* section) {
-        for (const Id<Variable> id : builder.equations.variables.ids()) {
-            const Variable& variable = builder.equations.variables[id];
-            if (variable.role != role) continue;
-            const Id<Symbol> symbol = builder.result.module.symbols.add(
-                {variable.name, variable.type, TransitionSystem::ParameterSymbol{}, section, variable.origin});
-            builder.read[id.index] = builder.result.symbols[id.index] = symbol;
-            if (is_image(builder, id.index))
-                builder.read[id.index] = builder.add(variable.name + "_image", variable.type,
-                                                     "outputs of stored actions, not yet written", variable.origin);
-        }
-    };
-    add_role(Role::Step, "steps");
-    add_role(Role::Internal, "internals");
-    add_role(Role::Output, "outputs");
-    add_role(Role::Previous, "previous values, for edges");
-    add_role(Role::FiringCondition, "firing conditions");
-}
-
-// -- their values
-// -------------------------------------------------------------------------------------------------------
-
-/// `term`, or `instead` where it divides by zero, which is a fault.
-Id<Expr> total(Builder& builder, Id<Expr> term, Id<Expr> instead, std::vector<Id<Expr>>& faults) {
-    Exprs& exprs = builder.exprs;
-    if (!builder.divides) return term;
-    const Id<Expr> raw = divides_by_zero(exprs, term, builder.types());
-    if (is_false(exprs, raw)) return term;
-    const Id<Expr> fault = with_safe_divisors(exprs, raw, builder.types());
-    faults.push_back(fault);
-    return exprs.conditional(fault, instead, with_safe_divisors(exprs, term, builder.types()));
-}
-
-void set_steps(Builder& builder) {
-    for (const Equations::Firing& firing : builder.equations.firings) {
-        const Id<Expr> condition = builder.exprs.conjunction(builder.in_cycles(), builder.in_cycle(firing.condition));
-        builder.define(builder.read[firing.variable.index],
-                       total(builder, condition, builder.exprs.constant(false), builder.faults));
-    }
-    for (const Equations::StepActivity& step : builder.equations.steps) {
-        const std::uint32_t index = step.variable.index;
-        builder.next[index] = builder.in_cycle(step.next);
-        builder.state(builder.read[index], builder.initial(index), builder.next[index]);
-    }
-}
-
-/// `value` where it exists and lies in the range of the variable, else `kept`; a definition names the fault.
-Id<Expr> guarded(Builder& builder, std::size_t index, Id<Expr> value, Id<Expr> kept, bool at_first) {
-    Exprs& exprs = builder.exprs;
-    const Variable& variable = builder.variable(index);
-    const Id<Expr> raw = divides_by_zero(exprs, value, builder.types());
-    const Id<Expr> undefined = with_safe_divisors(exprs, raw, builder.types());
-    value = with_safe_divisors(exprs, value, builder.types());
-    const Id<Expr> outside = variable.type.boolean ? exprs.constant(false)
-                                                   : leaves_range(exprs, value, variable.type, builder.types());
-    const Id<Expr> fault = exprs.disjunction(undefined, outside);
-    if (is_false(exprs, fault)) return value;
-    if (!variable.type.boolean) builder.result.bounded.push_back({static_cast<std::uint32_t>(index)});
-    const Id<Expr> when = at_first ? exprs.negation(builder.in_cycles()) : builder.in_cycles();
-    if (is_true(exprs, fault)) {
-        builder.faults.push_back(when);
-        return kept;
-    }
-    const std::string wish = variable.name + (at_first ? "_leaves_range_at_first" : "_leaves_range");
-    const Id<Symbol> symbol = builder.add(wish, {}, "assignments that would leave the range of their variable",
-                                          variable.origin);
-    builder.define(symbol, fault);
-    builder.faults.push_back(exprs.conjunction(when, builder.leaf(symbol)));
-    return exprs.conditional(builder.leaf(symbol), kept, value);
-}
-
-void set_stored(Builder& builder) {
-    for (const Equations::Stored& stored : builder.equations.stored) {
-        const std::uint32_t index = stored.variable.index;
-        const Id<Symbol> symbol = builder.read[index];
-        const Id<Expr> kept = builder.leaf(symbol);
-        Id<Expr> next = guarded(builder, index, builder.in_cycle(stored.next), kept, false);
-        if (builder.result.started.valid()) {
-            const Id<Expr> initial = builder.initial(index);
-            const Id<Expr> first = guarded(builder, index, builder.at_first(stored.first), initial, true);
-            next = builder.exprs.conditional(builder.in_cycles(), next, first == initial ? kept : first);
-        }
-        builder.next[index] = next;
-        builder.state(symbol, builder.initial(index), next);
-    }
-}
-
-/// What edges compare with. A term that divides by zero is a fault.
-void set_previous(Builder& builder) {
-    for (const Equations::Previous& previous : builder.equations.previous) {
-        const Id<Expr> off = builder.exprs.constant(false);
-        builder.state(builder.read[previous.variable.index], off,
-                      total(builder, builder.in_cycle(previous.value), off, builder.faults));
-    }
-}
-
-/// Whether the output always has its initial value.
-bool is_unwritten(Builder& builder, const Equations::Output& output) {
-    return builder.in_cycle(output.value) == builder.initial(output.variable.index);
-}
-
-/// Variables that nothing writes.
-void set_constants(Builder& builder) {
-    std::vector<bool> written(builder.equations.variables.size());
-    for (const Equations::Output& output : builder.equations.outputs)
-        written[output.variable.index] = !is_unwritten(builder, output);
-    for (const Id<Variable> id : builder.equations.variables.ids()) {
-        const Role role = builder.equations.variables[id].role;
-        const bool candidate = role == Role::Internal || role == Role::Output;
-        if (candidate && builder.stored[id.index] == nullptr && !written[id.index])
-            builder.define(builder.read[id.index], builder.initial(id.index));
-    }
-}
-
-void set_stable(Builder& builder) {
-    const Id<Expr> value = builder.exprs.conjunction(builder.in_cycles(), builder.in_cycle(builder.equations.stable));
-    builder.stable = builder.add("stable", {}, "stability: one more cycle would change no step and no stored variable");
-    builder.define(builder.stable, total(builder, value, builder.exprs.constant(false), builder.faults));
-}
-
-/// Written when stable: `now` is what would be written.
-Id<Expr> written_when_stable(Builder& builder, std::uint32_t index, Id<Expr> now) {
-    const Id<Symbol> symbol = builder.result.symbols[index];
-    const Id<Expr> kept = builder.leaf(symbol);
-    builder.state(symbol, builder.initial(index), builder.exprs.conditional(builder.leaf(builder.stable), now, kept));
-    return builder.exprs.apply(Op::Equal, kept, now);
-}
-
-/// Equation (13) in stability search; returns when the output is up to date.
-Id<Expr> set_searching_output(Builder& builder, const Equations::Output& output) {
-    const std::uint32_t index = output.variable.index;
-    const Variable& variable = builder.variable(index);
-    std::vector<Id<Expr>> faults;
-    const Id<Expr> value = total(builder, builder.in_cycle(output.value), builder.exprs.constant(false), faults);
-    for (const Id<Expr> fault : faults)
-        builder.faults.push_back(builder.exprs.conjunction(builder.leaf(builder.stable), fault));
-    if (is_constant(builder.exprs[value].op)) return written_when_stable(builder, index, value);
-    const Id<Symbol> now =
-        builder.add(variable.name + "_now", variable.type, "outputs by equation (13)", variable.origin);
-    builder.define(now, value);
-    return written_when_stable(builder, index, builder.leaf(now));
-}
-
-/// Equation (13) in every cycle, the first evolution included; returns when the output is up to date.
-Id<Expr> set_cyclic_output(Builder& builder, const Equations::Output& output) {
-    Exprs& exprs = builder.exprs;
-    const std::uint32_t index = output.variable.index;
-    const Id<Symbol> symbol = builder.result.symbols[index];
-    const Id<Expr> off = exprs.constant(false), initial = builder.initial(index);
-    const Id<Expr> after = total(builder, builder.after_cycle(output.value), off, builder.faults);
-    if (!reads_inputs(builder.equations, output.value)) {
-        Id<Expr> value = builder.in_cycle(output.value);
-        if (builder.at_first(output.value) != initial)
-            value = is_false(exprs, initial) ? exprs.conjunction(builder.in_cycles(), value)
-                                             : exprs.conditional(builder.in_cycles(), value, initial);
-        std::vector<Id<Expr>> seen_before;   // in the cycle that led here
-        builder.define(symbol, total(builder, value, off, seen_before));
-        return exprs.constant(true);
-    }
-    const Variable& variable = builder.variable(index);
-    const Id<Symbol> now = builder.add(variable.name + "_now", variable.type,
-                                       "outputs by equation (13), of the steps after the cycle", variable.origin);
-    builder.define(now, after);
-    builder.state(symbol, initial, builder.leaf(now));
-    return exprs.apply(Op::Equal, builder.leaf(symbol), builder.leaf(now));
-}
-
-void set_outputs(Builder& builder) {
-    std::vector<Id<Expr>> settled{builder.leaf(builder.stable)};
-    for (const Equations::Output& output : builder.equations.outputs)
-        if (!is_unwritten(builder, output))
-            settled.push_back(builder.mode == ExecutionMode::StabilitySearch ? set_searching_output(builder, output)
-                                                                             : set_cyclic_output(builder, output));
-    for (const Id<Variable> id : builder.equations.variables.ids())
-        if (is_image(builder, id.index))
-            settled.push_back(written_when_stable(builder, id.index, builder.leaf(builder.read[id.index])));
-    builder.result.settled =
-        builder.add("settled", {}, "settled: one more cycle with the same inputs would change nothing");
-    builder.define(builder.result.settled, builder.exprs.conjunction(settled));
-}
-
-/// A flag that stays set once `fault` sets it; not valid where it never can.
-Id<Symbol> sticky(Builder& builder, const char* wish, Id<Expr> fault) {
-    Exprs& exprs = builder.exprs;
+/// A flag that stays set once one of `faults` sets it; not valid where none ever can.
+Id<Symbol> add_flag(const Cycle& cycle, Draft& draft, const char* wish, const std::vector<Id<Expr>>& faults) {
+    Exprs& exprs = draft.exprs;
+    const Id<Expr> fault = exprs.disjunction(faults);
     if (is_false(exprs, fault)) return {};
-    const Id<Symbol> flag = builder.add(wish, {}, "faults, once and for ever");
-    builder.state(flag, exprs.constant(false), exprs.disjunction(builder.leaf(flag), fault));
+    const Id<Symbol> flag = draft.add(wish, Type{}, TransitionSystem::ParameterSymbol{}, "faults, once and for ever");
+    cycle.set(flag, exprs.constant(false), exprs.disjunction(draft.leaf(flag), fault));
     return flag;
 }
 
-void set_flags(Builder& builder) {
-    Exprs& exprs = builder.exprs;
-    const Id<Expr> off = exprs.constant(false), in_cycles = builder.in_cycles(), at_start = exprs.negation(in_cycles);
+/// The conditions of races, which may divide by zero themselves.
+std::vector<Id<Expr>> races(Cycle& cycle, Draft& draft, Faults& found) {
+    Exprs& exprs = draft.exprs;
+    const Id<Expr> off = exprs.constant(false), at_start = exprs.negation(cycle.in_cycles());
     std::vector<Id<Expr>> races;
-    for (const Fault& fault : faults(builder.equations)) {
+    for (const Fault& fault : faults(cycle.equations())) {
         if (fault.first.valid())
-            races.push_back(total(builder, exprs.conjunction(at_start, builder.at_first(fault.first)), off, builder.faults));
-        races.push_back(total(builder, exprs.conjunction(in_cycles, builder.in_cycle(fault.condition)), off, builder.faults));
+            races.push_back(cycle.total(exprs.conjunction(at_start, cycle.first(fault.first)), off, found.conditions));
+        races.push_back(
+            cycle.total(exprs.conjunction(cycle.in_cycles(), cycle.now(fault.condition)), off, found.conditions));
     }
-    builder.result.race = sticky(builder, "race", exprs.disjunction(races));
-    builder.result.out_of_range = sticky(builder, "out_of_range", exprs.disjunction(builder.faults));
-    std::ranges::sort(builder.result.bounded);
-    const auto repeated = std::ranges::unique(builder.result.bounded);
-    builder.result.bounded.erase(repeated.begin(), repeated.end());
+    return races;
 }
 
 }  // namespace
 
 ControllerModule controller_module(const Equations& equations, const ControllerStyle& style, Exprs& exprs) {
-    const std::size_t size = equations.variables.size();
-    Builder builder{equations, style, exprs};
-    for (const Variable& variable : equations.variables) builder.names.fresh(variable.name);
-    for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {
-        const Op op = equations.exprs[Id<Expr>{term}].op;
-        builder.divides = builder.divides || op == Op::Divide || op == Op::Modulo;
-    }
-    builder.read.resize(size);
-    builder.stored.resize(size);
-    builder.next.resize(size);
-    builder.result.symbols.resize(size);
-    builder.result.module.name = "controller_" + equations.name;
-    for (const Equations::Stored& stored : equations.stored) builder.stored[stored.variable.index] = &stored;
-
-    add_parameters(builder);
-    add_started(builder);
-    add_states(builder);
-    set_steps(builder);
-    set_stored(builder);
-    set_previous(builder);
-    set_constants(builder);
-    set_stable(builder);
-    set_outputs(builder);
-    set_timers(builder);
-    set_flags(builder);
-    return std::move(builder.result);
+    Draft draft{exprs};
+    draft.module.name = "controller_" + equations.name;
+    Cycle cycle(equations, style, draft);
+    Faults faults;
+    set_firings(cycle, draft, faults);
+    const std::vector<Id<Expr>> next = set_next_values(cycle, draft, faults);
+    set_previous(cycle, draft, faults);
+    set_constants(cycle, draft);
+    const Id<Symbol> stable = add_stable(cycle, draft, faults);
+    const Id<Symbol> settled = set_outputs(cycle, draft, stable, next, faults);
+    set_timers(cycle, draft, next);
+    const Id<Symbol> race = add_flag(cycle, draft, "race", races(cycle, draft, faults));
+    const Id<Symbol> out_of_range = add_flag(cycle, draft, "out_of_range", faults.conditions);
+    std::ranges::sort(faults.bounded);
+    const auto repeated = std::ranges::unique(faults.bounded);
+    faults.bounded.erase(repeated.begin(), repeated.end());
+    return {
+        std::move(draft.module),  cycle.parameters(), cycle.all_shown(), cycle.started(), settled, race, out_of_range,
+        std::move(faults.bounded)};
 }
 
 }  // namespace grafverif::schedule

@@ -2,16 +2,14 @@
 // One controller as a module of the TransitionSystem: its equations as init, next and definitions (DESDES06 6.1).
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/equations.hpp"
+#include "grafverif/ir/execution_mode.hpp"
 #include "grafverif/ir/transition_system.hpp"
+#include "schedule/main.hpp"
 
 namespace grafverif::schedule {
-
-using Symbol = TransitionSystem::Symbol;
 
 struct ControllerModule {
     TransitionSystem::Module module = {};
@@ -19,16 +17,16 @@ struct ControllerModule {
     std::vector<Id<Equations::Variable>> parameters = {};
     /// Each variable of the equations as properties read it: outputs as written to the plant.
     std::vector<Id<Symbol>> symbols = {};
-    Id<Symbol> started = {};                    ///< not valid: the first evolution shows in nothing, and is no step
+    Id<Symbol> started = {};  ///< not valid: the first evolution shows in nothing, and is no step
     Id<Symbol> settled = {};
-    Id<Symbol> race = {};                       ///< not valid: no two stored actions can race
-    Id<Symbol> out_of_range = {};               ///< not valid: every assignment stays in its range
-    std::vector<Id<Equations::Variable>> bounded = {};   ///< the variables whose assignments may leave their range
+    Id<Symbol> race = {};                               ///< not valid: no two stored actions can race
+    Id<Symbol> out_of_range = {};                       ///< not valid: every assignment stays in its range
+    std::vector<Id<Equations::Variable>> bounded = {};  ///< the variables whose assignments may leave their range
 };
 
 struct ControllerStyle {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    bool turns = false;         ///< a parameter `turn`: where it is false, nothing happens
+    bool turns = false;  ///< a parameter `turn`: where it is false, nothing happens
     /// Inputs come from a plant, and timer ends are variables of the module:
     /// false from the activation of their step on; they may become true in a step with the parameter `elapse`, which
     /// only a module with timers has. Else timer ends are parameters.

@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: MIT
+// One process of the network moves in each step. main has the choice `move` of who it is; the modules of the processes
+// do the rest (automaton_module.hpp): a module moves exactly where main says that it is its turn, so no two move
+// together.
+//
+// Why no run of the network is lost: a process that can move may be chosen in every state. Why none is added, time
+// apart: `none` (and, with clocks that count, the tick) are on offer only where the network lets time pass, no urgent
+// edge being enabled. Why the system is total: where an urgent edge is enabled its process can move, elsewhere `none`
+// can be chosen; with clocks that count `none` is left for states that nothing can leave, which repeat themselves.
+//
+// The questions asked are those of the loop, in the terms of main (properties.hpp); where the names of the loop are in
+// the network, its controllers say.
 #include "schedule/network.hpp"
 
 #include <algorithm>
 #include <cassert>
 
+#include "ir/slots.hpp"
 #include "ir/words_of.hpp"
 #include "schedule/observers.hpp"
 #include "schedule/plant_instances.hpp"
 #include "schedule/scope.hpp"
-#include "schedule/slots.hpp"
 #include "syntax/print/sentence.hpp"
 
 namespace grafverif {
@@ -28,189 +39,170 @@ std::vector<bool> shared_variables(const Network& network) {
     return shared;
 }
 
-class LoopBuilder {
-public:
-    LoopBuilder(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
-                const Network& network, const ScheduleOptions& options)
-        : model_(model), loop_(loop), equations_(equations), network_(network), options_(options),
-          context_{network, Discipline::Turns, shared_variables(network), options.fairness, clocks(network, options)} {}
+// -- who moves --------------------------------------------------------------------------------------------------------
 
-    System build() {
-        system_.name = network_.name;
-        system_.main = system_.modules.add({"main", {}, {}, {}, {}});
-        modules_.fresh("main");
-        add_move();
-        add_instances(plant_);
-        add_turns();
-        add_effects(plant_);
-        add_offers();
-        if (options_.fairness) add_fair_runs();
-        add_questions();
-        add_range_property(plant_);
-        add_trace_names();
-        return std::move(system_);
+/// The choice of who moves; `none` comes behind the processes, time behind it.
+struct Turn {
+    Id<Symbol> symbol = {};
+    std::size_t processes = 0;
+
+    Id<Expr> of(const Main& main, std::size_t who) const {
+        return main.draft.is(symbol, static_cast<std::int64_t>(who));
     }
-
-private:
-    static std::vector<ProcessClocks> clocks(const Network& network, const ScheduleOptions& options) {
-        if (options.time == TimeModel::Abstract) return {};
-        return analyse_clocks(expand(network));
-    }
-    bool is_discrete() const { return options_.time == TimeModel::Discrete; }
-
-    System::Module& main() { return system_.modules[system_.main]; }
-    Exprs& exprs() { return system_.exprs; }
-
-    void add_move() {
-        std::vector<std::string> values;
-        for (const Network::Process& process : network_.processes) values.push_back("of_" + process.name);
-        values.emplace_back("none");
-        if (is_discrete()) values.emplace_back("of_time");
-        move_ = main().symbols.add({names_.fresh("move"), integer_type(0, static_cast<std::int64_t>(values.size()) - 1),
-                                    System::ChoiceSymbol{}, "who moves in a step", {}, std::move(values)});
-    }
-
-    Id<Expr> moves(std::size_t who) {
-        return exprs().apply(Op::Equal, plant_.leaf(move_), exprs().integer(static_cast<std::int64_t>(who)));
-    }
-
-    void add_turns() {
-        std::vector<Id<Symbol>> turns;
-        for (std::size_t process = 0; process < network_.processes.size(); ++process) {
-            const std::string& name = network_.processes[{static_cast<std::uint32_t>(process)}].name;
-            turns.push_back(define(plant_, name + "_moves", moves(process), "turns"));
-        }
-        Id<Symbol> tick;
-        if (is_discrete()) tick = define(plant_, "tick", moves(network_.processes.size() + 1), "turns");
-        wire(plant_, {std::move(turns), {}, {}, tick});
-        if (!is_discrete()) return;
-        system_.ticks = plant_.leaf(tick);
-        system_.tick_ms = network_.time_unit_ms;
-    }
-
-    Id<Expr> none_urgent() {
-        return exprs().negation(exprs().disjunction(plant_.each(&AutomatonModule::must_move)));
-    }
-
-    Id<Expr> implies(Id<Expr> condition, Id<Expr> then) {
-        return exprs().disjunction(exprs().negation(condition), then);
-    }
-
-    /// Abstract time: nobody need move where nothing is urgent. Discrete time: somebody moves, or time does, where
-    /// anything can.
-    void add_offers() {
-        const Id<Expr> nobody = moves(network_.processes.size());
-        if (!is_discrete()) {
-            main().transitions.push_back(implies(nobody, none_urgent()));
-            return;
-        }
-        std::vector<Id<Expr>> waits = plant_.each(&AutomatonModule::may_wait);
-        waits.push_back(none_urgent());
-        can_wait_ = exprs().conjunction(waits);
-        can_move_ = exprs().disjunction(plant_.each(&AutomatonModule::can_move));
-        main().transitions.push_back(implies(system_.ticks, can_wait_));
-        main().transitions.push_back(
-            implies(nobody, exprs().negation(exprs().disjunction(can_move_, can_wait_))));
-    }
-
-    /// Movements end, and time goes on: what is urgent is not put off for ever.
-    void add_fair_runs() {
-        add_fairness(plant_);
-        main().justice.push_back(none_urgent());
-    }
-
-    /// A variable of the network.
-    Id<Symbol> in_main(Id<Network::Variable> variable) const { return plant_.variables[variable.index]; }
-
-    LoopMeaning meaning() {
-        return {.system = system_,
-                .model = model_,
-                .loop = loop_,
-                .equations = equations_,
-                .shared = {plant_.variables.begin(), plant_.variables.begin() + static_cast<std::ptrdiff_t>(loop_.shared.size())},
-                .variable = [this](std::size_t controller, Id<Equations::Variable> variable) {
-                    const Id<Network::Controller> id{static_cast<std::uint32_t>(controller)};
-                    return in_main(network_.controllers[id].variables[variable.index]);
-                },
-                .at = [this](std::size_t process, std::uint32_t location) { return plant_.at(process, location); },
-                .can_move = can_move_,
-                .can_wait = can_wait_};
-    }
-
-    /// Those of the network first, then those that ask observers.
-    void add_questions() {
-        LoopMeaning known = meaning();
-        add_observers(members_, known, names_, modules_);
-        for (const Property& property : loop_.properties)
-            if (!reads_observer(loop_, property)) add_property(known, property);
-        for (const Property& constraint : constraints_to_prove(loop_)) add_property(known, constraint);
-        if (network_.race.valid())
-            add_never(system_, "no_race", "no two stored actions give one variable different values",
-                      {plant_.leaf(in_main(network_.race))});
-        for (const Property& property : loop_.properties)
-            if (reads_observer(loop_, property)) add_property(known, property);
-        system_.settled = translate(network_.exprs, network_.settled, exprs(), [this](const Expr& leaf) {
-            if (leaf.op == Op::At) return plant_.at(at_process(leaf), at_location(leaf));
-            return plant_.leaf(in_main({static_cast<std::uint32_t>(leaf.value)}));
-        });
-        system_.scope = network_scope(network_, options_);
-    }
-
-    // -- what traces say -------------------------------------------------------------------------------------------
-
-    /// In this step the PLC takes an edge that calls the procedure; not valid: there is no such procedure.
-    Id<Expr> calls(const Network::Controller& controller, Id<Network::Procedure> procedure) {
-        if (!procedure.valid()) return {};
-        const Network::Template& cycle = network_.templates[network_.processes[controller.process].automaton];
-        const Id<Expr> edge = plant_.inner(controller.process.index, plant_.automata[controller.process.index].edge);
-        std::vector<Id<Expr>> found;
-        for (const Id<Network::Edge> id : cycle.edges.ids())
-            if (std::ranges::find(cycle.edges[id].calls, procedure) != cycle.edges[id].calls.end())
-                found.push_back(exprs().apply(Op::Equal, edge, exprs().integer(id.index + 1)));
-        return exprs().disjunction(found);
-    }
-
-    /// A firing condition that lives within a step is a definition of the PLC's module.
-    Id<Symbol> firing(const Network::Controller& controller, Id<Network::Variable> variable) {
-        for (const auto& [known, symbol] : plant_.automata[controller.process.index].within)
-            if (known == variable) return member(members_, plant_.instances[controller.process.index], symbol);
-        return plant_.variables[variable.index];
-    }
-
-    System::Controller named(const Network::Controller& controller, const Equations& equations) {
-        const auto place = [&](Id<Equations::Variable> id) {
-            const Id<Network::Variable> variable = controller.variables[id.index];
-            const bool fires = equations.variables[id].role == Equations::Role::FiringCondition;
-            return fires ? firing(controller, variable) : in_main(variable);
-        };
-        return {.words = words_of<Symbol>(equations, controller.words.mode, place),
-                .starts = calls(controller, controller.start),
-                .samples = calls(controller, controller.fire),
-                .evolves = calls(controller, controller.evolve),
-                .writes = calls(controller, controller.write)};
-    }
-
-    void add_trace_names() {
-        for (const Id<Network::Controller> id : network_.controllers.ids())
-            system_.controllers.push_back(named(network_.controllers[id], equations_[id.index]));
-        for (const Id<Network::Process> process : network_.processes.ids())
-            if (network_.processes[process].kind != Network::ProcessKind::Controller)
-                system_.components.push_back(plant_.component(process.index));
-    }
-
-    const Model& model_;
-    const ClosedLoop& loop_;
-    std::span<const Equations> equations_;
-    const Network& network_;
-    const ScheduleOptions& options_;
-    const AutomatonContext context_;
-    System system_ = {};
-    UniqueNames names_ = {}, modules_ = {};
-    Members members_{system_, {}, {}};
-    PlantInstances plant_{members_, context_, names_, modules_, {}, {}, {}};
-    Id<Symbol> move_ = {};
-    Id<Expr> can_move_ = {}, can_wait_ = {};   ///< of some process; of time: with clocks that count
+    Id<Expr> of_none(const Main& main) const { return of(main, processes); }
+    Id<Expr> of_time(const Main& main) const { return of(main, processes + 1); }
 };
+
+Turn add_move(Main& main, const Network& network, bool discrete) {
+    std::vector<std::string> values = movers(network);
+    values.emplace_back("none");
+    if (discrete) values.emplace_back("of_time");
+    return {main.draft.add("move", std::move(values), System::ChoiceSymbol{}, "who moves in a step"),
+            network.processes.size()};
+}
+
+/// Tells each process, and the clocks, when it is their turn.
+void wire_turns(const PlantInstances& plant, const Turn& move, bool discrete) {
+    Main& main = plant.main;
+    const Network& network = plant.context.network;
+    Signals signals;
+    for (const Id<Network::Process> process : network.processes.ids())
+        signals.turns.push_back(
+            main.draft.define(network.processes[process].name + "_moves", move.of(main, process.index), "turns"));
+    if (discrete) {
+        signals.tick = main.draft.define("tick", move.of_time(main), "turns");
+        main.system.ticks = main.draft.leaf(signals.tick);
+        main.system.tick_ms = network.time_unit_ms;
+    }
+    plant.wire(signals);
+}
+
+/// What is on offer beside the moves of processes; with clocks that count, when they and time can move.
+struct Offers {
+    Id<Expr> can_move = {}, can_wait = {};
+};
+
+/// Abstract time: nobody need move where nothing is urgent. Discrete time: somebody moves, or time does, where anything
+/// can.
+Offers add_offers(const PlantInstances& plant, const Turn& move, bool discrete) {
+    Main& main = plant.main;
+    Exprs& exprs = main.system.exprs;
+    std::vector<Id<Expr>>& transitions = main.draft.module.transitions;
+    const Id<Expr> nobody = move.of_none(main);
+    if (!discrete) {
+        transitions.push_back(implies(exprs, nobody, plant.none_urgent()));
+        return {};
+    }
+    std::vector<Id<Expr>> waits = plant.each(&AutomatonModule::may_wait);
+    waits.push_back(plant.none_urgent());
+    const Offers offers{exprs.disjunction(plant.each(&AutomatonModule::can_move)), exprs.conjunction(waits)};
+    transitions.push_back(implies(exprs, main.system.ticks, offers.can_wait));
+    const Id<Expr> stuck = exprs.negation(exprs.disjunction(offers.can_move, offers.can_wait));
+    transitions.push_back(implies(exprs, nobody, stuck));
+    return offers;
+}
+
+// -- what is asked ----------------------------------------------------------------------------------------------------
+
+/// Those of the network first, then those that ask observers.
+void add_questions(LoopMeaning& meaning, const PlantInstances& plant) {
+    const ClosedLoop& loop = meaning.loop;
+    const Network& network = plant.context.network;
+    add_observers(meaning);
+    for (const Property& property : loop.properties)
+        if (!reads_observer(loop, property)) add_property(meaning, property);
+    for (const Property& constraint : constraints_to_prove(loop)) add_property(meaning, constraint);
+    if (network.race.valid())
+        add_never(meaning.main.system, "no_race", "no two stored actions give one variable different values",
+                  {meaning.main.draft.leaf(plant.variables[network.race.index])});
+    for (const Property& property : loop.properties)
+        if (reads_observer(loop, property)) add_property(meaning, property);
+    plant.add_range_property();
+}
+
+/// The formula of the network over main.
+Id<Expr> settled(const PlantInstances& plant) {
+    const Network& network = plant.context.network;
+    return translate(network.exprs, network.settled, plant.main.system.exprs, [&](const Expr& leaf) {
+        if (leaf.op == Op::At) return plant.at(at_process(leaf), at_location(leaf));
+        return plant.main.draft.leaf(plant.variables[static_cast<std::size_t>(leaf.value)]);
+    });
+}
+
+// -- what traces say --------------------------------------------------------------------------------------------------
+
+/// In this step the PLC takes an edge that calls the procedure; not valid: there is no such procedure.
+Id<Expr> calls(const PlantInstances& plant, Id<Network::Process> plc, Id<Network::Procedure> procedure) {
+    if (!procedure.valid()) return {};
+    const Network& network = plant.context.network;
+    const Network::Template& cycle = network.templates[network.processes[plc].automaton];
+    const Id<Symbol> edge = plant.main.member(plant.instances[plc.index], plant.automata[plc.index].edge);
+    std::vector<Id<Expr>> found;
+    for (const Id<Network::Edge> id : cycle.edges.ids())
+        if (std::ranges::find(cycle.edges[id].calls, procedure) != cycle.edges[id].calls.end())
+            found.push_back(plant.main.draft.is(edge, id.index + 1));
+    return plant.main.system.exprs.disjunction(found);
+}
+
+System::Controller words(const PlantInstances& plant, const Network::Controller& controller,
+                         const Equations& equations) {
+    const std::size_t plc = controller.process.index;
+    const auto place = [&](Id<Equations::Variable> id) {
+        const Id<Network::Variable> variable = controller.variables[id.index];
+        for (const auto& [known, symbol] : plant.automata[plc].within)  // it is no part of the state
+            if (known == variable) return plant.main.member(plant.instances[plc], symbol);
+        return plant.variables[variable.index];
+    };
+    const auto when = [&](Id<Network::Procedure> procedure) { return calls(plant, controller.process, procedure); };
+    return {.words = words_of<Symbol>(equations, controller.words.mode, place),
+            .starts = when(controller.start),
+            .samples = when(controller.fire),
+            .evolves = when(controller.evolve),
+            .writes = when(controller.write)};
+}
+
+TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::span<const Equations> equations,
+                             const Network& network, const ScheduleOptions& options) {
+    const bool discrete = options.time == TimeModel::Discrete;
+    Main main(network.name);
+    const Turn move = add_move(main, network, discrete);
+    const PlantInstances plant(main,
+                               {network, Discipline::Turns, shared_variables(network), options.fairness,
+                                discrete ? analyse_clocks(expand(network)) : std::vector<ProcessClocks>{}},
+                               {});
+    wire_turns(plant, move, discrete);
+    plant.set_effects();
+    const Offers offers = add_offers(plant, move, discrete);
+    if (options.fairness) {  // movements end, and time goes on: what is urgent is not put off for ever
+        plant.add_fairness();
+        main.draft.module.justice.push_back(plant.none_urgent());
+    }
+    std::vector<Id<Symbol>> shared = plant.variables;
+    shared.resize(loop.shared.size());
+    const auto variable = [&](std::size_t controller, Id<Equations::Variable> id) {
+        const Id<Network::Controller> of{static_cast<std::uint32_t>(controller)};
+        return plant.variables[network.controllers[of].variables[id.index].index];
+    };
+    const auto at = [&](std::size_t process, std::uint32_t location) { return plant.at(process, location); };
+    LoopMeaning meaning{.main = main,
+                        .model = model,
+                        .loop = loop,
+                        .equations = equations,
+                        .shared = std::move(shared),
+                        .variable = variable,
+                        .at = at,
+                        .can_move = offers.can_move,
+                        .can_wait = offers.can_wait};
+    add_questions(meaning, plant);
+    main.system.settled = settled(plant);
+    main.system.scope = network_scope(network, options);
+    for (const Id<Network::Controller> id : network.controllers.ids())
+        main.system.controllers.push_back(words(plant, network.controllers[id], equations[id.index]));
+    for (const Id<Network::Process> process : network.processes.ids())
+        if (network.processes[process].kind != Network::ProcessKind::Controller)
+            main.system.components.push_back(plant.component(process.index));
+    return main.finish();
+}
 
 }  // namespace
 
@@ -220,7 +212,7 @@ std::optional<TransitionSystem> schedule_network(const Model& model, const Close
     const std::size_t errors = diagnostics.errors();
     check_widths(network, diagnostics);
     if (diagnostics.errors() != errors) return {};
-    TransitionSystem system = LoopBuilder(model, loop, equations, network, options).build();
+    TransitionSystem system = interleaved(model, loop, equations, network, options);
     assert(verify(system).empty());
     return system;
 }

@@ -23,74 +23,62 @@ std::vector<std::string> value_names(const ClosedLoop::Observer& observer) {
 
 struct Guarded {
     Id<ClosedLoop::ObserverLocation> from = {}, to = {};
-    Id<Expr> guard = {};               ///< over symbols of main
+    Id<Expr> guard = {};  ///< over symbols of main
 };
 
-class Declared {
-public:
-    Declared(Members& members, const ClosedLoop::Observer& observer, UniqueNames& names, UniqueNames& modules)
-        : system_(members.system) {
-        System::Module module;
-        module.name = modules.fresh("observer_" + observer.name);
-        const auto last = static_cast<std::int64_t>(observer.locations.size()) - 1;
-        const Id<Expr> initial = system_.exprs.integer(observer.initial.index);
-        const Id<Symbol> kept =
-            module.symbols.add({"location", integer_type(0, last), System::StateSymbol{initial, initial}, "",
-                                observer.origin, value_names(observer)});
-        module_ = system_.modules.add(std::move(module));
-        instance_ = system_.instances.add({names.fresh(observer.name), module_, {}});
-        system_.observers.push_back(instance_);
-        location_ = member(members, instance_, kept);
-    }
-
-    /// In main.
-    Id<Symbol> location() const { return location_; }
-
-    void watch(const std::vector<Guarded>& edges) {
-        Exprs& exprs = system_.exprs;
-        Table<Symbol> symbols;
-        const std::unordered_map<std::uint32_t, Id<Symbol>> parameters = add_parameters(symbols, edges);
-        const Id<Symbol> here = symbols.add(system_.modules[module_].symbols[{0}]);
-        const Id<Expr> now = exprs.leaf(Op::Variable, here.index);
-        Id<Expr> next = now;
-        for (std::size_t k = edges.size(); k-- > 0;) {
-            const Id<Expr> guard = translate(exprs, edges[k].guard, exprs, [&](const Expr& leaf) {
-                return exprs.leaf(Op::Variable, parameters.at(static_cast<std::uint32_t>(leaf.value)).index);
-            });
-            const Id<Expr> from = exprs.apply(Op::Equal, now, exprs.integer(edges[k].from.index));
-            next = exprs.conditional(exprs.conjunction(from, guard), exprs.integer(edges[k].to.index), next);
+/// Per symbol of main that guards read: the parameter of the observer's module. The instance gets its arguments.
+std::unordered_map<std::uint32_t, Id<Symbol>> add_parameters(Main& main, Id<System::Instance> instance, Draft& draft,
+                                                             const std::vector<Guarded>& edges) {
+    std::unordered_map<std::uint32_t, Id<Symbol>> parameters;
+    for (const Guarded& edge : edges)
+        for (const Id<Expr> leaf : leaves(draft.exprs, edge.guard)) {
+            const auto outer = static_cast<std::uint32_t>(draft.exprs[leaf].value);
+            const auto [known, fresh] = parameters.try_emplace(outer);
+            if (!fresh) continue;
+            const Symbol& read = main.draft.module.symbols[{outer}];
+            known->second = draft.add(read.name.substr(read.name.rfind('.') + 1), read.type, System::ParameterSymbol{});
+            draft.module.symbols[known->second].values = read.values;
+            main.system.instances[instance].arguments.push_back({outer});
         }
-        std::get<System::StateSymbol>(symbols[here].kind).next = next;
-        system_.modules[module_].symbols = std::move(symbols);
-        std::get<System::MemberSymbol>(system_.modules[system_.main].symbols[location_].kind).symbol = here;
+    return parameters;
+}
+
+/// An instance that has no edges yet; its location is the first symbol of its module. Returns that as main sees it.
+Id<Symbol> declare(Main& main, const ClosedLoop::Observer& observer) {
+    System::Module module{.name = "observer_" + observer.name};
+    const auto last = static_cast<std::int64_t>(observer.locations.size()) - 1;
+    const Id<Expr> initial = main.system.exprs.integer(observer.initial.index);
+    const Id<Symbol> location =
+        module.symbols.add({"location", integer_type(0, last), System::StateSymbol{initial, initial}, "",
+                            observer.origin, value_names(observer)});
+    const Id<System::Instance> instance = main.add_instance(observer.name, main.add_module(std::move(module)));
+    main.system.observers.push_back(instance);
+    return main.member(instance, location);
+}
+
+/// `location`: what `declare` returned.
+void watch(Main& main, Id<Symbol> location, const std::vector<Guarded>& edges) {
+    auto& known = std::get<System::MemberSymbol>(main.draft.module.symbols[location].kind);
+    System::Module& module = main.system.modules[main.system.instances[known.instance].module];
+    Draft draft{main.system.exprs, {.name = module.name}};
+    draft.names.take("location");
+    const auto parameters = add_parameters(main, known.instance, draft, edges);
+    const Id<Symbol> here = draft.module.symbols.add(module.symbols[known.symbol]);
+    Id<Expr> next = draft.leaf(here);
+    for (auto edge = edges.rbegin(); edge != edges.rend(); ++edge) {
+        const Id<Expr> guard = translate(draft.exprs, edge->guard, draft.exprs, [&](const Expr& leaf) {
+            return draft.leaf(parameters.at(static_cast<std::uint32_t>(leaf.value)));
+        });
+        next = draft.exprs.conditional(draft.exprs.conjunction(draft.is(here, edge->from.index), guard),
+                                       draft.exprs.integer(edge->to.index), next);
     }
+    std::get<System::StateSymbol>(draft.module.symbols[here].kind).next = next;
+    module = std::move(draft.module);
+    known.symbol = here;
+}
 
-private:
-    /// Per symbol of main that a guard reads; the instance gets its arguments.
-    std::unordered_map<std::uint32_t, Id<Symbol>> add_parameters(Table<Symbol>& symbols, const std::vector<Guarded>& edges) {
-        std::unordered_map<std::uint32_t, Id<Symbol>> parameters;
-        UniqueNames names;
-        names.fresh("location");
-        for (const Guarded& edge : edges)
-            for (const Id<Expr> leaf : leaves(system_.exprs, edge.guard)) {
-                const auto outer = static_cast<std::uint32_t>(system_.exprs[leaf].value);
-                const auto [known, fresh] = parameters.try_emplace(outer);
-                if (!fresh) continue;
-                const Symbol& read = system_.modules[system_.main].symbols[{outer}];
-                const std::string own = read.name.substr(read.name.rfind('.') + 1);
-                known->second = symbols.add({names.fresh(own), read.type, System::ParameterSymbol{}, "", {}, read.values});
-                system_.instances[instance_].arguments.push_back({outer});
-            }
-        return parameters;
-    }
-
-    System& system_;
-    Id<System::Module> module_ = {};
-    Id<System::Instance> instance_ = {};
-    Id<Symbol> location_ = {};
-};
-
-/// Finds the observers that read what the model does not have, or an observer of that kind: properties cannot read them.
+/// Finds the observers that read what the model does not have, or an observer of that kind: properties cannot read
+/// them.
 void find_unobserved(LoopMeaning& meaning) {
     const ClosedLoop& loop = meaning.loop;
     for (bool grew = true; grew;) {
@@ -107,23 +95,20 @@ void find_unobserved(LoopMeaning& meaning) {
 
 }  // namespace
 
-void add_observers(Members& members, LoopMeaning& meaning, UniqueNames& names, UniqueNames& modules, Id<Expr> when) {
-    std::vector<Declared> declared;
-    for (const ClosedLoop::Observer& observer : meaning.loop.observers) {
-        declared.emplace_back(members, observer, names, modules);
-        meaning.observers.push_back(declared.back().location());
-    }
-    meaning.unobserved.resize(declared.size());
+void add_observers(LoopMeaning& meaning, Id<Expr> when) {
+    const Table<ClosedLoop::Observer>& observers = meaning.loop.observers;
+    for (const ClosedLoop::Observer& observer : observers) meaning.observers.push_back(declare(meaning.main, observer));
+    meaning.unobserved.resize(observers.size());
     find_unobserved(meaning);
-    for (const Id<ClosedLoop::Observer> id : meaning.loop.observers.ids()) {
+    for (const Id<ClosedLoop::Observer> id : observers.ids()) {
         std::vector<Guarded> edges;
-        for (const ClosedLoop::ObserverEdge& edge : meaning.loop.observers[id].edges) {
+        for (const ClosedLoop::ObserverEdge& edge : observers[id].edges) {
             std::string reason;
             Id<Expr> guard = term_of(meaning, edge.guard, reason);
-            if (guard.valid() && when.valid()) guard = members.system.exprs.conjunction(when, guard);
+            if (guard.valid() && when.valid()) guard = meaning.main.system.exprs.conjunction(when, guard);
             if (guard.valid()) edges.push_back({edge.from, edge.to, guard});
         }
-        declared[id.index].watch(edges);
+        watch(meaning.main, meaning.observers[id.index], edges);
     }
 }
 

@@ -4,12 +4,11 @@
 #pragma once
 
 #include "schedule/properties.hpp"
-#include "support/unique_names.hpp"
 
 namespace grafverif::schedule {
 
-/// Every observer of the loop, as an instance; `meaning` learns where they are. `names`: taken in main, `modules`: those
-/// of modules. `when`: the states in which they look; not valid: all.
-void add_observers(Members& members, LoopMeaning& meaning, UniqueNames& names, UniqueNames& modules, Id<Expr> when = {});
+/// Adds every observer of the loop as an instance; `meaning` learns where they are. `when`: the states in which they
+/// look; not valid: all.
+void add_observers(LoopMeaning& meaning, Id<Expr> when = {});
 
 }  // namespace grafverif::schedule

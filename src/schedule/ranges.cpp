@@ -27,14 +27,11 @@ std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term) {
 
 bool divides(Op op) { return op == Op::Divide || op == Op::Modulo; }
 
-}  // namespace
-
 Id<Expr> divides_by_zero(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
     const Op op = exprs[term].op;
     const std::vector<Id<Expr>> operands = operands_of(exprs, term);
     const auto fault = [&](std::size_t i) { return divides_by_zero(exprs, operands[i], type_of); };
-    if (op == Op::Conditional)
-        return exprs.disjunction(fault(0), either(exprs, operands[0], fault(1), fault(2)));
+    if (op == Op::Conditional) return exprs.disjunction(fault(0), either(exprs, operands[0], fault(1), fault(2)));
     // `and` and `or` stop at the first operand that decides them.
     Id<Expr> result = exprs.constant(false);
     for (std::size_t i = operands.size(); i-- > 0;) {
@@ -61,7 +58,15 @@ Id<Expr> with_safe_divisors(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) 
     return exprs.apply(op, operands);
 }
 
+}  // namespace
+
+Total total(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
+    const Id<Expr> undefined = with_safe_divisors(exprs, divides_by_zero(exprs, term, type_of), type_of);
+    return {with_safe_divisors(exprs, term, type_of), undefined};
+}
+
 Id<Expr> leaves_range(Exprs& exprs, Id<Expr> term, Type range, const TypeOf& type_of) {
+    if (range.boolean) return exprs.constant(false);
     const std::vector<Id<Expr>> operands = operands_of(exprs, term);
     if (exprs[term].op == Op::Conditional) {
         const Id<Expr> then = leaves_range(exprs, operands[1], range, type_of);

@@ -7,18 +7,20 @@
 #include <functional>
 
 #include "grafverif/ir/expr.hpp"
-#include "ir/interval.hpp"
 #include "grafverif/ir/type.hpp"
+#include "ir/interval.hpp"
 
 namespace grafverif::schedule {
 
-/// The condition under which `term`, evaluated as grafverif::evaluate does, divides by zero.
-Id<Expr> divides_by_zero(Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
+/// A term that has a value everywhere: with a divisor of 1 where it divided by zero, for a model checker evaluates what
+/// no run does.
+struct Total {
+    Id<Expr> term = {};
+    Id<Expr> undefined = {};  ///< where it had none: evaluated as grafverif::evaluate does, it divides by zero
+};
+Total total(Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
 
-/// `term` with a divisor of 1 where it divided by zero: a model checker evaluates what no run does.
-Id<Expr> with_safe_divisors(Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
-
-/// The condition under which the integer `term`, which never divides by zero, has a value outside `range`.
-Id<Expr> leaves_range(Exprs& exprs, Id<Expr> term, Type range, const TypeOf& type_of);
+/// The condition under which `term`, which has a value everywhere, leaves the range of `type`; false of a Boolean.
+Id<Expr> leaves_range(Exprs& exprs, Id<Expr> term, Type type, const TypeOf& type_of);
 
 }  // namespace grafverif::schedule

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "grafverif/ir/execution.hpp"
-#include "schedule/controller_instances.hpp"
 #include "grafverif/ir/network.hpp"
+#include "schedule/controller_instances.hpp"
 
 namespace grafverif::schedule {
 

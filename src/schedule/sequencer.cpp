@@ -5,91 +5,72 @@ namespace grafverif::schedule {
 
 namespace {
 
-constexpr const char* section = "the sequencers";
+constexpr const char* of_sequencers = "the sequencers";
+
+std::vector<std::string> movers_or_none(const Network& plant) {
+    std::vector<std::string> names = movers(plant);
+    names.emplace_back("none");
+    return names;
+}
 
 }  // namespace
 
-Sequencer::Sequencer(Assembly& assembly, PlantInstances& plant)
-    : assembly_(assembly), plant_(plant), processes_(plant.context.network.processes.size()) {
-    const auto add = [&](const std::string& wish, Type type, decltype(Symbol::kind) kind, const char* where,
-                         std::vector<std::string> values) {
-        return assembly.main().symbols.add(
-            {assembly.names.fresh(wish), type, std::move(kind), where, {}, std::move(values)});
-    };
-    std::vector<std::string> movers;
-    for (const Network::Process& process : plant.context.network.processes) movers.push_back("of_" + process.name);
-    movers.emplace_back("none");
-    move_ = add("move", integer_type(0, static_cast<std::int64_t>(processes_)), TransitionSystem::ChoiceSymbol{},
-                "whose turn it is in a round", std::move(movers));
-    state_ = add("sequencer", integer_type(Controllers, Test), TransitionSystem::StateSymbol{}, section,
-                 {"controllers", "controlled", "PIR", "PTR", "POU", "PTE"});
-    first_ = add("first_round", {}, TransitionSystem::StateSymbol{}, section, {});
-    changed_ = add("changed", {}, TransitionSystem::StateSymbol{}, section, {});
-}
+Sequencer::Sequencer(Main& main, const Network& plant)
+    : main_(main),
+      move_(main.draft.add("move", movers_or_none(plant), TransitionSystem::ChoiceSymbol{},
+                           "whose turn it is in a round")),
+      state_(main.draft.add("sequencer", {"controllers", "controlled", "PIR", "PTR", "POU", "PTE"},
+                            TransitionSystem::StateSymbol{}, of_sequencers)),
+      first_(main.draft.add("first_round", Type{}, TransitionSystem::StateSymbol{}, of_sequencers)),
+      changed_(main.draft.add("changed", Type{}, TransitionSystem::StateSymbol{}, of_sequencers)) {}
 
-Id<Expr> Sequencer::is(std::int64_t state) {
-    Exprs& exprs = assembly_.system.exprs;
-    return exprs.apply(Op::Equal, plant_.leaf(state_), exprs.integer(state));
-}
+Id<Expr> Sequencer::judged() const { return main_.system.exprs.disjunction(is(Controlled), is(Test)); }
 
-Id<Expr> Sequencer::judged() { return assembly_.system.exprs.disjunction(is(Controlled), is(Test)); }
-
-Id<Expr> Sequencer::moves(std::size_t process) {
-    Exprs& exprs = assembly_.system.exprs;
-    return exprs.apply(Op::Equal, plant_.leaf(move_), exprs.integer(static_cast<std::int64_t>(process)));
-}
-
-Signals Sequencer::signals() {
-    Exprs& exprs = assembly_.system.exprs;
-    Signals found;
-    for (std::size_t process = 0; process < processes_; ++process)
-        found.turns.push_back(define(
-            plant_, plant_.context.network.processes[{static_cast<std::uint32_t>(process)}].name + "_moves",
-            moves(process), "turns"));
-    round_over_ = define(plant_, "round_over", exprs.conjunction(plant_.each(&AutomatonModule::done)), "turns");
-    in_round_ = define(plant_, "in_round", exprs.conjunction(is(Treatment), exprs.negation(plant_.leaf(round_over_))), "turns");
-    found.first = first_;
-    found.round = in_round_;
+Signals Sequencer::signals(const PlantInstances& plant) {
+    Exprs& exprs = main_.system.exprs;
+    Signals found{.first = first_};
+    for (const Id<Network::Process> process : plant.context.network.processes.ids())
+        found.turns.push_back(main_.draft.define(plant.context.network.processes[process].name + "_moves",
+                                                 moves(process.index), "turns"));
+    found.over = main_.draft.define("round_over", exprs.conjunction(plant.each(&AutomatonModule::done)), "turns");
+    const Id<Expr> goes_on = exprs.negation(main_.draft.leaf(found.over));
+    found.round = main_.draft.define("in_round", exprs.conjunction(is(Treatment), goes_on), "turns");
     return found;
 }
 
-void Sequencer::set(Id<Symbol> symbol, Id<Expr> initial, Id<Expr> next) {
-    assembly_.main().symbols[symbol].kind = TransitionSystem::StateSymbol{initial, next};
-}
-
-void Sequencer::run(Id<Expr> controllers_settled) {
-    Exprs& exprs = assembly_.system.exprs;
-    std::vector<Id<Expr>> acts{plant_.leaf(changed_)};
-    for (std::size_t process = 0; process < processes_; ++process)
-        acts.push_back(exprs.conjunction(moves(process),
-                                         exprs.negation(plant_.inner(process, plant_.automata[process].stays))));
-    const Id<Expr> over = plant_.leaf(round_over_), in_round = plant_.leaf(in_round_);
-    const Id<Expr> off = exprs.constant(false), on = exprs.constant(true);
-
+void Sequencer::run(const PlantInstances& plant, const Signals& signals, Id<Expr> controllers_settled) {
+    Draft& main = main_.draft;
+    Exprs& exprs = main.exprs;
+    const Id<Expr> over = main.leaf(signals.over), in_round = main.leaf(signals.round), changed = main.leaf(changed_);
     const auto state = [&](State value) { return exprs.integer(value); };
-    Id<Expr> next = state(Controllers);   // after PTE
+    const auto when = [&](Id<Expr> condition, State then, State otherwise) {
+        return exprs.conditional(condition, state(then), state(otherwise));
+    };
+    Id<Expr> next = state(Controllers);  // after PTE
     next = exprs.conditional(is(OutputsWritten), state(Test), next);
     next = exprs.conditional(is(Treatment),
-                             exprs.conditional(exprs.conjunction(over, exprs.negation(plant_.leaf(changed_))),
-                                               state(OutputsWritten), state(Treatment)),
-                             next);
+                             when(exprs.conjunction(over, exprs.negation(changed)), OutputsWritten, Treatment), next);
     next = exprs.conditional(is(InputsRead), state(Treatment), next);
     next = exprs.conditional(is(Controlled), state(InputsRead), next);
-    next = exprs.conditional(is(Controllers),
-                             exprs.conditional(controllers_settled, state(Controlled), state(Controllers)), next);
-    set(state_, state(Controllers), next);
+    next = exprs.conditional(is(Controllers), when(controllers_settled, Controlled, Controllers), next);
+    main.set(state_, TransitionSystem::StateSymbol{state(Controllers), next});
 
-    const Id<Expr> in_treatment = is(Treatment);
-    const Id<Expr> still_first = exprs.conjunction(plant_.leaf(first_), exprs.negation(over));
-    set(first_, on, exprs.disjunction(exprs.negation(in_treatment), still_first));
-    set(changed_, off, exprs.conjunction(in_round, exprs.disjunction(acts)));
-    assembly_.main().transitions.push_back(exprs.apply(Op::Equal, moves(processes_), exprs.negation(in_round)));
+    const Id<Expr> still_first = exprs.conjunction(main.leaf(first_), exprs.negation(over));
+    main.set(first_, TransitionSystem::StateSymbol{exprs.constant(true), implies(exprs, is(Treatment), still_first)});
+    std::vector<Id<Expr>> acts{changed};
+    for (std::size_t process = 0; process < plant.automata.size(); ++process) {
+        const Id<Expr> stays = plant.inner(process, plant.automata[process].stays);
+        acts.push_back(exprs.conjunction(moves(process), exprs.negation(stays)));
+    }
+    main.set(changed_, TransitionSystem::StateSymbol{exprs.constant(false),
+                                                     exprs.conjunction(in_round, exprs.disjunction(acts))});
+    main.module.transitions.push_back(exprs.apply(Op::Equal, moves(plant.automata.size()), exprs.negation(in_round)));
 }
 
-void Sequencer::add_properties() {
-    TransitionSystem& system = assembly_.system;
+void Sequencer::add_properties() const {
     const auto settles = [&](const char* name, const char* text, State from, State to) {
-        system.properties.add({.name = name, .text = text, .pattern = Pattern::LeadsTo, .operands = {is(from), is(to)}});
+        main_.system.properties.add(
+            {.name = name, .text = text, .pattern = Pattern::LeadsTo, .operands = {is(from), is(to)}});
     };
     settles("plant_settles", "every evolution of the plant comes to an end", Treatment, Test);
     settles("controllers_settle", "every evolution of the controllers comes to an end", Controllers, Controlled);

@@ -36,7 +36,8 @@ void compare(const Model& model, const Network& network, std::uint64_t limit, Ta
     const TimedResult timed = check_timed(network, {.max_states = limit});
     if (!timed.complete || !timed.errors.empty()) return;
     Diagnostics diagnostics;
-    const auto system = schedule_network(model, model.loops[{0}], derived(model).value(), network, {.plant = PlantApproach::Automata, .time = TimeModel::Discrete}, diagnostics);
+    const auto system = schedule_network(model, model.loops[{0}], derived(model).value(), network,
+                                         {.plant = PlantApproach::Automata, .time = TimeModel::Discrete}, diagnostics);
     ASSERT_TRUE(system);
     ASSERT_EQ(verify(*system), std::vector<std::string>{});
     const SymbolicResult counted = check_symbolic(*system);

@@ -93,7 +93,8 @@ void build(const Model& model, bool tested, Diagnostics& diagnostics) {
         if (!network || controllers.size() != loop.controllers.size()) continue;
         const auto composed = compose(*network, loop, controllers, {}, diagnostics);
         constraints_agree(loop, diagnostics);
-        if (composed && !diagnostics.has_errors()) schedule_network(model, loop, controllers, *composed, {}, diagnostics);
+        if (composed && !diagnostics.has_errors())
+            schedule_network(model, loop, controllers, *composed, {}, diagnostics);
     }
 }
 

@@ -400,7 +400,8 @@ private:
         const Id<Network::Process> process = find(processes_, line.process);
         const Id<Network::Location> waiting =
             find(location_names_[network_.processes[process].automaton.index], line.waiting);
-        Network::Controller controller{{.name = line.name, .mode = line.mode}, process, waiting, find(variables_, line.stable)};
+        Network::Controller controller{
+            {.name = line.name, .mode = line.mode}, process, waiting, find(variables_, line.stable)};
         for (const Id<Network::Process> timer : timers_[controllers_.size() > 1 ? line.name : ""])
             controller.timers.push_back({timer});
         network_.controllers.add(std::move(controller));

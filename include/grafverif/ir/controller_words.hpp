@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ControllerWords: what the variables of a model are to the chart of one of its controllers. What a report needs to tell
-// a run of a Network or of a TransitionSystem in the words of the chart, and a replay to compare it with the chart. Names
-// are those of the chart; lists are in its order.
+// ControllerWords: what the variables of a model are to the chart of one of its controllers. What a report needs to
+// tell a run of a Network or of a TransitionSystem in the words of the chart, and a replay to compare it with the
+// chart. Names are those of the chart; lists are in its order.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "grafverif/ir/execution_mode.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/support/id.hpp"
 
 namespace grafverif {
@@ -32,13 +32,14 @@ struct ControllerWords {
 
     std::string name = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::vector<Named> steps = {};         ///< `2`, `G2.2`
-    std::vector<Named> transitions = {};   ///< its firing condition
+    std::vector<Named> steps = {};        ///< `2`, `G2.2`
+    std::vector<Named> transitions = {};  ///< its firing condition
     std::vector<Named> inputs = {};
-    std::vector<Named> outputs = {};       ///< as written to the plant
+    std::vector<Named> outputs = {};  ///< as written to the plant
     std::vector<Named> internals = {};
     std::vector<Timer> timers = {};
-    std::vector<std::optional<std::size_t>> conditions = {};   ///< per time condition: its timer; empty: none waits for it
+    std::vector<std::optional<std::size_t>> conditions =
+        {};  ///< per time condition: its timer; empty: none waits for it
     bool operator==(const ControllerWords&) const = default;
 };
 

@@ -128,9 +128,9 @@ struct Network {
     /// One controller: its words, and where the parts of its cycle are.
     struct Timer {
         Id<Process> process = {};
-        Id<Location> done = {};              ///< of the process, where t1 is over; not valid: it has no t1
-        std::string watched = {};            ///< what it watches as conditions write it: `X2`, `a`; of a longer term empty
-        bool restarts = true;                ///< a request restarts it; false: it follows its step by level
+        Id<Location> done = {};    ///< of the process, where t1 is over; not valid: it has no t1
+        std::string watched = {};  ///< what it watches as conditions write it: `X2`, `a`; of a longer term empty
+        bool restarts = true;      ///< a request restarts it; false: it follows its step by level
         bool operator==(const Timer&) const = default;
     };
     struct Controller {
@@ -138,10 +138,10 @@ struct Network {
         Id<Process> process = {};            ///< the PLC
         Id<Location> waiting = {};           ///< W, in its template
         Id<Variable> stable = {};
-        std::vector<Timer> timers = {};      ///< those of `words`
-        std::vector<Id<Variable>> variables = {};   ///< per variable of its equations, as the plant and others see it
-        std::vector<Id<Variable>> images = {};      ///< per output: what holds it until it is written; not valid: nothing
-        Id<Procedure> start = {};            ///< not valid: nothing happens before the first cycle
+        std::vector<Timer> timers = {};            ///< those of `words`
+        std::vector<Id<Variable>> variables = {};  ///< per variable of its equations, as the plant and others see it
+        std::vector<Id<Variable>> images = {};  ///< per output: what holds it until it is written; not valid: nothing
+        Id<Procedure> start = {};               ///< not valid: nothing happens before the first cycle
         Id<Procedure> fire = {}, evolve = {}, write = {};
         bool operator==(const Controller&) const = default;
     };

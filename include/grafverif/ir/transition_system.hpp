@@ -90,7 +90,8 @@ struct TransitionSystem {
     using Named = ControllerWords<Symbol>::Named;
     /// Of each condition below: it holds in a state and the choices with which a step leaves it. Not valid: as said.
     struct Controller {
-        ControllerWords<Symbol> words = {};    ///< a transition is cleared by a step that `evolves` leaves a state where it holds
+        ControllerWords<Symbol> words =
+            {};  ///< a transition is cleared by a step that `evolves` leaves a state where it holds
         Id<Expr> starts = {};                  ///< the first evolution; none: it shows in nothing
         Id<Expr> samples = {};                 ///< inputs and timer ends are read; none: where it evolves
         Id<Expr> evolves = {};                 ///< one evolution; none: in every step

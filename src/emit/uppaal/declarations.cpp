@@ -84,10 +84,10 @@ void write_header(std::ostream& out, const Network& network, const Names& names)
     out << "// " << network.name << ": the closed loop of a GRAFCET controller (IEC 60848) and its plant.\n";
     for (const Network::Controller& controller : network.controllers) {
         const Id<Network::Template> automaton = network.processes[controller.process].automaton;
-        out << "// Controller " << controller.words.name << " " << mode_text(controller.words.mode) << ".\n//   process "
-            << names.processes[controller.process.index] << ", between two cycles in "
-            << names.locals[automaton.index].locations[controller.waiting.index] << "; stable situation: "
-            << names.variables[controller.stable.index] << "\n";
+        out << "// Controller " << controller.words.name << " " << mode_text(controller.words.mode)
+            << ".\n//   process " << names.processes[controller.process.index] << ", between two cycles in "
+            << names.locals[automaton.index].locations[controller.waiting.index]
+            << "; stable situation: " << names.variables[controller.stable.index] << "\n";
     }
     out << "// Grain: " << grain_text(network.grain) << ".\n"
         << "// Time unit: " << duration_text(network.time_unit_ms) << ".\n"

@@ -33,7 +33,8 @@ TEST(UppaalProject, IsReadBackAsTheNetworkThatWasEmitted) {
 
 TEST(UppaalProject, IsReadBackWithSeveralControllers) {
     Network network = test::station();
-    network.controllers.add({{.name = "second", .mode = ExecutionMode::EveryCycle}, {4}, {1}, network.controllers[{0}].stable});
+    network.controllers.add(
+        {{.name = "second", .mode = ExecutionMode::EveryCycle}, {4}, {1}, network.controllers[{0}].stable});
     expect_read_back(network);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Slots: what a template of a Network reads and writes, as one process has it. A slot is a parameter bound to a variable
-// or a variable named outright; a parameter bound to a constant is that constant.
+// Slots: what a template of a Network reads and writes, as one process has it. A slot is a parameter bound to a
+// variable or a variable named outright; a parameter bound to a constant is that constant.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "grafverif/ir/network.hpp"
+#include "ir/literal.hpp"
 
-namespace grafverif::schedule {
+namespace grafverif {
 
 struct Slots {
     const Network& network;
@@ -29,8 +30,18 @@ struct Slots {
     std::int64_t constant(const Expr& leaf) const {
         return std::get<std::int64_t>(process.arguments[static_cast<std::size_t>(leaf.value)]);
     }
-    bool is_boolean_constant(const Expr& leaf) const {
-        return automaton.parameters[{static_cast<std::uint32_t>(leaf.value)}].type.boolean;
+    /// The same as a term.
+    Id<Expr> literal_of(const Expr& leaf, Exprs& exprs) const {
+        const Id<Network::Parameter> parameter{static_cast<std::uint32_t>(leaf.value)};
+        return literal(exprs, automaton.parameters[parameter].type, constant(leaf));
+    }
+
+    /// Copies terms of the template into `to`, as the process has them.
+    TermCopier terms(Exprs& to) const {
+        return {network.exprs, to, [this, &to](const Expr& leaf) {
+                    const Id<Network::Variable> of = variable(leaf);
+                    return of.valid() ? to.leaf(Op::Variable, of.index) : literal_of(leaf, to);
+                }};
     }
 
     /// Every assignment of an edge in the order in which they run.
@@ -80,4 +91,4 @@ private:
     }
 };
 
-}  // namespace grafverif::schedule
+}  // namespace grafverif

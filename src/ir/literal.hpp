@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/type.hpp"
+
+namespace grafverif {
+
+/// `value` as a term of `type`.
+inline Id<Expr> literal(Exprs& exprs, Type type, std::int64_t value) {
+    return type.boolean ? exprs.constant(value != 0) : exprs.integer(value);
+}
+
+}  // namespace grafverif
