@@ -21,9 +21,9 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 /// One controller of the run beside its chart.
-class Twin {
+class ControllerReplay {
 public:
-    Twin(const ChartRun& run, const ChartRun::Controller& controller, const Chart& chart)
+    ControllerReplay(const ChartRun& run, const ChartRun::Controller& controller, const Chart& chart)
         : run_(run), controller_(controller), chart_(chart), elements_(timed_elements(chart)), state_(power_on(chart)) {
         inputs_.resize(chart.variables.size());
         timed_.resize(elements_.size());
@@ -208,23 +208,23 @@ private:
     std::string racing_ = {};  ///< the variable
 };
 
-/// Replays the run on `twins`, one per controller, up to the first disagreement or race.
+/// Replays the run on `replays`, one per controller, up to the first disagreement or race.
 std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* const> charts,
-                                   std::vector<Twin>& twins) {
+                                   std::vector<ControllerReplay>& replays) {
     for (const Id<ChartRun::Controller> id : run.controllers.ids())
-        twins.emplace_back(run, run.controllers[id], *charts[id.index]);
+        replays.emplace_back(run, run.controllers[id], *charts[id.index]);
     const ChartRun::State* before = &run.moments.front().after;
     for (const ChartRun::Moment& moment : run.moments) {
         const std::int64_t passed = moment.after.time_ms - before->time_ms;
         if (run.timed && passed > 0)
-            for (Twin& twin : twins) twin.pass(passed);
+            for (ControllerReplay& replay : replays) replay.pass(passed);
         for (const ChartRun::Act& act : moment.acts) {
-            Twin& twin = twins[act.controller.index];
-            if (std::string what = twin.does(act, *before, moment.after); !what.empty())
+            ControllerReplay& replay = replays[act.controller.index];
+            if (std::string what = replay.does(act, *before, moment.after); !what.empty())
                 return Disagreement{moment.move,
-                                    "controller " + twin.name() + ", evolution " + std::to_string(twin.evolutions()),
+                                    "controller " + replay.name() + ", evolution " + std::to_string(replay.evolutions()),
                                     std::move(what)};
-            if (twin.raced()) return {};
+            if (replay.raced()) return {};
         }
         before = &moment.after;
     }
@@ -235,15 +235,15 @@ std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* c
 }  // namespace
 
 std::optional<Disagreement> disagreement(const ChartRun& run, std::span<const Chart* const> charts) {
-    std::vector<Twin> twins;
-    return replay(run, charts, twins);
+    std::vector<ControllerReplay> replays;
+    return replay(run, charts, replays);
 }
 
 std::optional<Clash> clash(const ChartRun& run, std::span<const Chart* const> charts) {
-    std::vector<Twin> twins;
-    if (replay(run, charts, twins)) return {};
-    const auto raced = std::ranges::find_if(twins, &Twin::raced);
-    if (raced == twins.end()) return {};
+    std::vector<ControllerReplay> replays;
+    if (replay(run, charts, replays)) return {};
+    const auto raced = std::ranges::find_if(replays, &ControllerReplay::raced);
+    if (raced == replays.end()) return {};
     return Clash{raced->name(), raced->racing()};
 }
 

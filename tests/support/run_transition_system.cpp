@@ -173,45 +173,45 @@ std::optional<SystemState> taken_step(const System& system, const SystemState& s
 
 namespace {
 
-/// All ways to give values to some symbols, one after the other.
-struct Ways {
+/// All ways of giving values to some symbols, one after the other.
+struct Valuations {
     std::vector<Site> sites = {};
     std::vector<Type> types = {};
 
     std::size_t count() const {
-        std::size_t ways = 1;
+        std::size_t valuations = 1;
         for (const Type& type : types)
-            if (ways < 1'000'000'000) ways *= static_cast<std::size_t>(type.high - type.low + 1);
-        return ways;
+            if (valuations < 1'000'000'000) valuations *= static_cast<std::size_t>(type.high - type.low + 1);
+        return valuations;
     }
-    void put(std::size_t way, SystemState& state) const {
+    void put(std::size_t valuation, SystemState& state) const {
         for (std::size_t k = 0; k < sites.size(); ++k) {
             const auto width = static_cast<std::size_t>(types[k].high - types[k].low + 1);
-            slot(state, sites[k]) = types[k].low + static_cast<std::int64_t>(way % width);
-            way /= width;
+            slot(state, sites[k]) = types[k].low + static_cast<std::int64_t>(valuation % width);
+            valuation /= width;
         }
     }
 };
 
-Ways choices_of(const System& system, std::optional<std::size_t> instance) {
-    Ways ways;
+Valuations choices_of(const System& system, std::optional<std::size_t> instance) {
+    Valuations valuations;
     const System::Module& module = module_at(system, instance);
     for (const Id<System::Symbol> id : module.symbols.ids())
         if (std::holds_alternative<System::ChoiceSymbol>(module.symbols[id].kind)) {
-            ways.sites.push_back({instance, id});
-            ways.types.push_back(module.symbols[id].type);
+            valuations.sites.push_back({instance, id});
+            valuations.types.push_back(module.symbols[id].type);
         }
-    return ways;
+    return valuations;
 }
 
-Ways free_variables(const System& system, bool at_first) {
-    Ways ways;
+Valuations free_variables(const System& system, bool at_first) {
+    Valuations valuations;
     each_state_symbol(system, [&](Site place, const System::Symbol& symbol, const System::StateSymbol& kind) {
         if (at_first ? kind.initial.has_value() : kind.next.has_value()) return;
-        ways.sites.push_back(place);
-        ways.types.push_back(symbol.type);
+        valuations.sites.push_back(place);
+        valuations.types.push_back(symbol.type);
     });
-    return ways;
+    return valuations;
 }
 
 bool offers(const System& system, const SystemState& state, std::optional<std::size_t> instance) {
@@ -225,13 +225,13 @@ bool offers(const System& system, const SystemState& state, std::optional<std::s
 /// would have to be looked at at once.
 std::optional<std::vector<SystemState>> offered_choices(const System& system, const SystemState& state, std::size_t limit) {
     std::vector<SystemState> found;
-    const Ways main = choices_of(system, {});
+    const Valuations main = choices_of(system, {});
     if (main.count() > limit) return {};
-    for (std::size_t way = 0; way < main.count(); ++way) {
+    for (std::size_t valuation = 0; valuation < main.count(); ++valuation) {
         std::vector<SystemState> open{state};
-        main.put(way, open.front());
+        main.put(valuation, open.front());
         for (std::size_t instance = 0; instance < system.instances.size(); ++instance) {
-            const Ways own = choices_of(system, instance);
+            const Valuations own = choices_of(system, instance);
             std::vector<SystemState> further;
             for (const SystemState& so_far : open)
                 for (std::size_t one = 0; one < own.count() && further.size() <= limit; ++one) {
@@ -257,7 +257,7 @@ void make_unique(std::vector<SystemState>& states) {
 }  // namespace
 
 std::optional<std::vector<SystemState>> successors(const System& system, const SystemState& state, std::size_t limit) {
-    const Ways free = free_variables(system, false);
+    const Valuations free = free_variables(system, false);
     const auto choices = offered_choices(system, state, limit);
     if (!choices || free.count() * choices->size() > limit) return {};
     std::vector<SystemState> found;
@@ -269,8 +269,8 @@ std::optional<std::vector<SystemState>> successors(const System& system, const S
             slot(next, place) = evaluator.term(*kind.next, place.instance);
             expect_in_range(symbol, slot(next, place));
         });
-        for (std::size_t way = 0; way < free.count(); ++way) {
-            free.put(way, next);
+        for (std::size_t valuation = 0; valuation < free.count(); ++valuation) {
+            free.put(valuation, next);
             if (is_allowed(system, next)) found.push_back(next);
         }
     }
@@ -279,12 +279,12 @@ std::optional<std::vector<SystemState>> successors(const System& system, const S
 }
 
 std::optional<std::vector<SystemState>> first_states(const System& system, std::size_t limit) {
-    const Ways free = free_variables(system, true);
+    const Valuations free = free_variables(system, true);
     if (free.count() > limit) return {};
     std::vector<SystemState> found;
-    for (std::size_t way = 0; way < free.count(); ++way) {
+    for (std::size_t valuation = 0; valuation < free.count(); ++valuation) {
         SystemState chosen = blank(system);
-        free.put(way, chosen);
+        free.put(valuation, chosen);
         const SystemState state = first_state(system, [&](std::string_view path, Type) {
             return slot(chosen, *site_of(system, path));
         });

@@ -144,7 +144,7 @@ void Questions::answer_liveness(Question& question, Graph& graph, const Limits& 
     }
     const std::optional<bool> holds = unavoidable(graph, *met, roots, limits);
     if (!holds) return unknown(question.verdict, Obstacle::Stopped, "stopped");
-    if (*holds) return holds_if_dense(question, graph, graph.stuck_gap);
+    if (*holds) return holds_if_dense(question, graph, graph.stuck_bound);
     std::erase_if(roots, [&](std::uint32_t root) { return met->has(root); });
     // Where integer time is stuck by a strict bound, dense time may pass a little more.
     const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value());
@@ -157,7 +157,7 @@ void Questions::answer_deadlock(Question& question, Graph& graph, const Limits& 
     const std::optional<std::uint32_t> state = first_deadlock(graph, judged, limits);
     if (state && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     if (state) return violated(question.verdict, graph.run_to(*state));
-    holds_if_dense(question, graph, graph.stuck_gap);
+    holds_if_dense(question, graph, graph.stuck_bound);
 }
 
 void Questions::answer_timelock(Question& question, Graph& graph, const Limits& limits) {
@@ -167,7 +167,7 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
         limits.poll();
         if (graph.passes(state)) passes.add(state);
     }
-    auto locked = out_of_reach(graph, passes, Ways::Edges, limits);
+    auto locked = out_of_reach(graph, passes, Transitions::Actions, limits);
     if (!locked) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     std::erase_if(*locked, [&](std::uint32_t state) { return graph.holds(question.p, state) != End::Yes; });
     if (!locked->empty()) {
@@ -175,14 +175,14 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
         const Lasso lasso = without_time(graph, locked->front());
         return violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
     }
-    holds_if_dense(question, graph, graph.time_gap);
+    holds_if_dense(question, graph, graph.locked_bound);
     if (question.verdict.outcome != Outcome::Holds) return;
     StateSet calm(graph.states());
     for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
         limits.poll();
-        if (graph.way(state) != Way::Urgent) calm.add(state);
+        if (graph.kind(state) != StateKind::Urgent) calm.add(state);
     }
-    const auto restless = out_of_reach(graph, calm, Ways::UrgentEdges, limits);
+    const auto restless = out_of_reach(graph, calm, Transitions::UrgentActions, limits);
     if (!restless) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (!restless->empty())
         unknown(question.verdict, Obstacle::Inexact, "in some state no urgent edges lead to one where time may pass; only edges that wait do");
@@ -192,7 +192,7 @@ void Questions::answer_possible(Question& question, Graph& graph, const Limits& 
     if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
     std::optional<StateSet> goal = states_where(question, graph, question.p, limits);
     if (!goal) return;
-    const auto lost = out_of_reach(graph, *goal, Ways::All, limits);
+    const auto lost = out_of_reach(graph, *goal, Transitions::All, limits);
     if (!lost) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (!lost->empty() && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     if (!lost->empty()) return violated(question.verdict, graph.run_to(lost->front()));
@@ -201,17 +201,17 @@ void Questions::answer_possible(Question& question, Graph& graph, const Limits& 
         unknown(question.verdict, Obstacle::Inexact, "integer time says nothing of the states between two ticks; `--untimed` decides it of a model without time");
 }
 
-void Questions::holds_if_dense(Question& question, Graph& graph, const std::optional<GapAt>& gap) const {
-    if (outcomes_.obstacle != Obstacle::None || !gap) return holds_unless(question, outcomes_.obstacle, outcomes_.reason);
-    unknown(question.verdict, Obstacle::Inexact, "a time-lock may hide between the ticks at " + place_of(graph, *gap));
+void Questions::holds_if_dense(Question& question, Graph& graph, const std::optional<UncoveredAt>& bound) const {
+    if (outcomes_.obstacle != Obstacle::None || !bound) return holds_unless(question, outcomes_.obstacle, outcomes_.reason);
+    unknown(question.verdict, Obstacle::Inexact, "a time-lock may hide between the ticks at " + place_of(graph, *bound));
 }
 
-std::string Questions::place_of(Graph& graph, const GapAt& at) const {
-    const Network::Process& process = network_.processes[{at.gap.process}];
+std::string Questions::place_of(Graph& graph, const UncoveredAt& at) const {
+    const Network::Process& process = network_.processes[{at.bound.process}];
     const Network::Template& automaton = network_.templates[process.automaton];
-    const auto location = machine_.layout().locations[at.gap.process].get(graph.load(at.state));
+    const auto location = machine_.layout().locations[at.bound.process].get(graph.load(at.state));
     const Network::Location& place = automaton.locations[{static_cast<std::uint32_t>(location)}];
-    const Network::ClockConstraint& bound = place.invariant[at.gap.bound];
+    const Network::ClockConstraint& bound = place.invariant[at.bound.bound];
     const std::string clock = automaton.clocks[bound.clock].name;
     return "`" + process.name + "." + place.name + "`: no edge that waits for `" + clock + "` alone can end the stay at `" + clock +
            " == " + std::to_string(admitted(network_, bound).high) + "`";

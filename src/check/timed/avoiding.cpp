@@ -117,7 +117,7 @@ private:
     std::uint32_t next_number_ = 0;
 };
 
-/// The shortest way from `state` back to it inside its component, without its first state, `state` last.
+/// The shortest path from `state` back to it inside its component, without its first state, `state` last.
 std::vector<std::uint32_t> cycle(Graph& graph, const Components& components, std::uint32_t state) {
     std::unordered_map<std::uint32_t, std::uint32_t> from;
     std::vector<std::uint32_t> queue = {state};
@@ -140,7 +140,7 @@ Lasso avoiding(Graph& graph, const StateSet& met, const std::vector<std::uint32_
     const Components components(graph, reached);
     for (std::size_t i = 0; i < reached.order.size(); ++i) {
         const std::uint32_t state = reached.order[i];
-        const bool stuck = !endless && graph.way(state) == Way::Stuck;
+        const bool stuck = !endless && graph.kind(state) == StateKind::Stuck;
         if (!stuck && !components.has_cycle(state)) continue;
         std::vector<std::uint32_t> tail;
         std::uint32_t now = state;

@@ -86,11 +86,11 @@ private:
     /// The number of the state; a new one is watched and gets its parent: all of it, or nothing where memory ends.
     std::uint32_t discover(const Word* words, std::uint64_t hash, std::uint32_t parent) {
         graph_.parent.make_room();
-        graph_.ways.make_room();
+        graph_.kinds.make_room();
         const Store::Interned interned = graph_.store.intern(words, hash);
         if (!interned.fresh) return interned.state;
         graph_.parent.push_back(parent);
-        graph_.ways.push_back(0);
+        graph_.kinds.push_back(0);
         watch_.look(graph_.machine, interned.state, words);
         return interned.state;
     }
@@ -115,7 +115,7 @@ private:
         if (graph_.linked) graph_.links.begin(state);
         if (!races_.empty() && races(graph_.load(state))) {
             if (!graph_.race) graph_.race = state;
-            graph_.set_way(state, Way::Open, state);
+            graph_.set_kind(state, StateKind::Open, state);
             return;
         }
         std::uint32_t onward = 0;   // where an urgent edge leads; a late state, since those lead on
@@ -127,11 +127,11 @@ private:
         graph_.transitions += moves.successors.size();
         note(state, moves);
         const bool acts = !moves.successors.empty();
-        if (moves.urgent) graph_.set_way(state, Way::Urgent, onward);
-        else if (graph_.way(state) == Way::Unknown) pass_time(state);
-        if (acts && graph_.way(state) == Way::Passes) graph_.set_way(state, Way::PassesOrActs, graph_.target(state));
-        if (acts && graph_.way(state) == Way::Stuck) graph_.set_way(state, Way::Acts, state);
-        if (moves.fault) graph_.set_way(state, Way::Open, state);
+        if (moves.urgent) graph_.set_kind(state, StateKind::Urgent, onward);
+        else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
+        if (acts && graph_.kind(state) == StateKind::Passes) graph_.set_kind(state, StateKind::PassesOrActs, graph_.target(state));
+        if (acts && graph_.kind(state) == StateKind::Stuck) graph_.set_kind(state, StateKind::Acts, state);
+        if (moves.fault) graph_.set_kind(state, StateKind::Open, state);
     }
 
     /// See the essay.
@@ -139,13 +139,13 @@ private:
         Machine& machine = graph_.machine;
         time_.resize(machine.layout().words);
         graph_.store.load(state, time_.data());
-        for (std::uint32_t now = state; graph_.way(now) == Way::Unknown;) {
-            if (!machine.delay(time_.data())) { graph_.set_way(now, Way::Stuck, now); return; }
+        for (std::uint32_t now = state; graph_.kind(now) == StateKind::Unknown;) {
+            if (!machine.delay(time_.data())) { graph_.set_kind(now, StateKind::Stuck, now); return; }
             const std::uint32_t next = discover(time_.data(), machine.hash(time_.data()), now);
-            graph_.set_way(now, Way::Passes, next);
+            graph_.set_kind(now, StateKind::Passes, next);
             ++graph_.transitions;
             graph_.time_passes = true;
-            if (graph_.way(next) == Way::Unknown && next >= level_end_) graph_.parent[next] = now;
+            if (graph_.kind(next) == StateKind::Unknown && next >= level_end_) graph_.parent[next] = now;
             now = next;
         }
     }
@@ -159,8 +159,8 @@ private:
     }
 
     void note(std::uint32_t state, const Moves& moves) {
-        if (moves.stuck_gap && !graph_.stuck_gap) graph_.stuck_gap = GapAt{state, *moves.stuck_gap};
-        if (moves.time_gap && !graph_.time_gap) graph_.time_gap = GapAt{state, *moves.time_gap};
+        if (moves.stuck_bound && !graph_.stuck_bound) graph_.stuck_bound = UncoveredAt{state, *moves.stuck_bound};
+        if (moves.locked_bound && !graph_.locked_bound) graph_.locked_bound = UncoveredAt{state, *moves.locked_bound};
         if (!moves.fault) return;
         const Fault& fault = *moves.fault;
         const bool known = std::ranges::any_of(graph_.faults, [&](const FaultAt& other) {

@@ -45,17 +45,17 @@ std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set) {
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Ways ways, const Limits& limits) {
+std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by, const Limits& limits) {
     std::vector<std::uint32_t> open = undecided(graph, goal);
-    const auto urgent_leads = [&](std::uint32_t state) { return graph.way(state) == Way::Urgent && goal.has(graph.target(state)); };
+    const auto urgent_leads = [&](std::uint32_t state) { return graph.kind(state) == StateKind::Urgent && goal.has(graph.target(state)); };
     if (!sweep(open, goal, 0, limits, urgent_leads)) return {};
     std::vector<std::uint32_t> successors;
     const auto leads = [&](std::uint32_t state) {
         bool found = false;
         const auto look = [&](std::uint32_t next) { found = found || goal.has(next); };
-        if (ways == Ways::All) graph.each(state, look);
-        if (ways == Ways::Edges) graph.each_action(state, look);
-        if (ways != Ways::UrgentEdges || graph.way(state) != Way::Urgent) return found;
+        if (by == Transitions::All) graph.each(state, look);
+        if (by == Transitions::Actions) graph.each_action(state, look);
+        if (by != Transitions::UrgentActions || graph.kind(state) != StateKind::Urgent) return found;
         graph.urgent_successors(state, successors);
         std::ranges::for_each(successors, look);
         return found;
@@ -66,7 +66,7 @@ std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& g
 
 std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits) {
     const auto all_lead = [&](std::uint32_t state) {
-        if (graph.way(state) == Way::Stuck) return false;
+        if (graph.kind(state) == StateKind::Stuck) return false;
         bool all = true;
         graph.each(state, [&](std::uint32_t next) { all = all && met.has(next); });
         return all;
@@ -92,7 +92,7 @@ std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<s
             }
             if (met.has(top)) continue;
             if (++steps % 4096 == 0 && limits.stopped()) return {};
-            if (graph.way(top) == Way::Stuck) return false;
+            if (graph.kind(top) == StateKind::Stuck) return false;
             on_path.add(top);
             stack.push_back(top | leaving);
             bool cycle = false;
@@ -109,13 +109,13 @@ std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<s
 std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged, const Limits& limits) {
     StateSet alive(graph.states());
     const auto goes_on = [&](std::uint32_t state) {
-        return !graph.open(state) && !alive.has(state) && graph.way(state) == Way::Passes && graph.target(state) != state;
+        return !graph.open(state) && !alive.has(state) && graph.kind(state) == StateKind::Passes && graph.target(state) != state;
     };
     for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
         limits.poll();
         std::uint32_t end = state;
         while (goes_on(end)) end = graph.target(end);
-        const bool dead = !graph.open(end) && !alive.has(end) && (graph.way(end) == Way::Stuck || graph.way(end) == Way::Passes);
+        const bool dead = !graph.open(end) && !alive.has(end) && (graph.kind(end) == StateKind::Stuck || graph.kind(end) == StateKind::Passes);
         if (dead && judged(state)) return state;
         if (dead) continue;
         for (std::uint32_t now = state; now != end; now = graph.target(now)) alive.add(now);

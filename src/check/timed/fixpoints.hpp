@@ -17,10 +17,10 @@
 
 namespace grafverif::timed {
 
-/// The states looked at from which no state of `goal` can be reached by the moves of `Ways`; `goal` grows to its
+/// The states looked at from which no state of `goal` can be reached by these transitions; `goal` grows to its
 /// complement. Empty optional: stopped.
-enum class Ways { All, Edges, UrgentEdges };
-std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Ways ways, const Limits& limits);
+enum class Transitions { All, Actions, UrgentActions };
+std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by, const Limits& limits);
 
 /// Grows `met` to the states from which every maximal run meets it, as far as needed to decide this for `roots`.
 /// True: it does from all of them. Empty optional: stopped.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Graph: the states that a search has found and the ways between them.
+// Graph: the states that a search has found and the transitions between them.
 //
-// A state's `way` says in one word whether time passes in it and where to. Edges lead to `links`: the numbers of the
+// A state's kind says, in one word with its target, whether time passes in it and where to. Edges lead to `links`: the numbers of the
 // states they lead to, each as its distance from the one before it (the first: from the state itself) in as few groups
 // of seven bits as it takes, since most lead near. Where links take too many bytes per state they are dropped, and
 // computed anew when asked for: a bound on memory against time. Parents give each state its shortest run.
@@ -18,11 +18,11 @@
 namespace grafverif::timed {
 
 /// What a state can do besides its edges.
-enum class Way : std::uint32_t {
+enum class StateKind : std::uint32_t {
     Unknown,        ///< not looked at
     Passes,         ///< time passes, no edge can fire
     PassesOrActs,   ///< time passes, or an edge fires
-    Urgent,         ///< an urgent edge stops time; the way's state is the one it leads to
+    Urgent,         ///< an urgent edge stops time; the target is the state it leads to
     Stuck,          ///< an invariant stops time, no edge can fire
     Acts,           ///< an invariant stops time, an edge can fire
     Open,           ///< the model breaks off here: nothing is concluded from this state
@@ -83,7 +83,7 @@ private:
     std::vector<std::uint64_t> bits_;
 };
 
-struct GapAt { std::uint32_t state = 0; Gap gap = {}; };
+struct UncoveredAt { std::uint32_t state = 0; UncoveredBound bound = {}; };
 struct FaultAt { std::uint32_t state = 0; Fault fault = {}; };
 
 class Graph {
@@ -95,27 +95,27 @@ public:
     Machine& machine;
     Store store;
     Column<std::uint32_t> parent = {};
-    Column<std::uint32_t> ways = {};
+    Column<std::uint32_t> kinds = {};       // with targets
     Links links = {};                        // per state looked at
     bool linked = true;
-    std::uint32_t looked_at = 0;             // the states below have their ways and links
+    std::uint32_t looked_at = 0;             // the states below have their kinds and links
     std::vector<std::uint32_t> levels = {};  // the first state of each depth
     std::uint64_t transitions = 0;
     bool time_passes = false;
-    std::optional<GapAt> stuck_gap = {}, time_gap = {};
+    std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};
     std::vector<FaultAt> faults = {};        // one per edge and variable
     std::optional<std::uint32_t> race = {};  // the first state with a race
 
     std::size_t states() const { return store.size(); }
-    Way way(std::uint32_t state) const { return static_cast<Way>(ways[state] >> kind_shift); }
+    StateKind kind(std::uint32_t state) const { return static_cast<StateKind>(kinds[state] >> kind_shift); }
     /// Where a unit of time leads, or the urgent edge.
-    std::uint32_t target(std::uint32_t state) const { return ways[state] & target_mask; }
-    bool passes(std::uint32_t state) const { return way(state) == Way::Passes || way(state) == Way::PassesOrActs; }
-    bool open(std::uint32_t state) const { return state >= looked_at || way(state) == Way::Open; }
-    void set_way(std::uint32_t state, Way way, std::uint32_t target) {
-        ways[state] = (static_cast<std::uint32_t>(way) << kind_shift) | (target & target_mask);
+    std::uint32_t target(std::uint32_t state) const { return kinds[state] & target_mask; }
+    bool passes(std::uint32_t state) const { return kind(state) == StateKind::Passes || kind(state) == StateKind::PassesOrActs; }
+    bool open(std::uint32_t state) const { return state >= looked_at || kind(state) == StateKind::Open; }
+    void set_kind(std::uint32_t state, StateKind kind, std::uint32_t target) {
+        kinds[state] = (static_cast<std::uint32_t>(kind) << kind_shift) | (target & target_mask);
     }
-    std::size_t bytes() const { return store.bytes() + parent.bytes() + ways.bytes() + links.bytes(); }
+    std::size_t bytes() const { return store.bytes() + parent.bytes() + kinds.bytes() + links.bytes(); }
 
     /// Calls `visit(state)` for each state an edge of `state` leads to.
     template <class Visit>

@@ -11,8 +11,8 @@ void Machine::expand(const Word* words, Moves& moves) {
     moves.successors.clear();
     moves.urgent = false;
     moves.fault.reset();
-    moves.stuck_gap.reset();
-    moves.time_gap.reset();
+    moves.stuck_bound.reset();
+    moves.locked_bound.reset();
     bool always = false;
     for (std::uint32_t process = 0; process < places_.size(); ++process) {
         const Place& place = places_[process];
@@ -31,13 +31,13 @@ void Machine::expand(const Word* words, Moves& moves) {
             if (guard == End::Yes) fire(edge, words, moves);
             else if (!moves.fault) moves.fault = Fault{End::NoValue, edge, 0};
         }
-        if (const Word open = row.bounds & ~covered; open != 0 && !moves.stuck_gap)
-            moves.stuck_gap = Gap{process, static_cast<std::uint32_t>(std::countr_zero(open))};
-        if (const Word open = row.bounds & ~(freed & row.late); open != 0 && !moves.time_gap)
-            moves.time_gap = Gap{process, static_cast<std::uint32_t>(std::countr_zero(open))};
+        if (const Word open = row.bounds & ~covered; open != 0 && !moves.stuck_bound)
+            moves.stuck_bound = UncoveredBound{process, static_cast<std::uint32_t>(std::countr_zero(open))};
+        if (const Word open = row.bounds & ~(freed & row.late); open != 0 && !moves.locked_bound)
+            moves.locked_bound = UncoveredBound{process, static_cast<std::uint32_t>(std::countr_zero(open))};
     }
-    if (always || moves.urgent) moves.stuck_gap.reset();
-    if (moves.urgent) moves.time_gap.reset();
+    if (always || moves.urgent) moves.stuck_bound.reset();
+    if (moves.urgent) moves.locked_bound.reset();
 }
 
 void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) {

@@ -19,7 +19,7 @@
 
 namespace grafverif::timed {
 
-/// One way on from a state.
+/// A state that an edge leads to.
 struct Successor {
     std::uint64_t hash = 0;
     std::uint32_t edge = 0;   ///< in Machine::edges
@@ -33,7 +33,7 @@ struct Fault {
 };
 
 /// A bound in force that no edge covers.
-struct Gap {
+struct UncoveredBound {
     std::uint32_t process = 0;
     std::uint32_t bound = 0;   ///< in the invariant of its location
 };
@@ -44,8 +44,8 @@ struct Moves {
     std::vector<Word> words = {};             ///< the states, Machine::layout.words apart
     bool urgent = false;                      ///< some urgent edge can fire: time stands
     std::optional<Fault> fault = {};
-    std::optional<Gap> stuck_gap = {};        ///< a run may end here between the ticks
-    std::optional<Gap> time_gap = {};         ///< time may be locked here between the ticks
+    std::optional<UncoveredBound> stuck_bound = {};        ///< a run may end here between the ticks
+    std::optional<UncoveredBound> locked_bound = {};         ///< time may be locked here between the ticks
 };
 
 class Machine {
@@ -79,7 +79,7 @@ private:
         std::uint32_t clocks = Program::yes;
         std::uint32_t effect = Program::yes;
         std::uint32_t process = 0, index = 0;
-        Word covers = 0, frees = 0;         // bounds of the source's invariant: see Gap
+        Word covers = 0, frees = 0;         // bounds of the source's invariant: see UncoveredBound
         std::uint16_t word = 0;
         bool urgent = false;
         bool always = false;                // no clock has a say: it covers every bound of every process

@@ -142,7 +142,7 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
     return next;
 }
 
-/// Which bounds of the source this edge covers (see Gap): it can fire at `c == d`, c being the only clock that has a say
+/// Which bounds of the source this edge covers (see UncoveredBound): it can fire at `c == d`, c being the only clock that has a say
 /// in its constraint and in the target's invariant after the resets. A bound of the target that the source implies has
 /// no say. It frees the bound when c is reset or bounded nowhere before its next reset.
 void Machine::judge_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const {

@@ -50,10 +50,10 @@ private:
     void answer_timelock(Question& question, Graph& graph, const Limits& limits);
     void answer_possible(Question& question, Graph& graph, const Limits& limits);
     void holds_unless(Question& question, Obstacle obstacle, const std::string& reason) const;
-    void holds_if_dense(Question& question, Graph& graph, const std::optional<GapAt>& gap) const;
+    void holds_if_dense(Question& question, Graph& graph, const std::optional<UncoveredAt>& bound) const;
     void mark_vacuous(Question& question, const Graph& graph) const;
     std::optional<StateSet> states_where(Question& question, Graph& graph, std::uint32_t predicate, const Limits& limits) const;
-    std::string place_of(Graph& graph, const GapAt& gap) const;
+    std::string place_of(Graph& graph, const UncoveredAt& at) const;
     std::string inexact_reason() const;
 
     const Network& network_;
