@@ -27,7 +27,7 @@ BddTerm constant_term(Type type, std::int64_t value) {
 
 /// Where `term` has another value than `value`.
 Bdd unequal(const BddTerm& term, std::int64_t value) {
-    return ~equal(term, term.boolean ? bdd_boolean(Bdd::constant(value != 0)) : bdd_integer(value)) & ~term.undefined;
+    return ~equals(term, value) & ~term.undefined;
 }
 
 /// `term`, and `most` where it is more.
@@ -51,6 +51,7 @@ Machine::Machine(const Equations& equations, const AnalyseOptions& options, cons
     add_firings();
     add_steps();
     add_stored();
+    add_unwritten();
     add_remembered();
     add_timers();
     add_stability();
@@ -205,46 +206,54 @@ void Machine::add_steps() {
     }
 }
 
-/// Where two orders cannot be obeyed together the evolution means nothing, so nothing else is said of it.
 void Machine::add_stored() {
     Bdd obeyed = Bdd::constant(true);
     for (const Bdd& conflict : conflicts_) obeyed &= ~conflict;
     for (const Equations::Stored& stored : equations_.stored) {
         if (!covers(stored.variable)) continue;
-        const Type type = equations_.variables[stored.variable].type;
-        const std::optional<Counter>& counter = counters_[stored.variable.index];
-        const BddTerm &next = (*terms_)(stored.next), &race = (*terms_)(stored.race);
-        const BddTerm &first = (*first_terms_)(stored.first), &first_race = (*first_terms_)(stored.first_race);
-        Break found{stored.variable};
-        found.race = race.bits.front() & ~race.undefined & obeyed;
-        found.first_race = first_race.bits.front() & ~first_race.undefined;
-        found.no_value = race.undefined;
-        found.first_no_value = first.undefined | first_race.undefined;
-        for (const Equations::Write& write : stored.writes) {
-            if (is_constant(equations_.exprs[write.value].op) && type.boolean) continue;
-            if (write.initial) {
-                const BddTerm& value = (*first_terms_)(write.value);
-                found.first_no_value |= value.undefined;
-                found.first_out_of_range |= outside(value, type);
-            }
-            const BddTerm& value = (*terms_)(write.value);
-            const Bdd trigger = holds(write.trigger);
-            found.no_value |= trigger & value.undefined;
-            found.out_of_range |= trigger & outside(value, type) & obeyed;
-            if (counter) found.beyond |= trigger & outside(value, counter->type) & ~outside(value, type) & obeyed;
-        }
-        if (counter) found.safe = counter->safe;
-        add_break(std::move(found));
+        add_break(break_of(stored, obeyed));
         if (!matters_[stored.variable.index]) continue;
-        keep({stored.variable, counter ? at_most(next, counter->type.high) : next, first});
+        const std::optional<Counter>& counter = counters_[stored.variable.index];
+        const BddTerm& next = (*terms_)(stored.next);
+        keep({stored.variable, counter ? at_most(next, counter->type.high) : next, (*first_terms_)(stored.first)});
     }
+}
+
+/// Where two orders cannot be obeyed together (not `obeyed`) the evolution means nothing, so nothing else is said of it.
+Machine::Break Machine::break_of(const Equations::Stored& stored, const Bdd& obeyed) {
+    const Type type = equations_.variables[stored.variable].type;
+    const std::optional<Counter>& counter = counters_[stored.variable.index];
+    const BddTerm &race = (*terms_)(stored.race), &first_race = (*first_terms_)(stored.first_race);
+    Break found{stored.variable};
+    found.race = race.bits.front() & ~race.undefined & obeyed;
+    found.first_race = first_race.bits.front() & ~first_race.undefined;
+    found.no_value = race.undefined;
+    found.first_no_value = (*first_terms_)(stored.first).undefined | first_race.undefined;
+    for (const Equations::Write& write : stored.writes) {
+        if (is_constant(equations_.exprs[write.value].op) && type.boolean) continue;
+        if (write.initial) {
+            const BddTerm& value = (*first_terms_)(write.value);
+            found.first_no_value |= value.undefined;
+            found.first_out_of_range |= outside(value, type);
+        }
+        const BddTerm& value = (*terms_)(write.value);
+        const Bdd trigger = holds(write.trigger), beyond = outside(value, type);
+        found.no_value |= trigger & value.undefined;
+        found.out_of_range |= trigger & beyond & obeyed;
+        if (counter) found.beyond |= trigger & outside(value, counter->type) & ~beyond & obeyed;
+    }
+    if (counter) found.safe = counter->safe;
+    return found;
+}
+
+/// What nobody writes stays as it is.
+void Machine::add_unwritten() {
     for (const Id<Variable> id : equations_.variables.ids()) {
         const Variable& variable = equations_.variables[id];
-        const bool unwritten =
-            matters_[id.index] && (variable.role == Role::Internal || variable.role == Role::Output) &&
-            std::ranges::find(equations_.stored, id, &Equations::Stored::variable) == equations_.stored.end();
-        if (unwritten)
-            keep({id, constant_term(variable.type, variable.initial), constant_term(variable.type, variable.initial)});
+        if (!matters_[id.index] || (variable.role != Role::Internal && variable.role != Role::Output)) continue;
+        if (std::ranges::find(equations_.stored, id, &Equations::Stored::variable) != equations_.stored.end()) continue;
+        const BddTerm initial = constant_term(variable.type, variable.initial);
+        keep({id, initial, initial});
     }
 }
 

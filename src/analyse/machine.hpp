@@ -122,10 +122,11 @@ private:
     void add_firings();
     void add_steps();
     void add_stored();
+    void add_unwritten();
     void add_remembered();
     void add_timers();
     void add_break(Break found);
-    void add_overflow(const Equations::Write& write, Break& found);
+    Break break_of(const Equations::Stored& stored, const Bdd& obeyed);
     void add_stability();
     void keep(Next next);
     void relate();

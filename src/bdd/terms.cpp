@@ -60,6 +60,20 @@ Bdd equal(const BddTerm& left, const BddTerm& right) {
     return bdd::equal(left.bits, right.bits) & ~(left.undefined | right.undefined);
 }
 
+Bdd equals(const BddTerm& term, std::int64_t value) {
+    return equal(term, term.boolean ? bdd_boolean(Bdd::constant(value != 0)) : bdd_integer(value));
+}
+
+std::int64_t value_of(const BddTerm& term, const std::vector<bool>& assignment) {
+    std::int64_t value = 0;
+    for (std::size_t bit = term.bits.size(); bit-- > 0;) {
+        const bool sign = !term.boolean && bit + 1 == term.bits.size();
+        const bool on = evaluate(term.bits[bit], assignment);
+        value = 2 * value + (on ? (sign ? -1 : 1) : 0);
+    }
+    return value;
+}
+
 Bdd within(const BddTerm& term, std::int64_t low, std::int64_t high) {
     if (term.boolean) return ~term.undefined;
     const Bdd outside = bdd::less(term.bits, bdd::constant(low)) | bdd::less(bdd::constant(high), term.bits);

@@ -57,6 +57,10 @@ std::vector<Bdd> word_bits(const BddTerm& term, Type type);
 
 /// Where two terms of one kind have the same value, both being defined.
 Bdd equal(const BddTerm& left, const BddTerm& right);
+/// Where the term has that value; of a Boolean one: 0 or 1.
+Bdd equals(const BddTerm& term, std::int64_t value);
+/// The value of a term under an assignment to all variables that it depends on, where it has one.
+std::int64_t value_of(const BddTerm& term, const std::vector<bool>& assignment);
 /// Where the integer has a value in [low, high]; of a Boolean: where it is defined.
 Bdd within(const BddTerm& term, std::int64_t low, std::int64_t high);
 /// `condition` is Boolean, the others are of one kind.

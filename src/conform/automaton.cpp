@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The search for locations: each state found is looked at once, its evolutions are followed as the mode says.
+// A location is a state in which the controller waits for its next scan, with no timer marked fresh or falling: nothing
+// has happened yet in the instant that begins. Each location found is looked at once, in the order of discovery.
+//
+// In every_cycle mode a move is an evolution of the automaton, but for the one that changes nothing.
+//
+// With stability search the inputs of a move that is not stable are followed, held, through the states they cross, at
+// each of which they split by its moves. Moves of a state are disjoint and cover all inputs, so each input has one path,
+// and a set along a path only shrinks. A path ends where a move is stable, in an arrival, or where it comes to one of its
+// own states again: under held inputs a state decides the next one, so that is a loop for ever, total instability. States
+// are finite, hence one of both happens to every input.
+//
+// Marks of timers live on along a path, for it takes no time, and are written on the evolution that it becomes.
 #include "conform/automaton.hpp"
 
 #include <algorithm>
-#include <map>
-#include <unordered_map>
 
 #include "conform/moves.hpp"
-#include "conform/words.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif {
@@ -19,9 +27,11 @@ using Automaton = LocationAutomaton;
 using Location = Automaton::Location;
 using Role = Equations::Role;
 
+// -- paths under held inputs ------------------------------------------------------------------------------------------
+
 /// Where a set of inputs ends up.
 struct Arrival {
-    StateId state = 0;       ///< timers that were started on the way are fresh
+    StateId state = 0;       ///< timers that were started on the path are fresh
     Bdd set = {};
 };
 struct Loop {
@@ -29,71 +39,118 @@ struct Loop {
     Bdd set = {};
 };
 struct Followed {
-    std::vector<Arrival> arrivals = {};
+    std::vector<Arrival> arrivals = {};   ///< different states
     std::vector<Loop> loops = {};
+
+    void arrive(StateId state, const Bdd& set) {
+        const auto same = std::ranges::find(arrivals, state, &Arrival::state);
+        if (same == arrivals.end()) arrivals.push_back({state, set});
+        else same->set |= set;
+    }
 };
+
+/// Where `moves`, made from `origin` if it is one, lead. A stable move back to it is no arrival.
+Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId origin = no_state) {
+    struct Leg {
+        StateId state = 0;
+        Bdd set = {};
+        std::size_t depth = 0;   ///< the states of the path before it
+    };
+    Followed result;
+    std::vector<StateId> path;
+    if (origin != no_state) path.push_back(origin);
+    std::vector<Leg> open;
+    for (std::size_t k = first.size(); k-- > 0;)
+        if (!first[k].stable) open.push_back({first[k].next, first[k].set, path.size()});
+    for (const StateMove& move : first)
+        if (move.stable && move.next != origin) result.arrive(move.next, move.set);
+    while (!open.empty()) {
+        Leg leg = std::move(open.back());
+        open.pop_back();
+        path.resize(leg.depth);
+        if (const auto again = std::ranges::find(path, leg.state); again != path.end()) {
+            result.loops.push_back({{again, path.end()}, std::move(leg.set)});
+            continue;
+        }
+        path.push_back(leg.state);
+        for (const StateMove& move : moves.of(leg.state)) {
+            const Bdd both = leg.set & move.set;
+            if (both.is_false()) continue;
+            if (move.stable) result.arrive(move.next, both);
+            else open.push_back({move.next, both, path.size()});
+            if (both == leg.set) break;
+        }
+    }
+    return result;
+}
+
+/// Loops through the same states are one; each begins at its least state.
+std::vector<Loop> merged(std::vector<Loop> loops) {
+    for (Loop& loop : loops) std::ranges::rotate(loop.states, std::ranges::min_element(loop.states));
+    std::ranges::stable_sort(loops, {}, &Loop::states);
+    std::vector<Loop> result;
+    for (Loop& loop : loops)
+        if (result.empty() || result.back().states != loop.states) result.push_back(std::move(loop));
+        else result.back().set |= loop.set;
+    return result;
+}
+
+// -- the search --------------------------------------------------------------------------------------------------------
 
 class Search {
 public:
-    Search(const Equations& equations, const AutomatonOptions& options, const std::vector<std::optional<std::size_t>>& inputs,
-           const InputSpace& space, Automaton& automaton, Diagnostics& diagnostics)
+    Search(const Equations& equations, const AutomatonOptions& options, const InputOf& inputs, const InputSpace& space,
+           Automaton& automaton, Diagnostics& diagnostics)
         : equations_(equations), options_(options), space_(space), automaton_(automaton), diagnostics_(diagnostics),
-          moves_(equations, inputs, space, diagnostics), conditions_(space, automaton.exprs), kept_(kept(equations)) {}
+          moves_(equations, inputs, space), conditions_(space, automaton.exprs), kept_(kept(equations)) {
+        std::uint32_t outputs = 0;
+        for (const Equations::Variable& variable : equations.variables)
+            outputs_.push_back(variable.role == Role::Output ? Id<Automaton::Output>{outputs++} : Id<Automaton::Output>{});
+    }
 
-    /// False after an error.
-    bool run() {
+    /// Fills the automaton, whose variables are declared. What has no result is thrown, or said in `diagnostics`.
+    void run() {
         automaton_.complete = false;
-        if (!start()) return false;
+        start();
         for (std::size_t next = 1; next < states_.size(); ++next) {
             automaton_.looked_at = next;
-            if (moves_.failed() || !in_bounds(next)) return false;
-            const Id<Location> from{static_cast<std::uint32_t>(next)};
-            if (options_.mode == ExecutionMode::EveryCycle) step_from(from);
-            else search_from(from);
+            if (!in_bounds(next)) return;
+            look_at({static_cast<std::uint32_t>(next)});
         }
         automaton_.looked_at = automaton_.locations.size();
         automaton_.complete = true;
-        return !moves_.failed();
     }
 
 private:
-    bool start() {
+    void start() {
         Location init;
         for (std::uint32_t step = 0; step < equations_.steps.size(); ++step)
             if (equations_.variables[equations_.steps[step].variable].initial != 0) init.situation.push_back({step});
         for (const Automaton::Stored& stored : automaton_.stored) init.values.push_back(stored.initial);
         init.emissions = stored_emissions(init.values);
-        automaton_.init = automaton_.locations.add(std::move(init));
+        automaton_.init = automaton_.locations.add(init);
         states_.push_back(no_state);
         const std::vector<StateMove> first = moves_.first();
-        if (moves_.failed()) return false;
         if (options_.mode == ExecutionMode::EveryCycle) {
             for (const StateMove& move : first) add_evolution(automaton_.init, {move.next, move.set});
-            return true;
+            return;
         }
-        Followed all;
-        for (const StateMove& move : first) follow(move.next, move.set, all);
-        if (moves_.failed()) return false;
-        if (all.arrivals.empty()) return never_stabilises(all.loops.front());
-        const bool unchanged = first.size() == 1 && moves_.fresh(first.front().next).empty() &&
-                               nothing_happened(moves_.settled(first.front().next));
+        const Followed all = followed(moves_, first);
+        if (all.arrivals.empty()) {
+            const Loop& loop = all.loops.front();
+            throw NoResult{messages::initial_never_stable(equations_.origin, inputs_text(loop.set), loop_text(loop))};
+        }
+        const StateId only = first.size() == 1 && moves_.fresh(first.front().next).empty() ? first.front().next : no_state;
+        const bool unchanged = only != no_state && nothing_happened(init, described(moves_.settled(only)));
         for (const Arrival& arrival : all.arrivals)
-            if (!unchanged || arrival.state != first.front().next) add_evolution(automaton_.init, arrival);
-            else location(moves_.settled(arrival.state));
+            if (!unchanged || arrival.state != only) add_evolution(automaton_.init, arrival);
+            else location(moves_.settled(only));
         add_instabilities(automaton_.init, all.loops);
-        return !moves_.failed();
     }
 
-    /// Whether the first evolution changed no variable, and `state` emits what power-on did.
-    bool nothing_happened(StateId state) {
-        const Location reached = described(state);
-        const Location& init = automaton_.locations[automaton_.init];
+    /// Whether the first evolution, which leads to `reached`, changed no variable and emits what power-on did.
+    static bool nothing_happened(const Location& init, const Location& reached) {
         return reached.values == init.values && reached.emissions == init.emissions;
-    }
-
-    bool never_stabilises(const Loop& loop) {
-        diagnostics_.add(messages::initial_never_stable(equations_.origin, inputs_words(loop.set), loop_words(loop)));
-        return false;
     }
 
     bool in_bounds(std::size_t next) {
@@ -103,66 +160,23 @@ private:
             return false;
         }
         if (next % 4096 == 0) {
-            const bool late = options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline;
-            if (late || (options_.stop != nullptr && options_.stop->load())) throw BddExhausted(BddExhausted::Cause::Stopped);
+            stop_if_asked(options_);
             if (options_.progress) options_.progress({automaton_.locations.size(), next, automaton_.evolutions.size()});
         }
         return true;
     }
 
-    void step_from(Id<Location> from) {
-        for (const StateMove& move : moves_.of(states_[from.index]))
-            if (!move.stable || move.next != states_[from.index]) add_evolution(from, {move.next, move.set});
-    }
-
-    void search_from(Id<Location> from) {
-        Followed all;
-        const std::vector<StateMove>& moves = moves_.of(states_[from.index]);
-        for (const StateMove& move : moves) {
-            if (!move.stable) follow(move.next, move.set, all, states_[from.index]);
-            else if (move.next != states_[from.index]) arrive(move.next, move.set, all);
+    void look_at(Id<Location> from) {
+        const StateId state = states_[from.index];
+        const std::vector<StateMove>& moves = moves_.of(state);
+        if (options_.mode == ExecutionMode::EveryCycle) {
+            for (const StateMove& move : moves)
+                if (!move.stable || move.next != state) add_evolution(from, {move.next, move.set});
+            return;
         }
+        const Followed all = followed(moves_, moves, state);
         for (const Arrival& arrival : all.arrivals) add_evolution(from, arrival);
         add_instabilities(from, all.loops);
-    }
-
-    struct Leg {
-        StateId state = 0;
-        Bdd set = {};
-        std::size_t depth = 0;   ///< the states of the path before it
-    };
-
-    /// Follows `set` from `state`, the inputs held, until it is stable or on a loop.
-    void follow(StateId state, const Bdd& set, Followed& result, StateId origin = no_state) {
-        if (const std::vector<StateMove>& moves = moves_.of(state); !moves.empty() && moves.front().stable)
-            if (Bdd both = set & moves.front().set; both == set) return arrive(moves.front().next, std::move(both), result);   // as most do
-        std::vector<Leg> open{{state, set, 0}};
-        std::vector<StateId> path;
-        if (origin != no_state) path.push_back(origin), open.back().depth = 1;
-        while (!open.empty() && !moves_.failed()) {
-            Leg leg = std::move(open.back());
-            open.pop_back();
-            path.resize(leg.depth);
-            if (const auto again = std::ranges::find(path, leg.state); again != path.end()) {
-                result.loops.push_back({{again, path.end()}, std::move(leg.set)});
-                continue;
-            }
-            path.push_back(leg.state);
-            for (const StateMove& move : moves_.of(leg.state)) {
-                Bdd both = leg.set & move.set;
-                if (both.is_false()) continue;
-                const bool all = both == leg.set;
-                if (move.stable) arrive(move.next, std::move(both), result);
-                else open.push_back({move.next, std::move(both), path.size()});
-                if (all) break;
-            }
-        }
-    }
-
-    static void arrive(StateId state, Bdd set, Followed& result) {
-        const auto same = std::ranges::find(result.arrivals, state, &Arrival::state);
-        if (same == result.arrivals.end()) result.arrivals.push_back({state, std::move(set)});
-        else same->set |= set;
     }
 
     void add_evolution(Id<Location> from, const Arrival& arrival) {
@@ -172,20 +186,16 @@ private:
         automaton_.evolutions.push_back(std::move(evolution));
     }
 
+    /// The ends of timers are the last inputs.
     Id<Automaton::Input> timer_input(std::size_t timer) const {
         return {static_cast<std::uint32_t>(automaton_.inputs.size() - equations_.timers.size() + timer)};
     }
 
-    void add_instabilities(Id<Location> from, std::vector<Loop>& loops) {
-        for (Loop& loop : loops)
-            std::ranges::rotate(loop.states, std::ranges::min_element(loop.states));
-        std::ranges::stable_sort(loops, {}, &Loop::states);
-        for (std::size_t first = 0, last = 0; first < loops.size(); first = last) {
-            Bdd set = loops[first].set;
-            for (last = first + 1; last < loops.size() && loops[last].states == loops[first].states; ++last) set |= loops[last].set;
-            Automaton::Instability instability{from, conditions_.term(set), small_count(set & space_.assumed(), space_.bits()),
-                                               space_.witness(set & space_.assumed()), {}};
-            for (const StateId state : loops[first].states) instability.cycle.push_back(situation(state));
+    void add_instabilities(Id<Location> from, const std::vector<Loop>& loops) {
+        for (const Loop& loop : merged(loops)) {
+            const Bdd set = loop.set & space_.assumed();
+            Automaton::Instability instability{from, conditions_.term(loop.set), small_count(set, space_.bits()), space_.witness(set), {}};
+            for (const StateId state : loop.states) instability.cycle.push_back(situation(moves_.values(state)));
             automaton_.instabilities.push_back(std::move(instability));
         }
     }
@@ -199,8 +209,9 @@ private:
         return known;
     }
 
-    std::vector<Id<Automaton::Step>> situation(StateId state) {
-        const std::vector<std::int64_t>& values = moves_.load(state);
+    // -- what is said of a state ---------------------------------------------------------------------------------------
+
+    std::vector<Id<Automaton::Step>> situation(const Values& values) const {
         std::vector<Id<Automaton::Step>> active;
         for (std::uint32_t step = 0; step < equations_.steps.size(); ++step)
             if (values[equations_.steps[step].variable.index] != 0) active.push_back({step});
@@ -208,20 +219,18 @@ private:
     }
 
     Location described(StateId state) {
-        Location result{situation(state), {}, {}};
-        const std::vector<std::int64_t>& values = moves_.load(state);
+        const Values values = moves_.values(state);
+        Location result{situation(values), {}, {}};
         for (const Kept& each : kept_)
             if (equations_.variables[each.variable].role != Role::Step) result.values.push_back(values[each.variable.index]);
         result.emissions = stored_emissions(result.values);
         for (const Equations::Output& output : equations_.outputs) {
-            Bdd undefined;
-            const Bdd value = moves_.terms().condition(output.value, undefined);
-            if (!(undefined & space_.assumed()).is_false()) {
+            const LocationCondition value = moves_.condition(output.value, values);
+            if (!(value.undefined & space_.assumed()).is_false())
                 diagnostics_.add(messages::no_value_in_location(
-                    output.origin, situation_text(automaton_, result.situation) + " with " + inputs_words(undefined)));
-                unsound_ = true;
-            }
-            if (!(value & space_.assumed()).is_false()) result.emissions.push_back({output_of(output.variable), conditions_.term(value)});
+                    output.origin, situation_text(automaton_, result.situation) + " with " + inputs_text(value.undefined)));
+            if (!(value.holds & space_.assumed()).is_false())
+                result.emissions.push_back({output_of(output.variable), conditions_.term(value.holds)});
         }
         std::ranges::sort(result.emissions, {}, &Automaton::Emission::output);
         return result;
@@ -240,30 +249,17 @@ private:
         return result;
     }
 
-    Id<Automaton::Output> output_of(Id<Equations::Variable> variable) {
-        if (outputs_.empty())
-            for (const Id<Equations::Variable> id : equations_.variables.ids())
-                if (equations_.variables[id].role == Role::Output)
-                    outputs_.emplace(id, Id<Automaton::Output>{static_cast<std::uint32_t>(outputs_.size())});
-        return outputs_.at(variable);
-    }
+    /// Outputs of the automaton are those of the equations, in order.
+    Id<Automaton::Output> output_of(Id<Equations::Variable> variable) const { return outputs_[variable.index]; }
 
-    std::string inputs_words(const Bdd& set) const {
-        std::vector<std::pair<std::string, Type>> names;
-        for (const Automaton::Input& input : automaton_.inputs) names.emplace_back(input.name, input.type);
-        return inputs_text(names, space_.witness(set & space_.assumed()));
-    }
+    std::string inputs_text(const Bdd& set) const { return space_.witness_text(set & space_.assumed()); }
 
-    std::string loop_words(const Loop& loop) {
+    std::string loop_text(const Loop& loop) const {
         std::string text;
-        for (const StateId state : loop.states) text += situation_text(automaton_, situation(state)) + " -> ";
-        return text + situation_text(automaton_, situation(loop.states.front()));
+        for (const StateId state : loop.states) text += situation_text(automaton_, situation(moves_.values(state))) + " -> ";
+        return text + situation_text(automaton_, situation(moves_.values(loop.states.front())));
     }
 
-public:
-    bool unsound() const { return unsound_; }
-
-private:
     const Equations& equations_;
     const AutomatonOptions& options_;
     const InputSpace& space_;
@@ -272,15 +268,16 @@ private:
     Moves moves_;
     Conditions conditions_;
     std::vector<Kept> kept_;
+    std::vector<Id<Automaton::Output>> outputs_ = {};   ///< per variable
     std::vector<StateId> states_ = {};                ///< per location; INIT has none
     std::vector<Id<Location>> location_of_ = {};      ///< per state
-    std::map<Id<Equations::Variable>, Id<Automaton::Output>> outputs_ = {};
-    bool unsound_ = false;
 };
 
+// -- declarations ------------------------------------------------------------------------------------------------------
+
 /// Inputs of the chart, then the ends of its timers; per variable of the equations which input it is.
-std::vector<std::optional<std::size_t>> declare_inputs(const Equations& equations, Automaton& automaton) {
-    std::vector<std::optional<std::size_t>> inputs(equations.variables.size());
+InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
+    InputOf inputs(equations.variables.size());
     for (const Id<Equations::Variable> id : equations.variables.ids()) {
         const Equations::Variable& variable = equations.variables[id];
         if (variable.role == Role::Input)
@@ -299,7 +296,7 @@ std::vector<std::optional<std::size_t>> declare_inputs(const Equations& equation
 }
 
 /// Excludes what timers of one level cannot do: of those that rise later and fall earlier none holds alone.
-void order_timers(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs, InputSpace& space) {
+void order_timers(const Equations& equations, const InputOf& inputs, InputSpace& space) {
     const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
     for (const Equations::Timer& one : equations.timers)
         for (const Equations::Timer& other : equations.timers)
@@ -322,7 +319,7 @@ bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diag
 }
 
 /// Restricts the inputs to what the constraints allow; false after an error.
-bool assume(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs, InputSpace& space,
+bool assume(const Equations& equations, const InputOf& inputs, InputSpace& space,
             Diagnostics& diagnostics) {
     BddTerms terms(equations.exprs, [&](const Expr& leaf) { return space.term(inputs[static_cast<std::size_t>(leaf.value)].value()); });
     for (const Equations::Assumption& assumption : equations.assumptions) {
@@ -335,7 +332,7 @@ bool assume(const Equations& equations, const std::vector<std::optional<std::siz
     return true;
 }
 
-Id<Expr> assumed_term(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs, Exprs& exprs) {
+Id<Expr> assumed_term(const Equations& equations, const InputOf& inputs, Exprs& exprs) {
     std::vector<Id<Expr>> terms;
     for (const Equations::Assumption& assumption : equations.assumptions)
         terms.push_back(translate(equations.exprs, assumption.condition, exprs, [&](const Expr& leaf) {
@@ -352,22 +349,22 @@ std::optional<LocationAutomaton> location_automaton(const Equations& equations, 
     automaton.name = equations.name;
     automaton.mode = options.mode;
     automaton.origin = equations.origin;
-    const std::vector<std::optional<std::size_t>> inputs = declare_inputs(equations, automaton);
+    const InputOf inputs = declare_inputs(equations, automaton);
     if (!declare(equations, automaton, diagnostics)) return {};
-    std::vector<Type> types;
-    for (const Automaton::Input& input : automaton.inputs) types.push_back(input.type);
+    const std::size_t errors = diagnostics.errors();
     try {
-        InputSpace space(types, {options.max_memory, options.deadline, options.stop});
+        InputSpace space(named(automaton.inputs), {options.max_memory, options.deadline, options.stop});
         if (!assume(equations, inputs, space, diagnostics)) return {};
         order_timers(equations, inputs, space);
         automaton.assumed = assumed_term(equations, inputs, automaton.exprs);
-        Search search(equations, options, inputs, space, automaton, diagnostics);
-        if (!search.run() || search.unsound()) return {};
+        Search(equations, options, inputs, space, automaton, diagnostics).run();
+    } catch (const NoResult& none) {
+        diagnostics.add(none.why);
     } catch (const BddExhausted& failure) {
         if (options.partial && !automaton.locations.empty()) return automaton;
         diagnostics.add(limit_reached(failure, equations.origin, options.stop));
-        return {};
     }
+    if (diagnostics.errors() != errors) return {};
     return automaton;
 }
 

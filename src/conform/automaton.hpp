@@ -6,7 +6,7 @@
 // the satisfiable cells that these functions cut the inputs into, and no input is ever looked at by itself.
 //
 // With stability search JESA13's Algorithm 6 is replaced by one that ends: from a stable location each cell is followed
-// through the situations it crosses, shrinking to the inputs that go the same way, until it is stable. Inputs that come
+// through the situations it crosses, shrinking to the inputs that take the same path, until it is stable. Inputs that come
 // to a situation of their own path again never stabilise: total instability.
 #pragma once
 

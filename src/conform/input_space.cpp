@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "support/messages.hpp"
 
@@ -13,10 +14,10 @@ Diagnostic limit_reached(const BddExhausted& exhausted, Span origin, const std::
                                                             : messages::stopped(origin, stop != nullptr && stop->load());
 }
 
-InputSpace::InputSpace(const std::vector<Type>& types, const BddLimits& limits) : space_(limits) {
-    for (const Type type : types) {
-        BddWord word{type, {}};
-        const std::size_t count = bit_count(type);
+InputSpace::InputSpace(std::vector<NamedInput> inputs, const BddLimits& limits) : named_(std::move(inputs)), space_(limits) {
+    for (const NamedInput& input : named_) {
+        BddWord word{input.type, {}};
+        const std::size_t count = bit_count(input.type);
         const std::uint32_t first = space_.add_variables(count);
         for (std::size_t place = count; place-- > 0;) word.bits.push_back(first + static_cast<std::uint32_t>(place));
         for (std::size_t place = 0; place < count; ++place) bits_.push_back(first + static_cast<std::uint32_t>(place));
@@ -38,6 +39,17 @@ std::vector<std::int64_t> InputSpace::witness(const Bdd& set) const {
     std::vector<std::int64_t> values;
     for (const BddWord& word : words_) values.push_back(value_of(word, found));
     return values;
+}
+
+std::string InputSpace::witness_text(const Bdd& set) const {
+    const std::vector<std::int64_t> values = witness(set);
+    std::string text;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (!text.empty()) text += ", ";
+        if (!named_[k].type.boolean) text += named_[k].name + " = " + std::to_string(values[k]);
+        else text += values[k] != 0 ? named_[k].name : "not " + named_[k].name;
+    }
+    return text;
 }
 
 Id<Expr> Conditions::term(const Bdd& function) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
@@ -18,17 +19,29 @@ namespace grafverif::conform {
 /// The error of a search that decision diagrams stopped: at their memory, at the deadline, or by `stop`.
 Diagnostic limit_reached(const BddExhausted& exhausted, Span origin, const std::atomic<bool>* stop);
 
+/// Ends with BddExhausted where the deadline is over or somebody asked to stop.
+template <class Options>
+void stop_if_asked(const Options& options) {
+    const bool late = options.deadline && std::chrono::steady_clock::now() >= *options.deadline;
+    if (late || (options.stop != nullptr && options.stop->load())) throw BddExhausted(BddExhausted::Cause::Stopped);
+}
+
+struct NamedInput {
+    std::string name = {};
+    Type type = {};
+};
+
 template <class Inputs>
-std::vector<Type> types_of(const Inputs& inputs) {
-    std::vector<Type> all;
-    for (const auto& input : inputs) all.push_back(input.type);
+std::vector<NamedInput> named(const Inputs& inputs) {
+    std::vector<NamedInput> all;
+    for (const auto& input : inputs) all.push_back({input.name, input.type});
     return all;
 }
 
 /// Input k is word k; its bits are neighbours, the most significant on top.
 class InputSpace {
 public:
-    InputSpace(const std::vector<Type>& types, const BddLimits& limits);
+    InputSpace(std::vector<NamedInput> inputs, const BddLimits& limits);
 
     std::size_t inputs() const { return words_.size(); }
     BddTerm term(std::size_t input) const { return term_of(space_, words_[input]); }
@@ -44,12 +57,32 @@ public:
     std::vector<bool> assignment(const Bdd& set) const;
     /// Per input a value, such that `set`, which is not false, holds.
     std::vector<std::int64_t> witness(const Bdd& set) const;
+    /// The witness in words: `s, not h1, level = 3`.
+    std::string witness_text(const Bdd& set) const;
 
 private:
+    std::vector<NamedInput> named_;
     BddSpace space_;
     std::vector<BddWord> words_ = {};
     std::vector<std::uint32_t> bits_ = {};   ///< of all inputs
     Bdd assumed_ = Bdd::constant(true);
+};
+
+/// Terms whose Variable leaves are the inputs, as sets of inputs.
+class InputSets {
+public:
+    /// Both arguments outlive this.
+    InputSets(const Exprs& exprs, const InputSpace& space)
+        : terms_(exprs, [&space](const Expr& leaf) { return space.term(static_cast<std::size_t>(leaf.value)); }) {}
+
+    /// Where the term has a value and holds.
+    Bdd operator()(Id<Expr> term) {
+        const BddTerm& found = terms_(term);
+        return found.bits.front() & ~found.undefined;
+    }
+
+private:
+    BddTerms terms_;
 };
 
 /// Functions of inputs as terms of an Exprs whose Variable leaves are the inputs: irredundant sums of products (Minato

@@ -5,9 +5,8 @@
 
 namespace grafverif::conform {
 
-LocationTerms::LocationTerms(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs,
-                             const InputSpace& space)
-    : equations_(equations), inputs_(inputs), space_(space), values_(equations.variables.size()),
+LocationTerms::LocationTerms(const Equations& equations, const InputOf& inputs, const InputSpace& space)
+    : equations_(equations), inputs_(inputs), space_(space),
       of_inputs_(equations.exprs, [this](const Expr& leaf) { return space_.term(*inputs_[static_cast<std::size_t>(leaf.value)]); }) {
     const Exprs& exprs = equations.exprs;
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
@@ -25,32 +24,30 @@ LocationTerms::LocationTerms(const Equations& equations, const std::vector<std::
     }
 }
 
-LocationValue LocationTerms::value(Id<Expr> term) {
+LocationValue LocationTerms::value(Id<Expr> term, const Values& at) {
     switch (kinds_[term.index]) {
-    case Kind::Fixed:    return fixed(term);
+    case Kind::Fixed:    return fixed(term, at);
     case Kind::OfInputs: return {0, false, of_inputs_(term)};
     case Kind::Mixed:    break;
     }
     const Op op = equations_.exprs[term].op;
-    if ((op == Op::And || op == Op::Or) && split(term) != nullptr) return joined(term);
-    if (op != Op::Not) return anyhow(term);
-    LocationValue result = value(equations_.exprs.operands(term)[0]);
+    if ((op == Op::And || op == Op::Or) && split(term) != nullptr) return joined(term, at);
+    if (op != Op::Not) return anyhow(term, at);
+    LocationValue result = value(equations_.exprs.operands(term)[0], at);
     if (result.function) result.function->bits.front() = ~result.function->bits.front();
     else result.number = result.number == 0;
     return result;
 }
 
-Bdd LocationTerms::condition(Id<Expr> term, Bdd& undefined) {
-    if (std::optional<Bdd> found = plain_condition(term)) return std::move(*found);
-    LocationValue result = value(term);
-    if (result.none) undefined = Bdd::constant(true);
-    if (!result.function) return Bdd::constant(result.number != 0);
-    if (!result.function->undefined.is_false()) undefined |= result.function->undefined;
-    return std::move(result.function->bits.front());
+LocationCondition LocationTerms::condition(Id<Expr> term, const Values& at) {
+    if (std::optional<Bdd> found = plain_condition(term, at)) return {std::move(*found), {}};
+    LocationValue found = value(term, at);
+    if (!found.function) return {Bdd::constant(found.number != 0), Bdd::constant(found.none)};
+    return {std::move(found.function->bits.front()), std::move(found.function->undefined)};
 }
 
 /// A conjunction or disjunction of constants of the location with terms of inputs: most conditions are.
-std::optional<Bdd> LocationTerms::plain_condition(Id<Expr> term) {
+std::optional<Bdd> LocationTerms::plain_condition(Id<Expr> term, const Values& at) {
     const Op op = equations_.exprs[term].op;
     if (kinds_[term.index] != Kind::Mixed || (op != Op::And && op != Op::Or)) return {};
     const Split* const parts = split(term);
@@ -58,7 +55,7 @@ std::optional<Bdd> LocationTerms::plain_condition(Id<Expr> term) {
     const bool decides = op == Op::Or;
     for (const Id<Expr> operand : parts->others) {
         if (kinds_[operand.index] != Kind::Fixed) return {};
-        const LocationValue value = fixed(operand);
+        const LocationValue value = fixed(operand, at);
         if (value.none) return {};
         if ((value.number != 0) == decides) return Bdd::constant(decides);
     }
@@ -66,12 +63,12 @@ std::optional<Bdd> LocationTerms::plain_condition(Id<Expr> term) {
 }
 
 /// A term without inputs. Depth is bounded by `derive`.
-LocationValue LocationTerms::fixed(Id<Expr> term) const {
+LocationValue LocationTerms::fixed(Id<Expr> term, const Values& at) const {
     const Expr& node = equations_.exprs[term];
     switch (node.op) {
-    case Op::Variable: return {values_[static_cast<std::size_t>(node.value)], false, {}};
+    case Op::Variable: return {at[static_cast<std::size_t>(node.value)], false, {}};
     case Op::Not: {
-        LocationValue result = fixed(equations_.exprs.operands(term)[0]);
+        LocationValue result = fixed(equations_.exprs.operands(term)[0], at);
         result.number = result.number == 0;
         return result;
     }
@@ -79,7 +76,7 @@ LocationValue LocationTerms::fixed(Id<Expr> term) const {
     case Op::Or: {
         const bool decides = node.op == Op::Or;
         for (const Id<Expr> operand : equations_.exprs.operands(term)) {
-            LocationValue result = fixed(operand);
+            LocationValue result = fixed(operand, at);
             if (result.none || (result.number != 0) == decides) return result;
         }
         return {decides ? 0 : 1, false, {}};
@@ -87,23 +84,23 @@ LocationValue LocationTerms::fixed(Id<Expr> term) const {
     default: break;
     }
     const std::optional<std::int64_t> number = evaluate(
-        equations_.exprs, term, [this](const Expr& leaf) { return values_[static_cast<std::size_t>(leaf.value)]; });
+        equations_.exprs, term, [&at](const Expr& leaf) { return at[static_cast<std::size_t>(leaf.value)]; });
     return {number.value_or(0), !number, {}};
 }
 
 /// The terms of inputs alone always have a value, so their order among the others does not matter.
-LocationValue LocationTerms::joined(Id<Expr> term) {
+LocationValue LocationTerms::joined(Id<Expr> term, const Values& at) {
     const bool decides = equations_.exprs[term].op == Op::Or;
     const Split& parts = *split(term);
     std::optional<BddTerm> result;
     for (const Id<Expr> operand : parts.others) {
-        LocationValue other = value(operand);
-        if (other.none) return anyhow(term);   // whether it is looked at is up to the inputs
+        LocationValue other = value(operand, at);
+        if (other.none) return anyhow(term, at);   // whether it is looked at is up to the inputs
         if (!other.function) {
             if ((other.number != 0) == decides) return other;
             continue;
         }
-        if (!other.function->undefined.is_false()) return anyhow(term);
+        if (!other.function->undefined.is_false()) return anyhow(term, at);
         if (!result) result = std::move(other.function);
         else if (decides) result->bits.front() |= other.function->bits.front();
         else result->bits.front() &= other.function->bits.front();
@@ -114,13 +111,13 @@ LocationValue LocationTerms::joined(Id<Expr> term) {
     return {0, false, std::move(result)};
 }
 
-LocationValue LocationTerms::anyhow(Id<Expr> term) {
-    BddTerms terms(equations_.exprs, [this](const Expr& leaf) {
+LocationValue LocationTerms::anyhow(Id<Expr> term, const Values& at) const {
+    BddTerms terms(equations_.exprs, [this, &at](const Expr& leaf) {
         const auto variable = static_cast<std::size_t>(leaf.value);
         if (inputs_[variable]) return space_.term(*inputs_[variable]);
         if (equations_.variables[{static_cast<std::uint32_t>(variable)}].type.boolean)
-            return bdd_boolean(Bdd::constant(values_[variable] != 0));
-        return bdd_integer(values_[variable]);
+            return bdd_boolean(Bdd::constant(at[variable] != 0));
+        return bdd_integer(at[variable]);
     });
     return {0, false, terms(term)};
 }

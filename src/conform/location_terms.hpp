@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The terms of the equations in one location: what the chart remembers is a constant there, so a term is a number or a
-// function of the inputs.
+// The terms of the equations in a location: what the chart remembers is a constant there, so a term is a number or a
+// function of the inputs. What terms say of inputs alone is found once, and serves all locations.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,32 @@
 
 namespace grafverif::conform {
 
+/// The values in a location, per variable of the equations; what is said of inputs does not matter.
+using Values = std::vector<std::int64_t>;
+/// Per variable of the equations the input it is, or nothing.
+using InputOf = std::vector<std::optional<std::size_t>>;
+
 /// A term in a location: `number`, or a function of the inputs where `function` is set.
 struct LocationValue {
     std::int64_t number = 0;
     bool none = false;                        ///< the constant has no value: division by zero, or too large
     std::optional<BddTerm> function = {};
 
-    bool is(bool value) const { return !function && !none && (number != 0) == value; }
+};
+
+/// A Boolean term in a location.
+struct LocationCondition {
+    Bdd holds = {};
+    Bdd undefined = {};   ///< where it has no value
 };
 
 class LocationTerms {
 public:
-    /// `inputs`: per variable of the equations the input it is, or nothing. All arguments outlive this.
-    LocationTerms(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs, const InputSpace& space);
+    /// All arguments outlive this.
+    LocationTerms(const Equations& equations, const InputOf& inputs, const InputSpace& space);
 
-    /// The constants of the location: per variable of the equations; what is said of inputs does not matter.
-    std::vector<std::int64_t>& values() { return values_; }
-    const std::vector<std::int64_t>& values() const { return values_; }
-
-    LocationValue value(Id<Expr> term);
-    /// Where a Boolean term holds; `undefined` gains where it has no value.
-    Bdd condition(Id<Expr> term, Bdd& undefined);
+    LocationValue value(Id<Expr> term, const Values& at);
+    LocationCondition condition(Id<Expr> term, const Values& at);
 
 private:
     enum class Kind : std::uint8_t { Fixed, OfInputs, Mixed };
@@ -46,17 +51,16 @@ private:
     };
 
     bool is_input(const Expr& leaf) const { return inputs_[static_cast<std::size_t>(leaf.value)].has_value(); }
-    std::optional<Bdd> plain_condition(Id<Expr> term);
-    LocationValue fixed(Id<Expr> term) const;
-    LocationValue joined(Id<Expr> term);
-    LocationValue anyhow(Id<Expr> term);
+    std::optional<Bdd> plain_condition(Id<Expr> term, const Values& at);
+    LocationValue fixed(Id<Expr> term, const Values& at) const;
+    LocationValue joined(Id<Expr> term, const Values& at);
+    LocationValue anyhow(Id<Expr> term, const Values& at) const;
     const Split* split(Id<Expr> term);
 
     const Equations& equations_;
-    const std::vector<std::optional<std::size_t>>& inputs_;
+    const InputOf& inputs_;
     const InputSpace& space_;
     std::vector<Kind> kinds_ = {};            ///< per term
-    std::vector<std::int64_t> values_ = {};
     BddTerms of_inputs_;
     std::unordered_map<std::uint32_t, std::optional<Split>> splits_ = {};
 };

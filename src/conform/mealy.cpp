@@ -49,10 +49,9 @@ class Builder {
 public:
     Builder(const Automaton& automaton, const MealyOptions& options, Diagnostics& diagnostics)
         : automaton_(automaton), options_(options), diagnostics_(diagnostics),
-          space_(types_of(automaton.inputs), {options.max_memory, options.deadline, options.stop}),
-          terms_(automaton.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }),
-          conditions_(space_, machine_.exprs) {
-        space_.assume(condition(automaton.assumed));
+          space_(named(automaton.inputs), {options.max_memory, options.deadline, options.stop}),
+          sets_(automaton.exprs, space_), conditions_(space_, machine_.exprs) {
+        space_.assume(sets_(automaton.assumed));
         for (const Id<Automaton::Input> id : automaton.inputs.ids()) {
             const Automaton::Input& input = automaton.inputs[id];
             if (is_timer(input)) {
@@ -79,22 +78,13 @@ public:
                 diagnostics_.add(messages::too_many_states(automaton_.origin, options_.max_states));
                 return {};
             }
-            if (next % 4096 == 0 && over()) throw BddExhausted(BddExhausted::Cause::Stopped);
+            if (next % 4096 == 0) stop_if_asked(options_);
             add_transitions(next);
         }
         return std::move(machine_);
     }
 
 private:
-    bool over() const {
-        return (options_.stop != nullptr && options_.stop->load()) || (options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline);
-    }
-
-    Bdd condition(Id<Expr> term) {
-        const BddTerm& found = terms_(term);
-        return found.bits.front() & ~found.undefined;
-    }
-
     void add_timer(Id<Automaton::Input> id) {
         const Automaton::Input& input = automaton_.inputs[id];
         const auto known = std::ranges::find_if(levels_, [&](const Level& level) {
@@ -148,13 +138,13 @@ private:
         const Bdd assumed = now(space_.assumed());
         Bdd rest = assumed;
         for (const Automaton::Evolution& evolution : evolutions_from(automaton_, place.location)) {
-            const Bdd set = now(condition(evolution.condition)) & assumed;
+            const Bdd set = now(sets_(evolution.condition)) & assumed;
             if (set.is_false()) continue;
             result.to[arrival(place, evolution)] |= set;
             rest &= ~set;
         }
         for (const Automaton::Instability& instability : instabilities_of(automaton_, place.location))
-            result.unstable |= now(condition(instability.condition)) & assumed;
+            result.unstable |= now(sets_(instability.condition)) & assumed;
         rest &= ~result.unstable;
         if (!rest.is_false()) result.to[staying_place(place)] |= rest;
         result.staying = rest;
@@ -282,7 +272,7 @@ private:
                 for (Part& part : parts) part.values[emission.output.index] = value.op == Op::Integer ? value.value : value.op == Op::True ? 1 : 0;
                 continue;
             }
-            Bdd holds = condition(emission.value);
+            Bdd holds = sets_(emission.value);
             if (!timers_.empty()) holds = cofactor(holds, timer_ends(place));
             std::vector<Part> pieces;
             for (Part& part : parts) {
@@ -310,7 +300,7 @@ private:
     Diagnostics& diagnostics_;
     MealyMachine machine_ = {};
     InputSpace space_;
-    BddTerms terms_;
+    InputSets sets_;
     Conditions conditions_;
     std::vector<std::uint32_t> bits_ = {};       ///< of the inputs proper
     std::vector<Level> levels_ = {};

@@ -18,10 +18,9 @@ using namespace conform;
 class Minimiser {
 public:
     Minimiser(const MealyMachine& machine, const BddLimits& limits)
-        : machine_(machine), space_(types_of(machine.inputs), limits),
-          terms_(machine.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }),
-          class_of_(machine.states.size()) {
-        space_.assume(condition(machine.assumed));
+        : machine_(machine), space_(named(machine.inputs), limits),
+          sets_(machine.exprs, space_), class_of_(machine.states.size()) {
+        space_.assume(sets_(machine.assumed));
     }
 
     MealyMachine minimised() {
@@ -31,36 +30,34 @@ public:
     }
 
 private:
-    /// What a state does: to which class, with which answer, after which wait, under which inputs; `none`: unstable.
-    using Deed = std::tuple<std::uint32_t, std::uint32_t, std::int64_t>;
-    using Behaviour = std::map<Deed, Bdd>;
+    /// To which class a state goes, with which answer, after which wait; `no_class`: it never stabilises.
+    using Response = std::tuple<std::uint32_t, std::uint32_t, std::int64_t>;
+    /// What tells states apart: the inputs of each response.
+    using Signature = std::map<Response, Bdd>;
     static constexpr std::uint32_t no_class = 0xFFFFFFFFU;
 
-    Bdd condition(Id<Expr> term) {
-        const BddTerm& found = terms_(term);
-        return found.bits.front() & ~found.undefined & space_.assumed();
-    }
+    Bdd set_of(Id<Expr> condition) { return sets_(condition) & space_.assumed(); }
 
-    std::vector<Behaviour> behaviours() {
-        std::vector<Behaviour> all(machine_.states.size());
+    std::vector<Signature> signatures() {
+        std::vector<Signature> all(machine_.states.size());
         for (const MealyMachine::Transition& one : machine_.transitions)
-            all[one.from.index][{class_of_[one.to.index], one.answer.index, one.wait_ms}] |= condition(one.condition);
+            all[one.from.index][{class_of_[one.to.index], one.answer.index, one.wait_ms}] |= set_of(one.condition);
         for (const MealyMachine::Unstable& one : machine_.unstable)
-            all[one.from.index][{no_class, no_class, 0}] |= condition(one.condition);
+            all[one.from.index][{no_class, no_class, 0}] |= set_of(one.condition);
         return all;
     }
 
     /// One round; the number of classes after it. Classes are numbered by their first states.
     std::size_t refine() {
         struct Less {
-            bool operator()(const Behaviour& a, const Behaviour& b) const {
+            bool operator()(const Signature& a, const Signature& b) const {
                 return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
                     return x.first != y.first ? x.first < y.first : x.second.edge() < y.second.edge();
                 });
             }
         };
-        const std::vector<Behaviour> all = behaviours();
-        std::map<Behaviour, std::uint32_t, Less> known;
+        const std::vector<Signature> all = signatures();
+        std::map<Signature, std::uint32_t, Less> known;
         for (std::size_t state = 0; state < all.size(); ++state)
             class_of_[state] = known.emplace(all[state], static_cast<std::uint32_t>(known.size())).first->second;
         return classes_ = known.size();
@@ -74,12 +71,12 @@ private:
         result.initial = {class_of_[machine_.initial.index]};
         result.unstable_pairs = machine_.unstable_pairs ? std::optional<std::uint64_t>(0) : std::nullopt;
         Conditions conditions(space_, result.exprs);
-        const std::vector<Behaviour> all = behaviours();
+        const std::vector<Signature> all = signatures();
         for (std::uint32_t state = 0; state < all.size(); ++state) {
             if (class_of_[state] != result.states.size()) continue;
             const Id<MealyMachine::State> from = result.states.add({situations(state), machine_.states[{state}].detail});
-            for (const auto& [deed, set] : all[state]) {
-                const auto& [to, answer, wait] = deed;
+            for (const auto& [response, set] : all[state]) {
+                const auto& [to, answer, wait] = response;
                 if (to != no_class) {
                     result.transitions.push_back({from, {to}, conditions.term(set), {answer}, wait});
                     continue;
@@ -106,7 +103,7 @@ private:
 
     const MealyMachine& machine_;
     InputSpace space_;
-    BddTerms terms_;
+    InputSets sets_;
     std::vector<std::uint32_t> class_of_ = {};
     std::size_t classes_ = 1;
 };

@@ -1,366 +1,342 @@
 // SPDX-License-Identifier: MIT
+// What an evolution does is found by cutting the inputs, coarsely first:
+//
+//   cells     In a state what the chart remembers is constant, so the condition of each transition is a set of inputs.
+//             These sets cut the inputs into cells in each of which exactly one set of transitions fires (JESA13 (11) to
+//             (13)). No input is looked at by itself, and of 2^n sets of transitions only those that occur.
+//   parts     In a cell the firing conditions are constant too. A next value is then a number or, seldom, a function of
+//             the inputs; by its values the cell falls into parts. What dependencies.hpp leaves out keeps its value.
+//   stable    A part is cut in two where the equations call the situation stable: nothing changes there.
+//   levels    The levels that timers watch are terms over the new values and the inputs: they cut once more.
+//
+// Each cut is one of the whole that is cut, so the moves are disjoint and cover what was there at first: the inputs that
+// are assumed and agree with what is known of timers. Every step takes values and returns others; what a cell starts from,
+// `at`, is constant to all of them. A value that does not exist or fit, or a race, for some input of a part ends the
+// search (NoResult): the chart has no location automaton.
 #include "conform/moves.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <span>
+#include <string>
 
-#include "conform/words.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif::conform {
 
-Moves::Moves(const Equations& equations, const std::vector<std::optional<std::size_t>>& inputs, const InputSpace& space,
-             Diagnostics& diagnostics)
-    : equations_(equations), inputs_(inputs), space_(space), diagnostics_(diagnostics), terms_(equations, inputs, space) {
-    for (const Kept& each : kept(equations)) add_field(each);
-    evolving_ = fields_.size() - equations.watches.size();
-    std::uint32_t bit = fields_.empty() ? 0 : 64 * fields_.back().word + fields_.back().shift + 1;
-    if (!fields_.empty()) {
-        for (std::uint64_t mask = fields_.back().mask >> 1U; mask != 0; mask >>= 1U) ++bit;
-    }
-    for (const Equations::Timer& timer : equations.timers) {
-        fresh_bits_.push_back(bit++);
-        falling_bits_.push_back(bit++);
-        level_fields_.push_back(static_cast<std::uint32_t>(std::ranges::find(fields_, timer.watched, &StateField::variable) - fields_.begin()));
-    }
-    store_.shape(std::max<std::size_t>(1, (bit + 63) / 64));
-    index_firings();
-    index_fields();
+Moves::Moves(const Equations& equations, const InputOf& inputs, const InputSpace& space)
+    : equations_(equations), inputs_(inputs), space_(space), terms_(equations, inputs, space), layout_(equations),
+      dependencies_(dependencies(equations, layout_)), store_(layout_.words) {
+    for (const Equations::Variable& variable : equations.variables) initial_.push_back(variable.initial);
 }
 
-void Moves::add_field(const Kept& kept) {
-    const Type type = equations_.variables[kept.variable].type;
-    const auto bits = static_cast<std::uint32_t>(std::max<std::size_t>(1, bit_count(type)));
-    StateField field{kept.variable, type, 0, 0, (std::uint64_t{1} << bits) - 1, kept.next, kept.first};
-    if (!fields_.empty()) {
-        const StateField& before = fields_.back();
-        const auto width = static_cast<std::uint32_t>(std::max<std::size_t>(1, bit_count(before.type)));
-        field.word = before.word;
-        field.shift = before.shift + width;
-        if (field.shift + bits > 64) ++field.word, field.shift = 0;
-    }
-    fields_.push_back(field);
-}
-
-/// A firing whose condition begins with the step upstream is looked at only where that step is active.
-void Moves::index_firings() {
-    const Exprs& exprs = equations_.exprs;
-    std::vector<std::uint32_t> field_of(equations_.variables.size(), no_state);
-    for (std::uint32_t field = 0; field < fields_.size(); ++field)
-        if (equations_.variables[fields_[field].variable].role == Equations::Role::Step)
-            field_of[fields_[field].variable.index] = field;
-    guarded_.resize(fields_.size());
-    for (std::uint32_t firing = 0; firing < equations_.firings.size(); ++firing) {
-        const Id<Expr> condition = equations_.firings[firing].condition;
-        const Id<Expr> guard = exprs[condition].op == Op::And ? exprs.operands(condition)[0] : condition;
-        const bool is_step = exprs[guard].op == Op::Variable && field_of[static_cast<std::size_t>(exprs[guard].value)] != no_state;
-        if (is_step) guarded_[field_of[static_cast<std::size_t>(exprs[guard].value)]].push_back(firing);
-        else unguarded_.push_back(firing);
-    }
-}
-
-/// `term`, in `scratch`, where no transition fires.
-Id<Expr> Moves::while_quiet(Id<Expr> term, Exprs& scratch) const {
-    return translate(equations_.exprs, term, scratch, [&](const Expr& leaf) {
-        const Id<Equations::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
-        return equations_.variables[variable].role == Equations::Role::FiringCondition
-                   ? scratch.constant(false)
-                   : scratch.leaf(Op::Variable, variable.index);
-    });
-}
-
-/// Whether the variable keeps its value wherever no transition fires that its equation reads.
-bool Moves::keeps_by_itself(const StateField& field) {
-    Exprs scratch;
-    const Id<Expr> quiet = while_quiet(field.next, scratch);
-    return scratch[quiet].op == Op::Variable && scratch[quiet].value == static_cast<std::int64_t>(field.variable.index);
-}
-
-void Moves::index_fields() {
-    const Exprs& exprs = equations_.exprs;
-    std::vector<std::uint32_t> firing_of(equations_.variables.size(), no_state);
-    for (std::uint32_t firing = 0; firing < equations_.firings.size(); ++firing)
-        firing_of[equations_.firings[firing].variable.index] = firing;
-    affected_.resize(equations_.firings.size());
-    races_.resize(equations_.firings.size());
-    const auto firings_in = [&](Id<Expr> term, auto visit) {
-        for (const Id<Expr> leaf : leaves(exprs, term))
-            if (const std::uint32_t firing = firing_of[static_cast<std::size_t>(exprs[leaf].value)]; firing != no_state) visit(firing);
-    };
-    for (std::uint32_t field = 0; field < evolving_; ++field) {
-        if (keeps_by_itself(fields_[field])) firings_in(fields_[field].next, [&](std::uint32_t firing) { affected_[firing].push_back(field); });
-        else restless_.push_back(field);
-    }
-    for (std::uint32_t k = 0; k < equations_.stored.size(); ++k) {
-        Exprs scratch;
-        if (!is_false(scratch, while_quiet(equations_.stored[k].race, scratch))) restless_races_.push_back(k);
-        else firings_in(equations_.stored[k].race, [&](std::uint32_t firing) { races_[firing].push_back(k); });
-    }
-    const Id<Expr> stable = equations_.stable;
-    if (exprs[stable].op == Op::Not) {
-        const Id<Expr> changes = exprs.operands(stable)[0];
-        std::size_t plain = 0;
-        const auto count = [&](Id<Expr> term) {
-            if (exprs[term].op == Op::Variable && firing_of[static_cast<std::size_t>(exprs[term].value)] != no_state) ++plain;
-        };
-        if (exprs[changes].op == Op::Or)
-            for (const Id<Expr> operand : exprs.operands(changes)) count(operand);
-        else count(changes);
-        const auto never = std::ranges::count_if(equations_.firings, [&](const Equations::Firing& firing) { return is_false(exprs, firing.condition); });
-        fires_unstable_ = plain + static_cast<std::size_t>(never) == equations_.firings.size();
-    }
-}
-
-const std::vector<std::int64_t>& Moves::load(StateId state) {
-    std::vector<std::int64_t>& values = terms_.values();
-    if (loaded_ == state) return values;
-    const std::span<const std::uint64_t> words = store_.at(state);
-    for (const StateField& field : fields_)
-        values[field.variable.index] = static_cast<std::int64_t>((words[field.word] >> field.shift) & field.mask) +
-                                       (field.type.boolean ? 0 : field.type.low);
-    loaded_ = state;
+Values Moves::values(StateId state) const {
+    Values values = initial_;
+    for (std::uint32_t field = 0; field < layout_.fields.size(); ++field)
+        values[layout_.fields[field].kept.variable.index] = layout_.value(store_.at(state), field);
     return values;
 }
 
 const std::vector<StateMove>& Moves::of(StateId state) {
     while (known_.size() <= state) known_.emplace_back();
-    if (!known_[state]) {
-        std::vector<StateMove> moves = moves_of(state);
-        known_[state] = std::move(moves);
-    }
+    if (!known_[state]) known_[state] = moves_of(state);
     return *known_[state];
 }
 
-std::vector<StateMove> Moves::moves_of(StateId state) {
-    load(state);
-    std::vector<StateMove> moves;
-    const Bdd known = known_ends(state);
-    const std::vector<Cell> all = cells(space_.assumed() & known);
-    for (const Cell& cell : all) {
-        for (const std::uint32_t firing : cell.fired) terms_.values()[equations_.firings[firing].variable.index] = 1;
-        if (check_races(cell)) add_moves(state, cell, moves);
-        for (const std::uint32_t firing : cell.fired) terms_.values()[equations_.firings[firing].variable.index] = 0;
-        if (failed_) return {};
-    }
-    suppose(known, moves);
-    const auto is_stable = [](const StateMove& move) { return move.stable; };
-    if (!std::ranges::is_partitioned(moves, is_stable)) std::ranges::stable_partition(moves, is_stable);
-    std::size_t kept = 0;   // several sets of transitions may lead to one state
-    for (StateMove& move : moves) {
-        std::size_t same = 0;
-        while (same < kept && (moves[same].next != move.next || moves[same].stable != move.stable)) ++same;
-        if (same < kept) moves[same].set |= move.set;
-        else if (&moves[kept++] != &move) moves[kept - 1] = std::move(move);
-    }
-    moves.resize(kept);
+namespace {
+
+/// What is said of `moves` that happen only where `known` holds; those that cannot are dropped.
+std::vector<StateMove> supposing(const Bdd& known, std::vector<StateMove> moves) {
+    if (known.is_true()) return moves;
+    for (StateMove& move : moves) move.set = cofactor(move.set & known, known);
+    std::erase_if(moves, [](const StateMove& move) { return move.set.is_false(); });
     return moves;
 }
 
-std::vector<Moves::Cell> Moves::cells(const Bdd& within) {
-    std::vector<Cell> cells;
-    Bdd touched;   // where some transition fires
-    for (std::uint32_t field = 0; field < fields_.size(); ++field) {
-        if (guarded_[field].empty() || terms_.values()[fields_[field].variable.index] == 0) continue;
-        for (const std::uint32_t firing : guarded_[field]) fire(cells, touched, firing, within);
+/// Stable moves first; several sets of transitions that lead to one state are one move.
+std::vector<StateMove> merged(std::vector<StateMove> moves) {
+    std::ranges::stable_partition(moves, &StateMove::stable);
+    std::vector<StateMove> result;
+    result.reserve(moves.size());
+    for (StateMove& move : moves) {
+        const auto same = std::ranges::find_if(
+            result, [&](const StateMove& known) { return known.next == move.next && known.stable == move.stable; });
+        if (same == result.end()) result.push_back(std::move(move));
+        else same->set |= move.set;
     }
-    for (const std::uint32_t firing : unguarded_) fire(cells, touched, firing, within);
-    Bdd quiet = within & ~touched;
-    if (!quiet.is_false()) cells.insert(cells.begin(), {std::move(quiet), {}});
-    return cells;
+    return result;
 }
 
-/// Cuts the cells by the condition of `firing`.
-void Moves::fire(std::vector<Cell>& cells, Bdd& touched, std::uint32_t firing, const Bdd& within) {
-    if (failed_) return;
-    Bdd undefined;
-    Bdd condition = terms_.condition(equations_.firings[firing].condition, undefined) & within;
-    if (!undefined.is_false() && !(undefined & within).is_false())
-        return complain(messages::no_value_in_location(equations_.firings[firing].origin, circumstances(undefined & within)));
-    if (condition.is_false()) return;
-    if (!(condition & touched).is_false()) {
-        const std::size_t count = cells.size();
-        for (std::size_t k = 0; k < count; ++k) {
-            Bdd both = cells[k].set & condition;
-            if (both.is_false()) continue;
-            if (both == cells[k].set) {
-                cells[k].fired.push_back(firing);
-                continue;
+}  // namespace
+
+std::vector<StateMove> Moves::moves_of(StateId state) {
+    const Values before = values(state);
+    const Bdd known = known_ends(state, before);
+    std::vector<StateMove> moves;
+    Values at = before;   // and what fires in the cell at hand; one copy serves all cells
+    for (const Cell& cell : cells(before, space_.assumed() & known)) {
+        for (const std::uint32_t firing : cell.fired) at[equations_.firings[firing].variable.index] = 1;
+        check_races(cell, at);
+        add_moves(cell, state, at, moves);
+        for (const std::uint32_t firing : cell.fired) at[equations_.firings[firing].variable.index] = 0;
+    }
+    return merged(supposing(known, std::move(moves)));
+}
+
+// -- cells -------------------------------------------------------------------------------------------------------------
+
+/// Cells in which some transition fires, cut by one transition after the other.
+class Moves::Partition {
+public:
+    /// `firing` fires where `condition` holds.
+    void cut(std::uint32_t firing, const Bdd& condition) {
+        const Bdd alone = condition & ~touched_;
+        if (!(alone == condition)) {   // somewhere others fire as well
+            const std::size_t count = cells_.size();
+            for (std::size_t k = 0; k < count; ++k) {
+                Bdd both = cells_[k].set & condition;
+                if (both.is_false()) continue;
+                if (both == cells_[k].set) {
+                    cells_[k].fired.push_back(firing);
+                    continue;
+                }
+                cells_[k].set &= ~condition;
+                cells_.push_back({std::move(both), cells_[k].fired});
+                cells_.back().fired.push_back(firing);
             }
-            Cell split{std::move(both), cells[k].fired};
-            split.fired.push_back(firing);
-            cells[k].set &= ~condition;
-            cells.push_back(std::move(split));
         }
-        Bdd alone = condition & ~touched;
-        touched |= condition;
-        if (!alone.is_false()) cells.push_back({std::move(alone), {firing}});
-        return;
+        if (!alone.is_false()) cells_.push_back({alone, {firing}});
+        touched_ |= condition;
     }
-    touched |= condition;
-    cells.push_back({std::move(condition), {firing}});
-}
 
-bool Moves::check_races(const Cell& cell) {
-    const auto check = [&](std::uint32_t stored) {
-        check_race(equations_.stored[stored].race, equations_.variables[equations_.stored[stored].variable], cell.set);
+    /// All cells of `within`; that in which nothing fires is the first.
+    std::vector<Cell> cells(const Bdd& within) && {
+        Bdd quiet = within & ~touched_;
+        if (!quiet.is_false()) cells_.insert(cells_.begin(), {std::move(quiet), {}});
+        return std::move(cells_);
+    }
+
+private:
+    std::vector<Cell> cells_ = {};
+    Bdd touched_ = {};   ///< all of them together
+};
+
+std::vector<Moves::Cell> Moves::cells(const Values& at, const Bdd& within) {
+    Partition partition;
+    const auto cut_by = [&](std::uint32_t firing) {
+        const LocationCondition condition = terms_.condition(equations_.firings[firing].condition, at);
+        demand_value(condition.undefined, within, equations_.firings[firing].origin, at);
+        const Bdd fires = condition.holds & within;
+        if (!fires.is_false()) partition.cut(firing, fires);
     };
-    std::ranges::for_each(restless_races_, check);
-    for (const std::uint32_t firing : cell.fired) std::ranges::for_each(races_[firing], check);
-    for (const Equations::Conflict& conflict : equations_.conflicts) {
-        Bdd undefined;
-        const Bdd both = (terms_.condition(conflict.condition, undefined) | undefined) & cell.set;
-        if (!both.is_false()) complain(messages::forcing_race(conflict.origin, circumstances(both)));
+    for (std::uint32_t field = 0; field < layout_.fields.size(); ++field)
+        if (!dependencies_.guarded[field].empty() && at[layout_.fields[field].kept.variable.index] != 0)
+            std::ranges::for_each(dependencies_.guarded[field], cut_by);
+    std::ranges::for_each(dependencies_.unguarded, cut_by);
+    return std::move(partition).cells(within);
+}
+
+// -- parts -------------------------------------------------------------------------------------------------------------
+
+void Moves::add_moves(const Cell& cell, StateId state, const Values& at, std::vector<StateMove>& moves) {
+    const bool unstable = dependencies_.firing_unsettles && !cell.fired.empty();
+    const Bdd stable = unstable ? Bdd{} : terms_.condition(equations_.stable, at).holds;
+    const auto add = [&](Part part, bool is_stable) {
+        const auto add_piece = [&](Part& piece) {
+            const StateId next = piece.changes.empty() ? state : changed(state, piece.changes, at);
+            moves.push_back({std::move(piece.set), next, is_stable});
+        };
+        if (part.set.is_false()) return;
+        if (equations_.watches.empty()) return add_piece(part);
+        for (Part& piece : with_levels(std::move(part), at)) add_piece(piece);
+    };
+    for (Part& part : evolved(cell, at)) {
+        if (!stable.is_false()) add({part.set & stable, {}}, true);
+        if (!stable.is_true()) add({stable.is_false() ? std::move(part.set) : part.set & ~stable, std::move(part.changes)}, false);
     }
-    return !failed_;
 }
 
-/// That `race` never holds in `within`, and always has a value: each value stored has one.
-void Moves::check_race(Id<Expr> race, const Equations::Variable& variable, const Bdd& within) {
-    Bdd undefined;
-    const Bdd both = terms_.condition(race, undefined) & within;
-    if (!(both & ~undefined).is_false())
-        complain(messages::action_race(variable.origin, variable.name, circumstances(both & ~undefined)));
-    else if (!(undefined & within).is_false())
-        complain(messages::no_value_in_location(variable.origin, circumstances(undefined & within)));
-}
-
-void Moves::add_moves(StateId state, const Cell& cell, std::vector<StateMove>& moves) {
+std::vector<Moves::Part> Moves::evolved(const Cell& cell, const Values& at) {
     std::vector<Part> parts{{cell.set, {}}};
-    for (const std::uint32_t field : restless_) split_by(parts, field, fields_[field].next);
-    for (const std::uint32_t firing : cell.fired)
-        for (const std::uint32_t field : affected_[firing]) split_by(parts, field, fields_[field].next);
-    if (failed_) return;
-    Bdd stable;   // where nothing changes
-    if (!fires_unstable_ || cell.fired.empty()) {
-        Bdd undefined;
-        stable = terms_.condition(equations_.stable, undefined);
-    }
-    for (Part& part : parts) {
-        Bdd settled = stable.is_constant() ? (stable.is_true() ? part.set : Bdd{}) : part.set & stable;
-        if (!settled.is_false()) {
-            part.set &= ~settled;
-            add_pieces(state, {std::move(settled), {}}, true, moves);
-        }
-        if (!part.set.is_false()) add_pieces(state, std::move(part), false, moves);
-    }
+    const auto compute = [&](std::uint32_t field) { parts = given(std::move(parts), field, layout_.fields[field].kept.next, at); };
+    std::ranges::for_each(dependencies_.fields.always, compute);
+    for (const std::uint32_t firing : cell.fired) std::ranges::for_each(dependencies_.fields.by_firing[firing], compute);
+    return parts;
 }
 
-void Moves::add_pieces(StateId state, Part part, bool stable, std::vector<StateMove>& moves) {
-    const auto add = [&](Part& piece) {
-        const StateId next = piece.changes.empty() ? state : changed(state, piece);
-        moves.push_back({std::move(piece.set), next, stable});
-    };
-    if (evolving_ == fields_.size()) return add(part);
-    for (Part& piece : watched(std::move(part))) add(piece);
-}
+namespace {
 
-/// Gives `field` the value of `term` in each part; a part in which the inputs decide on it falls apart.
-void Moves::split_by(std::vector<Part>& parts, std::uint32_t field, Id<Expr> term) {
-    if (failed_) return;
-    const Equations::Variable& variable = equations_.variables[fields_[field].variable];
-    const LocationValue found = terms_.value(term);
-    const bool fits = !found.function && !found.none && found.number >= variable.type.low && found.number <= variable.type.high;
-    if (fits) {
-        for (Part& part : parts) part.changes.emplace_back(field, found.number);
-        return;
-    }
-    std::vector<Part> result;
-    for (Part& part : parts) {
-        if (found.none || (found.function && !(found.function->undefined & part.set).is_false()))
-            return complain(messages::no_value_in_location(variable.origin, circumstances(part.set)));
-        std::vector<Part> pieces;
-        if (found.function) pieces = split(part, *found.function);
-        else pieces.push_back({std::move(part.set), std::move(part.changes)});
-        for (Part& piece : pieces) {
-            std::int64_t value = found.number;
-            if (found.function) value = piece.changes.back().second;
-            if (value < variable.type.low || value > variable.type.high)
-                return complain(messages::out_of_range_in_location(variable.origin, variable.name, value, circumstances(piece.set)));
-            if (found.function) piece.changes.back().first = field;
-            else piece.changes.emplace_back(field, value);
-            result.push_back(std::move(piece));
-        }
-    }
-    parts = std::move(result);
-}
-
-/// The part by the values of `value`, each at the end of the changes of its piece.
-std::vector<Moves::Part> Moves::split(const Part& part, const BddTerm& value) {
-    std::vector<Part> pieces;
-    Bdd rest = part.set;
-    while (!rest.is_false()) {
-        const std::vector<bool> assignment = space_.assignment(rest);
-        std::int64_t number = 0;
-        Bdd same = rest;
-        for (std::size_t bit = 0; bit < value.bits.size(); ++bit) {
-            const bool on = evaluate(value.bits[bit], assignment);
-            same &= on ? value.bits[bit] : ~value.bits[bit];
-            const bool sign = !value.boolean && bit + 1 == value.bits.size();
-            if (on) number += sign ? -(std::int64_t{1} << bit) : std::int64_t{1} << bit;
-        }
-        pieces.push_back({same, part.changes});
-        pieces.back().changes.emplace_back(0, number);
+/// `within` by the values of `term`.
+std::vector<std::pair<Bdd, std::int64_t>> by_value(const BddTerm& term, const Bdd& within, const InputSpace& space) {
+    std::vector<std::pair<Bdd, std::int64_t>> pieces;
+    for (Bdd rest = within; !rest.is_false();) {
+        const std::int64_t number = value_of(term, space.assignment(rest));
+        const Bdd same = rest & equals(term, number);
+        pieces.emplace_back(same, number);
         rest &= ~same;
     }
     return pieces;
 }
 
-/// `state` after the changes of `part`; the values of `state` are loaded.
-StateId Moves::changed(StateId state, const Part& part, bool power_on) {
-    std::vector<std::uint64_t>& words = scratch_;
-    words.assign(store_.at(state).begin(), store_.at(state).end());
-    for (const auto& [index, value] : part.changes) {
-        const StateField& field = fields_[index];
-        const auto packed = static_cast<std::uint64_t>(value - (field.type.boolean ? 0 : field.type.low));
-        words[field.word] = (words[field.word] & ~(field.mask << field.shift)) | (packed << field.shift);
+}  // namespace
+
+/// Gives `field` the value of `term` in each part; a part in which the inputs decide on it falls apart.
+std::vector<Moves::Part> Moves::given(std::vector<Part> parts, std::uint32_t field, Id<Expr> term, const Values& at) {
+    const Equations::Variable& variable = equations_.variables[layout_.fields[field].kept.variable];
+    const LocationValue found = terms_.value(term, at);
+    const auto give = [&](Part& part, std::int64_t value) {
+        if (value < variable.type.low || value > variable.type.high)
+            throw NoResult{messages::out_of_range_in_location(variable.origin, variable.name, value, circumstances(at, part.set))};
+        part.changes.emplace_back(field, value);
+    };
+    std::vector<Part> pieces;
+    for (Part& part : parts) {
+        if (!found.function) {
+            demand_value(Bdd::constant(found.none), part.set, variable.origin, at);
+            give(part, found.number);
+            continue;
+        }
+        demand_value(found.function->undefined, part.set, variable.origin, at);
+        for (const auto& [set, value] : by_value(*found.function, part.set, space_)) {
+            pieces.push_back({set, part.changes});
+            give(pieces.back(), value);
+        }
     }
-    mark_timers(words, power_on);
-    return store_.intern(words);
+    return found.function ? std::move(pieces) : std::move(parts);
 }
 
+/// The part by the levels that timers watch, as it leaves them.
+std::vector<Moves::Part> Moves::with_levels(Part part, const Values& at) {
+    std::vector<Part> parts;
+    parts.push_back(std::move(part));
+    for (std::size_t k = 0; k < equations_.watches.size(); ++k) {
+        const Equations::Watch& watch = equations_.watches[k];
+        const auto field = static_cast<std::uint32_t>(layout_.evolving + k);
+        std::vector<Part> pieces;
+        for (const Part& one : parts) {
+            Values after = at;
+            for (const auto& [changed, value] : one.changes) after[layout_.fields[changed].kept.variable.index] = value;
+            const LocationCondition level = terms_.condition(watch.value, after);
+            demand_value(level.undefined, one.set, watch.origin, at);
+            for (const bool value : {false, true}) {
+                Part piece{one.set & (value ? level.holds : ~level.holds), one.changes};
+                if (piece.set.is_false()) continue;
+                if ((at[watch.variable.index] != 0) != value) piece.changes.emplace_back(field, value);
+                pieces.push_back(std::move(piece));
+            }
+        }
+        parts = std::move(pieces);
+    }
+    return parts;
+}
+
+// -- states ------------------------------------------------------------------------------------------------------------
+
+/// `state` after the changes; its timers are marked by what happened to the levels they watch, which were as in `before`.
+StateId Moves::changed(StateId state, const Changes& changes, const Values& before) {
+    const std::span<const std::uint64_t> old = store_.at(state);
+    PackedState now(old.begin(), old.end());
+    for (const auto& [field, value] : changes) layout_.set(now, field, value);
+    for (std::size_t k = 0; k < layout_.timers.size(); ++k) {
+        const StateLayout::Timer& bits = layout_.timers[k];
+        const Equations::Timer& timer = equations_.timers[k];
+        const bool was = before[timer.watched.index] != 0, is = has_bit(now, bits.level), fresh = has_bit(now, bits.fresh);
+        if (is && !was) set_bit(now, bits.fresh, true);
+        if (is || !was) continue;
+        set_bit(now, bits.fresh, false);
+        if (timer.fall_ms > 0 && (timer.rise_ms == 0 || !fresh)) set_bit(now, bits.falling, true);
+    }
+    return store_.intern(now);
+}
+
+StateId Moves::settled(StateId state) {
+    if (layout_.timers.empty()) return state;
+    const std::span<const std::uint64_t> old = store_.at(state);
+    PackedState now(old.begin(), old.end());
+    for (const StateLayout::Timer& timer : layout_.timers)
+        for (const std::uint32_t bit : {timer.fresh, timer.falling}) set_bit(now, bit, false);
+    return store_.intern(now);
+}
+
+std::vector<std::size_t> Moves::marked(StateId state, std::uint32_t StateLayout::Timer::*bit) const {
+    std::vector<std::size_t> timers;
+    for (std::size_t timer = 0; timer < layout_.timers.size(); ++timer)
+        if (has_bit(store_.at(state), layout_.timers[timer].*bit)) timers.push_back(timer);
+    return timers;
+}
+
+/// The ends of timers that what happened within the instant decides on.
+Bdd Moves::known_ends(StateId state, const Values& at) const {
+    std::vector<BddLiteral> known;
+    for (std::size_t k = 0; k < layout_.timers.size(); ++k) {
+        const Equations::Timer& timer = equations_.timers[k];
+        const bool level = at[timer.watched.index] != 0;
+        const std::uint32_t end = space_.word(*inputs_[timer.end.index]).bits.front();
+        if (timer.rise_ms == 0 && (level || has_bit(store_.at(state), layout_.timers[k].falling))) known.push_back({end, true});
+        if (timer.fall_ms == 0 && (!level || has_bit(store_.at(state), layout_.timers[k].fresh))) known.push_back({end, false});
+    }
+    return cube(space_.space(), known);
+}
+
+/// Before power-on no level holds and no timer has ended. Where an end can outlast its level, that it has not is said in
+/// the sets as well.
 std::vector<StateMove> Moves::first() {
-    for (const Id<Equations::Variable> id : equations_.variables.ids())
-        terms_.values()[id.index] = equations_.variables[id].initial;
-    loaded_ = no_state;
-    std::vector<BddLiteral> ends, falls;   // none holds; whose fall time has not started says so in the sets as well
+    const Values& at = initial_;
+    PackedState initial(layout_.words);
+    for (std::uint32_t field = 0; field < layout_.fields.size(); ++field)
+        layout_.set(initial, field, at[layout_.fields[field].kept.variable.index]);
+    const StateId power_on = store_.intern(initial);
+    std::vector<BddLiteral> ends, falls;
     for (const Equations::Timer& timer : equations_.timers)
         (timer.fall_ms > 0 ? falls : ends).push_back({space_.word(*inputs_[timer.end.index]).bits.front(), false});
     const Bdd known = cube(space_.space(), ends);
     std::vector<Part> parts{{space_.assumed() & known & cube(space_.space(), falls), {}}};
     for (const Equations::Stored& stored : equations_.stored)
-        check_race(stored.first_race, equations_.variables[stored.variable], parts.front().set);
-    std::vector<std::pair<std::uint32_t, std::int64_t>> initial;
-    for (std::uint32_t field = 0; field < fields_.size(); ++field)
-        initial.emplace_back(field, equations_.variables[fields_[field].variable].initial);
-    const StateId before = store_.intern(std::vector<std::uint64_t>(store_.words()));
-    const StateId power_on = changed(before, {{}, initial});
-    for (std::uint32_t field = 0; field < evolving_; ++field)
-        if (fields_[field].first.valid()) split_by(parts, field, fields_[field].first);
-    if (failed_) return {};
+        check_race(stored.first_race, equations_.variables[stored.variable], parts.front().set, at);
+    for (std::uint32_t field = 0; field < layout_.evolving; ++field)
+        if (const Id<Expr> term = layout_.fields[field].kept.first; term.valid()) parts = given(std::move(parts), field, term, at);
     std::vector<StateMove> moves;
+    const Values off(at.size());
     for (Part& part : parts)
-        for (Part& piece : watched(std::move(part))) {
-            const StateId next = changed(power_on, piece, true);
-            moves.push_back({std::move(piece.set), next, false});
-        }
-    if (failed_) return {};
-    suppose(known, moves);
-    return moves;
+        for (const Part& piece : with_levels(std::move(part), at))
+            moves.push_back({piece.set, changed(power_on, piece.changes, off), false});
+    return supposing(known, std::move(moves));
 }
 
-void Moves::complain(Diagnostic diagnostic) {
-    if (!failed_) diagnostics_.add(std::move(diagnostic));
-    failed_ = true;
+// -- what has no result ------------------------------------------------------------------------------------------------
+
+void Moves::check_races(const Cell& cell, const Values& at) {
+    const auto check = [&](std::uint32_t stored) {
+        check_race(equations_.stored[stored].race, equations_.variables[equations_.stored[stored].variable], cell.set, at);
+    };
+    std::ranges::for_each(dependencies_.races.always, check);
+    for (const std::uint32_t firing : cell.fired) std::ranges::for_each(dependencies_.races.by_firing[firing], check);
+    for (const Equations::Conflict& conflict : equations_.conflicts) {
+        const LocationCondition condition = terms_.condition(conflict.condition, at);
+        const Bdd both = (condition.holds | condition.undefined) & cell.set;
+        if (!both.is_false()) throw NoResult{messages::forcing_race(conflict.origin, circumstances(at, both))};
+    }
 }
 
-std::string Moves::circumstances(const Bdd& set) const {
+/// That `race` never holds in `within`, and always has a value: each value stored has one.
+void Moves::check_race(Id<Expr> race, const Equations::Variable& variable, const Bdd& within, const Values& at) {
+    const LocationCondition condition = terms_.condition(race, at);
+    const Bdd both = condition.holds & ~condition.undefined & within;
+    if (!both.is_false()) throw NoResult{messages::action_race(variable.origin, variable.name, circumstances(at, both))};
+    demand_value(condition.undefined, within, variable.origin, at);
+}
+
+void Moves::demand_value(const Bdd& undefined, const Bdd& within, Span where, const Values& at) const {
+    if (undefined.is_false()) return;
+    const Bdd both = undefined & within;
+    if (!both.is_false()) throw NoResult{messages::no_value_in_location(where, circumstances(at, both))};
+}
+
+std::string Moves::circumstances(const Values& at, const Bdd& set) const {
     std::string situation = "{";
     for (const Equations::StepActivity& step : equations_.steps)
-        if (terms_.values()[step.variable.index] != 0) situation += (situation.size() > 1 ? "," : "") + step.step;
-    std::vector<std::pair<std::string, Type>> names(space_.inputs());
-    for (const Id<Equations::Variable> id : equations_.variables.ids())
-        if (inputs_[id.index]) names[*inputs_[id.index]] = {equations_.variables[id].name, equations_.variables[id].type};
-    return situation + "} with " + inputs_text(names, space_.witness(set));
+        if (at[step.variable.index] != 0) situation += (situation.size() > 1 ? "," : "") + step.step;
+    return situation + "} with " + space_.witness_text(set);
 }
 
 }  // namespace grafverif::conform

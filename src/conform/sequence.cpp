@@ -18,9 +18,8 @@ using State = MealyMachine::State;
 class Writer {
 public:
     Writer(const MealyMachine& machine, const TestOptions& options)
-        : machine_(machine), options_(options), space_(types_of(machine.inputs), {}),
-          terms_(machine.exprs, [this](const Expr& leaf) { return space_.term(static_cast<std::size_t>(leaf.value)); }) {
-        space_.assume(condition(machine.assumed));
+        : machine_(machine), options_(options), space_(named(machine.inputs), {}), sets_(machine.exprs, space_) {
+        space_.assume(sets_(machine.assumed));
         std::uint32_t stride = 1;   // meant for TestCover::Transitions, whose combinations are few
         weights_.resize(space_.space().variables());
         for (std::size_t input = machine.inputs.size(); input-- > 0;) {
@@ -56,10 +55,7 @@ public:
     }
 
 private:
-    Bdd condition(Id<Expr> term) {
-        const BddTerm& found = terms_(term);
-        return found.bits.front() & ~found.undefined & space_.assumed();
-    }
+    Bdd set_of(Id<Expr> condition) { return sets_(condition) & space_.assumed(); }
 
     /// Every combination of `set`, by its number.
     template <class Visit>
@@ -92,7 +88,7 @@ private:
             combinations_ *= static_cast<std::uint64_t>(input.type.high - input.type.low) + 1;
         std::vector<bool> seen(machine_.states.size() * combinations_), waits(seen.size());
         for (const MealyMachine::Transition& transition : machine_.transitions) {
-            const Bdd set = condition(transition.condition), held = set & staying(transition);
+            const Bdd set = set_of(transition.condition), held = set & staying(transition);
             const bool loop = transition.from == transition.to && transition.wait_ms == 0;
             for (const bool still : {true, false})
                 for_each_combination(still ? held : set & ~held, [&](std::uint32_t inputs) {
@@ -105,7 +101,7 @@ private:
         }
         for (const MealyMachine::Transition& transition : machine_.transitions) {
             if (transition.from != transition.to || transition.wait_ms != 0) continue;
-            for_each_combination(condition(transition.condition), [&](std::uint32_t inputs) {
+            for_each_combination(set_of(transition.condition), [&](std::uint32_t inputs) {
                 const std::uint64_t here = pair(transition.to.index, inputs);
                 if (seen[here]) return;
                 if (waits[here] && !options_.one_cycle_each) ++crossed_before_waits_;
@@ -119,7 +115,7 @@ private:
         for (const MealyMachine::Transition& transition : machine_.transitions) {
             const bool loop = transition.from == transition.to && transition.wait_ms == 0;
             if (loop && options_.cover == TestCover::Evolutions) continue;
-            const Bdd set = condition(transition.condition);
+            const Bdd set = set_of(transition.condition);
             const Bdd held = set & staying(transition);
             const bool still = !held.is_false();
             witnesses_.push_back(space_.witness(still ? held : set));
@@ -138,7 +134,7 @@ private:
         const auto [place, added] = staying_.try_emplace({arrival.to, arrival.answer});
         if (!added) return place->second;
         for (const MealyMachine::Transition& one : transitions_from(machine_, arrival.to))
-            if (one.to == arrival.to && one.answer == arrival.answer && one.wait_ms == 0) place->second |= condition(one.condition);
+            if (one.to == arrival.to && one.answer == arrival.answer && one.wait_ms == 0) place->second |= set_of(one.condition);
         return place->second;
     }
 
@@ -198,7 +194,7 @@ private:
     const MealyMachine& machine_;
     const TestOptions& options_;
     InputSpace space_;
-    BddTerms terms_;
+    InputSets sets_;
     std::uint64_t combinations_ = 0;
     std::vector<std::uint32_t> strides_ = {};   ///< per input, in the numbers of combinations
     std::vector<std::uint32_t> weights_ = {};   ///< per variable of the space

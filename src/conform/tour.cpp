@@ -29,8 +29,8 @@ public:
     /// What has to leave `node` (negative: has to enter it). All supplies together are 0.
     void add_supply(std::uint32_t node, std::int64_t amount) { supply_[node] += amount; }
 
-    /// The least cost; empty where the supplies cannot be met.
-    std::optional<std::int64_t> solve();
+    /// Meets the supplies, as far as they can be met, at the least cost.
+    void solve();
     /// After solve: how much goes over arc `arc`.
     std::int64_t flow(std::size_t arc) const { return halves_[2 * arc + 1].capacity; }
 
@@ -44,13 +44,15 @@ private:
 
     bool shortest_paths();
     void saturate();
+    std::optional<std::vector<std::uint32_t>> levels_to_demand() const;
+    void drain(std::uint32_t source, const std::vector<std::uint32_t>& level, std::vector<std::size_t>& next);
+    void send(std::uint32_t source, std::uint32_t target, const std::vector<std::uint32_t>& path);
     std::int64_t reduced(std::uint32_t from, const Half& half) const { return half.cost + potential_[from] - potential_[half.to]; }
 
     std::vector<Half> halves_ = {};
     std::vector<std::vector<std::uint32_t>> out_ = {};   ///< per node: halves
     std::vector<std::int64_t> supply_ = {};              ///< still to leave, or to enter
     std::vector<std::int64_t> potential_ = {};
-    std::int64_t cost_ = 0;
 };
 
 constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max() / 4;
@@ -63,13 +65,9 @@ std::size_t Flow::add_arc(std::uint32_t from, std::uint32_t to, std::int64_t cos
     return halves_.size() / 2 - 1;
 }
 
-std::optional<std::int64_t> Flow::solve() {
+void Flow::solve() {
     potential_.assign(out_.size(), 0);
-    while (std::ranges::any_of(supply_, [](std::int64_t amount) { return amount > 0; })) {
-        if (!shortest_paths()) return {};
-        saturate();
-    }
-    return cost_;
+    while (std::ranges::any_of(supply_, [](std::int64_t amount) { return amount > 0; }) && shortest_paths()) saturate();
 }
 
 /// Distances from the nodes with supply, by which the potentials grow (Dijkstra under reduced costs); whether a node
@@ -101,60 +99,66 @@ bool Flow::shortest_paths() {
 
 /// Sends as much as goes over arcs of reduced cost zero: rounds of levels and blocking flows (Dinic).
 void Flow::saturate() {
-    std::vector<std::uint32_t> level(out_.size());
-    std::vector<std::size_t> next(out_.size());
+    while (const std::optional<std::vector<std::uint32_t>> levels = levels_to_demand()) {
+        std::vector<std::size_t> next(out_.size());
+        for (std::uint32_t source = 0; source < out_.size(); ++source) drain(source, *levels, next);
+    }
+}
+
+/// Per node its distance from those with supply, in arcs of reduced cost zero; nothing where none that demands is reached.
+std::optional<std::vector<std::uint32_t>> Flow::levels_to_demand() const {
     constexpr std::uint32_t unseen = std::numeric_limits<std::uint32_t>::max();
-    while (true) {
-        std::ranges::fill(level, unseen);
-        std::ranges::fill(next, 0);
-        std::vector<std::uint32_t> order;
-        for (std::uint32_t node = 0; node < out_.size(); ++node)
-            if (supply_[node] > 0) level[node] = 0, order.push_back(node);
-        bool found = false;
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            found = found || supply_[order[k]] < 0;
-            for (const std::uint32_t index : out_[order[k]]) {
-                const Half& half = halves_[index];
-                if (half.capacity == 0 || level[half.to] != unseen || reduced(order[k], half) != 0) continue;
-                level[half.to] = level[order[k]] + 1;
-                order.push_back(half.to);
-            }
-        }
-        if (!found) return;
-        for (std::uint32_t source = 0; source < out_.size(); ++source) {
-            std::vector<std::uint32_t> path;   // halves
-            while (supply_[source] > 0) {
-                const std::uint32_t node = path.empty() ? source : halves_[path.back()].to;
-                if (supply_[node] < 0) {
-                    std::int64_t amount = std::min(supply_[source], -supply_[node]);
-                    for (const std::uint32_t index : path) amount = std::min(amount, halves_[index].capacity);
-                    for (const std::uint32_t index : path) {
-                        halves_[index].capacity -= amount;
-                        halves_[index ^ 1U].capacity += amount;
-                        cost_ += amount * halves_[index].cost;
-                    }
-                    supply_[source] -= amount;
-                    supply_[node] += amount;
-                    path.clear();
-                    continue;
-                }
-                bool advanced = false;
-                for (; next[node] < out_[node].size(); ++next[node]) {
-                    const std::uint32_t index = out_[node][next[node]];
-                    const Half& half = halves_[index];
-                    if (half.capacity == 0 || level[half.to] != level[node] + 1 || reduced(node, half) != 0) continue;
-                    path.push_back(index);
-                    advanced = true;
-                    break;
-                }
-                if (advanced) continue;
-                if (path.empty()) break;
-                const std::uint32_t before = halves_[path.back() ^ 1U].to;
-                path.pop_back();
-                ++next[before];
-            }
+    std::vector<std::uint32_t> level(out_.size(), unseen), order;
+    for (std::uint32_t node = 0; node < out_.size(); ++node)
+        if (supply_[node] > 0) level[node] = 0, order.push_back(node);
+    bool found = false;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        found = found || supply_[order[k]] < 0;
+        for (const std::uint32_t index : out_[order[k]]) {
+            const Half& half = halves_[index];
+            if (half.capacity == 0 || level[half.to] != unseen || reduced(order[k], half) != 0) continue;
+            level[half.to] = level[order[k]] + 1;
+            order.push_back(half.to);
         }
     }
+    return found ? std::optional(std::move(level)) : std::nullopt;
+}
+
+/// Sends what `source` supplies, from level to level, as far as it goes. `next`: per node the first half not tried in vain.
+void Flow::drain(std::uint32_t source, const std::vector<std::uint32_t>& level, std::vector<std::size_t>& next) {
+    std::vector<std::uint32_t> path;   // halves
+    while (supply_[source] > 0) {
+        const std::uint32_t node = path.empty() ? source : halves_[path.back()].to;
+        if (supply_[node] < 0) {
+            send(source, node, path);
+            path.clear();
+            continue;
+        }
+        const auto leads_on = [&](std::uint32_t index) {
+            const Half& half = halves_[index];
+            return half.capacity != 0 && level[half.to] == level[node] + 1 && reduced(node, half) == 0;
+        };
+        while (next[node] < out_[node].size() && !leads_on(out_[node][next[node]])) ++next[node];
+        if (next[node] < out_[node].size()) {
+            path.push_back(out_[node][next[node]]);
+            continue;
+        }
+        if (path.empty()) return;
+        ++next[halves_[path.back() ^ 1U].to];
+        path.pop_back();
+    }
+}
+
+/// As much as `source` has, `target` wants and the path carries.
+void Flow::send(std::uint32_t source, std::uint32_t target, const std::vector<std::uint32_t>& path) {
+    std::int64_t amount = std::min(supply_[source], -supply_[target]);
+    for (const std::uint32_t index : path) amount = std::min(amount, halves_[index].capacity);
+    for (const std::uint32_t index : path) {
+        halves_[index].capacity -= amount;
+        halves_[index ^ 1U].capacity += amount;
+    }
+    supply_[source] -= amount;
+    supply_[target] += amount;
 }
 
 constexpr std::uint32_t none = 0xFFFFFFFFU;
@@ -306,43 +310,67 @@ Tour least_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<Tour
     return tour;
 }
 
+namespace {
+
+/// Breadth-first searches for the nearest node wanted.
+class NearestSearch {
+public:
+    NearestSearch(std::uint32_t nodes, const std::vector<TourArc>& arcs) : arcs_(arcs), leaving_(nodes, arcs), seen_in_(nodes), by_(nodes) {}
+
+    /// The arcs of a shortest path from `start` on to a node wanted, the last first; empty: none is in reach.
+    std::vector<std::uint32_t> path(std::uint32_t start, const std::vector<bool>& wanted) {
+        ++round_;
+        std::deque<std::uint32_t> queue{start};
+        for (; !queue.empty(); queue.pop_front()) {
+            const std::uint32_t node = queue.front();
+            for (std::uint32_t place = leaving_.first[node]; place < leaving_.first[node + 1]; ++place) {
+                const std::uint32_t arc = leaving_.order[place], to = arcs_[arc].to;
+                if (std::exchange(seen_in_[to], round_) == round_) continue;
+                by_[to] = arc;
+                if (wanted[to]) return back(to, start);
+                queue.push_back(to);
+            }
+        }
+        return {};
+    }
+
+private:
+    std::vector<std::uint32_t> back(std::uint32_t node, std::uint32_t start) const {
+        std::vector<std::uint32_t> path;
+        do {
+            path.push_back(by_[node]);
+            node = arcs_[path.back()].from;
+        } while (node != start);
+        return path;
+    }
+
+    const std::vector<TourArc>& arcs_;
+    Leaving leaving_;
+    std::uint32_t round_ = 0;
+    std::vector<std::uint32_t> seen_in_, by_;   ///< per node: the last search that saw it, and the arc it came by
+};
+
+}  // namespace
+
 Tour visiting_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs) {
-    const Leaving leaving(nodes, arcs);
+    NearestSearch search(nodes, arcs);
     std::vector<bool> wanted(nodes);
     for (const TourArc& arc : arcs) wanted[arc.to] = true;
     Tour tour;
-    auto open = static_cast<std::uint64_t>(std::ranges::count(wanted, true));
-    std::uint32_t here = start;
     tour.sequences.emplace_back();
-    std::vector<std::uint32_t> seen_in(nodes, 0), by(nodes, none);
-    for (std::uint32_t round = 1; open > 0; ++round) {
-        std::deque<std::uint32_t> queue{here};
-        std::uint32_t found = none;
-        std::vector<std::uint32_t> entered;
-        while (!queue.empty() && found == none) {
-            const std::uint32_t node = queue.front();
-            queue.pop_front();
-            for (std::uint32_t place = leaving.first[node]; place < leaving.first[node + 1] && found == none; ++place) {
-                const std::uint32_t arc = leaving.order[place], to = arcs[arc].to;
-                if (seen_in[to] == round) continue;
-                seen_in[to] = round;
-                by[to] = arc;
-                if (wanted[to]) found = to;
-                else queue.push_back(to);
-            }
-        }
-        if (found == none) {   // what is left can be reached from power-on only
+    std::uint32_t here = start;
+    for (auto open = std::ranges::count(wanted, true); open > 0;) {
+        const std::vector<std::uint32_t> path = search.path(here, wanted);
+        if (path.empty()) {   // what is left can be reached from power-on only
             here = start;
             tour.sequences.emplace_back();
             continue;
         }
-        std::vector<std::uint32_t> way;
-        for (std::uint32_t node = found; way.empty() || node != here; node = arcs[way.back()].from) way.push_back(by[node]);
-        tour.sequences.back().insert(tour.sequences.back().end(), way.rbegin(), way.rend());
-        tour.length += way.size();
-        wanted[found] = false;
+        tour.sequences.back().insert(tour.sequences.back().end(), path.rbegin(), path.rend());
+        tour.length += path.size();
+        here = arcs[path.front()].to;
+        wanted[here] = false;
         --open;
-        here = found;
     }
     std::erase_if(tour.sequences, [](const auto& sequence) { return sequence.empty(); });
     return tour;

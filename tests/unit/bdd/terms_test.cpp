@@ -63,16 +63,6 @@ struct World {
     }
 };
 
-std::int64_t value_under(const BddTerm& term, const std::vector<bool>& values) {
-    std::int64_t value = 0;
-    for (std::size_t place = 0; place < term.bits.size(); ++place) {
-        const bool one = evaluate(term.bits[place], values);
-        const bool sign = !term.boolean && place + 1 == term.bits.size();
-        if (one) value += (sign ? -1 : 1) * static_cast<std::int64_t>(std::uint64_t{1} << place);
-    }
-    return value;
-}
-
 void expect_same(const World& world, Id<Expr> root, const BddTerm& term) {
     for (unsigned n = 0; n < 1U << world.space.variables(); ++n) {
         std::vector<bool> values(world.space.variables());
@@ -81,7 +71,11 @@ void expect_same(const World& world, Id<Expr> root, const BddTerm& term) {
             return value_of(world.words[static_cast<std::size_t>(node.value)], values);
         });
         ASSERT_EQ(!evaluate(term.undefined, values), expected.has_value()) << n;
-        if (expected) { ASSERT_EQ(value_under(term, values), *expected) << n; }
+        if (!expected) continue;
+        ASSERT_EQ(value_of(term, values), *expected) << n;
+        const std::int64_t other = term.boolean ? 1 - *expected : *expected ^ 1;
+        ASSERT_TRUE(evaluate(equals(term, *expected), values)) << n;
+        ASSERT_FALSE(evaluate(equals(term, other), values)) << n;
     }
 }
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// States: what the chart remembers between two evolutions, packed into words, each stored once.
+//
+// A state holds step activities, stored variables, previous values, the levels that timers watch, and of each timer what
+// happened to its level within the same instant: it became true (`fresh`), its fall time may have started (`falling`).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "conform/location_terms.hpp"
+#include "grafverif/ir/equations.hpp"
+
+namespace grafverif::conform {
+
+using PackedState = std::vector<std::uint64_t>;
+
+/// Where each thing stands in a packed state.
+struct StateLayout {
+    struct Field {
+        Kept kept = {};
+        Type type = {};
+        std::uint32_t word = 0, shift = 0;
+        std::uint64_t mask = 0;                  ///< before the shift
+    };
+    struct Timer {
+        std::uint32_t fresh = 0, falling = 0;    ///< bits
+        std::uint32_t level = 0;                 ///< the bit of what it watches
+    };
+
+    explicit StateLayout(const Equations& equations);
+
+    std::int64_t value(std::span<const std::uint64_t> state, std::uint32_t field) const;
+    void set(PackedState& state, std::uint32_t field, std::int64_t value) const;
+
+    std::vector<Field> fields = {};              ///< those of watched levels are the last
+    std::size_t evolving = 0;                    ///< fields before those
+    std::vector<Timer> timers = {};
+    std::size_t words = 1;                       ///< of 64 bits
+};
+
+bool has_bit(std::span<const std::uint64_t> state, std::uint32_t bit);
+void set_bit(PackedState& state, std::uint32_t bit, bool value);
+
+using StateId = std::uint32_t;
+inline constexpr StateId no_state = std::numeric_limits<StateId>::max();
+
+/// States of one layout, numbered in the order in which they are stored.
+class StateStore {
+public:
+    explicit StateStore(std::size_t words) : words_(words) {}
+
+    std::size_t size() const { return packed_.size() / words_; }
+    std::span<const std::uint64_t> at(StateId state) const { return {packed_.data() + std::size_t{state} * words_, words_}; }
+
+    /// The number of the state, new or known.
+    StateId intern(std::span<const std::uint64_t> state);
+
+private:
+    void grow();
+
+    std::size_t words_ = 1;
+    std::vector<std::uint64_t> packed_ = {};
+    std::vector<StateId> slots_ = std::vector<StateId>(64, no_state);   ///< open addressing
+};
+
+}  // namespace grafverif::conform
