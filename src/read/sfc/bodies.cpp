@@ -9,58 +9,62 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t most_terms = 20'000;   ///< of one body
+constexpr std::size_t most_terms = 200'000;   ///< made by one body: bounds what IF can blow up
 constexpr int deepest_call = 20;
 
 class Execution {
 public:
-    explicit Execution(Sfc& sfc) : sfc_(sfc) {}
+    explicit Execution(Sfc& sfc) : sfc_(sfc), first_term_(sfc.draft.file().exprs.size()) {}
 
-    bool run(const st::Block& block, SfcEffects& state, int calls) {
+    /// What is assigned behind the statements, where `before` was assigned before them; empty after a refusal.
+    std::optional<SfcEffects> run(const st::Block& block, SfcEffects before, int calls) {
+        std::optional<SfcEffects> state = std::move(before);
         for (const Id<st::Statement> id : block)
-            if (!statement(sfc_.file.statements[id], state, calls)) return false;
-        return true;
+            if (state) state = statement(sfc_.file.statements[id], std::move(*state), calls);
+        return state;
     }
+
+    const std::set<std::string>& reads() const { return reads_; }
 
 private:
-    bool refuse(Span where, std::string_view what, std::string_view hint) {
+    std::nullopt_t refuse(Span where, std::string_view what, std::string_view hint) {
         sfc_.draft.refuse(where, what, hint);
-        return false;
+        return std::nullopt;
     }
+
+    bool too_large() const { return sfc_.draft.file().exprs.size() - first_term_ > most_terms; }
+    std::nullopt_t refuse_size(Span where) { return refuse(where, "a body with so many cases", "split it into several actions"); }
 
     SfcTerm term(Id<st::Expr> expr, const SfcEffects& state, SfcKind expected) {
-        sfc_.state = &state;
-        const SfcTerm found = term_of(sfc_, expr, expected);
-        sfc_.state = nullptr;
-        return found;
+        return term_of(sfc_, {{}, &state, &reads_}, expr, expected);
     }
 
-    bool statement(const st::Statement& statement, SfcEffects& state, int calls) {
-        if (sfc_.terms > most_terms) return refuse(statement.where, "a body with so many cases", "split it into several actions");
+    std::optional<SfcEffects> statement(const st::Statement& statement, SfcEffects state, int calls) {
+        if (too_large()) return refuse_size(statement.where);
         switch (statement.kind) {
-        case st::StatementKind::Assign: return assign(statement, state);
+        case st::StatementKind::Assign: return assign(statement, std::move(state));
         case st::StatementKind::If:
         case st::StatementKind::Case:   return choose(statement, state, calls);
-        case st::StatementKind::Call:   return call(statement, state, calls);
+        case st::StatementKind::Call:   return call(statement, std::move(state), calls);
         case st::StatementKind::For: case st::StatementKind::While: case st::StatementKind::Repeat:
             return refuse(statement.where, "a loop", "write out its passes");
         case st::StatementKind::Return: case st::StatementKind::Exit:
             return refuse(statement.where, "a jump out of the statements", "use `IF`");
         }
-        return false;
+        return {};
     }
 
-    bool assign(const st::Statement& statement, SfcEffects& state) {
+    std::optional<SfcEffects> assign(const st::Statement& statement, SfcEffects state) {
         const std::string path = path_of(sfc_.file, statement.target);
         const Span where = sfc_.file.exprs[statement.target].where;
         if (path.empty()) return refuse(where, "an assignment to a part of an array or pointer", "use a variable of its own");
         const auto known = sfc_.by_name.find(st::capitals(path));
         SfcTerm value = term(statement.value, state, known == sfc_.by_name.end() ? SfcKind::Boolean : sfc_.variables[known->second].kind);
-        if (value.kind == SfcKind::Bad) return false;
+        if (value.kind == SfcKind::Bad) return {};
         const SfcVariable& target = variable_of(sfc_, path, where, value.kind, true);
         if (target.role == tree::VariableKind::Input) {
             refuse(where, "an assignment to the input `" + path + '`', "assign a variable of the chart's own");
-            return sfc_.draft.lossy();
+            return left_out(std::move(state));
         }
         const tree::Expr node = sfc_.draft[value.expr];
         if (target.kind == SfcKind::Boolean && value.kind == SfcKind::Integer && node.op == tree::Op::Number && node.value <= 1)
@@ -69,10 +73,10 @@ private:
             return refuse(where, "an assignment of another type than BOOL and integers", "use variables of one type");
         if (target.kind == SfcKind::Integer) state[target.name] = {{}, {}, value.expr};
         else state[target.name] = {value.expr, sfc_.draft.constant(false, where), {}};
-        return true;
+        return state;
     }
 
-    bool call(const st::Statement& statement, SfcEffects& state, int calls) {
+    std::optional<SfcEffects> call(const st::Statement& statement, SfcEffects state, int calls) {
         const st::Expr& node = sfc_.file.exprs[statement.value];
         const st::Expr& callee = sfc_.file.exprs[node.first];
         const bool plain = callee.op == st::Op::Name && st::operands(sfc_.file, statement.value).size() == 1;
@@ -80,10 +84,15 @@ private:
             if (!plain || action.name.word != callee.word) continue;
             if (action.opaque) return refuse(statement.where, "a call of an action that is not in Structured Text", "write it in Structured Text");
             if (calls >= deepest_call) return refuse(statement.where, "an action that calls itself", "write it out");
-            return run(action.body, state, calls + 1);
+            return run(action.body, std::move(state), calls + 1);
         }
         refuse(statement.where, "a call of a function block", "write what it does with Boolean and integer variables");
-        return sfc_.draft.lossy();   // what it computes is declared elsewhere: inputs of the chart
+        return left_out(std::move(state));   // what it computes is declared elsewhere: inputs of the chart
+    }
+
+    /// The state behind a statement that was refused: none, unless losses are allowed.
+    std::optional<SfcEffects> left_out(SfcEffects state) const {
+        return sfc_.draft.lossy() ? std::optional(std::move(state)) : std::nullopt;
     }
 
     /// `selector = label` or `low <= selector AND selector <= high`, any of them.
@@ -97,81 +106,97 @@ private:
                 return sfc_.draft.node(op, {selector.expr, value.expr}, node.where);
             };
             const Id<tree::Expr> one = node.op == st::Op::Range
-                                           ? both(sfc_, compared(tree::Op::GreaterEqual, node.first), compared(tree::Op::LessEqual, node.last))
+                                           ? both(sfc_.draft, compared(tree::Op::GreaterEqual, node.first), compared(tree::Op::LessEqual, node.last))
                                            : compared(tree::Op::Equal, label);
-            any = either(sfc_, any, one);
+            any = either(sfc_.draft, any, one);
             if (!any.valid()) return {};
         }
         return any;
     }
 
-    bool choose(const st::Statement& statement, SfcEffects& state, int calls) {
-        const SfcEffects before = state;
+    /// A branch is taken under its condition and where none before it was; what follows is one of their states.
+    std::optional<SfcEffects> choose(const st::Statement& statement, const SfcEffects& before, int calls) {
         Id<tree::Expr> open = sfc_.draft.constant(true, statement.where);   // no branch before this one was taken
-        std::vector<std::pair<Id<tree::Expr>, SfcEffects>> taken;
+        std::vector<Taken> taken;
         for (const st::Branch& branch : statement.branches) {
-            Id<tree::Expr> here = sfc_.draft.constant(true, branch.where);
-            if (!branch.conditions.empty() && statement.kind == st::StatementKind::Case) here = matches(statement, branch, before);
-            else if (!branch.conditions.empty()) {
-                sfc_.state = &before;
-                here = boolean_of(sfc_, branch.conditions.front());
-                sfc_.state = nullptr;
-            }
-            if (!here.valid()) return false;
-            SfcEffects after = before;
-            if (!run(branch.body, after, calls)) return false;
-            taken.emplace_back(both(sfc_, sfc_.draft.copy(open), sfc_.draft.copy(here)), std::move(after));
-            open = both(sfc_, open, opposite(sfc_, here));
-            if (!open.valid() || sfc_.terms > most_terms) return refuse(statement.where, "a body with so many cases", "split it into several actions");
+            Id<tree::Expr> here = condition(statement, branch, before);
+            if (!here.valid()) return {};
+            std::optional<SfcEffects> after = run(branch.body, before, calls);
+            if (!after) return {};
+            taken.push_back({both(sfc_.draft, sfc_.draft.copy(open), sfc_.draft.copy(here)), std::move(*after)});
+            open = both(sfc_.draft, open, opposite(sfc_.draft, here));
+            if (!open.valid() || too_large()) return refuse_size(statement.where);
         }
-        taken.emplace_back(open, before);
-        return merge(statement, taken, state);
+        taken.push_back({open, before});
+        return merged(statement, taken, before);
     }
 
-    bool merge(const st::Statement& statement, const std::vector<std::pair<Id<tree::Expr>, SfcEffects>>& taken, SfcEffects& state) {
-        SfcEffects merged;
-        for (const auto& [condition, effects] : taken)
-            for (const auto& [name, effect] : effects) merged.try_emplace(name, SfcEffect{});
-        for (auto& [name, result] : merged) {
-            const bool integer = std::ranges::any_of(taken, [&name = name](const auto& one) {
-                const auto found = one.second.find(name);
-                return found != one.second.end() && found->second.value.valid();
+    Id<tree::Expr> condition(const st::Statement& statement, const st::Branch& branch, const SfcEffects& state) {
+        if (branch.conditions.empty()) return sfc_.draft.constant(true, branch.where);
+        if (statement.kind == st::StatementKind::Case) return matches(statement, branch, state);
+        return boolean_of(sfc_, {{}, &state, &reads_}, branch.conditions.front());
+    }
+
+    struct Taken {
+        Id<tree::Expr> condition = {};
+        SfcEffects effects = {};
+
+        const SfcEffect* effect(const std::string& name) const {
+            const auto found = effects.find(name);
+            return found == effects.end() ? nullptr : &found->second;
+        }
+    };
+
+    std::optional<SfcEffects> merged(const st::Statement& statement, const std::vector<Taken>& taken, const SfcEffects& before) {
+        SfcEffects result;
+        for (const Taken& branch : taken)
+            for (const auto& [name, effect] : branch.effects) result.try_emplace(name, SfcEffect{});
+        for (auto& [name, effect] : result) {
+            const bool integer = std::ranges::any_of(taken, [&name = name](const Taken& branch) {
+                const SfcEffect* const own = branch.effect(name);
+                return own != nullptr && own->value.valid();
             });
-            if (integer) {
-                const auto old = state.find(name);
-                const bool touched = std::ranges::any_of(taken, [&, &name = name](const auto& one) {
-                    const auto found = one.second.find(name);
-                    return found == one.second.end() ? old != state.end() : old == state.end() || found->second.value != old->second.value;
-                });
-                if (touched) return refuse(statement.where, "an integer that is assigned under a condition", "assign it in a step of its own");
-                result = old->second;
+            if (!integer) {
+                effect = merged(name, taken, statement.where);
+                if (!effect.set.valid() || !effect.keep.valid()) return {};
                 continue;
             }
-            result = {sfc_.draft.constant(false, statement.where), sfc_.draft.constant(false, statement.where), {}};
-            for (const auto& [condition, effects] : taken) {
-                const auto found = effects.find(name);
-                const bool kept = found == effects.end();
-                const auto part = [&](Id<tree::Expr> value) { return both(sfc_, sfc_.draft.copy(condition), sfc_.draft.copy(value)); };
-                result.set = either(sfc_, result.set, part(kept ? sfc_.draft.constant(false, statement.where) : found->second.set));
-                result.keep = either(sfc_, result.keep, part(kept ? sfc_.draft.constant(true, statement.where) : found->second.keep));
-                if (!result.set.valid() || !result.keep.valid()) return false;
-            }
+            const auto old = before.find(name);
+            const bool touched = old == before.end() || std::ranges::any_of(taken, [&, &name = name](const Taken& branch) {
+                const SfcEffect* const own = branch.effect(name);
+                return own == nullptr || own->value != old->second.value;
+            });
+            if (touched) return refuse(statement.where, "an integer that is assigned under a condition", "assign it in a step of its own");
+            effect = old->second;
         }
-        state = std::move(merged);
-        return true;
+        return result;
+    }
+
+    /// Of a Boolean variable: set where a branch is taken that sets it; kept where one is taken that keeps it.
+    SfcEffect merged(const std::string& name, const std::vector<Taken>& taken, Span where) {
+        SfcEffect result{sfc_.draft.constant(false, where), sfc_.draft.constant(false, where), {}};
+        for (const Taken& branch : taken) {
+            const SfcEffect* const own = branch.effect(name);
+            const auto part = [&](Id<tree::Expr> value) { return both(sfc_.draft, sfc_.draft.copy(branch.condition), sfc_.draft.copy(value)); };
+            result.set = either(sfc_.draft, result.set, part(own == nullptr ? sfc_.draft.constant(false, where) : own->set));
+            result.keep = either(sfc_.draft, result.keep, part(own == nullptr ? sfc_.draft.constant(true, where) : own->keep));
+            if (!result.set.valid() || !result.keep.valid()) break;
+        }
+        return result;
     }
 
     Sfc& sfc_;
+    std::size_t first_term_;
+    std::set<std::string> reads_ = {};
 };
 
 }  // namespace
 
-std::optional<SfcEffects> effects_of(Sfc& sfc, const st::Block& block) {
-    SfcEffects state;
-    sfc.terms = 0;
-    sfc.reads.clear();
-    if (!Execution(sfc).run(block, state, 0)) return {};
-    return state;
+std::optional<SfcBody> body_of(Sfc& sfc, const st::Block& block) {
+    Execution execution(sfc);
+    std::optional<SfcEffects> effects = execution.run(block, {}, 0);
+    if (!effects) return {};
+    return SfcBody{std::move(*effects), execution.reads()};
 }
 
 }  // namespace grafverif

@@ -63,9 +63,9 @@ void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches) {
                 for (const st::Name& from : branches[j].written->from) {
                     const bool shared = std::ranges::any_of(branches[i].written->from, [&](const st::Name& own) { return own.word == from.word; });
                     if (!shared && sfc.steps.contains(from.word))
-                        blocked = both(sfc, blocked, sfc.draft.variable('X' + sfc.steps.at(from.word), from.where));
+                        blocked = both(sfc.draft, blocked, sfc.draft.variable('X' + sfc.steps.at(from.word), from.where));
                 }
-                branches[i].condition = both(sfc, branches[i].condition, opposite(sfc, blocked));
+                branches[i].condition = both(sfc.draft, branches[i].condition, opposite(sfc.draft, blocked));
                 if (!branches[i].condition.valid()) branches[i].condition = sfc.draft.constant(false, branches[i].written->where);
                 changed = true;
             }

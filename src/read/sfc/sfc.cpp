@@ -2,6 +2,8 @@
 #include "read/sfc/sfc.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "grafverif/ir/type.hpp"
 #include "support/messages.hpp"
@@ -48,16 +50,13 @@ std::vector<SfcBranch> branches_of(Sfc& sfc, const st::Network& network) {
     for (const st::Transition& written : network.transitions) {
         SfcBranch branch;
         branch.written = &written;
-        sfc.source_steps.clear();
-        for (const st::Name& from : written.from) sfc.source_steps.insert(from.word);
         const std::size_t errors = sfc.diagnostics().errors();
-        if (written.condition.valid()) branch.condition = boolean_of(sfc, written.condition);
+        if (written.condition.valid()) branch.condition = boolean_of(sfc, {written.from}, written.condition);
         if (!branch.condition.valid() && sfc.diagnostics().errors() == errors && sfc.draft.lossy())
             branch.condition = unknown_condition(sfc, written.where);
         if (!branch.condition.valid()) branch.condition = sfc.draft.constant(false, written.where);   // reported
         branches.push_back(branch);
     }
-    sfc.source_steps.clear();
     exclude_by_priority(sfc, branches);
     return branches;
 }
@@ -91,7 +90,8 @@ void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem
     }
 }
 
-std::vector<tree::ChartItem> items_of(Sfc& sfc, const st::Network& network, SfcActions& actions,
+/// Of steps that share a name, which was reported, the first has the actions.
+std::vector<tree::ChartItem> steps_of(Sfc& sfc, const st::Network& network, SfcActions& actions,
                                       const std::unordered_map<Id<st::Word>, std::string>& expansions) {
     std::vector<tree::ChartItem> items;
     for (const st::Step& written : network.steps) {
@@ -100,8 +100,7 @@ std::vector<tree::ChartItem> items_of(Sfc& sfc, const st::Network& network, SfcA
         step.initial = written.initial;
         const std::string& name = sfc.steps.at(written.name.word);
         step.name = sfc.draft.name(name, written.name.where);
-        step.actions = std::move(actions.of_steps[name]);
-        actions.of_steps.erase(name);
+        step.actions = std::exchange(actions.of_steps[name], {});
         if (const auto expansion = expansions.find(written.name.word); expansion != expansions.end()) {
             step.kind = tree::StepKind::Macro;
             step.contents.push_back(sfc.draft.name(expansion->second, written.name.where));
@@ -110,26 +109,37 @@ std::vector<tree::ChartItem> items_of(Sfc& sfc, const st::Network& network, SfcA
         items.emplace_back(std::move(step));
     }
     if (network.macro_step.valid()) mark_ends(sfc, network, items);
+    return items;
+}
+
+std::vector<tree::Name> labels_of(Sfc& sfc, const std::vector<st::Name>& steps) {
+    std::vector<tree::Name> labels;
+    for (const st::Name& step : steps) {
+        const auto known = sfc.steps.find(step.word);
+        labels.push_back(sfc.draft.name(known == sfc.steps.end() ? std::string(sfc.file.text(step)) : known->second, step.where));
+    }
+    return labels;
+}
+
+std::vector<tree::ChartItem> transitions_of(Sfc& sfc, const st::Network& network) {
+    std::vector<tree::ChartItem> items;
     LegalNames names(LegalNames::Kind::Chart, sfc.draft);
     for (const SfcBranch& branch : branches_of(sfc, network)) {
+        const st::Transition& written = *branch.written;
         tree::Transition transition;
-        transition.where = branch.written->where;
+        transition.where = written.where;
         transition.condition = branch.condition;
-        if (branch.written->name.valid())
-            transition.name = sfc.draft.name(names.make(sfc.file.text(branch.written->name), branch.written->name.where), branch.written->name.where);
-        const auto label = [&](const st::Name& step) {
-            const auto known = sfc.steps.find(step.word);
-            return sfc.draft.name(known == sfc.steps.end() ? std::string(sfc.file.text(step)) : known->second, step.where);
-        };
-        for (const st::Name& from : branch.written->from) transition.from.push_back(label(from));
-        for (const st::Name& to : branch.written->to) transition.to.push_back(label(to));
-        comment(sfc, transition.where, branch.written->comment);
+        if (written.name.valid())
+            transition.name = sfc.draft.name(names.make(sfc.file.text(written.name), written.name.where), written.name.where);
+        transition.from = labels_of(sfc, written.from);
+        transition.to = labels_of(sfc, written.to);
+        comment(sfc, transition.where, written.comment);
         if (transition.from.empty() || transition.to.empty()) {
             sfc.diagnostics().add(messages::missing_part(transition.where, "this transition", transition.from.empty() ? "step before it" : "step behind it"));
             continue;
         }
-        for (const st::Name& from : branch.written->from)
-            if (std::ranges::any_of(branch.written->to, [&](const st::Name& to) { return to.word == from.word; }))
+        for (const st::Name& from : written.from)
+            if (std::ranges::find(written.to, from.word, &st::Name::word) != written.to.end())
                 sfc.differs(transition.where, "this transition leads back to the step `" + std::string(sfc.file.text(from)) +
                                                   "`, which stays active here; its times and actions do not begin anew");
         items.emplace_back(std::move(transition));
@@ -141,35 +151,32 @@ void add_ranges(Sfc& sfc, tree::Chart& chart) {
     std::vector<OpenInteger> open;
     std::unordered_map<std::string, const SfcVariable*> by_name;
     for (const SfcVariable& variable : sfc.variables) by_name.emplace(variable.name, &variable);
-    std::vector<std::pair<tree::Variable*, const SfcVariable*>> integers;
+    std::vector<std::pair<tree::Variables*, const SfcVariable*>> integers;
     for (tree::ChartItem& item : chart.items) {
-        auto* variables = std::get_if<tree::Variables>(&item);
-        if (variables == nullptr || variables->variables.front().type != tree::TypeWord::Int) continue;
-        tree::Variable& one = variables->variables.front();
-        const SfcVariable* variable = by_name.at(std::string(sfc.draft.text(one.name)));
-        open.push_back({one.name.word, variables->kind == tree::VariableKind::Input, variable->initial, variable->low, variable->high});
-        integers.emplace_back(&one, variable);
+        auto* declared = std::get_if<tree::Variables>(&item);
+        if (declared == nullptr || declared->variables.front().type != tree::TypeWord::Int) continue;
+        const tree::Name name = declared->variables.front().name;
+        const SfcVariable* variable = by_name.at(std::string(sfc.draft.text(name)));
+        open.push_back({name.word, declared->kind == tree::VariableKind::Input, variable->initial, variable->low, variable->high});
+        integers.emplace_back(declared, variable);
     }
     const std::vector<FoundRange> found = ranges_of(sfc.draft.file(), chart, open);
     for (std::size_t i = 0; i < found.size(); ++i) {
-        const auto& [one, variable] = integers[i];
+        const auto& [declared, variable] = integers[i];
+        tree::Variable& one = declared->variables.front();
         const bool output = variable->role == tree::VariableKind::Output;
         FoundRange range = found[i];
         if (variable->narrow) range = {variable->low, variable->high, true};
-        if (output && range.low != variable->initial) range.low = std::min(range.low, variable->initial);
-        one->range = tree::Range{sfc.draft.number(range.low, one->where), sfc.draft.number(range.high, one->where)};
+        if (output) range.low = std::min(range.low, variable->initial);
+        one.range = tree::Range{sfc.draft.number(range.low, one.where), sfc.draft.number(range.high, one.where)};
         if (!range.exact && variable->wide)
-            sfc.diagnostics().add(messages::chosen_range(one->where, sfc.draft.text(one->name), range.low, range.high, "its type holds more than charts do"));
-        for (tree::ChartItem& item : chart.items) {
-            auto* variables = std::get_if<tree::Variables>(&item);
-            if (variables == nullptr || &variables->variables.front() != one) continue;
-            if (output && range.low != variable->initial) {
-                variables->kind = tree::VariableKind::Internal;
-                sfc.diagnostics().add(messages::chosen_kind(one->where, sfc.draft.text(one->name), "internal variable",
-                                                            "an output would begin at the least value of its range"));
-            }
-            if (variables->kind == tree::VariableKind::Internal) one->value = sfc.draft.number(variable->initial, one->where);
+            sfc.diagnostics().add(messages::chosen_range(one.where, sfc.draft.text(one.name), range.low, range.high, "its type holds more than charts do"));
+        if (output && range.low != variable->initial) {
+            declared->kind = tree::VariableKind::Internal;
+            sfc.diagnostics().add(messages::chosen_kind(one.where, sfc.draft.text(one.name), "internal variable",
+                                                        "an output would begin at the least value of its range"));
         }
+        if (declared->kind == tree::VariableKind::Internal) one.value = sfc.draft.number(variable->initial, one.where);
     }
 }
 
@@ -210,7 +217,8 @@ void convert(const st::File& file, const st::Unit& unit, LegalNames& charts, Dra
         if (network.macro_step.valid()) expansions.emplace(network.macro_step.word, names.invent('E' + sfc.steps.at(network.macro_step.word)));
     std::vector<tree::ChartItem> items;
     for (const st::Network& network : unit.networks) {
-        std::vector<tree::ChartItem> own = items_of(sfc, network, actions, expansions);
+        std::vector<tree::ChartItem> own = steps_of(sfc, network, actions, expansions);
+        std::ranges::move(transitions_of(sfc, network), std::back_inserter(own));
         if (!network.macro_step.valid()) {
             std::ranges::move(own, std::back_inserter(items));
             continue;

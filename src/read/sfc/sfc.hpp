@@ -15,6 +15,8 @@
 
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -64,10 +66,6 @@ struct Sfc {
     std::unordered_map<std::string, std::size_t> by_name = {};       ///< capitals of the path as written -> variable
     std::unordered_map<Id<st::Word>, std::string> steps = {};        ///< their names in our language
     LegalNames names;
-    std::unordered_set<Id<st::Word>> source_steps = {};              ///< of the transition at hand: `S.T` is known there
-    std::unordered_set<std::string> reads = {};                      ///< variables read since it was last cleared
-    const SfcEffects* state = nullptr;                               ///< values assigned so far, in a body
-    std::size_t terms = 0;                                           ///< made by bodies: bounds what IF can blow up
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
     void differs(Span where, std::string_view what);
@@ -83,19 +81,29 @@ SfcVariable& variable_of(Sfc& sfc, const std::string& path, Span where, SfcKind 
 std::vector<tree::ChartItem> declarations_of(Sfc& sfc);
 
 // -- sfc_terms.cpp
+/// What the names in an expression mean where it stands.
+struct SfcScope {
+    std::span<const st::Name> left = {};               ///< steps that the transition leaves: `S.T` is known of them
+    const SfcEffects* assigned = nullptr;              ///< values that the body has assigned before
+    std::set<std::string>* reads = nullptr;  ///< gains the variables that are read
+};
 /// Bad after a refusal. `expected` tells the type of what is declared nowhere.
-SfcTerm term_of(Sfc& sfc, Id<st::Expr> expr, SfcKind expected);
+SfcTerm term_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr, SfcKind expected);
 /// A term that must be Boolean.
-Id<tree::Expr> boolean_of(Sfc& sfc, Id<st::Expr> expr);
+Id<tree::Expr> boolean_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr);
 /// A constant duration in milliseconds.
-std::optional<std::int64_t> duration_of(Sfc& sfc, Id<st::Expr> expr);
-Id<tree::Expr> both(Sfc& sfc, Id<tree::Expr> left, Id<tree::Expr> right);      ///< `&&`, constants folded
-Id<tree::Expr> either(Sfc& sfc, Id<tree::Expr> left, Id<tree::Expr> right);    ///< `||`
-Id<tree::Expr> opposite(Sfc& sfc, Id<tree::Expr> term);                        ///< `!`
+std::optional<std::int64_t> duration_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr);
+Id<tree::Expr> both(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);      ///< `&&`, constants folded
+Id<tree::Expr> either(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);    ///< `||`
+Id<tree::Expr> opposite(Draft& draft, Id<tree::Expr> term);                        ///< `!`
 
 // -- sfc_bodies.cpp
-/// What the statements assign; empty after a refusal.
-std::optional<SfcEffects> effects_of(Sfc& sfc, const st::Block& block);
+struct SfcBody {
+    SfcEffects effects = {};                    ///< what the statements assign
+    std::set<std::string> reads = {}; ///< variables they read
+};
+/// Empty after a refusal.
+std::optional<SfcBody> body_of(Sfc& sfc, const st::Block& block);
 
 // -- sfc_actions.cpp
 /// The actions of every step, by its name in our language, and what has to go on beside the chart.

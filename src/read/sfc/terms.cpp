@@ -9,8 +9,8 @@ namespace grafverif {
 
 namespace {
 
-bool is_constant(const Sfc& sfc, Id<tree::Expr> term, bool value) {
-    return sfc.draft[term].op == (value ? tree::Op::True : tree::Op::False);
+bool is_constant(const Draft& draft, Id<tree::Expr> term, bool value) {
+    return draft[term].op == (value ? tree::Op::True : tree::Op::False);
 }
 
 /// Equal as written; as deep as an expression may be.
@@ -48,7 +48,7 @@ SfcTerm refused(Sfc& sfc, Span where, std::string_view what, std::string_view hi
 }
 
 /// The value of a variable: a constant, what the body at hand has assigned, or the variable itself.
-SfcTerm variable_term(Sfc& sfc, const std::string& path, Span where, SfcKind expected) {
+SfcTerm variable_term(Sfc& sfc, const SfcScope& scope, const std::string& path, Span where, SfcKind expected) {
     const SfcVariable& variable = variable_of(sfc, path, where, expected, false);
     if (variable.kind == SfcKind::Bad) return refused(sfc, where, "`" + path + "`, which is no BOOL, integer or TIME,");
     if (variable.constant || variable.kind == SfcKind::Time) {
@@ -57,14 +57,14 @@ SfcTerm variable_term(Sfc& sfc, const std::string& path, Span where, SfcKind exp
         if (variable.kind == SfcKind::Time) return {sfc.draft.duration(variable.initial, where), SfcKind::Time};
         return {sfc.draft.number(variable.initial, where), SfcKind::Integer};
     }
-    sfc.reads.insert(variable.name);
     const Id<tree::Expr> itself = sfc.draft.variable(variable.name, where);
-    if (sfc.state == nullptr) return {itself, variable.kind};
-    const auto assigned = sfc.state->find(variable.name);
-    if (assigned == sfc.state->end()) return {itself, variable.kind};
+    if (scope.reads != nullptr) scope.reads->insert(variable.name);
+    if (scope.assigned == nullptr) return {itself, variable.kind};
+    const auto assigned = scope.assigned->find(variable.name);
+    if (assigned == scope.assigned->end()) return {itself, variable.kind};
     const SfcEffect& effect = assigned->second;
     if (variable.kind == SfcKind::Integer) return {sfc.draft.copy(effect.value), SfcKind::Integer};
-    return {either(sfc, sfc.draft.copy(effect.set), both(sfc, sfc.draft.copy(effect.keep), itself)), SfcKind::Boolean};
+    return {either(sfc.draft, sfc.draft.copy(effect.set), both(sfc.draft, sfc.draft.copy(effect.keep), itself)), SfcKind::Boolean};
 }
 
 /// `S1.X`; empty for anything else.
@@ -88,13 +88,13 @@ Id<st::Word> timed_step(const Sfc& sfc, Id<st::Expr> expr) {
 }
 
 /// `S1.T >= T#5s`: `5s/X1` for a step that the transition leaves, which is active wherever that matters.
-std::optional<SfcTerm> step_time(Sfc& sfc, const st::Expr& node) {
+std::optional<SfcTerm> step_time(Sfc& sfc, const SfcScope& scope, const st::Expr& node) {
     const Id<st::Word> left = timed_step(sfc, node.first), right = timed_step(sfc, node.last);
     if (!left.valid() && !right.valid()) return {};
     const Id<st::Word> step = left.valid() ? left : right;
-    const auto time = duration_of(sfc, left.valid() ? node.last : node.first);
+    const auto time = duration_of(sfc, scope, left.valid() ? node.last : node.first);
     if (!time) return SfcTerm{};
-    if (!sfc.source_steps.contains(step))
+    if (std::ranges::find(scope.left, step, &st::Name::word) == scope.left.end())
         return refused(sfc, node.where, "the time of a step that this transition does not leave", "use it in a transition behind the step");
     const bool from_below = left.valid() ? node.op == st::Op::Greater || node.op == st::Op::GreaterEqual
                                          : node.op == st::Op::Less || node.op == st::Op::LessEqual;
@@ -103,7 +103,7 @@ std::optional<SfcTerm> step_time(Sfc& sfc, const st::Expr& node) {
     const Id<tree::Expr> active = sfc.draft.variable('X' + sfc.steps.at(step), node.where);
     const Id<tree::Expr> elapsed =
         *time == 0 ? active : sfc.draft.node(tree::Op::Divide, {sfc.draft.duration(*time, node.where), active}, node.where);
-    return SfcTerm{from_below ? elapsed : opposite(sfc, elapsed), SfcKind::Boolean};
+    return SfcTerm{from_below ? elapsed : opposite(sfc.draft, elapsed), SfcKind::Boolean};
 }
 
 /// 0 and 1 are FALSE and TRUE where a Boolean is asked for.
@@ -114,14 +114,14 @@ SfcTerm coerced(Sfc& sfc, SfcTerm term, SfcKind wanted) {
     return {sfc.draft.constant(node.value == 1, node.where), SfcKind::Boolean};
 }
 
-SfcTerm comparison(Sfc& sfc, const st::Expr& node) {
-    if (auto time = step_time(sfc, node)) return *time;
+SfcTerm comparison(Sfc& sfc, const SfcScope& scope, const st::Expr& node) {
+    if (auto time = step_time(sfc, scope, node)) return *time;
     const auto hint_of = [&](Id<st::Expr> other) {
         const st::Op op = sfc.file.exprs[other].op;
         return op == st::Op::True || op == st::Op::False || op == st::Op::Not || op == st::Op::And || op == st::Op::Or ? SfcKind::Boolean : SfcKind::Integer;
     };
-    SfcTerm left = term_of(sfc, node.first, hint_of(node.last));
-    SfcTerm right = term_of(sfc, node.last, left.kind == SfcKind::Bad ? SfcKind::Integer : left.kind);
+    SfcTerm left = term_of(sfc, scope, node.first, hint_of(node.last));
+    SfcTerm right = term_of(sfc, scope, node.last, left.kind == SfcKind::Bad ? SfcKind::Integer : left.kind);
     left = coerced(sfc, left, right.kind);
     right = coerced(sfc, right, left.kind);
     if (left.kind == SfcKind::Bad || right.kind == SfcKind::Bad) return {};
@@ -137,18 +137,18 @@ SfcTerm comparison(Sfc& sfc, const st::Expr& node) {
     }
     if (left.kind == SfcKind::Boolean && right.kind == SfcKind::Boolean && (node.op == st::Op::Equal || node.op == st::Op::NotEqual)) {
         for (const auto& [one, other] : {std::pair(left.expr, right.expr), std::pair(right.expr, left.expr)})
-            if (const bool value = is_constant(sfc, one, true); value || is_constant(sfc, one, false))
-                return {value == (node.op == st::Op::Equal) ? other : opposite(sfc, other), SfcKind::Boolean};
+            if (const bool value = is_constant(sfc.draft, one, true); value || is_constant(sfc.draft, one, false))
+                return {value == (node.op == st::Op::Equal) ? other : opposite(sfc.draft, other), SfcKind::Boolean};
     }
     if (left.kind != right.kind) return refused(sfc, node.where, "a comparison of different types");
     return {sfc.draft.node(op_of(node.op), {left.expr, right.expr}, node.where), SfcKind::Boolean};
 }
 
-SfcTerm junction(Sfc& sfc, Id<st::Expr> id, const st::Expr& node) {
+SfcTerm junction(Sfc& sfc, const SfcScope& scope, Id<st::Expr> id, const st::Expr& node) {
     std::vector<Id<tree::Expr>> terms;
     bool bad = false;
     for (const Id<st::Expr> operand : st::operands(sfc.file, id)) {
-        terms.push_back(boolean_of(sfc, operand));
+        terms.push_back(boolean_of(sfc, scope, operand));
         bad = bad || !terms.back().valid();
     }
     if (bad) return {};
@@ -158,10 +158,10 @@ SfcTerm junction(Sfc& sfc, Id<st::Expr> id, const st::Expr& node) {
     return {all, SfcKind::Boolean};
 }
 
-SfcTerm arithmetic(Sfc& sfc, Id<st::Expr> id, const st::Expr& node) {
+SfcTerm arithmetic(Sfc& sfc, const SfcScope& scope, Id<st::Expr> id, const st::Expr& node) {
     std::vector<SfcTerm> terms;
     for (const Id<st::Expr> operand : st::operands(sfc.file, id)) {
-        terms.push_back(term_of(sfc, operand, SfcKind::Integer));
+        terms.push_back(term_of(sfc, scope, operand, SfcKind::Integer));
         if (terms.back().kind == SfcKind::Bad) return {};
         if (terms.back().kind != SfcKind::Integer) return refused(sfc, node.where, "arithmetic on anything but integers");
     }
@@ -173,7 +173,7 @@ SfcTerm arithmetic(Sfc& sfc, Id<st::Expr> id, const st::Expr& node) {
 
 }  // namespace
 
-SfcTerm term_of(Sfc& sfc, Id<st::Expr> id, SfcKind expected) {
+SfcTerm term_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> id, SfcKind expected) {
     const st::Expr node = sfc.file.exprs[id];
     switch (node.op) {
     case st::Op::True: case st::Op::False: return {sfc.draft.constant(node.op == st::Op::True, node.where), SfcKind::Boolean};
@@ -182,67 +182,64 @@ SfcTerm term_of(Sfc& sfc, Id<st::Expr> id, SfcKind expected) {
     case st::Op::Other:   return refused(sfc, node.where, "a literal of this type");
     case st::Op::Name: case st::Op::Address: case st::Op::Member:
         if (const auto flag = step_flag(sfc, node)) return *flag;
-        if (const std::string path = path_of(sfc.file, id); !path.empty()) return variable_term(sfc, path, node.where, expected);
+        if (const std::string path = path_of(sfc.file, id); !path.empty()) return variable_term(sfc, scope, path, node.where, expected);
         return refused(sfc, node.where, "a part of an array or pointer");
     case st::Op::Index: case st::Op::Dereference: return refused(sfc, node.where, "a part of an array or pointer");
     case st::Op::Call: case st::Op::Argument: case st::Op::Result: case st::Op::Range:
         return refused(sfc, node.where, "a call of a function");
     case st::Op::Power: return refused(sfc, node.where, "a power");
     case st::Op::Not: {
-        const Id<tree::Expr> inner = boolean_of(sfc, node.first);
+        const Id<tree::Expr> inner = boolean_of(sfc, scope, node.first);
         return inner.valid() ? SfcTerm{sfc.draft.node(tree::Op::Not, {inner}, node.where), SfcKind::Boolean} : SfcTerm{};
     }
-    case st::Op::And: case st::Op::Or: case st::Op::Xor: return junction(sfc, id, node);
+    case st::Op::And: case st::Op::Or: case st::Op::Xor: return junction(sfc, scope, id, node);
     case st::Op::Less: case st::Op::LessEqual: case st::Op::Greater: case st::Op::GreaterEqual: case st::Op::Equal:
     case st::Op::NotEqual:
-        return comparison(sfc, node);
+        return comparison(sfc, scope, node);
     case st::Op::Negate: case st::Op::Times: case st::Op::Divide: case st::Op::Modulo: case st::Op::Plus: case st::Op::Minus:
-        return arithmetic(sfc, id, node);
+        return arithmetic(sfc, scope, id, node);
     }
     return {};
 }
 
-Id<tree::Expr> boolean_of(Sfc& sfc, Id<st::Expr> expr) {
-    const SfcTerm term = coerced(sfc, term_of(sfc, expr, SfcKind::Boolean), SfcKind::Boolean);
+Id<tree::Expr> boolean_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr) {
+    const SfcTerm term = coerced(sfc, term_of(sfc, scope, expr, SfcKind::Boolean), SfcKind::Boolean);
     if (term.kind == SfcKind::Boolean || term.kind == SfcKind::Bad) return term.kind == SfcKind::Bad ? Id<tree::Expr>{} : term.expr;
     refused(sfc, sfc.file.exprs[expr].where, "an integer or time in the place of a condition", "compare it with a value");
     return {};
 }
 
-std::optional<std::int64_t> duration_of(Sfc& sfc, Id<st::Expr> expr) {
-    const SfcTerm term = term_of(sfc, expr, SfcKind::Time);
+std::optional<std::int64_t> duration_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr) {
+    const SfcTerm term = term_of(sfc, scope, expr, SfcKind::Time);
     if (term.kind == SfcKind::Time) return sfc.draft[term.expr].value;
     if (term.kind != SfcKind::Bad) refused(sfc, sfc.file.exprs[expr].where, "a time that is no duration", "write it as in `T#5s`");
     return {};
 }
 
-Id<tree::Expr> both(Sfc& sfc, Id<tree::Expr> left, Id<tree::Expr> right) {
+Id<tree::Expr> both(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right) {
     if (!left.valid() || !right.valid()) return {};
-    if (is_constant(sfc, left, false) || is_constant(sfc, right, true)) return left;
-    if (is_constant(sfc, right, false) || is_constant(sfc, left, true)) return right;
-    ++sfc.terms;
-    return sfc.draft.node(tree::Op::And, {left, right}, sfc.draft[left].where);
+    if (is_constant(draft, left, false) || is_constant(draft, right, true)) return left;
+    if (is_constant(draft, right, false) || is_constant(draft, left, true)) return right;
+    return draft.node(tree::Op::And, {left, right}, draft[left].where);
 }
 
-Id<tree::Expr> either(Sfc& sfc, Id<tree::Expr> left, Id<tree::Expr> right) {
+Id<tree::Expr> either(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right) {
     if (!left.valid() || !right.valid()) return {};
-    if (is_constant(sfc, left, true) || is_constant(sfc, right, false)) return left;
-    if (is_constant(sfc, right, true) || is_constant(sfc, left, false)) return right;
+    if (is_constant(draft, left, true) || is_constant(draft, right, false)) return left;
+    if (is_constant(draft, right, true) || is_constant(draft, left, false)) return right;
     const auto negates = [&](Id<tree::Expr> one, Id<tree::Expr> other) {
-        return sfc.draft[one].op == tree::Op::Not && same(sfc.draft, sfc.draft[one].first, other);
+        return draft[one].op == tree::Op::Not && same(draft, draft[one].first, other);
     };
-    if (negates(left, right) || negates(right, left)) return sfc.draft.constant(true, sfc.draft[left].where);
-    ++sfc.terms;
-    return sfc.draft.node(tree::Op::Or, {left, right}, sfc.draft[left].where);
+    if (negates(left, right) || negates(right, left)) return draft.constant(true, draft[left].where);
+    return draft.node(tree::Op::Or, {left, right}, draft[left].where);
 }
 
-Id<tree::Expr> opposite(Sfc& sfc, Id<tree::Expr> term) {
+Id<tree::Expr> opposite(Draft& draft, Id<tree::Expr> term) {
     if (!term.valid()) return {};
-    const tree::Expr node = sfc.draft[term];
-    if (node.op == tree::Op::True || node.op == tree::Op::False) return sfc.draft.constant(node.op == tree::Op::False, node.where);
+    const tree::Expr node = draft[term];
+    if (node.op == tree::Op::True || node.op == tree::Op::False) return draft.constant(node.op == tree::Op::False, node.where);
     if (node.op == tree::Op::Not) return node.first;
-    ++sfc.terms;
-    return sfc.draft.node(tree::Op::Not, {term}, node.where);
+    return draft.node(tree::Op::Not, {term}, node.where);
 }
 
 }  // namespace grafverif
