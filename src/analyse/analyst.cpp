@@ -129,10 +129,10 @@ Finding Analyst::finding(std::string_view code, std::string subject, std::string
     return made;
 }
 
-bool Analyst::show(Finding& finding, const std::optional<Way>& way, const Demand& demand, std::string shows, bool certain) {
+bool Analyst::show(Finding& finding, const std::optional<Path>& path, const Demand& demand, std::string shows, bool certain) {
     last_ = {};
-    if (!way) return certain;
-    last_ = evidence(chart_, equations_, machine_, options_.mode, *way, demand);
+    if (!path) return certain;
+    last_ = evidence(chart_, equations_, machine_, options_.mode, *path, demand);
     finding.timing = last_.timing;
     if (!last_.failure.empty()) {
         if (certain)
@@ -156,10 +156,10 @@ bool Analyst::keep(Finding finding) {
     return true;
 }
 
-std::optional<Way> Analyst::way_along(const std::vector<Point>& points) const {
-    std::optional<Way> way = search_.way(machine_.only(points.front()));
-    if (way) way->instants.back().insert(way->instants.back().end(), points.begin() + 1, points.end());
-    return way;
+std::optional<Path> Analyst::path_along(const std::vector<Point>& points) const {
+    std::optional<Path> path = search_.path_to(machine_.only(points.front()));
+    if (path) path->instants.back().insert(path->instants.back().end(), points.begin() + 1, points.end());
+    return path;
 }
 
 }  // namespace grafverif::analysis

@@ -117,7 +117,7 @@ private:
     void look_for_signs();
     bool sign_seen(const Sign& sign);
     bool confirmed(const Bdd& points);
-    void confirm_others(const Way& way);
+    void confirm_others(const Path& path);
     void gather_unseen();
     bool unseen(std::string_view code, std::size_t index);
     void dead_steps();
@@ -141,17 +141,17 @@ private:
     const std::string& name(Transition transition) const { return chart_.transitions[transition].name; }
 
     Finding finding(std::string_view code, std::string subject, std::string message, Span origin) const;
-    /// Shows the finding by a way; false where the rules do not confirm it, which is a failure of ours if they should.
-    bool show(Finding& finding, const std::optional<Way>& way, const Demand& demand, std::string shows, bool certain);
+    /// Shows the finding by a path; false where the rules do not confirm it, which is a failure of ours if they should.
+    bool show(Finding& finding, const std::optional<Path>& path, const Demand& demand, std::string shows, bool certain);
     bool show(Finding& finding, const Bdd& goal, const Demand& demand, std::string shows) {
-        return show(finding, search_.way(goal), demand, std::move(shows), certain());
+        return show(finding, search_.path_to(goal), demand, std::move(shows), certain());
     }
     /// `points`, or those of them whose evolution does not break off, if there are any.
     Bdd rather_unbroken(const Bdd& points) const;
     bool keep(Finding finding);
 
-    /// The way to the first of `points`, and on along them.
-    std::optional<Way> way_along(const std::vector<Point>& points) const;
+    /// The path to the first of `points`, and on along them.
+    std::optional<Path> path_along(const std::vector<Point>& points) const;
 
     const Chart& chart_;
     const Equations& equations_;

@@ -23,7 +23,7 @@ void Analyst::instability() {
     if (counting) endless = search_.endless(going_on);
     if (endless.is_false()) return;
     Finding made = finding("total-instability", "", "", chart_.origin);
-    if (!show(made, search_.way(endless), {.endless = true}, "with the last inputs the situation changes for ever", certain() && !counting))
+    if (!show(made, search_.path_to(endless), {.endless = true}, "with the last inputs the situation changes for ever", certain() && !counting))
         return uncertain_.push_back(question);
     const auto loop = last_.endless.size();
     made.message = "with some inputs the situation never becomes stable";
@@ -81,8 +81,8 @@ bool Analyst::tell_break(std::string_view code, const Machine::Break& each, cons
         shows = "the value of the last evolution does not fit";
     }
     Finding made = finding(code, subject, message, known ? equations_.variables[each.variable].origin : chart_.origin);
-    const std::optional<Way> way = early.is_false() ? search_.way(points) : Way{{{machine_.pick(early)}}, true};
-    if (!show(made, way, demand, shows, certain())) return false;
+    const std::optional<Path> path = early.is_false() ? search_.path_to(points) : Path{{{machine_.pick(early)}}, true};
+    if (!show(made, path, demand, shows, certain())) return false;
     for (const Id<Chart::StoredAction> action : last_.racing)
         made.related.push_back({chart_.stored[action].origin, "this action stores one of the values"});
     if (demand.fault && last_.fault.source.valid()) made.origin = last_.fault;
@@ -130,7 +130,7 @@ void Analyst::lost_value(const Equations::Stored& stored, bool value) {
                            variable.origin);
     for (const Equations::Write& write : stored.writes)
         made.related.push_back({write.origin, "an action on it"});
-    if (!show(made, way_along(points), {}, "both happen in the last instant", certain())) return uncertain_.push_back(question);
+    if (!show(made, path_along(points), {}, "both happen in the last instant", certain())) return uncertain_.push_back(question);
     question->decided = keep(std::move(made));
 }
 

@@ -72,19 +72,19 @@ bool Analyst::sign_seen(const Sign& sign) {
 
 /// Whether the chart has a run to one of `points`, and not this cone alone. Where no times make the run it was not tried.
 bool Analyst::confirmed(const Bdd& points) {
-    const std::optional<Way> way = search_.way(points);
-    if (!way) return false;
-    const Evidence tried = evidence(chart_, equations_, machine_, options_.mode, *way, {.ends = false});
+    const std::optional<Path> path = search_.path_to(points);
+    if (!path) return false;
+    const Evidence tried = evidence(chart_, equations_, machine_, options_.mode, *path, {.ends = false});
     if (!tried.failure.empty() || tried.timing == Finding::Timing::Unconfirmed) return false;
-    confirm_others(*way);
+    confirm_others(*path);
     return true;
 }
 
 /// A run of the chart shows more than what it was looked for.
-void Analyst::confirm_others(const Way& way) {
+void Analyst::confirm_others(const Path& path) {
     for (const Sign& sign : signs_) {
         if (sign.question->decided || sign.among != Among::Points) continue;
-        for (const std::vector<Point>& instant : way.instants)
+        for (const std::vector<Point>& instant : path.instants)
             for (const Point& point : instant)
                 if (evaluate(sign.goal, point)) sign.question->decided = true;
     }

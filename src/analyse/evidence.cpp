@@ -27,11 +27,11 @@ std::string fault_words(RunFault::Kind kind) {
 
 class Teller {
 public:
-    Teller(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode, const Way& way)
-        : chart_(chart), equations_(equations), machine_(machine), mode_(mode), way_(way), state_(power_on(chart)) {}
+    Teller(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode, const Path& path)
+        : chart_(chart), equations_(equations), machine_(machine), mode_(mode), path_(path), state_(power_on(chart)) {}
 
     Evidence tell(const Demand& demand) {
-        const auto moments = analysis::moments(machine_, way_);
+        const auto moments = analysis::moments(machine_, path_);
         if (!moments) {
             result_.timing = Finding::Timing::Unconfirmed;
             return std::move(result_);
@@ -39,7 +39,7 @@ public:
         if (!machine_.clocks().empty()) result_.timing = Finding::Timing::Confirmed;
         moments_ = *moments;
         make_signals();
-        const std::size_t last = way_.instants.size() - 1;
+        const std::size_t last = path_.instants.size() - 1;
         begin(0);
         add_row("power-on", {});
         for (std::size_t instant = 0; instant < last && result_.failure.empty(); ++instant) whole_instant(instant);
@@ -75,7 +75,7 @@ private:
     void begin(std::size_t instant) {
         if (instant > 0) state_ = pass_time(std::move(state_), moments_[instant] - moments_[instant - 1]);
         time_ = moments_[instant];
-        const Point& point = way_.instants[instant].front();
+        const Point& point = path_.instants[instant].front();
         inputs_.assign(chart_.variables.size(), 0);
         for (const Id<Chart::Variable> id : chart_.variables.ids())
             if (chart_.variables[id].kind == Kind::Input) inputs_[id.index] = machine_.value(point, {id.index});
@@ -98,8 +98,8 @@ private:
     void last_instant(std::size_t instant, const Demand& demand) {
         begin(instant);
         const State at_start = state_;
-        const std::vector<Point>& points = way_.instants[instant];
-        const std::size_t before = way_.at_first ? 0 : points.size() - 1 + (instant == 0 ? 1 : 0);
+        const std::vector<Point>& points = path_.instants[instant];
+        const std::size_t before = path_.at_first ? 0 : points.size() - 1 + (instant == 0 ? 1 : 0);
         Fired fired;
         for (std::size_t k = 0; k < before; ++k) {
             Evolution made = evolve();
@@ -107,7 +107,7 @@ private:
             fired.push_back(std::move(made.fired));
             state_ = std::move(made.state);
         }
-        if (!way_.at_first && !is_at(points.back())) return fail(instant, "the situation is another one");
+        if (!path_.at_first && !is_at(points.back())) return fail(instant, "the situation is another one");
         if (!demand.ends && !demand.endless) {
             add_row("in this instant", fired);
             return;
@@ -127,7 +127,7 @@ private:
         tell_rest(at_start, shown, fired);
     }
 
-    /// The whole instant, or, where it never ends or breaks off later, as far as the way goes.
+    /// The whole instant, or, where it never ends or breaks off later, as far as the path goes.
     void tell_rest(const State& at_start, const Evolution& shown, const Fired& fired) {
         Cycle done = cycle(chart_, at_start, inputs_, mode_);
         const bool ends = problem(done).empty();
@@ -135,7 +135,7 @@ private:
         ends ? add_row("", done.fired) : add_row("in this instant", fired);
     }
 
-    /// The way ends on the loop.
+    /// The path ends on the loop.
     void tell_loop(std::size_t instant, const Fired& fired) {
         result_.endless = cycle(chart_, state_, inputs_, mode_).endless;
         if (result_.endless.empty()) return fail(instant, "the instant ends");
@@ -198,7 +198,7 @@ private:
     const Equations& equations_;
     const Machine& machine_;
     ExecutionMode mode_;
-    const Way& way_;
+    const Path& path_;
     State state_;
     std::vector<std::int64_t> moments_ = {};
     std::int64_t time_ = 0;
@@ -209,8 +209,8 @@ private:
 }  // namespace
 
 Evidence evidence(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,
-                  const Way& way, const Demand& demand) {
-    return Teller(chart, equations, machine, mode, way).tell(demand);
+                  const Path& path, const Demand& demand) {
+    return Teller(chart, equations, machine, mode, path).tell(demand);
 }
 
 }  // namespace grafverif::analysis

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evidence: a way as a run in the words of the chart, made again on the rules of IEC 60848 by the interpreter.
+// Evidence: a path as a run in the words of the chart, made again on the rules of IEC 60848 by the interpreter.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@
 
 namespace grafverif::analysis {
 
-/// What the evolution at the end of a way must show.
+/// What the evolution at the end of a path must show.
 struct Demand {
     std::vector<Id<Chart::Transition>> fired = {};
     Id<Chart::Variable> race = {};      ///< two actions store different values in it
     bool fault = false;                 ///< a value does not exist or does not fit
     bool endless = false;               ///< the instant never ends
-    bool ends = true;                   ///< tell the instant to its end; else to the end of the way
+    bool ends = true;                   ///< tell the instant to its end; else to the end of the path
 };
 
 struct Evidence {
@@ -31,6 +31,6 @@ struct Evidence {
 };
 
 Evidence evidence(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,
-                  const Way& way, const Demand& demand);
+                  const Path& path, const Demand& demand);
 
 }  // namespace grafverif::analysis

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When the instants of a way can happen, so that its clocks end as the way says.
+// When the instants of a path can happen, so that its clocks end as the path says.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,6 @@ namespace grafverif::analysis {
 /// difference and one that has not for a greatest: a system of difference constraints, solved by shortest paths
 /// (Bellman 1958). It is complete but for clocks that have both a rise and a fall time, whose end is put down to the
 /// latest rise.
-std::optional<std::vector<std::int64_t>> moments(const Machine& machine, const Way& way);
+std::optional<std::vector<std::int64_t>> moments(const Machine& machine, const Path& path);
 
 }  // namespace grafverif::analysis

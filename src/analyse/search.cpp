@@ -2,6 +2,7 @@
 #include "analyse/search.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -20,7 +21,7 @@ Bdd widened(const Bdd& fresh, const Bdd& known) {
 void Search::next() {
     if (instants_.empty()) return first_instant();
     const Bdd rest = instants_.back().rest;
-    make_instant(machine_.sampled(widened(rest, rested_ & ~rest)) & ~reached_);
+    make_instant(machine_.sampled(widened(rest, rested_)));
 }
 
 void Search::first_instant() {
@@ -28,18 +29,16 @@ void Search::first_instant() {
     if (mode_ == ExecutionMode::StabilitySearch) return make_instant(machine_.started());
     landings_ = machine_.started();
     rested_ = machine_.rest(landings_);
-    instants_.push_back({{}, rested_});
+    instants_.push_back({0, 0, rested_});
 }
 
 /// Under stability search the instant goes on through the points that are not stable, in every_cycle mode it is over.
 void Search::make_instant(Bdd points) {
-    Instant made;
+    Instant made{rings_.each.size(), 0, {}};
     Bdd ended, fresh;
-    while (!points.is_false()) {
-        made.points.push_back(points);
-        const Bdd good = machine_.unbroken(widened(points, reached_));
-        reached_ |= points;
-        fresh |= points;
+    while (rings_.add(points)) {
+        const Bdd good = machine_.unbroken(widened(rings_.each.back(), rings_.reached));
+        fresh |= rings_.each.back();
         if (mode_ == ExecutionMode::EveryCycle) {
             ended = lands_ ? machine_.evolved(good) : machine_.evolved_rest(good);
             if (lands_) landings_ |= ended;
@@ -48,12 +47,13 @@ void Search::make_instant(Bdd points) {
         }
         const Bdd stable = machine_.stable(good);
         ended |= machine_.settled(stable);
-        points = machine_.evolved(good & ~stable) & ~reached_;
+        points = machine_.evolved(good & ~stable);
     }
+    made.end = rings_.each.size();
     made.rest = ended & ~rested_;
     rested_ |= made.rest;
     fresh_ |= fresh;
-    evolutions_ += static_cast<std::int64_t>(made.points.size());
+    evolutions_ += static_cast<std::int64_t>(made.end - made.first);
     instants_.push_back(std::move(made));
 }
 
@@ -69,22 +69,20 @@ Bdd Search::endless(const Bdd& within) const {
     return now;
 }
 
+/// From ring `ring` of the instant, of which `last` is a point, back to its first.
 std::vector<Point> Search::back_through(const Instant& instant, std::size_t ring, const Point& last) const {
-    std::vector<Point> points{last};
-    while (ring-- > 0) {
-        const Bdd going_on = machine_.going_on(instant.points[ring]);
-        points.push_back(machine_.pick(machine_.with_inputs_of(machine_.origins(going_on, points.back()), last)));
-    }
-    std::ranges::reverse(points);
-    return points;
+    return bdd::path_back(ring - instant.first, last, [&](std::size_t before, const Point& next) {
+        const Bdd going_on = machine_.going_on(rings_.each[instant.first + before]);
+        return machine_.pick(machine_.with_inputs_of(machine_.origins(going_on, next), last));
+    });
 }
 
 std::optional<std::pair<std::size_t, Point>> Search::end_of(const Instant& instant, const Point& next) const {
     const Bdd rest = machine_.origins_in_time(instant.rest, next);
     if (rest.is_false()) return {};
-    if (instant.points.empty()) return std::pair{std::size_t{0}, machine_.pick(machine_.started() & rest)};
-    for (std::size_t ring = 0; ring < instant.points.size(); ++ring) {
-        const Bdd good = machine_.unbroken(instant.points[ring]);
+    if (instant.first == instant.end) return std::pair{instant.first, machine_.pick(machine_.started() & rest)};
+    for (std::size_t ring = instant.first; ring < instant.end; ++ring) {
+        const Bdd good = machine_.unbroken(rings_.each[ring]);
         if (mode_ == ExecutionMode::EveryCycle)
             return std::pair{ring, machine_.pick(machine_.origins(good, machine_.pick(rest)))};
         const Bdd stable = machine_.stable(good);
@@ -94,28 +92,20 @@ std::optional<std::pair<std::size_t, Point>> Search::end_of(const Instant& insta
     return {};
 }
 
-bool Search::meets(const Bdd& goal, std::size_t& instant, std::size_t& ring) const {
-    if ((reached_ & goal).is_false()) return false;
-    for (instant = 0; instant < instants_.size(); ++instant)
-        for (ring = 0; ring < instants_[instant].points.size(); ++ring)
-            if (!(instants_[instant].points[ring] & goal).is_false()) return true;
-    return false;
-}
-
-std::optional<Way> Search::way(const Bdd& goal) const {
-    std::size_t instant = 0, ring = 0;
-    if (!meets(goal, instant, ring)) return {};
-    Point last = machine_.pick(instants_[instant].points[ring] & goal);
-    Way way;
-    while (true) {
-        const bool first_alone = instants_[instant].points.empty();
-        way.instants.push_back(back_through(instants_[instant], first_alone ? 0 : ring, last));
-        if (instant-- == 0) break;
-        const auto end = end_of(instants_[instant], way.instants.back().front());
-        std::tie(ring, last) = *end;
+std::optional<Path> Search::path_to(const Bdd& goal) const {
+    const std::optional<std::size_t> nearest = rings_.nearest(goal);
+    if (!nearest || instants_.empty() || *nearest >= instants_.back().end) return {};
+    std::size_t ring = *nearest;
+    auto instant = std::ranges::find_if(instants_, [ring](const Instant& one) { return ring < one.end; });
+    Point last = machine_.pick(rings_.each[ring] & goal);
+    Path path;
+    for (;; --instant) {
+        path.instants.push_back(back_through(*instant, ring, last));
+        if (instant == instants_.begin()) break;
+        std::tie(ring, last) = *end_of(*std::prev(instant), path.instants.back().front());
     }
-    std::ranges::reverse(way.instants);
-    return way;
+    std::ranges::reverse(path.instants);
+    return path;
 }
 
 }  // namespace grafverif::analysis

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search of all points, instant by instant, and the ways to them.
+// The search of all points, instant by instant, and the paths to them.
 #pragma once
 
 #include <cstddef>
@@ -9,24 +9,25 @@
 #include <vector>
 
 #include "analyse/machine.hpp"
+#include "bdd/rings.hpp"
 
 namespace grafverif::analysis {
 
-/// One instant of all runs at once: the points that no earlier one has, by the number of its evolutions before them, and
-/// the new rests in which it ends. In the first instant of every_cycle mode there are no points: it is the first
+/// One instant of all runs at once: the points that no earlier one has, in rings by the number of its evolutions before
+/// them, and the new rests in which it ends. In the first instant of every_cycle mode there are no points: it is the first
 /// evolution alone.
 struct Instant {
-    std::vector<Bdd> points = {};
+    std::size_t first = 0, end = 0;   ///< its rings are those from `first` on, before `end`
     Bdd rest = {};
 };
 
 /// A run to a point.
-struct Way {
-    /// Per instant the points it goes through, each about to make an evolution; the last is the end of the way. In the
+struct Path {
+    /// Per instant the points it goes through, each about to make an evolution; the last is the end of the path. In the
     /// first instant the first evolution comes before its points; in every_cycle mode that is all of the first instant,
     /// and its point tells the inputs.
     std::vector<std::vector<Point>> instants = {};
-    bool at_first = false;   ///< the way ends before the first evolution: its one point tells the inputs
+    bool at_first = false;   ///< the path ends before the first evolution: its one point tells the inputs
 };
 
 class Search {
@@ -48,15 +49,14 @@ public:
     /// No run to the end of the last instant has more evolutions.
     std::int64_t evolutions() const { return evolutions_; }
     /// All points, and in every_cycle mode all points right after an evolution, inputs kept.
-    const Bdd& reached() const { return reached_; }
+    const Bdd& reached() const { return rings_.reached; }
     const Bdd& landings() const { return landings_; }
-    /// A shortest way to a point of `goal`; empty: there is none.
-    std::optional<Way> way(const Bdd& goal) const;
+    /// A shortest path to a point of `goal`; empty: there is none.
+    std::optional<Path> path_to(const Bdd& goal) const;
 
 private:
     void first_instant();
     void make_instant(Bdd points);
-    bool meets(const Bdd& goal, std::size_t& instant, std::size_t& ring) const;
     std::vector<Point> back_through(const Instant& instant, std::size_t ring, const Point& last) const;
     /// The last point of `instant`, with its ring, after which it ends in the state of `next`.
     std::optional<std::pair<std::size_t, Point>> end_of(const Instant& instant, const Point& next) const;
@@ -65,7 +65,8 @@ private:
     ExecutionMode mode_;
     bool lands_ = true;
     std::vector<Instant> instants_ = {};
-    Bdd reached_ = {}, landings_ = {}, rested_ = {}, fresh_ = {};
+    bdd::Rings rings_ = {};   ///< of all instants, and of one that was broken off
+    Bdd landings_ = {}, rested_ = {}, fresh_ = {};
     std::int64_t evolutions_ = 0;
 };
 

@@ -6,32 +6,21 @@
 
 namespace grafverif::symbolic {
 
-bool grow(const StateSpace& model, Rings& rings, Bdd& reached, const Bdd& within, const Bdd& goal,
+bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
           const std::function<void(std::size_t)>& progress) {
-    for (;;) {
-        if (rings.back().is_false()) {
-            rings.pop_back();
-            return false;
-        }
-        if (!(rings.back() & goal).is_false()) return true;
-        if (progress) progress(rings.size());
-        const Bdd next = model.image(rings.back()) & within & ~reached;
-        reached |= next;
-        rings.push_back(next);
+    for (bool found = !rings.each.empty(); found; found = rings.add(model.image(rings.each.back()) & within)) {
+        if (!(rings.each.back() & goal).is_false()) return true;
+        if (progress) progress(rings.each.size());
     }
+    return false;
 }
 
-std::vector<State> way(const StateSpace& model, const Rings& rings, const Bdd& goal) {
-    for (std::size_t ring = 0; ring < rings.size(); ++ring) {
-        const Bdd found = rings[ring] & goal;
-        if (found.is_false()) continue;
-        std::vector<State> path{model.pick(found, {})};
-        while (ring-- > 0)
-            path.push_back(model.pick(model.preimage(model.only(path.back())) & rings[ring], path.back()));
-        std::ranges::reverse(path);
-        return path;
-    }
-    return {};
+std::vector<State> shortest_path(const StateSpace& model, const bdd::Rings& rings, const Bdd& goal) {
+    const std::optional<std::size_t> nearest = rings.nearest(goal);
+    if (!nearest) return {};
+    return bdd::path_back(*nearest, model.pick(rings.each[*nearest] & goal, {}), [&](std::size_t ring, const State& next) {
+        return model.pick(model.preimage(model.only(next)) & rings.each[ring], next);
+    });
 }
 
 Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal) {
@@ -54,11 +43,12 @@ Bdd can_stay(const StateSpace& model, const Bdd& within, const std::vector<Bdd>&
 
 namespace {
 
-/// A shortest path from `from` to `goal` in `within`, of no step or more; else the rings that were searched in vain.
-std::vector<State> walk(const StateSpace& model, const Bdd& from, const Bdd& within, const Bdd& goal, Rings& rings) {
-    rings = {from & within};
-    Bdd reached = rings.front();
-    return grow(model, rings, reached, within, goal) ? way(model, rings, goal) : std::vector<State>{};
+/// The rings around `from` in `within`, up to the first that meets `goal`.
+bdd::Rings rings_to(const StateSpace& model, const Bdd& from, const Bdd& within, const Bdd& goal) {
+    bdd::Rings rings;
+    rings.add(from & within);
+    grow(model, rings, within, goal);
+    return rings;
 }
 
 void append(Path& path, const std::vector<State>& states) {
@@ -74,22 +64,22 @@ Path stay(const StateSpace& model, const State& first, const Bdd& staying, const
     for (;;) {
         const std::size_t start = path.states.size() - 1;
         const State origin = path.states.back();
-        Rings rings;
+        const auto around_last = [&](const Bdd& goal) { return rings_to(model, model.image(model.only(path.states.back())), staying, goal); };
         for (const Bdd& each : justice) {
             const bool met = std::any_of(path.states.begin() + static_cast<std::ptrdiff_t>(start), path.states.end(),
                                          [&](const State& state) { return evaluate(each, state); });
             if (met) continue;
-            append(path, walk(model, model.image(model.only(path.states.back())), staying, each, rings));
+            append(path, shortest_path(model, around_last(each), each));
         }
-        const std::vector<State> back =
-            walk(model, model.image(model.only(path.states.back())), staying, model.only(origin), rings);
+        const bdd::Rings rings = around_last(model.only(origin));
+        const std::vector<State> back = shortest_path(model, rings, model.only(origin));
         if (!back.empty()) {
             append(path, {back.begin(), back.end() - 1});
             path.loop = start;
             return path;
         }
-        assert(!rings.empty());
-        append(path, way(model, rings, rings.back()));
+        assert(!rings.each.empty());
+        append(path, shortest_path(model, rings, rings.each.back()));
     }
 }
 

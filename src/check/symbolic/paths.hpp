@@ -6,12 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "bdd/rings.hpp"
 #include "check/symbolic/model.hpp"
 
 namespace grafverif::symbolic {
-
-/// The states reached in 0, 1, 2, ... steps and in no fewer.
-using Rings = std::vector<Bdd>;
 
 /// A run as states of the model.
 struct Path {
@@ -20,12 +18,12 @@ struct Path {
 };
 
 /// Adds rings to `rings` until one has a state of `goal` or no new state comes. Rings lie in `within`, which holds the
-/// first. Whether the goal was met; what lies in any ring is returned in `reached`.
-bool grow(const StateSpace& model, Rings& rings, Bdd& reached, const Bdd& within, const Bdd& goal,
+/// first. Whether the goal was met.
+bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
           const std::function<void(std::size_t)>& progress = {});
 
-/// A shortest way through `rings` to a state of `goal`; empty where no ring has one.
-std::vector<State> way(const StateSpace& model, const Rings& rings, const Bdd& goal);
+/// A shortest path through `rings` to a state of `goal`; empty where no ring has one.
+std::vector<State> shortest_path(const StateSpace& model, const bdd::Rings& rings, const Bdd& goal);
 
 /// The states of `within` from which some path in it, of no step or more, leads to a state of `goal`.
 Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal);

@@ -102,8 +102,8 @@ Questions::Sets Questions::sets(const Question& question, const StateSpace& mode
     BddTerms terms = model.terms();
     for (const Id<Expr> operand : question.operands) {
         const BddTerm& term = terms(operand);
-        sets.undefined = sets.undefined || !(search.reached & term.undefined).is_false();
-        sets.operands.push_back(search.reached & term.bits.front());
+        sets.undefined = sets.undefined || !(search.rings.reached & term.undefined).is_false();
+        sets.operands.push_back(search.rings.reached & term.bits.front());
     }
     return sets;
 }
@@ -135,15 +135,15 @@ void Questions::answer_state(Found& found, const Question& question, const Sets&
     if (!seen && search.obstacle != Obstacle::None) return unknown(verdict, search.obstacle, search.reason);
     const bool wanted = of(question).pattern == Pattern::Reachable;
     verdict.outcome = seen == wanted ? Outcome::Holds : Outcome::Violated;
-    if (seen) found.run = run_of(model, flat_, {way(model, search.rings, sets.operands.front()), {}});
+    if (seen) found.run = run_of(model, flat_, {shortest_path(model, search.rings, sets.operands.front()), {}});
 }
 
 void Questions::prepare(const StateSpace& model, const Search& search) {
     if (prepared_) return;
     BddTerms terms = model.terms();
     std::vector<Bdd> justice;
-    for (const Id<Expr> term : flat_.justice) justice.push_back(search.reached & terms(term).bits.front());
-    fair_ = justice.empty() ? search.reached : can_stay(model, search.reached, justice);
+    for (const Id<Expr> term : flat_.justice) justice.push_back(search.rings.reached & terms(term).bits.front());
+    fair_ = justice.empty() ? search.rings.reached : can_stay(model, search.rings.reached, justice);
     justice_ = std::move(justice);
     prepared_ = true;
 }
@@ -155,15 +155,15 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
     Verdict& verdict = found.verdict;
     verdict.outcome = Outcome::Holds;
     if (of(question).pattern == Pattern::AlwaysPossible) {
-        const Bdd lost = fair_ & ~can_reach(model, search.reached, p & fair_);
+        const Bdd lost = fair_ & ~can_reach(model, search.rings.reached, p & fair_);
         if (lost.is_false()) return;
         verdict.outcome = Outcome::Violated;
         verdict.notes.emplace_back("from the last state of the trace on it is impossible");
-        found.run = run_of(model, flat_, {way(model, search.rings, lost), {}});
+        found.run = run_of(model, flat_, {shortest_path(model, search.rings, lost), {}});
         return;
     }
     const bool leads = of(question).pattern == Pattern::LeadsTo;
-    const Bdd without = search.reached & ~(leads ? sets.operands[1] : p);
+    const Bdd without = search.rings.reached & ~(leads ? sets.operands[1] : p);
     const Bdd staying = can_stay(model, without, justice_);
     const Bdd from = staying & (leads ? p : model.initial());
     if (from.is_false()) return;
@@ -172,7 +172,7 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
 }
 
 Path Questions::lasso(const StateSpace& model, const Search& search, const Bdd& from, const Bdd& staying) const {
-    Path path{way(model, search.rings, from), {}};
+    Path path{shortest_path(model, search.rings, from), {}};
     const std::size_t stem = path.states.size() - 1;
     const Path forever = stay(model, path.states.back(), staying, justice_);
     path.states.insert(path.states.end(), forever.states.begin() + 1, forever.states.end());
@@ -188,7 +188,7 @@ void Questions::mark_vacuous(Verdict& verdict, const Question& question, const S
                            property.pattern == Pattern::ExactlyOneOf;
     if (universal && property.at_stable) {
         BddTerms terms = model.terms();
-        if ((search.reached & terms(settled_).bits.front()).is_false()) vacuous("no state is ever settled");
+        if ((search.rings.reached & terms(settled_).bits.front()).is_false()) vacuous("no state is ever settled");
     }
     if (property.pattern == Pattern::LeadsTo && sets.operands.front().is_false()) vacuous("the left side never holds");
     if (!about_states(property.pattern) && !justice_.empty() && (fair_ & model.initial()).is_false())

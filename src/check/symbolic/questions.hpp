@@ -12,8 +12,7 @@ namespace grafverif::symbolic {
 
 /// What a search of the reachable states came to.
 struct Search {
-    Rings rings = {};
-    Bdd reached = {};
+    bdd::Rings rings = {};
     Obstacle obstacle = Obstacle::None;   ///< None: all are reached
     std::string reason = {};
 };

@@ -54,7 +54,7 @@ private:
     double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
     void note(const BddExhausted& exhausted) {
-        const std::string after = " after " + std::to_string(search_.rings.size()) + " steps of the search";
+        const std::string after = " after " + std::to_string(search_.rings.each.size()) + " steps of the search";
         if (exhausted.cause() == BddExhausted::Cause::Stopped) {
             search_.obstacle = Obstacle::Stopped;
             search_.reason = "stopped" + after;
@@ -67,31 +67,30 @@ private:
 
     void count_states(const StateSpace& model) {
         try {
-            result_.states = count(search_.reached, model.state_bits());
+            result_.states = count(search_.rings.reached, model.state_bits());
         } catch (const BddExhausted&) {   // then nobody knows
         }
     }
 
     void search(const StateSpace& model) {
-        search_.rings = {model.initial()};
-        search_.reached = model.initial();
-        grow(model, search_.rings, search_.reached, model.invariant(), {}, [this](std::size_t depth) {
+        search_.rings.add(model.initial());
+        grow(model, search_.rings, model.invariant(), {}, [this](std::size_t depth) {
             result_.bytes = std::max(result_.bytes, space_.bytes());
             if (options_.progress) options_.progress({depth, space_.bytes(), seconds()});
         });
-        result_.depth = search_.rings.empty() ? 0 : search_.rings.size() - 1;
+        result_.depth = search_.rings.each.empty() ? 0 : search_.rings.each.size() - 1;
     }
 
     std::optional<SystemFault> fault(const StateSpace& model) const {
         using Kind = SystemFault::Kind;
-        if (search_.reached.is_false()) return SystemFault{Kind::NoInitialState, {}, {}};
-        const auto way_to = [&](const Bdd& states) {
-            return run_of(model, flat_, {way(model, search_.rings, states), {}});
+        if (search_.rings.reached.is_false()) return SystemFault{Kind::NoInitialState, {}, {}};
+        const auto path_to = [&](const Bdd& states) {
+            return run_of(model, flat_, {shortest_path(model, search_.rings, states), {}});
         };
-        if (const auto leak = model.leak(search_.reached))
-            return SystemFault{Kind::OutOfRange, flat_.variables[leak->variable].name, way_to(leak->states)};
-        const Bdd stuck = search_.reached & ~model.preimage(search_.reached);
-        if (!stuck.is_false()) return SystemFault{Kind::DeadEnd, {}, way_to(stuck)};
+        if (const auto leak = model.leak(search_.rings.reached))
+            return SystemFault{Kind::OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};
+        const Bdd stuck = search_.rings.reached & ~model.preimage(search_.rings.reached);
+        if (!stuck.is_false()) return SystemFault{Kind::DeadEnd, {}, path_to(stuck)};
         return {};
     }
 

@@ -7,7 +7,7 @@
 // system has justice conditions only runs that meet each of them infinitely often count. A state with p and q keeps
 // `p leads to q`.
 //
-// Witnesses and counterexamples about single states are shortest, in steps of the system. A lasso is a shortest way to
+// Witnesses and counterexamples about single states are shortest, in steps of the system. A lasso is a shortest path to
 // a first state from which the property fails, and from there ways kept short, not shortest.
 //
 // A system that is not total, or leaves the range of a variable, would make every CTL formula true on runs that do not

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Images and origins under random steps, against steps made one by one.
+// Images, origins and rings under random steps, against steps made one by one.
 #include "bdd/relation.hpp"
 
 #include <gtest/gtest.h>
 
+#include "bdd/rings.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"
 
@@ -80,6 +81,51 @@ TEST(Relation, LeadsWhereStepsLeadOneByOne) {
             }
             EXPECT_EQ(evaluate(chosen, values), chosen_leads) << "seed " << seed;
         });
+    }
+}
+
+/// Distances from `first`, by states; -1: out of reach.
+std::vector<int> distances(const Steps& steps, std::uint32_t first) {
+    std::vector<int> distance(1U << Steps::bits, -1);
+    distance[first] = 0;
+    for (int round = 0; round < 1 << Steps::bits; ++round)
+        steps.for_each([&](std::uint32_t state, std::uint32_t, const std::vector<bool>& values) {
+            int& next = distance[steps.after(values)];
+            if (distance[state] == round && evaluate(steps.offered, values) && next < 0) next = round + 1;
+        });
+    return distance;
+}
+
+TEST(Rings, HoldTheStatesByTheirDistanceAndShortestPathsLeadBackThroughThem) {
+    for (int seed = 1; seed <= law_size(200); ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        Steps steps(random);
+        const Relation relation(steps.space, steps.next, steps.offered);
+        const Relation::Quantified all = relation.quantified(steps.all);
+        const auto only = [&](std::uint32_t state) {
+            std::vector<BddLiteral> literals;
+            for (std::uint32_t bit = 0; bit < Steps::bits; ++bit) literals.push_back({2 * bit, (state >> bit & 1U) != 0});
+            return cube(steps.space, literals);
+        };
+        Rings rings;
+        EXPECT_FALSE(rings.add(Bdd{}));
+        EXPECT_EQ(rings.nearest(Bdd::constant(true)), std::nullopt);
+        for (bool found = rings.add(only(0)); found;) found = rings.add(relation.image(rings.each.back(), all));
+        const std::vector<int> distance = distances(steps, 0);
+        for (std::uint32_t state = 0; state < 1U << Steps::bits; ++state) {
+            const std::optional<std::size_t> ring = rings.nearest(only(state));
+            ASSERT_EQ(ring ? static_cast<int>(*ring) : -1, distance[state]) << state;
+            if (!ring) continue;
+            const std::vector<std::uint32_t> path = path_back(*ring, state, [&](std::size_t before, std::uint32_t next) {
+                const Bdd found = rings.each[before] & relation.preimage(only(next));
+                std::uint32_t origin = 0;
+                while ((found & only(origin)).is_false()) ++origin;
+                return origin;
+            });
+            ASSERT_EQ(path.size(), *ring + 1);
+            for (std::size_t k = 0; k < path.size(); ++k) EXPECT_EQ(distance[path[k]], static_cast<int>(k));
+        }
     }
 }
 
