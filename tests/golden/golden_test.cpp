@@ -76,6 +76,11 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
         EXPECT_TRUE(verify(*with_plant).empty());
         expect_golden(folder / "5-model-with-plant.smv", nusmv_model(*with_plant, job.diagnostics));
     }
+    CheckOptions options;
+    options.witnesses = false;
+    const auto report = grafverif::check(*model, *loop, {}, options, job.diagnostics);
+    ASSERT_TRUE(report);
+    expect_golden(folder / "6-verdicts.txt", text_of(*report));
     EXPECT_FALSE(job.diagnostics.has_errors());
 }
 
