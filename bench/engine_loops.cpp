@@ -39,7 +39,7 @@ T required(std::optional<T> value, const Diagnostics& diagnostics, const Sources
 Network renamed(Network network, const std::string& suffix) {
     for (Network::Variable& variable : network.variables) variable.name += suffix;
     for (Network::Process& process : network.processes) process.name += suffix;
-    for (Network::Controller& controller : network.controllers) controller.name += suffix;
+    for (Network::Controller& controller : network.controllers) controller.words.name += suffix;
     for (Property& property : network.properties) property.name += suffix;
     return network;
 }

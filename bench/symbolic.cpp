@@ -42,8 +42,8 @@ TransitionSystem stations(std::size_t count) {
     TransitionSystem system = schedule_controller(*equations, ExecutionMode::EveryCycle);
     const TransitionSystem::Controller& controller = system.controllers.front();
     const auto step = [&](const std::string& name) {
-        for (const TransitionSystem::Named& named : controller.steps)
-            if (named.name == name) return system.exprs.leaf(Op::Variable, named.symbol.index);
+        for (const TransitionSystem::Named& named : controller.words.steps)
+            if (named.name == name) return system.exprs.leaf(Op::Variable, named.variable.index);
         std::exit(2);
     };
     const std::string last = std::to_string(count);
@@ -100,8 +100,8 @@ void measure(const TransitionSystem& system) {
     SymbolicOptions options;
     if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
     const SymbolicResult result = check_symbolic(system, options);
-    fmt::print("{} steps, {} inputs: {} states, {} steps deep, {} MiB, {:.2f} s\n", system.controllers.front().steps.size(),
-               system.controllers.front().inputs.size(), result.states, result.depth, result.bytes >> 20U, result.seconds);
+    fmt::print("{} steps, {} inputs: {} states, {} steps deep, {} MiB, {:.2f} s\n", system.controllers.front().words.steps.size(),
+               system.controllers.front().words.inputs.size(), result.states, result.depth, result.bytes >> 20U, result.seconds);
     for (const Verdict& verdict : result.verdicts)
         fmt::print("  {}: {} {}\n", verdict.property, word(verdict.outcome), verdict.reason);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grafverif/ir/closed_loop.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <unordered_set>
 

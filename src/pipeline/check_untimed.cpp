@@ -178,7 +178,7 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Limits
 }  // namespace
 
 bool asks_for_stability(const TransitionSystem& system) {
-    return system.controllers.front().mode == ExecutionMode::StabilitySearch;
+    return system.controllers.front().words.mode == ExecutionMode::StabilitySearch;
 }
 
 Report check(const Model& model, Id<Chart> chart, const Equations& equations, const SystemToCheck& system,

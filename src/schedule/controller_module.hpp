@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grafverif/ir/equations.hpp"
-#include "grafverif/ir/execution_mode.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/transition_system.hpp"
 #include "schedule/main.hpp"
 
