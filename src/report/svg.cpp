@@ -158,16 +158,8 @@ private:
 
     void wrap_foot() {
         std::vector<std::string> lines;
-        const std::size_t room = (width_ - 2 * margin) / character;
-        for (std::string rest : foot_) {
-            while (rest.size() > room) {
-                const std::size_t blank = rest.rfind(' ', room);
-                const std::size_t end = blank == std::string::npos || blank == 0 ? room : blank;
-                lines.push_back(rest.substr(0, end));
-                rest = rest.substr(end);
-            }
-            lines.push_back(rest);
-        }
+        for (const std::string& line : foot_)
+            for (std::string& part : wrapped(line, (width_ - 2 * margin) / character)) lines.push_back(std::move(part));
         foot_ = std::move(lines);
     }
 

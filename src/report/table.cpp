@@ -75,4 +75,17 @@ Cells cells(const ChartRun& run, std::size_t index, bool complete) {
     return cells;
 }
 
+std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
+    std::vector<std::string> lines;
+    while (text.size() > width) {
+        std::size_t end = text.rfind(' ', width);
+        const bool at_blank = end != std::string_view::npos && end > 0;
+        if (!at_blank) end = width;
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(at_blank ? end + 1 : end);
+    }
+    lines.emplace_back(text);
+    return lines;
+}
+
 }  // namespace grafverif

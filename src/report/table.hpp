@@ -4,6 +4,8 @@
 
 #include <array>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "grafverif/ir/chart_run.hpp"
 
@@ -28,5 +30,8 @@ std::string situation_words(const ChartRun& run, const ChartRun::State& state);
 
 /// The signals of the role that are not 0: `X`, `N = 3`; none: `none`.
 std::string standing_words(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state);
+
+/// The lines of `text` in `width` columns, broken at blanks, or anywhere in a word that is too long.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
 }  // namespace grafverif

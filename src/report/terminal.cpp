@@ -19,20 +19,6 @@ constexpr std::size_t gutter = 2;   // before the table: the bar of a loop
 constexpr std::size_t between = 2;  // between columns
 constexpr std::size_t least_width = 8;
 
-/// The lines of `text` in `width` columns, broken at blanks, or anywhere in a word that is too long.
-std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
-    std::vector<std::string> lines;
-    while (text.size() > width) {
-        std::size_t end = text.rfind(' ', width);
-        const bool at_blank = end != std::string_view::npos && end > 0;
-        if (!at_blank) end = width;
-        lines.emplace_back(text.substr(0, end));
-        text.remove_prefix(at_blank ? end + 1 : end);
-    }
-    lines.emplace_back(text);
-    return lines;
-}
-
 void print_cells(const Cells& cells, std::string_view bar, const TableWidths& widths, std::ostream& out) {
     std::array<std::vector<std::string>, std::tuple_size_v<Cells>> columns;
     std::size_t height = 1;
