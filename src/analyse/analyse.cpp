@@ -99,7 +99,7 @@ private:
     bool is_last(const Part& part) const { return part.options.longest_count != options_.longest_count; }
 
     /// One turn of each part; false where there is none that can go on.
-    bool turns(std::chrono::milliseconds slice) {
+    bool turns(std::uint64_t slice) {
         bool any = false;
         for (std::size_t k = 0; k < parts_.size() && questions_.any_open(); ++k) {
             Part& part = parts_[k];
@@ -147,7 +147,7 @@ private:
 
     /// Under stability search first a look at more than what the part does, which costs less: inputs change before every
     /// evolution. What does not happen then never does.
-    void turn(std::size_t k, std::chrono::milliseconds slice) {
+    void turn(std::size_t k, std::uint64_t slice) {
         Part& part = parts_[k];
         if (options_.mode == ExecutionMode::StabilitySearch && !part.loosely && !is_last(part)) {
             part.loosely = spend(part, slice, [&](BddSpace& space) { look_loosely(k, space); });
@@ -159,22 +159,19 @@ private:
 
     /// Whether `look` came to its end.
     template <class Look>
-    bool spend(Part& part, std::chrono::milliseconds slice, const Look& look) {
+    bool spend(Part& part, std::uint64_t slice, const Look& look) {
         if (is_over()) {
             stopped_ = true;
             obstacle_ = obstacle_text(BddExhausted(BddExhausted::Cause::Stopped), options_);
             return false;
         }
-        const auto end = std::chrono::steady_clock::now() + slice;
-        const bool shortened = !options_.deadline || end < *options_.deadline;
-        BddSpace space({options_.max_memory, shortened ? end : *options_.deadline, options_.stop});
+        BddSpace space({options_.max_memory, options_.deadline, options_.stop, slice});
         try {
             look(space);
             result_.bytes = std::max(result_.bytes, space.bytes());
             return true;
         } catch (const BddExhausted& exhausted) {
-            const bool asked = options_.stop != nullptr && options_.stop->load();
-            const bool in_time = exhausted.cause() == BddExhausted::Cause::Stopped && shortened && !asked;
+            const bool in_time = exhausted.cause() == BddExhausted::Cause::Stopped && space.work() >= slice && !is_over();
             part.given_up = !in_time || (is_last(part) && !options_.deadline);
             stopped_ = !in_time && exhausted.cause() == BddExhausted::Cause::Stopped;
             if (!in_time) obstacle_ = obstacle_text(exhausted, options_);
@@ -211,17 +208,16 @@ private:
         if (is_contradictory(machine)) return;
         Search search(machine, options_.mode);
         Analyst analyst(chart_, equations_, options_, machine, search, questions_, result_);
-        using Steady = std::chrono::steady_clock;
-        Steady::duration searching{}, looking{};   // deep searches of small sets are looked at now and then
+        std::uint64_t searching = 0, looking = 0;   // work: deep searches of small sets are looked at now and then
         try {
             while (!search.done()) {
-                const auto start = Steady::now();
+                const std::uint64_t start = space.work();
                 search.next();
                 result_.instants = std::max(result_.instants, search.instants().size());
-                const auto found = Steady::now();
+                const std::uint64_t found = space.work();
                 searching += found - start;
                 if (looking <= searching || search.done()) analyst.look();
-                looking += Steady::now() - found;
+                looking += space.work() - found;
                 show_progress(k, search.instants().size());
             }
             analyst.conclude();

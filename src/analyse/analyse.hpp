@@ -11,7 +11,7 @@
 //
 // The chart is looked at part by part: each part depends on nothing outside of it (analyse/cones.hpp), so what never happens in
 // it never happens; what comes about in it is shown by a run that the whole chart confirms. What the parts leave open is asked
-// of the whole. Parts take turns, the time of a turn growing fourfold from round to round, so that none waits for another;
+// of the whole. Parts take turns, the work of a turn growing fourfold from round to round, so that none waits for another;
 // counters are followed up to their thresholds only (analyse/counters.hpp). A question that is not decided when the time or
 // the memory is used up is open, and the analysis tells how many instants were looked at for it.
 //
@@ -55,7 +55,7 @@ struct AnalyseOptions {
     const std::atomic<bool>* stop = nullptr;              ///< set by somebody else: end with what is known
     std::function<void(const Finding&)> found = {};       ///< called as soon as there is a finding
     std::function<void(const AnalyseProgress&)> progress = {};   ///< called now and then
-    std::chrono::milliseconds first_slice{1000};          ///< how long each part is looked at in the first round
+    std::uint64_t first_slice = 50'000'000;               ///< work on each part in the first round, in steps of operations on diagrams
 };
 
 /// Requires that `equations` are those that derive gives for `chart`.

@@ -21,6 +21,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,6 +34,7 @@ struct BddLimits {
     std::uint64_t memory = std::uint64_t{2} << 30U;   ///< bytes, for nodes, tables and cache
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;          ///< set by somebody else
+    std::uint64_t work = std::numeric_limits<std::uint64_t>::max();   ///< steps of operations: ends as a deadline does, at the same place each time
 };
 
 class BddExhausted : public std::exception {
@@ -118,6 +120,7 @@ public:
 
     std::uint64_t nodes() const;   ///< nodes in use, those that nobody needs any more among them
     std::uint64_t bytes() const;   ///< memory held for nodes, tables and cache
+    std::uint64_t work() const;    ///< steps of operations so far: what was done, whatever time it took
 
     /// Frees the nodes that nobody needs; it is done without being asked when they are in the way.
     void collect_garbage();

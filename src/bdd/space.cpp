@@ -32,6 +32,7 @@ Bdd BddSpace::variable(std::uint32_t index) const {
 
 std::uint64_t BddSpace::nodes() const { return kernel_->table.in_use; }
 std::uint64_t BddSpace::bytes() const { return kernel_->budget.used; }
+std::uint64_t BddSpace::work() const { return kernel_->watch.work(); }
 
 void BddSpace::collect_garbage() {
     const bdd::Session session(*kernel_);

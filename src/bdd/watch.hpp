@@ -19,12 +19,15 @@ public:
         if (left_ <= 0) look();
     }
 
+    std::uint64_t work() const { return done_ + static_cast<std::uint64_t>(steps_per_look - left_); }
+
 private:
     static constexpr std::int64_t steps_per_look = 2048;
 
     void look();
 
     BddLimits limits_ = {};
+    std::uint64_t done_ = 0;   ///< when it last looked
     std::int64_t left_ = steps_per_look;
 };
 
