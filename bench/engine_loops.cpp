@@ -25,7 +25,9 @@ std::string content(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-struct LibraryFile { std::string name = {}, text = {}; };
+struct LibraryFile {
+    std::string name = {}, text = {};
+};
 
 template <class T>
 T required(std::optional<T> value, const Diagnostics& diagnostics, const Sources& sources) {
@@ -96,10 +98,12 @@ LoopParts parts(const std::string& text) {
     Diagnostics diagnostics;
     const ReadContext context{[](const std::string&, std::string&) { return std::nullopt; }, entries};
     LoopParts made;
-    made.model = required(read_text(sources.add({"loop.grafcet", text}), sources, context, diagnostics), diagnostics, sources);
+    made.model =
+        required(read_text(sources.add({"loop.grafcet", text}), sources, context, diagnostics), diagnostics, sources);
     const ClosedLoop& first = made.model.loops[{0}];
     for (const ClosedLoop::Controller& controller : first.controllers)
-        made.equations.push_back(required(derive(made.model.charts[controller.chart], diagnostics), diagnostics, sources));
+        made.equations.push_back(
+            required(derive(made.model.charts[controller.chart], diagnostics), diagnostics, sources));
     made.plant = required(plant(made.model, first, diagnostics), diagnostics, sources);
     return made;
 }
@@ -107,7 +111,8 @@ LoopParts parts(const std::string& text) {
 Network loop(const std::string& text, Grain grain) {
     const LoopParts of = parts(text);
     Diagnostics diagnostics;
-    return required(compose(of.plant, of.model.loops[{0}], of.equations, {.grain = grain}, diagnostics), diagnostics, {});
+    return required(compose(of.plant, of.model.loops[{0}], of.equations, {.grain = grain}, diagnostics), diagnostics,
+                    {});
 }
 
 Network two_stations(Grain grain) {
@@ -118,21 +123,27 @@ Network two_stations(Grain grain) {
 std::string cylinders(int cylinders) {
     std::ostringstream chart, loop;
     chart << "grafcet motion {\n    input START;\n    initial step 0;\n";
-    loop << "closed_loop cell {\n    controller motion with stability_search;\n    environment Start = push_button(OUT = START);\n";
+    loop << "closed_loop cell {\n    controller motion with stability_search;\n    environment Start = push_button(OUT "
+            "= START);\n";
     std::ostringstream out, wait;
     for (int k = 1; k <= cylinders; ++k) {
         const std::string n = std::to_string(k), step = std::to_string(10 * k);
-        chart << "    input IN" << n << ", MID" << n << ", OUT" << n << ";\n    output GO_OUT" << n << ", GO_IN" << n << ";\n"
-              << "    step " << 10 * k << " { GO_OUT" << n << "; }\n    step " << 10 * k + 1 << " { GO_IN" << n << "; }\n    step " << 10 * k + 2 << ";\n"
+        chart << "    input IN" << n << ", MID" << n << ", OUT" << n << ";\n    output GO_OUT" << n << ", GO_IN" << n
+              << ";\n"
+              << "    step " << 10 * k << " { GO_OUT" << n << "; }\n    step " << 10 * k + 1 << " { GO_IN" << n
+              << "; }\n    step " << 10 * k + 2 << ";\n"
               << "    transition out" << n << ": " << 10 * k << " -> " << 10 * k + 1 << " when OUT" << n << ";\n"
               << "    transition in" << n << ": " << 10 * k + 1 << " -> " << 10 * k + 2 << " when IN" << n << ";\n";
         out << (k == 1 ? "" : ", ") << step;
         wait << (k == 1 ? "" : ", ") << 10 * k + 2;
-        loop << "    plant Act" << n << " = cylinder_5_3(G_IN = GO_IN" << n << ", G_OUT = GO_OUT" << n << ", X = P" << n << ", X_max = " << 6 + k << ");\n"
-             << "    plant Sen" << n << " = position_sensors_3(X = P" << n << ", IN = IN" << n << ", MID = MID" << n << ", OUT = OUT" << n
-             << ", X_IN_max = 1, X_MID_min = 3, X_MID_max = 4, X_OUT_min = " << 6 + k << ") initially in;\n";
+        loop << "    plant Act" << n << " = cylinder_5_3(G_IN = GO_IN" << n << ", G_OUT = GO_OUT" << n << ", X = P" << n
+             << ", X_max = " << 6 + k << ");\n"
+             << "    plant Sen" << n << " = position_sensors_3(X = P" << n << ", IN = IN" << n << ", MID = MID" << n
+             << ", OUT = OUT" << n << ", X_IN_max = 1, X_MID_min = 3, X_MID_max = 4, X_OUT_min = " << 6 + k
+             << ") initially in;\n";
     }
-    chart << "    transition go: 0 -> " << out.str() << " when START;\n    transition back: " << wait.str() << " -> 0 when !START;\n}\n\n";
+    chart << "    transition go: 0 -> " << out.str() << " when START;\n    transition back: " << wait.str()
+          << " -> 0 when !START;\n}\n\n";
     loop << "    property back: X10 leads to X12;\n    property D: no deadlock;\n    property T: no timelock;\n}\n";
     return chart.str() + loop.str();
 }

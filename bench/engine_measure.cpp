@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 // bench_engine WHAT [atomic]: checks one model with the timed engine and prints what it took: states, transitions per
 // second, bytes per state, verdicts. WHAT: `station`, `two` (two stations in one network), `cylinders N`, or a sample's path.
+#include <fmt/core.h>
 #include <sys/resource.h>
 
 #include <cstdlib>
 #include <cstring>
 #include <string>
 
-#include <fmt/core.h>
-
-#include "engine_loops.hpp"
 #include "check/timed/timed.hpp"
+#include "engine_loops.hpp"
 
 namespace {
 
@@ -57,7 +56,8 @@ int main(int count, char** values) {
         return 2;
     }
     const auto progress = [](const TimedProgress& now) {
-        fmt::print(stderr, "\r{} states, {} waiting, {} MiB, {:.1f} s ", now.states, now.queue, now.bytes >> 20U, now.seconds);
+        fmt::print(stderr, "\r{} states, {} waiting, {} MiB, {:.1f} s ", now.states, now.queue, now.bytes >> 20U,
+                   now.seconds);
     };
     TimedOptions options;
     if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;

@@ -17,8 +17,8 @@ struct Family {
         std::vector<std::size_t> from = {}, to = {};
     };
     std::string name = {};
-    std::size_t steps = 0;                     ///< numbered from 1
-    std::vector<std::size_t> initial = {};     ///< each with an output
+    std::size_t steps = 0;                  ///< numbered from 1
+    std::vector<std::size_t> initial = {};  ///< each with an output
     std::vector<Link> links = {};
 
     std::size_t step() { return ++steps; }
@@ -41,15 +41,18 @@ std::string text_of(const Family& family) {
     while ((std::size_t{1} << inputs) < family.links.size()) ++inputs;
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "grafcet {} {{\n    input {};\n    output {};\n\n", family.name, names("i", inputs), names("O", family.initial.size()));
+    fmt::format_to(out, "grafcet {} {{\n    input {};\n    output {};\n\n", family.name, names("i", inputs),
+                   names("O", family.initial.size()));
     for (std::size_t step = 1; step <= family.steps; ++step) {
         const auto initial = std::ranges::find(family.initial, step);
         if (initial == family.initial.end()) fmt::format_to(out, "    step {};\n", step);
         else fmt::format_to(out, "    initial step {} {{ O{}; }}\n", step, initial - family.initial.begin());
     }
     for (std::size_t c = 0; c < family.links.size(); ++c) {
-        fmt::format_to(out, "    transition t{}: {} -> {} when ", c, numbers(family.links[c].from), numbers(family.links[c].to));
-        for (std::size_t k = 0; k < inputs; ++k) fmt::format_to(out, "{}{}i{}", k == 0 ? "" : " && ", ((c >> k) & 1U) != 0 ? "!" : "", k);
+        fmt::format_to(out, "    transition t{}: {} -> {} when ", c, numbers(family.links[c].from),
+                       numbers(family.links[c].to));
+        for (std::size_t k = 0; k < inputs; ++k)
+            fmt::format_to(out, "{}{}i{}", k == 0 ? "" : " && ", ((c >> k) & 1U) != 0 ? "!" : "", k);
         fmt::format_to(out, ";\n");
     }
     fmt::format_to(out, "}}\n");

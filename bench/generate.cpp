@@ -22,7 +22,8 @@ std::string list(const char* stem) {
 std::string ring(std::size_t steps) {
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "grafcet ring {{\n    input {};\n    output {};\n    internal COUNT: int 0..1000 = 0;\n\n", list("a"), list("O"));
+    fmt::format_to(out, "grafcet ring {{\n    input {};\n    output {};\n    internal COUNT: int 0..1000 = 0;\n\n",
+                   list("a"), list("O"));
     for (std::size_t i = 0; i < steps; ++i) {
         fmt::format_to(out, "    {}step {} {{ O{};", i == 0 ? "initial " : "", i, i % ports);
         if (i % 10 == 3) fmt::format_to(out, " O{} if a{};", (i + 1) % ports, (i + 2) % ports);
@@ -47,13 +48,13 @@ std::string assembly_stations(std::size_t count) {
         const char* condition;
     };
     static constexpr Line transitions[] = {
-        {"1", "2,3", "p_a_s"}, {"3", "4", "p_s"},    {"4,13", "5", "p_g"},   {"5", "6", "v_c_d"},
-        {"6", "7", "ason"},    {"7", "8", "v_c_u"},  {"8", "9", "h_c_l"},    {"9", "10", "v_c_d"},
+        {"1", "2,3", "p_a_s"},    {"3", "4", "p_s"},     {"4,13", "5", "p_g"},   {"5", "6", "v_c_d"},
+        {"6", "7", "ason"},       {"7", "8", "v_c_u"},   {"8", "9", "h_c_l"},    {"9", "10", "v_c_d"},
         {"10", "11,12", "v_c_u"}, {"12", "13", "h_c_r"}, {"2,11", "14", "true"}, {"14", "1", "!p_a_s"},
     };
     static constexpr const char* inputs[] = {"p_a_s", "p_s", "p_g", "v_c_d", "v_c_u", "h_c_l", "h_c_r", "ason"};
     static constexpr std::pair<const char*, const char*> actions[] = {
-        {"5", "D_V_C"}, {"6", "D_V_C"}, {"9", "D_V_C"}, {"6", "ASP"}, {"7", "ASP"},
+        {"5", "D_V_C"}, {"6", "D_V_C"}, {"9", "D_V_C"}, {"6", "ASP"},    {"7", "ASP"},
         {"8", "ASP"},   {"9", "ASP"},   {"8", "L_H_C"}, {"12", "R_H_C"}, {"14", "R_P"},
     };
     std::string text = "grafcet stations {\n";
@@ -61,11 +62,15 @@ std::string assembly_stations(std::size_t count) {
         const std::string number = std::to_string(station);
         const auto steps = [&](std::string_view list) {
             std::string named;
-            for (const char c : list) named += named.empty() || named.ends_with(", ") ? "A" + number + "_" + c : c == ',' ? std::string(", ") : std::string(1, c);
+            for (const char c : list)
+                named += named.empty() || named.ends_with(", ") ? "A" + number + "_" + c
+                         : c == ','                             ? std::string(", ")
+                                                                : std::string(1, c);
             return named;
         };
         for (const char* input : inputs) text += fmt::format("input {}{};\n", input, number);
-        for (const char* output : {"D_V_C", "ASP", "L_H_C", "R_H_C", "R_P"}) text += fmt::format("output {}{};\n", output, number);
+        for (const char* output : {"D_V_C", "ASP", "L_H_C", "R_H_C", "R_P"})
+            text += fmt::format("output {}{};\n", output, number);
         for (int step = 1; step <= 14; ++step) {
             text += fmt::format("{}step A{}_{} {{ ", step == 1 || step == 13 ? "initial " : "", number, step);
             for (const auto& [of, output] : actions)
@@ -75,8 +80,8 @@ std::string assembly_stations(std::size_t count) {
         int name = 0;
         for (const Line& line : transitions) {
             const std::string condition(line.condition);
-            text += fmt::format("transition t{}_{}: {} -> {} when {};\n", number, ++name, steps(line.from), steps(line.to),
-                                condition == "true" ? condition : condition + number);
+            text += fmt::format("transition t{}_{}: {} -> {} when {};\n", number, ++name, steps(line.from),
+                                steps(line.to), condition == "true" ? condition : condition + number);
         }
     }
     return text + "}\n";
@@ -129,7 +134,10 @@ constexpr const char* cell = R"(    partial cell{0} {{
 std::string production_line(std::size_t count) {
     std::string text = "grafcet production_line {\n    input START, STOP;\n    output RUN, ALARM;\n", orders, cells;
     for (std::size_t k = 1; k <= count; ++k) {
-        text += fmt::format("    input PART{0}, DOWN{0}, UP{0}, GOOD{0}, LEFT{0}, FREE{0};\n    output CLAMP{0}, DRILL{0}, BELT{0}, LAMP{0};\n", k);
+        text += fmt::format(
+            "    input PART{0}, DOWN{0}, UP{0}, GOOD{0}, LEFT{0}, FREE{0};\n    output CLAMP{0}, DRILL{0}, BELT{0}, "
+            "LAMP{0};\n",
+            k);
         orders += fmt::format(" force cell{} := {{INIT}};", k);
         cells += fmt::format(fmt::runtime(cell), k);
     }

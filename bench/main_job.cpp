@@ -6,12 +6,12 @@
 #include <sstream>
 #include <string>
 
-#include "pipeline/components.hpp"
-#include "generate.hpp"
 #include "compose/compose.hpp"
 #include "derive/derive.hpp"
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/uppaal/uppaal.hpp"
+#include "generate.hpp"
+#include "pipeline/components.hpp"
 #include "plant/plant.hpp"
 #include "read/text.hpp"
 #include "schedule/controller.hpp"
@@ -39,8 +39,8 @@ Network composed(const Model& model, const Equations& equations) {
 }
 
 void per_step(benchmark::State& state) {
-    state.counters["steps/s"] =
-        benchmark::Counter(static_cast<double>(state.range(0)) * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+    state.counters["steps/s"] = benchmark::Counter(
+        static_cast<double>(state.range(0)) * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
     state.SetComplexityN(state.range(0));
 }
 

@@ -2,6 +2,10 @@
 // The symbolic engine. bench_symbolic stations N: N assembly stations (DESDES06) side by side in one chart, with free
 // inputs, the growth with the number of steps and inputs. bench_symbolic PATH APPROACH [SCHEDULE]: the closed loop of
 // samples/PATH with all its properties; none, constraints or automata; interleaved, synchronous or sequenced.
+#include "check/symbolic/symbolic.hpp"
+
+#include <fmt/core.h>
+
 #include <cstdlib>
 #include <map>
 #include <sstream>
@@ -9,13 +13,10 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
-
-#include "engine_loops.hpp"
-#include "generate.hpp"
-#include "check/symbolic/symbolic.hpp"
 #include "compose/compose.hpp"
 #include "derive/derive.hpp"
+#include "engine_loops.hpp"
+#include "generate.hpp"
 #include "read/text.hpp"
 #include "schedule/controller.hpp"
 #include "schedule/network.hpp"
@@ -61,9 +62,11 @@ TransitionSystem stations(std::size_t count) {
 TransitionSystem sample(const std::string& path, const ScheduleOptions& options) {
     const bench::LoopParts parts = bench::parts(bench::sample(path));
     const ClosedLoop& loop = parts.model.loops[{0}];
-    if (options.plant != PlantApproach::Automata) return schedule_controllers(parts.model, loop, parts.equations, options);
+    if (options.plant != PlantApproach::Automata)
+        return schedule_controllers(parts.model, loop, parts.equations, options);
     Diagnostics diagnostics;
-    const bool interleaved = options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
+    const bool interleaved =
+        options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
     std::optional<TransitionSystem> made;
     if (!interleaved) made = schedule_together(parts.model, loop, parts.equations, parts.plant, options, diagnostics);
     else if (const auto network = compose(parts.plant, loop, parts.equations, {.grain = loop.grain}, diagnostics))
@@ -76,12 +79,14 @@ TransitionSystem sample(const std::string& path, const ScheduleOptions& options)
 template <class Value>
 Value meant(const std::map<std::string, Value>& table, const std::string& word) {
     const auto found = table.find(word);
-    if (found == table.end()) throw std::invalid_argument("usage: bench_symbolic stations N | PATH APPROACH [SCHEDULE]");
+    if (found == table.end())
+        throw std::invalid_argument("usage: bench_symbolic stations N | PATH APPROACH [SCHEDULE]");
     return found->second;
 }
 
 TransitionSystem system_of(const std::vector<std::string>& words) {
-    if (words.size() == 2 && words[0] == "stations") return stations(static_cast<std::size_t>(std::atoi(words[1].c_str())));
+    if (words.size() == 2 && words[0] == "stations")
+        return stations(static_cast<std::size_t>(std::atoi(words[1].c_str())));
     using enum PlantApproach;
     using enum Schedule;
     ScheduleOptions options;
@@ -100,8 +105,9 @@ void measure(const TransitionSystem& system) {
     SymbolicOptions options;
     if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
     const SymbolicResult result = check_symbolic(system, options);
-    fmt::print("{} steps, {} inputs: {} states, {} steps deep, {} MiB, {:.2f} s\n", system.controllers.front().words.steps.size(),
-               system.controllers.front().words.inputs.size(), result.states, result.depth, result.bytes >> 20U, result.seconds);
+    fmt::print("{} steps, {} inputs: {} states, {} steps deep, {} MiB, {:.2f} s\n",
+               system.controllers.front().words.steps.size(), system.controllers.front().words.inputs.size(),
+               result.states, result.depth, result.bytes >> 20U, result.seconds);
     for (const Verdict& verdict : result.verdicts)
         fmt::print("  {}: {} {}\n", verdict.property, word(verdict.outcome), verdict.reason);
 }

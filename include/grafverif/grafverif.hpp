@@ -42,8 +42,8 @@ namespace grafverif {
 // Reading
 
 struct ReadOptions {
-    std::vector<std::string> include_folders = {};   ///< looked in for includes, after the folder of the including file
-    bool lossy = false;   ///< what a file of another format says and a chart cannot is left out, with a warning
+    std::vector<std::string> include_folders = {};  ///< looked in for includes, after the folder of the including file
+    bool lossy = false;  ///< what a file of another format says and a chart cannot is left out, with a warning
     /// Where included files come from. Without it they are read from the disk, within the folder of the file, that of
     /// its project (see docs/files.md) and `include_folders`; a string includes from the current folder.
     std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};
@@ -52,7 +52,7 @@ struct ReadOptions {
 /// What was read: all texts, what is wrong with them, and, where nothing is, what they say.
 struct Reading {
     Sources sources = {};
-    Diagnostics diagnostics = {};   ///< for what is made of the model later too
+    Diagnostics diagnostics = {};  ///< for what is made of the model later too
     std::optional<Model> model = {};
 
     /// The diagnostics as a person reads them, each with its line and a caret.
@@ -74,14 +74,14 @@ std::optional<Id<ClosedLoop>> find_loop(const Model& model, std::string_view nam
 struct ModelOptions {
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
-    ScheduleOptions untimed = {};   ///< of transition systems; its mode is the one above
+    ScheduleOptions untimed = {};  ///< of transition systems; its mode is the one above
 };
 
 std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Diagnostics& diagnostics);
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
                                   Diagnostics& diagnostics);
-std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
-                                                     Diagnostics& diagnostics);
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop,
+                                                     const ModelOptions& options, Diagnostics& diagnostics);
 /// Of a chart alone, its inputs free.
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Chart> chart, const ModelOptions& options,
                                                      Diagnostics& diagnostics);
@@ -91,8 +91,8 @@ std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Char
 ExecutionMode execution_mode(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> asked);
 
 struct UppaalProject {
-    std::string project = {};   ///< XML, its queries in it
-    std::string queries = {};   ///< the queries alone, for `verifyta`
+    std::string project = {};  ///< XML, its queries in it
+    std::string queries = {};  ///< the queries alone, for `verifyta`
 };
 /// Warns of properties that the tool cannot be asked.
 UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics);
@@ -112,24 +112,24 @@ struct Progress {
 
 /// What bounds a computation. At a bound it ends with what is known: verdicts are unknown, with the reason.
 struct Limits {
-    std::optional<std::uint64_t> states = {};   ///< empty: as many as the engine allows by itself; likewise memory
-    std::optional<std::uint64_t> memory = {};   ///< bytes
+    std::optional<std::uint64_t> states = {};  ///< empty: as many as the engine allows by itself; likewise memory
+    std::optional<std::uint64_t> memory = {};  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;    ///< looked at all the time; anybody may set it, `progress` too
-    std::function<void(const Progress&)> progress = {};   ///< called now and then
+    const std::atomic<bool>* stop = nullptr;             ///< looked at all the time; anybody may set it, `progress` too
+    std::function<void(const Progress&)> progress = {};  ///< called now and then
 };
 
 struct CheckOptions {
-    std::vector<std::string> properties = {};   ///< names; empty: all. Of one that expands: `S` means each `S.X7`
-    bool witnesses = true;                      ///< runs that show what holds (`reachable`) too
-    bool every_move = false;                    ///< the rows of a run tell the moves of the translation too
+    std::vector<std::string> properties = {};  ///< names; empty: all. Of one that expands: `S` means each `S.X7`
+    bool witnesses = true;                     ///< runs that show what holds (`reachable`) too
+    bool every_move = false;                   ///< the rows of a run tell the moves of the translation too
     Limits limits = {};
 };
 
 /// Decides the properties of a closed loop with the timed engine. Every run in the report has been replayed on the rules
 /// of IEC 60848.
-std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
-                            Diagnostics& diagnostics);
+std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
+                            const CheckOptions& options, Diagnostics& diagnostics);
 /// The same of the model without time, with the symbolic engine; what its verdicts say of the timed loop stands with
 /// each.
 std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
@@ -150,10 +150,10 @@ std::optional<Analysis> analysis_of(const Model& model, Id<Chart> chart, std::op
 
 struct ConformOptions {
     std::optional<ExecutionMode> mode = {};
-    bool partial = false;          ///< of an automaton: at a limit, what was found, not `complete`
-    bool minimise = false;         ///< states of the machine that nobody can tell apart become one
+    bool partial = false;   ///< of an automaton: at a limit, what was found, not `complete`
+    bool minimise = false;  ///< states of the machine that nobody can tell apart become one
     TestCover cover = TestCover::Transitions;
-    bool one_cycle_each = false;   ///< steps of a test last one cycle, not two
+    bool one_cycle_each = false;  ///< steps of a test last one cycle, not two
     Limits limits = {};
 };
 std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> chart, const ConformOptions& options,

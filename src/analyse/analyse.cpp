@@ -37,7 +37,9 @@ void add_structural(const Chart& chart, const Equations& equations, Analysis& re
                                    "nothing depends on the input `" + variable.name + "`", variable.origin});
     }
     for (const std::vector<Id<Chart::ForcingOrder>>& cycle : analysis::forcing_cycles(chart)) {
-        const auto partial = [&](Id<Chart::ForcingOrder> order) { return chart.partial_charts[chart.forcing[order].forced].name; };
+        const auto partial = [&](Id<Chart::ForcingOrder> order) {
+            return chart.partial_charts[chart.forcing[order].forced].name;
+        };
         std::string path = "`" + partial(cycle.back()) + "`";
         for (const Id<Chart::ForcingOrder> order : cycle) path += " forces `" + partial(order) + "`";
         Finding made{"forcing-cycle", Finding::Level::Error, partial(cycle.front()), path + ": orders form no circle",
@@ -62,7 +64,10 @@ std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& o
 class Course {
 public:
     Course(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Analysis& result)
-        : chart_(chart), equations_(equations), options_(options), result_(result),
+        : chart_(chart),
+          equations_(equations),
+          options_(options),
+          result_(result),
           questions_(chart, equations, options) {
         for (Cone& cone : cones(equations)) parts_.push_back({std::move(cone), options});
         if (counts_on()) {
@@ -72,13 +77,16 @@ public:
     }
 
     void run() {
-        for (auto slice = options_.first_slice; questions_.any_open() && turns(slice); slice *= 4) {}
+        for (auto slice = options_.first_slice; questions_.any_open() && turns(slice); slice *= 4) {
+        }
         result_.questions = questions_.all().size();
         for (const Question& question : questions_.all())
             if (!question.decided)
-                result_.open.push_back({std::string(question.code), question.subject, question.instants, question.evolutions});
+                result_.open.push_back(
+                    {std::string(question.code), question.subject, question.instants, question.evolutions});
         if (result_.open.empty()) obstacle_.clear();
-        else if (obstacle_.empty()) obstacle_ = "counters are followed up to their thresholds, not to the ends of their ranges";
+        else if (obstacle_.empty())
+            obstacle_ = "counters are followed up to their thresholds, not to the ends of their ranges";
         result_.obstacle = obstacle_;
     }
 
@@ -86,7 +94,7 @@ private:
     struct Part {
         Cone cone = {};
         AnalyseOptions options = {};
-        bool loosely = false;   ///< it was looked at with inputs that change before every evolution
+        bool loosely = false;  ///< it was looked at with inputs that change before every evolution
         bool complete = false, given_up = false, doubtful = false;
     };
 
@@ -130,7 +138,8 @@ private:
 
     bool all_in_parts() const {
         const auto in_parts = [this](Id<Equations::Variable> variable) {
-            return std::ranges::any_of(parts_, [&](const Part& part) -> bool { return !whole(part) && part.cone[variable.index]; });
+            return std::ranges::any_of(
+                parts_, [&](const Part& part) -> bool { return !whole(part) && part.cone[variable.index]; });
         };
         return std::ranges::all_of(equations_.firings, in_parts, &Equations::Firing::variable) &&
                std::ranges::all_of(equations_.stored, in_parts, &Equations::Stored::variable) &&
@@ -139,10 +148,13 @@ private:
 
     static bool whole(const Part& part) { return std::ranges::find(part.cone, false) == part.cone.end(); }
 
-    static bool ends_runs(const Finding& finding) { return finding.code == "total-instability" || is_break(finding.code); }
+    static bool ends_runs(const Finding& finding) {
+        return finding.code == "total-instability" || is_break(finding.code);
+    }
 
     bool any_break_open() const {
-        return std::ranges::any_of(questions_.all(), [](const Question& question) { return !question.decided && is_break(question.code); });
+        return std::ranges::any_of(
+            questions_.all(), [](const Question& question) { return !question.decided && is_break(question.code); });
     }
 
     /// Under stability search first a look at more than what the part does, which costs less: inputs change before every
@@ -171,7 +183,8 @@ private:
             result_.bytes = std::max(result_.bytes, space.bytes());
             return true;
         } catch (const BddExhausted& exhausted) {
-            const bool in_time = exhausted.cause() == BddExhausted::Cause::Stopped && space.work() >= slice && !is_over();
+            const bool in_time =
+                exhausted.cause() == BddExhausted::Cause::Stopped && space.work() >= slice && !is_over();
             part.given_up = !in_time || (is_last(part) && !options_.deadline);
             stopped_ = !in_time && exhausted.cause() == BddExhausted::Cause::Stopped;
             if (!in_time) obstacle_ = obstacle_text(exhausted, options_);
@@ -208,7 +221,7 @@ private:
         if (is_contradictory(machine)) return;
         Search search(machine, options_.mode);
         Analyst analyst(chart_, equations_, options_, machine, search, questions_, result_);
-        std::uint64_t searching = 0, looking = 0;   // work: deep searches of small sets are looked at now and then
+        std::uint64_t searching = 0, looking = 0;  // work: deep searches of small sets are looked at now and then
         try {
             while (!search.done()) {
                 const std::uint64_t start = space.work();
@@ -232,8 +245,10 @@ private:
 
     void show_progress(std::size_t part, std::size_t instant) const {
         if (!options_.progress) return;
-        const auto open = std::ranges::count_if(questions_.all(), [](const Question& question) { return !question.decided; });
-        options_.progress({questions_.all().size(), static_cast<std::size_t>(open), result_.findings.size(), part + 1, parts_.size(), instant});
+        const auto open =
+            std::ranges::count_if(questions_.all(), [](const Question& question) { return !question.decided; });
+        options_.progress({questions_.all().size(), static_cast<std::size_t>(open), result_.findings.size(), part + 1,
+                           parts_.size(), instant});
     }
 
     const Chart& chart_;
@@ -266,8 +281,10 @@ void add_notes(const Equations& equations, const AnalyseOptions& options, Analys
                                   ? "inputs change between stable situations only (IEC 60848); cycle time is zero"
                                   : "one evolution per cycle, inputs sampled in each");
     if (std::ranges::any_of(result.findings, is_break, &Finding::code))
-        result.notes.emplace_back("nothing is looked at beyond a race, orders that exclude each other or a value that does not fit; what is said never to "
-                                  "happen does not happen without them");
+        result.notes.emplace_back(
+            "nothing is looked at beyond a race, orders that exclude each other or a value that does not fit; what is "
+            "said never to "
+            "happen does not happen without them");
     if (!equations.assumptions.empty() || !options.exclusions.empty())
         result.notes.push_back("inputs are limited by " + std::to_string(equations.assumptions.size()) +
                                " constraints and " + std::to_string(options.exclusions.size()) + " exclusions");

@@ -40,22 +40,23 @@ namespace grafverif {
 /// How far an analysis is.
 struct AnalyseProgress {
     std::size_t questions = 0, open = 0, findings = 0;
-    std::size_t part = 0, parts = 0;   ///< which part of the chart is looked at, of how many
+    std::size_t part = 0, parts = 0;  ///< which part of the chart is looked at, of how many
     std::size_t instant = 0;
 };
 
 struct AnalyseOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::vector<Exclusion> exclusions = {};
-    bool instability_only = false;                        ///< ask for total instability and nothing else
+    bool instability_only = false;  ///< ask for total instability and nothing else
     /// Counters that stay in their range for so many evolutions at least are followed up to their thresholds only.
     std::int64_t longest_count = 256;
-    std::uint64_t max_memory = std::uint64_t{2} << 30U;   ///< bytes, for decision diagrams
+    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes, for decision diagrams
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;              ///< set by somebody else: end with what is known
-    std::function<void(const Finding&)> found = {};       ///< called as soon as there is a finding
-    std::function<void(const AnalyseProgress&)> progress = {};   ///< called now and then
-    std::uint64_t first_slice = 50'000'000;               ///< work on each part in the first round, in steps of operations on diagrams
+    const std::atomic<bool>* stop = nullptr;                    ///< set by somebody else: end with what is known
+    std::function<void(const Finding&)> found = {};             ///< called as soon as there is a finding
+    std::function<void(const AnalyseProgress&)> progress = {};  ///< called now and then
+    std::uint64_t first_slice =
+        50'000'000;  ///< work on each part in the first round, in steps of operations on diagrams
 };
 
 /// Requires that `equations` are those that derive gives for `chart`.

@@ -10,7 +10,12 @@ namespace grafverif::analysis {
 
 Analyst::Analyst(const Chart& chart, const Equations& equations, const AnalyseOptions& options, Machine& machine,
                  Search& search, Questions& questions, Analysis& result)
-    : chart_(chart), equations_(equations), options_(options), machine_(machine), search_(search), questions_(questions),
+    : chart_(chart),
+      equations_(equations),
+      options_(options),
+      machine_(machine),
+      search_(search),
+      questions_(questions),
       result_(result) {
     expect_breaks();
     expect_forcing();
@@ -58,7 +63,8 @@ void Analyst::conclude() {
 void Analyst::look_loosely() {
     for (Event& event : events_) event.seen = event.seen || !(search_.fresh() & event.goal).is_false();
     const Bdd stable = machine_.stable(machine_.unbroken(search_.fresh()));
-    for (Sign& sign : signs_) sign.seen = sign.seen || !((sign.among == Among::Stable ? stable : search_.fresh()) & sign.goal).is_false();
+    for (Sign& sign : signs_)
+        sign.seen = sign.seen || !((sign.among == Among::Stable ? stable : search_.fresh()) & sign.goal).is_false();
     search_.forget_fresh();
 }
 
@@ -68,7 +74,7 @@ void Analyst::conclude_loosely() {
     silent_outputs();
     for (const Transition id : chart_.transitions.ids())
         if (unseen("transition-never-fired", id.index) && !seen(enabled(id))) dead_transition(id);
-    std::set<const Question*> met;   // a question may have several events
+    std::set<const Question*> met;  // a question may have several events
     for (const Event& event : events_)
         if (event.seen || (event.question->index == no_variable && !machine_.whole())) met.insert(event.question);
     for (const Event& event : events_)
@@ -95,7 +101,8 @@ void Analyst::leave() noexcept {
     if (machine_.whole()) note(questions_.open("total-instability", 0));
     for (const Equations::Stored& stored : equations_.stored)
         if (machine_.covers(stored.variable))
-            for (const std::size_t value : {0U, 1U}) note(questions_.open("action-conflict", 2 * stored.variable.index + value));
+            for (const std::size_t value : {0U, 1U})
+                note(questions_.open("action-conflict", 2 * stored.variable.index + value));
 }
 
 Bdd Analyst::all_active(const std::vector<Step>& steps) const {
@@ -129,7 +136,8 @@ Finding Analyst::finding(std::string_view code, std::string subject, std::string
     return made;
 }
 
-bool Analyst::show(Finding& finding, const std::optional<Path>& path, const Demand& demand, std::string shows, bool certain) {
+bool Analyst::show(Finding& finding, const std::optional<Path>& path, const Demand& demand, std::string shows,
+                   bool certain) {
     last_ = {};
     if (!path) return certain;
     last_ = evidence(chart_, equations_, machine_, options_.mode, *path, demand);

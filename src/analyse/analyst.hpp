@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "analyse/analyse.hpp"
 #include "analyse/evidence.hpp"
 #include "analyse/machine.hpp"
 #include "analyse/search.hpp"
-#include "analyse/analyse.hpp"
 
 namespace grafverif::analysis {
 
@@ -28,7 +28,7 @@ inline constexpr std::size_t no_variable = static_cast<std::size_t>(-1);
 
 struct Question {
     std::string_view code = {};
-    std::size_t index = 0;        ///< of what it is about, in the table that its code speaks of
+    std::size_t index = 0;  ///< of what it is about, in the table that its code speaks of
     std::string subject = {};
     bool decided = false;
     bool seen_in_part = false;    ///< a part has what would answer it; the chart did not confirm that it has
@@ -86,7 +86,7 @@ private:
         Question* question = nullptr;
         Bdd goal = {};
         bool seen = false;
-        std::function<bool(const Bdd& seen)> tell = {};   ///< whether it is shown; `seen`: the fresh points of the goal
+        std::function<bool(const Bdd& seen)> tell = {};  ///< whether it is shown; `seen`: the fresh points of the goal
     };
     /// Something whose absence is a finding. `goal` is over points, stable points, or points right after an evolution.
     enum class Among { Points, Stable, Landings };
@@ -160,13 +160,13 @@ private:
     Search& search_;
     Questions& questions_;
     Analysis& result_;
-    Evidence last_ = {};   ///< what the last finding was shown by
+    Evidence last_ = {};  ///< what the last finding was shown by
     std::vector<Event> events_ = {};
     std::vector<Sign> signs_ = {};
-    std::vector<Question*> uncertain_ = {};   ///< events that were seen and not shown
+    std::vector<Question*> uncertain_ = {};  ///< events that were seen and not shown
     Bdd stable_ = {}, landings_seen_ = {};
     std::size_t looked_ = 0;
-    std::set<const Question*> unseen_ = {};   ///< when the search is done: no sign of them was seen
+    std::set<const Question*> unseen_ = {};  ///< when the search is done: no sign of them was seen
 };
 
 }  // namespace grafverif::analysis

@@ -9,7 +9,8 @@
 namespace grafverif::analysis {
 
 void Analyst::expect(std::string_view code, std::size_t index, const Bdd& goal, std::function<bool(const Bdd&)> tell) {
-    if (Question* const question = questions_.open(code, index)) events_.push_back({question, goal, false, std::move(tell)});
+    if (Question* const question = questions_.open(code, index))
+        events_.push_back({question, goal, false, std::move(tell)});
 }
 
 // -- total instability -------------------------------------------------------------------------------------------------
@@ -19,11 +20,13 @@ void Analyst::instability() {
     if (question == nullptr || is_uncertain(question)) return;
     const Bdd going_on = machine_.going_on(search_.fresh()), followed = machine_.followed(going_on);
     Bdd endless = search_.endless(followed);
-    const bool counting = endless.is_false() && !(followed == going_on);   // a counter may end what seems to go on for ever
+    const bool counting =
+        endless.is_false() && !(followed == going_on);  // a counter may end what seems to go on for ever
     if (counting) endless = search_.endless(going_on);
     if (endless.is_false()) return;
     Finding made = finding("total-instability", "", "", chart_.origin);
-    if (!show(made, search_.path_to(endless), {.endless = true}, "with the last inputs the situation changes for ever", certain() && !counting))
+    if (!show(made, search_.path_to(endless), {.endless = true}, "with the last inputs the situation changes for ever",
+              certain() && !counting))
         return uncertain_.push_back(question);
     const auto loop = last_.endless.size();
     made.message = "with some inputs the situation never becomes stable";
@@ -41,7 +44,8 @@ void Analyst::expect_breaks() {
     // What finding nothing decides: every stored variable of the cone, and all conditions if all are in it.
     for (const Equations::Stored& stored : equations_.stored)
         if (machine_.covers(stored.variable))
-            for (const char* code : {"action-race", "out-of-range", "no-value"}) expect(code, stored.variable.index, {}, {});
+            for (const char* code : {"action-race", "out-of-range", "no-value"})
+                expect(code, stored.variable.index, {}, {});
     if (machine_.whole()) expect("no-value", no_variable, {}, {});
     for (const Machine::Break& each : machine_.all_breaks()) expect_break(each);
 }
@@ -53,7 +57,9 @@ void Analyst::expect_break(const Machine::Break& each) {
         const Bdd early = first & machine_.possible();
         if (question == nullptr || (points.is_false() && early.is_false())) return;
         if (!early.is_false() && tell_break(code, each, points, early)) question->decided = true;
-        else expect(code, index, points, [this, code, each, points](const Bdd&) { return tell_break(code, each, points, {}); });
+        else
+            expect(code, index, points,
+                   [this, code, each, points](const Bdd&) { return tell_break(code, each, points, {}); });
     };
     look("action-race", each.race, each.first_race);
     look("out-of-range", each.out_of_range, each.first_out_of_range);
@@ -74,10 +80,12 @@ bool Analyst::tell_break(std::string_view code, const Machine::Break& each, cons
     std::string shows = "the value of the last evolution does not exist";
     if (code == "action-race") {
         demand = {.race = {each.variable.index}};
-        message = "two actions can store different values in `" + subject + "` in one evolution; let them exclude each other";
+        message =
+            "two actions can store different values in `" + subject + "` in one evolution; let them exclude each other";
         shows = "both actions run in the last evolution";
     } else if (code == "out-of-range") {
-        message = "an action can store a value in `" + subject + "` that is outside its range; widen the range or guard the step";
+        message = "an action can store a value in `" + subject +
+                  "` that is outside its range; widen the range or guard the step";
         shows = "the value of the last evolution does not fit";
     }
     Finding made = finding(code, subject, message, known ? equations_.variables[each.variable].origin : chart_.origin);
@@ -95,7 +103,8 @@ void Analyst::lost_values() {
     if (!searching()) return;
     for (const Equations::Stored& stored : equations_.stored) {
         const Equations::Variable& variable = equations_.variables[stored.variable];
-        if (variable.role != Equations::Role::Output || !variable.type.boolean || !machine_.covers(stored.variable)) continue;
+        if (variable.role != Equations::Role::Output || !variable.type.boolean || !machine_.covers(stored.variable))
+            continue;
         lost_value(stored, true);
         lost_value(stored, false);
     }
@@ -110,7 +119,8 @@ void Analyst::lost_value(const Equations::Stored& stored, bool value) {
         if (!is_constant(equations_.exprs[write.value].op)) continue;
         (is_true(equations_.exprs, write.value) == value ? stores : overwrites) |= machine_.holds(write.trigger);
     }
-    std::vector<Bdd> layers{machine_.going_on(search_.fresh() & stores)};   // evolutions that store it, and those after them
+    std::vector<Bdd> layers{
+        machine_.going_on(search_.fresh() & stores)};  // evolutions that store it, and those after them
     Bdd seen, hit;
     while (!layers.back().is_false() && hit.is_false()) {
         const Bdd next = machine_.going_on(machine_.evolved(layers.back()));
@@ -121,16 +131,17 @@ void Analyst::lost_value(const Equations::Stored& stored, bool value) {
     if (hit.is_false()) return;
     std::vector<Point> points{machine_.pick(hit)};
     for (std::size_t k = layers.size() - 1; k-- > 0;)
-        points.push_back(machine_.pick(machine_.with_inputs_of(machine_.origins(layers[k], points.back()), points.front())));
+        points.push_back(
+            machine_.pick(machine_.with_inputs_of(machine_.origins(layers[k], points.back()), points.front())));
     std::ranges::reverse(points);
     const Equations::Variable& variable = equations_.variables[stored.variable];
     Finding made = finding("action-conflict", variable.name,
                            "`" + variable.name + "` can be " + (value ? "set and reset" : "reset and set") +
                                " in one instant, so that the first of the two never gets out",
                            variable.origin);
-    for (const Equations::Write& write : stored.writes)
-        made.related.push_back({write.origin, "an action on it"});
-    if (!show(made, path_along(points), {}, "both happen in the last instant", certain())) return uncertain_.push_back(question);
+    for (const Equations::Write& write : stored.writes) made.related.push_back({write.origin, "an action on it"});
+    if (!show(made, path_along(points), {}, "both happen in the last instant", certain()))
+        return uncertain_.push_back(question);
     question->decided = keep(std::move(made));
 }
 
@@ -143,12 +154,14 @@ void Analyst::expect_branches() {
         if (!machine_.covers_firing(first.index) || !machine_.covers_firing(second.index)) continue;
         const Bdd both = machine_.fires(first.index) & machine_.fires(second.index);
         expect("branches-together", k, both, [this, first, second](const Bdd& seen) {
-            Finding made = finding("branches-together", name(first),
-                                   "`" + name(first) + "` and `" + name(second) +
-                                       "` leave one step and can be cleared at once; make their conditions exclude each other",
-                                   chart_.transitions[second].origin);
+            Finding made =
+                finding("branches-together", name(first),
+                        "`" + name(first) + "` and `" + name(second) +
+                            "` leave one step and can be cleared at once; make their conditions exclude each other",
+                        chart_.transitions[second].origin);
             made.related.push_back({chart_.transitions[first].origin, "`" + name(first) + "` is here"});
-            return show(made, rather_unbroken(seen), {.fired = {first, second}}, "both are cleared in the last instant") &&
+            return show(made, rather_unbroken(seen), {.fired = {first, second}},
+                        "both are cleared in the last instant") &&
                    keep(std::move(made));
         });
     }
@@ -168,8 +181,9 @@ void Analyst::expect_reactivated_steps() {
 
 bool Analyst::tell_reactivated(Step step, const Bdd& seen) {
     Finding made = finding("step-reactivated", step_name(step),
-                           "`" + step_name(step) + "` can be activated while it is active, so that one of the two "
-                           "activations is lost",
+                           "`" + step_name(step) +
+                               "` can be activated while it is active, so that one of the two "
+                               "activations is lost",
                            chart_.steps[step].origin);
     Demand demand;
     for (const Transition id : chart_.transitions.ids()) {
@@ -180,7 +194,8 @@ bool Analyst::tell_reactivated(Step step, const Bdd& seen) {
     }
     const Bdd goal = seen & machine_.fires(demand.fired.front().index);
     return show(made, rather_unbroken(goal), demand,
-                "`" + name(demand.fired.front()) + "` activates `" + step_name(step) + "` once more in the last instant") &&
+                "`" + name(demand.fired.front()) + "` activates `" + step_name(step) +
+                    "` once more in the last instant") &&
            keep(std::move(made));
 }
 
@@ -201,15 +216,16 @@ void Analyst::expect_forcing() {
         const auto [order, step] = governed[k];
         const Chart::ForcingOrder& forcing = chart_.forcing[order];
         if (!covers({forcing.step, step})) continue;
-        expect("forced-and-enclosed", k, all_active({forcing.step, step}), [this, &forcing, step = step](const Bdd& seen) {
-            const std::string& partial = chart_.partial_charts[forcing.forced].name;
-            Finding made = finding("forced-and-enclosed", partial,
-                                   "`" + partial + "` can be forced by `" + step_name(forcing.step) + "` while `" +
-                                       step_name(step) + "`, which encloses it, is active",
-                                   forcing.origin);
-            made.related.push_back({chart_.steps[step].origin, "`" + step_name(step) + "` is here"});
-            return show(made, seen, {.ends = false}, "both steps are active") && keep(std::move(made));
-        });
+        expect("forced-and-enclosed", k, all_active({forcing.step, step}),
+               [this, &forcing, step = step](const Bdd& seen) {
+                   const std::string& partial = chart_.partial_charts[forcing.forced].name;
+                   Finding made = finding("forced-and-enclosed", partial,
+                                          "`" + partial + "` can be forced by `" + step_name(forcing.step) +
+                                              "` while `" + step_name(step) + "`, which encloses it, is active",
+                                          forcing.origin);
+                   made.related.push_back({chart_.steps[step].origin, "`" + step_name(step) + "` is here"});
+                   return show(made, seen, {.ends = false}, "both steps are active") && keep(std::move(made));
+               });
     }
 }
 

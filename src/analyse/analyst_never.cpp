@@ -54,17 +54,17 @@ void Analyst::look_for_signs() {
     for (Sign& sign : signs_) {
         if (sign.question->decided || sign.seen || !sign_seen(sign)) continue;
         sign.seen = true;
-        if (certain() || (sign.among != Among::Landings && confirmed((sign.among == Among::Stable ? stable_ : search_.fresh()) & sign.goal)))
+        if (certain() || (sign.among != Among::Landings &&
+                          confirmed((sign.among == Among::Stable ? stable_ : search_.fresh()) & sign.goal)))
             sign.question->decided = true;
-        else
-            sign.question->seen_in_part = true;
+        else sign.question->seen_in_part = true;
     }
 }
 
 bool Analyst::sign_seen(const Sign& sign) {
     switch (sign.among) {
-    case Among::Points:   return !(search_.fresh() & sign.goal).is_false();
-    case Among::Stable:   return !(stable_ & sign.goal).is_false();
+    case Among::Points: return !(search_.fresh() & sign.goal).is_false();
+    case Among::Stable: return !(stable_ & sign.goal).is_false();
     case Among::Landings: return !(landings_seen_ & sign.goal).is_false();
     }
     return false;
@@ -97,10 +97,13 @@ void Analyst::gather_unseen() {
         if (!sign.seen) unseen_.insert(sign.question);
 }
 
-bool Analyst::unseen(std::string_view code, std::size_t index) { return unseen_.contains(questions_.open(code, index)); }
+bool Analyst::unseen(std::string_view code, std::size_t index) {
+    return unseen_.contains(questions_.open(code, index));
+}
 
 bool Analyst::ever_active(Step step) const {
-    return equations_.variables[equations_.steps[step.index].variable].initial != 0 || seen(machine_.active(step.index));
+    return equations_.variables[equations_.steps[step.index].variable].initial != 0 ||
+           seen(machine_.active(step.index));
 }
 
 void Analyst::dead_steps() {
@@ -146,7 +149,9 @@ void Analyst::immediate_transitions() {
             Finding made = finding("transition-always-fired", name(id),
                                    "`" + name(id) + "` is cleared as soon as it is enabled, whatever the inputs are",
                                    chart_.transitions[id].origin);
-            if (!show(made, rather_unbroken(fires), {.fired = {id}}, "`" + name(id) + "` is cleared in the last instant")) continue;
+            if (!show(made, rather_unbroken(fires), {.fired = {id}},
+                      "`" + name(id) + "` is cleared in the last instant"))
+                continue;
             keep(std::move(made));
         }
         questions_.decide("transition-always-fired", id.index);
@@ -165,7 +170,8 @@ void Analyst::transient_steps() {
                                        (acts ? "; its continuous actions never give an output" : ""),
                                    chart_.steps[step].origin);
             if (acts) made.level = Finding::Level::Warning;
-            if (!show(made, active, {.ends = false}, "`" + step_name(step) + "` is active, and about to be left")) continue;
+            if (!show(made, active, {.ends = false}, "`" + step_name(step) + "` is active, and about to be left"))
+                continue;
             keep(std::move(made));
         }
         questions_.decide("step-never-stable", step.index);
@@ -176,9 +182,10 @@ void Analyst::silent_outputs() {
     for (const Id<Equations::Variable> id : equations_.variables.ids()) {
         const Equations::Variable& variable = equations_.variables[id];
         if (!unseen("output-never-set", id.index)) continue;
-        keep(finding("output-never-set", variable.name,
-                     "`" + variable.name + "` always has its initial value; no action that is ever active gives it another",
-                     variable.origin));
+        keep(finding(
+            "output-never-set", variable.name,
+            "`" + variable.name + "` always has its initial value; no action that is ever active gives it another",
+            variable.origin));
         questions_.decide("output-never-set", id.index);
     }
 }

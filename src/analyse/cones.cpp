@@ -85,7 +85,8 @@ std::vector<Numbers> subjects(const Equations& equations) {
     for (const Equations::Firing& firing : equations.firings) all.push_back({firing.variable.index});
     for (const Equations::Stored& stored : equations.stored) all.push_back({stored.variable.index});
     for (const Equations::Output& output : equations.outputs) all.push_back({output.variable.index});
-    for (const Equations::Conflict& conflict : equations.conflicts) add_leaves(equations, conflict.condition, all.emplace_back());
+    for (const Equations::Conflict& conflict : equations.conflicts)
+        add_leaves(equations, conflict.condition, all.emplace_back());
     return all;
 }
 
@@ -111,7 +112,8 @@ struct Candidate {
 
 class Choice {
 public:
-    explicit Choice(const Equations& equations) : equations_(equations), reads_(equations), keeps_(variables_that_matter(equations)) {
+    explicit Choice(const Equations& equations)
+        : equations_(equations), reads_(equations), keeps_(variables_that_matter(equations)) {
         for (const Id<Equations::Variable> id : equations.variables.ids())
             if (equations.variables[id].role == Equations::Role::Input) keeps_[id.index] = false;
     }
@@ -134,7 +136,7 @@ public:
     }
 
 private:
-    using Key = std::pair<std::size_t, Numbers>;   ///< by size, then by what is kept
+    using Key = std::pair<std::size_t, Numbers>;  ///< by size, then by what is kept
 
     Candidate candidate(Cone cone) const {
         Numbers kept;
@@ -146,7 +148,7 @@ private:
     /// False: they are too many.
     bool find_all() {
         const Numbers component = reads_.components();
-        std::set<std::set<std::uint32_t>> known;   // what is asked of one component has one cone
+        std::set<std::set<std::uint32_t>> known;  // what is asked of one component has one cone
         std::size_t visits = 0;
         for (const Numbers& subject : subjects(equations_)) {
             std::set<std::uint32_t> key;
@@ -186,9 +188,11 @@ private:
 }  // namespace
 
 Dependencies::Dependencies(const Equations& equations) : reads_(equations.variables.size()) {
-    for (const Equations::Firing& firing : equations.firings) add_leaves(equations, firing.condition, reads_[firing.variable.index]);
+    for (const Equations::Firing& firing : equations.firings)
+        add_leaves(equations, firing.condition, reads_[firing.variable.index]);
     for (const Kept& each : kept(equations)) add_leaves(equations, each.next, reads_[each.variable.index]);
-    for (const Equations::Output& output : equations.outputs) add_leaves(equations, output.value, reads_[output.variable.index]);
+    for (const Equations::Output& output : equations.outputs)
+        add_leaves(equations, output.value, reads_[output.variable.index]);
     for (const Equations::Timer& timer : equations.timers) reads_[timer.end.index].push_back(timer.watched.index);
     for (const Equations::Stored& stored : equations.stored) {
         Numbers& reads = reads_[stored.variable.index];

@@ -19,7 +19,11 @@ constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max();
 class Reader {
 public:
     Reader(const Equations& equations, const Equations::Stored& stored)
-        : equations_(equations), exprs_(equations.exprs), stored_(stored), of_it_(equations.exprs.size()), added_(equations.exprs.size()) {}
+        : equations_(equations),
+          exprs_(equations.exprs),
+          stored_(stored),
+          of_it_(equations.exprs.size()),
+          added_(equations.exprs.size()) {}
 
     std::optional<Counter> read() {
         const Variable& variable = equations_.variables[stored_.variable];
@@ -101,8 +105,8 @@ private:
     const Equations& equations_;
     const Exprs& exprs_;
     const Equations::Stored& stored_;
-    std::vector<bool> of_it_;    ///< per term: a value of the variable, or that and a constant
-    std::vector<std::int64_t> added_;   ///< that constant, at most
+    std::vector<bool> of_it_;          ///< per term: a value of the variable, or that and a constant
+    std::vector<std::int64_t> added_;  ///< that constant, at most
     std::int64_t least_ = 0, greatest_ = 0, most_ = 0;
     bool met_ = false, good_ = true;
 };
@@ -110,11 +114,12 @@ private:
 }  // namespace
 
 std::vector<std::optional<Counter>> counters(const Equations& equations) {
-    constexpr std::size_t most_terms = 20'000'000;   // looked at in all
+    constexpr std::size_t most_terms = 20'000'000;  // looked at in all
     std::vector<std::optional<Counter>> result(equations.variables.size());
     if (equations.stored.size() * equations.exprs.size() > most_terms) return result;
     for (const Equations::Stored& stored : equations.stored)
-        if (!equations.variables[stored.variable].type.boolean) result[stored.variable.index] = Reader(equations, stored).read();
+        if (!equations.variables[stored.variable].type.boolean)
+            result[stored.variable.index] = Reader(equations, stored).read();
     return result;
 }
 

@@ -12,9 +12,9 @@
 namespace grafverif::analysis {
 
 struct Counter {
-    Type type = {};              ///< the values kept apart; the last stands for itself and all above
-    std::int64_t most = 0;       ///< what one evolution adds at most
-    std::int64_t safe = 0;       ///< in so many evolutions it does not leave its range
+    Type type = {};         ///< the values kept apart; the last stands for itself and all above
+    std::int64_t most = 0;  ///< what one evolution adds at most
+    std::int64_t safe = 0;  ///< in so many evolutions it does not leave its range
 };
 
 /// Per variable: the counter it is, where that saves bits.

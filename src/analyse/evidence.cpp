@@ -18,8 +18,8 @@ constexpr std::size_t told_of_loop = 60;
 
 std::string fault_words(RunFault::Kind kind) {
     switch (kind) {
-    case RunFault::Kind::NoValue:     return "no such value";
-    case RunFault::Kind::OutOfRange:  return "the value does not fit";
+    case RunFault::Kind::NoValue: return "no such value";
+    case RunFault::Kind::OutOfRange: return "the value does not fit";
     case RunFault::Kind::ForcedApart: return "orders that exclude each other";
     }
     return {};
@@ -62,8 +62,8 @@ private:
         for (const Chart::Variable& variable : chart_.variables) {
             const auto add = [&](ChartRun::Role role) { return run.signals.add({role, variable.name, variable.type}); };
             switch (variable.kind) {
-            case Kind::Input:    controller.inputs.push_back(add(ChartRun::Role::Input)); break;
-            case Kind::Output:   controller.outputs.push_back(add(ChartRun::Role::Output)); break;
+            case Kind::Input: controller.inputs.push_back(add(ChartRun::Role::Input)); break;
+            case Kind::Output: controller.outputs.push_back(add(ChartRun::Role::Output)); break;
             case Kind::Internal: controller.internals.push_back(add(ChartRun::Role::Internal)); break;
             }
         }
@@ -153,7 +153,9 @@ private:
 
     bool is_at(const Point& point) const {
         for (const Id<Chart::Step> id : chart_.steps.ids())
-            if (machine_.covers_step(id.index) && state_.situation[id.index] != (machine_.value(point, equations_.steps[id.index].variable) != 0)) return false;
+            if (machine_.covers_step(id.index) &&
+                state_.situation[id.index] != (machine_.value(point, equations_.steps[id.index].variable) != 0))
+                return false;
         return true;
     }
 
@@ -185,8 +187,8 @@ private:
             if (state_.situation[id.index]) moment.after.situation.push_back({id.index});
         for (const Id<Chart::Variable> id : chart_.variables.ids()) {
             switch (chart_.variables[id].kind) {
-            case Kind::Input:    moment.after.values.push_back(inputs_[id.index]); break;
-            case Kind::Output:   moment.after.values.push_back(state_.outputs[id.index]); break;
+            case Kind::Input: moment.after.values.push_back(inputs_[id.index]); break;
+            case Kind::Output: moment.after.values.push_back(state_.outputs[id.index]); break;
             case Kind::Internal: moment.after.values.push_back(state_.values[id.index]); break;
             }
         }

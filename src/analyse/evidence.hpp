@@ -15,19 +15,19 @@ namespace grafverif::analysis {
 /// What the evolution at the end of a path must show.
 struct Demand {
     std::vector<Id<Chart::Transition>> fired = {};
-    Id<Chart::Variable> race = {};      ///< two actions store different values in it
-    bool fault = false;                 ///< a value does not exist or does not fit
-    bool endless = false;               ///< the instant never ends
-    bool ends = true;                   ///< tell the instant to its end; else to the end of the path
+    Id<Chart::Variable> race = {};  ///< two actions store different values in it
+    bool fault = false;             ///< a value does not exist or does not fit
+    bool endless = false;           ///< the instant never ends
+    bool ends = true;               ///< tell the instant to its end; else to the end of the path
 };
 
 struct Evidence {
     ChartRun trace = {};
     Finding::Timing timing = Finding::Timing::Untimed;
-    std::vector<Id<Chart::StoredAction>> racing = {};        ///< the two actions of a race
-    std::vector<std::vector<bool>> endless = {};             ///< the situations that follow each other for ever
-    Span fault = {};                                         ///< where a value does not exist or fit
-    std::string failure = {};                                ///< the rules do not confirm it: what they say
+    std::vector<Id<Chart::StoredAction>> racing = {};  ///< the two actions of a race
+    std::vector<std::vector<bool>> endless = {};       ///< the situations that follow each other for ever
+    Span fault = {};                                   ///< where a value does not exist or fit
+    std::string failure = {};                          ///< the rules do not confirm it: what they say
 };
 
 Evidence evidence(const Chart& chart, const Equations& equations, const Machine& machine, ExecutionMode mode,

@@ -26,9 +26,7 @@ BddTerm constant_term(Type type, std::int64_t value) {
 }
 
 /// Where `term` has another value than `value`.
-Bdd unequal(const BddTerm& term, std::int64_t value) {
-    return ~equals(term, value) & ~term.undefined;
-}
+Bdd unequal(const BddTerm& term, std::int64_t value) { return ~equals(term, value) & ~term.undefined; }
 
 /// `term`, and `most` where it is more.
 BddTerm at_most(const BddTerm& term, std::int64_t most) {
@@ -39,7 +37,10 @@ BddTerm at_most(const BddTerm& term, std::int64_t most) {
 }  // namespace
 
 Machine::Machine(const Equations& equations, const AnalyseOptions& options, const Cone& cone, BddSpace& space)
-    : equations_(equations), space_(space), cone_(cone), whole_(std::ranges::find(cone, false) == cone.end()),
+    : equations_(equations),
+      space_(space),
+      cone_(cone),
+      whole_(std::ranges::find(cone, false) == cone.end()),
       clocks_(equations.timers) {
     std::erase_if(clocks_, [&](const Equations::Timer& clock) { return !cone_[clock.end.index]; });
     look_inside();
@@ -106,7 +107,8 @@ void Machine::add_words(const AnalyseOptions& options) {
     const std::vector<std::uint32_t> group = integer_groups(equations_);
     std::vector<Id<Variable>> together;
     for (const Id<Variable> id : variable_order(equations_, matters_)) {
-        if (!together.empty() && group[together.front().index] != group[id.index]) add_word_bits(std::exchange(together, {}));
+        if (!together.empty() && group[together.front().index] != group[id.index])
+            add_word_bits(std::exchange(together, {}));
         together.push_back(id);
     }
     add_word_bits(together);
@@ -171,8 +173,7 @@ void Machine::add_break(Break found) {
 void Machine::keep(Next next) {
     const BddWord& word = words_[next.variable.index];
     const std::vector<Bdd> later = word_bits(next.value, word.type), first = word_bits(next.first, word.type);
-    for (std::size_t bit = 0; bit < word.bits.size(); ++bit)
-        kept_.push_back({word.bits[bit], later[bit], first[bit]});
+    for (std::size_t bit = 0; bit < word.bits.size(); ++bit) kept_.push_back({word.bits[bit], later[bit], first[bit]});
     nexts_.push_back(std::move(next));
 }
 
@@ -289,8 +290,7 @@ void Machine::add_remembered() {
 void Machine::add_timers() {
     for (const Equations::Timer& clock : clocks_) {
         if (!matters_[clock.end.index]) continue;
-        const auto watched =
-            std::ranges::find(nexts_, clock.watched, [](const Next& next) { return next.variable; });
+        const auto watched = std::ranges::find(nexts_, clock.watched, [](const Next& next) { return next.variable; });
         const Bdd end = word_term(clock.end).bits.front();
         const Bdd level = watched->value.bits.front(), first = watched->first.bits.front();
         Next next{clock.end, bdd_boolean(end), bdd_boolean(falsehood())};
@@ -447,7 +447,8 @@ Bdd Machine::only(const Point& point) const {
 }
 
 std::int64_t Machine::value(const Point& point, Id<Variable> variable) const {
-    if (!matters_[variable.index]) return equations_.variables[variable].type.boolean ? 0 : equations_.variables[variable].type.low;
+    if (!matters_[variable.index])
+        return equations_.variables[variable].type.boolean ? 0 : equations_.variables[variable].type.low;
     return value_of(words_[variable.index], point);
 }
 

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "analyse/analyse.hpp"
 #include "analyse/cones.hpp"
 #include "analyse/counters.hpp"
 #include "bdd/relation.hpp"
-#include "analyse/analyse.hpp"
 #include "bdd/terms.hpp"
 
 namespace grafverif::analysis {
@@ -79,11 +79,11 @@ public:
     const Bdd& active(std::size_t step) const { return value_of_step_[step]; }
     const Bdd& fires(std::size_t firing) const { return fires_[firing]; }
     struct Break {
-        Id<Equations::Variable> variable = {};   ///< not valid: of conditions
+        Id<Equations::Variable> variable = {};  ///< not valid: of conditions
         Bdd race = {}, out_of_range = {}, no_value = {};
-        Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};   ///< in the first evolution, over inputs
-        Bdd beyond = {};                         ///< where a counter goes on above what is kept apart
-        std::int64_t safe = 0;                   ///< in so many evolutions it stays in its range all the same
+        Bdd first_race = {}, first_out_of_range = {}, first_no_value = {};  ///< in the first evolution, over inputs
+        Bdd beyond = {};        ///< where a counter goes on above what is kept apart
+        std::int64_t safe = 0;  ///< in so many evolutions it stays in its range all the same
     };
     const std::vector<Break>& all_breaks() const { return all_breaks_; }
     /// Per Equations::conflicts: where it breaks the evolution off.
@@ -106,7 +106,7 @@ public:
 private:
     struct KeptBit {
         std::uint32_t before = 0;
-        Bdd next = {}, first = {};   ///< the bit after an evolution; after the first one, over inputs
+        Bdd next = {}, first = {};  ///< the bit after an evolution; after the first one, over inputs
     };
     /// What a kept variable becomes.
     struct Next {
@@ -140,26 +140,27 @@ private:
     BddSpace& space_;
     Cone cone_;
     bool whole_ = true, watches_ = false;
-    std::vector<bool> inside_ = {};                         ///< per term: whether it reads the cone alone
+    std::vector<bool> inside_ = {};  ///< per term: whether it reads the cone alone
     std::vector<Equations::Timer> clocks_;
     std::vector<bool> matters_ = {};
     std::vector<std::optional<Counter>> counters_ = {};
     std::int64_t exact_evolutions_ = 0;
-    std::vector<BddWord> words_ = {};                       ///< per variable that matters
-    std::vector<std::optional<std::size_t>> firing_of_ = {};   ///< per variable: index of the firing condition
+    std::vector<BddWord> words_ = {};                         ///< per variable that matters
+    std::vector<std::optional<std::size_t>> firing_of_ = {};  ///< per variable: index of the firing condition
     std::vector<Bdd> fires_ = {}, value_of_step_ = {};
     std::vector<Next> nexts_ = {};
     std::vector<KeptBit> kept_ = {};
     std::optional<bdd::Relation> relation_ = {};
-    bdd::Relation::Quantified kept_gone_ = {}, all_gone_ = {};   ///< what evolutions leave behind: what was kept, or that and the inputs
+    bdd::Relation::Quantified kept_gone_ = {},
+                              all_gone_ = {};  ///< what evolutions leave behind: what was kept, or that and the inputs
     std::vector<Break> all_breaks_ = {};
     std::vector<Bdd> conflicts_ = {};
-    std::vector<Bdd> calm_ = {}, sound_ = {};               ///< conjuncts of what is stable, and of what does not break off
+    std::vector<Bdd> calm_ = {}, sound_ = {};  ///< conjuncts of what is stable, and of what does not break off
     std::vector<std::uint32_t> input_bits_ = {}, kept_bits_ = {};
-    Bdd inputs_ = {};                                       ///< a set of variables
+    Bdd inputs_ = {};  ///< a set of variables
     Bdd possible_ = {}, started_ = {}, breaks_at_first_ = {};
     std::optional<BddTerms> terms_ = {};
-    std::optional<BddTerms> first_terms_ = {};   ///< over initial values: of the first evolution
+    std::optional<BddTerms> first_terms_ = {};  ///< over initial values: of the first evolution
 };
 
 }  // namespace grafverif::analysis

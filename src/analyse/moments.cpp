@@ -15,7 +15,8 @@ struct DifferenceConstraint {
 };
 
 /// What one clock demands of the moments: the age of the level it watches where inputs are sampled.
-std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, const Machine& machine, const Path& path) {
+std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, const Machine& machine,
+                                                 const Path& path) {
     std::vector<DifferenceConstraint> result;
     bool level = false;
     std::size_t risen = 0;
@@ -31,7 +32,7 @@ std::vector<DifferenceConstraint> constraints_of(const Equations::Timer& clock, 
         else result.push_back({now, since, 1 - duration});
     };
     for (std::size_t instant = 0; instant < path.instants.size(); ++instant) {
-        if (instant > 0) {   // the first point tells the level as the last instant left it
+        if (instant > 0) {  // the first point tells the level as the last instant left it
             const Point& sampled = path.instants[instant].front();
             const bool ended = machine.value(sampled, clock.end) != 0;
             see(instant - 1, sampled);
@@ -50,7 +51,8 @@ std::optional<std::vector<std::int64_t>> moments(const Machine& machine, const P
     std::vector<DifferenceConstraint> constraints;
     for (std::size_t instant = 1; instant < count; ++instant) constraints.push_back({instant - 1, instant, 0});
     for (const Equations::Timer& clock : machine.clocks())
-        if (machine.matters(clock.end)) std::ranges::copy(constraints_of(clock, machine, path), std::back_inserter(constraints));
+        if (machine.matters(clock.end))
+            std::ranges::copy(constraints_of(clock, machine, path), std::back_inserter(constraints));
     std::vector<std::int64_t> result(count);
     bool changed = true;
     for (std::size_t round = 0; changed && round <= count; ++round) {

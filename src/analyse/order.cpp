@@ -56,7 +56,7 @@ private:
     const Equations& equations_;
     Reads reads_;
     std::vector<bool> open_;
-    std::vector<std::vector<Id<Variable>>> written_;   ///< per variable: the stored ones that its change may write
+    std::vector<std::vector<Id<Variable>>> written_;  ///< per variable: the stored ones that its change may write
     std::vector<Id<Variable>> order_ = {};
 };
 
@@ -64,7 +64,9 @@ private:
 class Marks {
 public:
     explicit Marks(const Equations& equations)
-        : timers_(equations.timers), reads_(equations.exprs), marks_(equations.variables.size()),
+        : timers_(equations.timers),
+          reads_(equations.exprs),
+          marks_(equations.variables.size()),
           values_(equations.variables.size()) {
         for (const Kept& each : kept(equations)) values_[each.variable.index] = each.next;
     }
@@ -94,13 +96,13 @@ private:
     const std::vector<Equations::Timer>& timers_;
     Reads reads_;
     std::vector<bool> marks_;
-    std::vector<Id<Expr>> values_;   ///< per variable: what it becomes, where that is a term
+    std::vector<Id<Expr>> values_;  ///< per variable: what it becomes, where that is a term
     std::vector<std::uint32_t> pending_ = {};
 };
 
 /// `order`, drawn together: what a variable becomes and all that this reads is an edge.
 std::vector<Id<Variable>> drawn_together(const Equations& equations, const std::vector<Id<Variable>>& order) {
-    constexpr std::size_t most_variables = 5000;   // more take longer to order than a search of them could ever last
+    constexpr std::size_t most_variables = 5000;  // more take longer to order than a search of them could ever last
     if (order.size() > most_variables) return order;
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     const Dependencies reads(equations);
@@ -140,7 +142,8 @@ std::vector<std::uint32_t> integer_groups(const Equations& equations) {
     std::vector<std::uint32_t> made_of(equations.exprs.size(), none);
     for (std::uint32_t term = 0; term < equations.exprs.size(); ++term) {
         const Expr& node = equations.exprs[Id<Expr>{term}];
-        if (node.op == Op::Variable && !equations.variables[Id<Variable>{static_cast<std::uint32_t>(node.value)}].type.boolean)
+        if (node.op == Op::Variable &&
+            !equations.variables[Id<Variable>{static_cast<std::uint32_t>(node.value)}].type.boolean)
             made_of[term] = static_cast<std::uint32_t>(node.value);
         if (!is_comparison(node.op) && !is_arithmetic(node.op) && node.op != Op::Conditional) continue;
         for (const Id<Expr> operand : equations.exprs.operands(Id<Expr>{term})) {

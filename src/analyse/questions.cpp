@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "analyse/analyst.hpp"
-
 #include <algorithm>
 
+#include "analyse/analyst.hpp"
 #include "analyse/structure.hpp"
 
 namespace grafverif::analysis {
@@ -33,7 +32,8 @@ Questions::Questions(const Chart& chart, const Equations& equations, const Analy
         if (variable.role != Equations::Role::Output) continue;
         add("output-never-set", stored.variable.index, variable.name);
         for (const std::size_t value : {0U, 1U})
-            if (searching && variable.type.boolean) add("action-conflict", 2 * stored.variable.index + value, variable.name);
+            if (searching && variable.type.boolean)
+                add("action-conflict", 2 * stored.variable.index + value, variable.name);
     }
     for (const Equations::Output& output : equations.outputs)
         add("output-never-set", output.variable.index, equations.variables[output.variable].name);
@@ -46,15 +46,18 @@ Questions::Questions(const Chart& chart, const Equations& equations, const Analy
         if (searching) add("step-never-stable", step.index, name);
     }
     for (const Id<Chart::Transition> id : chart.transitions.ids())
-        for (const char* code : {"transition-never-fired", "transition-always-fired"}) add(code, id.index, chart.transitions[id].name);
-    for (std::size_t k = 0; k < equations.conflicts.size(); ++k) add("forced-twice", k, conflict_subject(chart, equations.conflicts[k]));
+        for (const char* code : {"transition-never-fired", "transition-always-fired"})
+            add(code, id.index, chart.transitions[id].name);
+    for (std::size_t k = 0; k < equations.conflicts.size(); ++k)
+        add("forced-twice", k, conflict_subject(chart, equations.conflicts[k]));
     const auto governed = orders_on_enclosed(chart);
     for (std::size_t k = 0; k < governed.size(); ++k)
         add("forced-and-enclosed", k, chart.partial_charts[chart.forcing[governed[k].first].forced].name);
 }
 
 void Questions::add(std::string_view code, std::size_t index, std::string subject) {
-    if (places_.try_emplace({code, index}, all_.size()).second) all_.push_back({code, index, std::move(subject), false, false, 0, 0});
+    if (places_.try_emplace({code, index}, all_.size()).second)
+        all_.push_back({code, index, std::move(subject), false, false, 0, 0});
 }
 
 Question* Questions::open(std::string_view code, std::size_t index) {

@@ -17,7 +17,7 @@ namespace grafverif::analysis {
 /// them, and the new rests in which it ends. In the first instant of every_cycle mode there are no points: it is the first
 /// evolution alone.
 struct Instant {
-    std::size_t first = 0, end = 0;   ///< its rings are those from `first` on, before `end`
+    std::size_t first = 0, end = 0;  ///< its rings are those from `first` on, before `end`
     Bdd rest = {};
 };
 
@@ -27,13 +27,14 @@ struct Path {
     /// first instant the first evolution comes before its points; in every_cycle mode that is all of the first instant,
     /// and its point tells the inputs.
     std::vector<std::vector<Point>> instants = {};
-    bool at_first = false;   ///< the path ends before the first evolution: its one point tells the inputs
+    bool at_first = false;  ///< the path ends before the first evolution: its one point tells the inputs
 };
 
 class Search {
 public:
     /// `landings`: whether they are asked for.
-    Search(const Machine& machine, ExecutionMode mode, bool landings = true) : machine_(machine), mode_(mode), lands_(landings) {}
+    Search(const Machine& machine, ExecutionMode mode, bool landings = true)
+        : machine_(machine), mode_(mode), lands_(landings) {}
 
     /// Whether all points are found.
     bool done() const { return !instants_.empty() && instants_.back().rest.is_false(); }
@@ -65,7 +66,7 @@ private:
     ExecutionMode mode_;
     bool lands_ = true;
     std::vector<Instant> instants_ = {};
-    bdd::Rings rings_ = {};   ///< of all instants, and of one that was broken off
+    bdd::Rings rings_ = {};  ///< of all instants, and of one that was broken off
     Bdd landings_ = {}, rested_ = {}, fresh_ = {};
     std::int64_t evolutions_ = 0;
 };

@@ -6,7 +6,6 @@
 
 #include "ir/reads.hpp"
 
-
 namespace grafverif::analysis {
 
 namespace {
@@ -66,7 +65,7 @@ std::vector<std::pair<OrderId, Id<Chart::Step>>> orders_on_enclosed(const Chart&
     std::vector<std::pair<OrderId, Id<Chart::Step>>> found;
     for (const OrderId order : chart.forcing.ids()) {
         Id<Chart::PartialChart> partial = chart.forcing[order].forced;
-        std::set<std::uint32_t> seen;   // a circle of enclosures ends
+        std::set<std::uint32_t> seen;  // a circle of enclosures ends
         while (partial.valid() && seen.insert(partial.index).second) {
             const Chart::PartialChart& here = chart.partial_charts[partial];
             if (!here.owner.valid()) break;

@@ -11,8 +11,8 @@
 
 namespace grafverif::app {
 
-std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::string& program, const CheckOptions& options,
-                                     Diagnostics& diagnostics) {
+std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::string& program,
+                                     const CheckOptions& options, Diagnostics& diagnostics) {
     const auto path = find_program(program);
     if (!path) {
         diagnostics.add(messages::missing_program(program, "--engine symbolic"));
@@ -27,7 +27,8 @@ std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::stri
     folder.write("commands", nusmv_commands("model.smv", spelling, properties));
 
     const auto start = std::chrono::steady_clock::now();
-    const ProgramLimits limits{.deadline = options.limits.deadline, .stop = options.limits.stop, .folder = folder.path()};
+    const ProgramLimits limits{
+        .deadline = options.limits.deadline, .stop = options.limits.stop, .folder = folder.path()};
     const ProgramResult said = run_program({path->string(), "-source", "commands"}, "", limits);
     NusmvResult result = read_nusmv(check.system, spelling, properties, said);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -14,7 +14,7 @@ namespace grafverif::app {
 std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOptions& check, Diagnostics& diagnostics);
 
 /// `NuSMV` or `nuXmv`, on the model we write.
-std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::string& program, const CheckOptions& options,
-                                     Diagnostics& diagnostics);
+std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::string& program,
+                                     const CheckOptions& options, Diagnostics& diagnostics);
 
 }  // namespace grafverif::app

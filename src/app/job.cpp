@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/job.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include "app/outputs.hpp"
@@ -46,7 +47,8 @@ std::optional<Model> read_model(const std::string& path, Job& job) {
     }
     const auto file = read_source(path, job);
     if (!file) return {};
-    const Reach reach(path == "-" ? "./-" : path, job.options.include_folders);   // standard input stands in the current folder
+    const Reach reach(path == "-" ? "./-" : path,
+                      job.options.include_folders);  // standard input stands in the current folder
     const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
         auto text = reach.read(included, why);
         if (text && !note_input(included, job)) return why = "it is also an output", std::nullopt;
@@ -112,8 +114,10 @@ std::optional<Equations> equations_of(const Model& model, Id<Chart> chart, Job& 
 
 std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, Job& job) {
     const Chart& tested = model.charts[chart];
-    for (const auto& [kind, what] : {std::pair(Chart::VariableKind::Input, "inputs"), std::pair(Chart::VariableKind::Output, "outputs")})
-        if (std::ranges::none_of(tested.variables, [kind = kind](const auto& variable) { return variable.kind == kind; }))
+    for (const auto& [kind, what] :
+         {std::pair(Chart::VariableKind::Input, "inputs"), std::pair(Chart::VariableKind::Output, "outputs")})
+        if (std::ranges::none_of(tested.variables,
+                                 [kind = kind](const auto& variable) { return variable.kind == kind; }))
             job.diagnostics.add(messages::nothing_to_test(tested.origin, tested.name, what));
     const auto file = job.diagnostics.has_errors() ? std::nullopt : read_source(*job.options.sequence, job);
     if (!file) return {};
@@ -122,7 +126,8 @@ std::optional<TestSequence> test_sequence(const Model& model, Id<Chart> chart, J
 
 std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, Job& job) {
     for (const std::string& cure : job.options.cures_left_out) job.diagnostics.add(messages::cure_left_out(cure));
-    return grafverif::network_of(model, loop, ComposeOptions{job.options.grain, job.options.mode, job.options.without}, job.diagnostics);
+    return grafverif::network_of(model, loop, ComposeOptions{job.options.grain, job.options.mode, job.options.without},
+                                 job.diagnostics);
 }
 
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, Job& job) {

@@ -27,8 +27,8 @@ struct Job {
     Options options = {};
     Sources sources = {};
     Diagnostics diagnostics = {};
-    std::string closing = {};   ///< goes to standard output after the diagnostics, so that a person reads it last
-    std::istream* in = nullptr;   ///< standard input, for `-`
+    std::string closing = {};    ///< goes to standard output after the diagnostics, so that a person reads it last
+    std::istream* in = nullptr;  ///< standard input, for `-`
     std::vector<InputFile> inputs = {};
 };
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/system/guard.hpp"
 #include "app/program.hpp"
+#include "app/system/guard.hpp"
 #include "support/printable.hpp"
 
 int main(int count, char** values) {

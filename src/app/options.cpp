@@ -28,9 +28,9 @@ bool accepts(const Verb& verb, Accepts what) {
 /// An option of the verbs that accept its group.
 struct Option {
     Accepts accepts = Accepts::Always;
-    std::string name = {};    ///< with its letter, if it has one: `output,o`
-    std::string value = {};   ///< what stands for its value in the help; empty: a switch, which has none
-    std::string help = {};    ///< empty: not shown
+    std::string name = {};   ///< with its letter, if it has one: `output,o`
+    std::string value = {};  ///< what stands for its value in the help; empty: a switch, which has none
+    std::string help = {};   ///< empty: not shown
     /// Puts values given, or that it was given, where they belong; what is wrong with them, or nothing.
     std::function<std::string(const std::vector<std::string>&, Options&)> take = {};
     bool repeated = false;
@@ -50,25 +50,30 @@ struct Choice {
 template <class Place>
 Option toggle(Accepts accepts, const char* name, Place place, const char* help) {
     return {accepts, name, "", help, [place](const auto&, Options& options) {
-        std::invoke(place, options) = true;
-        return std::string();
-    }};
+                std::invoke(place, options) = true;
+                return std::string();
+            }};
 }
 
 template <class Place>
 Option text(Accepts accepts, const char* name, const char* value, Place place, const char* help) {
     return {accepts, name, value, help, [place](const std::vector<std::string>& given, Options& options) {
-        std::invoke(place, options) = given.front();
-        return std::string();
-    }};
+                std::invoke(place, options) = given.front();
+                return std::string();
+            }};
 }
 
 template <class Place>
 Option list(Accepts accepts, const char* name, const char* value, Place place, const char* help) {
-    return {accepts, name, value, help, [place](const std::vector<std::string>& given, Options& options) {
-        std::invoke(place, options) = given;
-        return std::string();
-    }, true};
+    return {accepts,
+            name,
+            value,
+            help,
+            [place](const std::vector<std::string>& given, Options& options) {
+                std::invoke(place, options) = given;
+                return std::string();
+            },
+            true};
 }
 
 template <class T, class Place>
@@ -79,31 +84,34 @@ Option choice(Accepts accepts, const char* name, std::vector<Choice<T>> choices,
         known += fmt::format("{}`{}`", known.empty() ? "" : ", ", one.word);
     }
     return {accepts, name, words, help, [=](const std::vector<std::string>& given, Options& options) {
-        const auto found = std::ranges::find(choices, given.front(), &Choice<T>::word);
-        if (found == choices.end()) return fmt::format("`--{}` takes one of {}; not `{}`", name, known, given.front());
-        std::invoke(place, options) = found->value;
-        return std::string();
-    }};
+                const auto found = std::ranges::find(choices, given.front(), &Choice<T>::word);
+                if (found == choices.end())
+                    return fmt::format("`--{}` takes one of {}; not `{}`", name, known, given.front());
+                std::invoke(place, options) = found->value;
+                return std::string();
+            }};
 }
 
 /// A whole number, times the factor of its suffix; `suffixes`: the first is that of a number without one.
 template <class Place>
-Option number(Accepts accepts, const char* name, const char* value, std::vector<Choice<std::uint64_t>> suffixes, Place place,
-              const char* help) {
+Option number(Accepts accepts, const char* name, const char* value, std::vector<Choice<std::uint64_t>> suffixes,
+              Place place, const char* help) {
     if (suffixes.empty()) suffixes = {{"", 1}};
     return {accepts, name, value, help, [=](const std::vector<std::string>& given, Options& options) {
-        const std::string& word = given.front();
-        const char* const stop = word.data() + word.size();
-        std::uint64_t read = 0;
-        const auto [end, failure] = std::from_chars(word.data(), stop, read);
-        const std::string_view suffix(end, static_cast<std::size_t>(stop - end));
-        const auto found = std::ranges::find(suffixes, suffix, &Choice<std::uint64_t>::word);
-        const bool fits = failure == std::errc{} && found != suffixes.end() &&
-                          read <= std::numeric_limits<std::uint64_t>::max() / found->value;
-        if (!fits) return fmt::format("`--{}` takes a whole number{}; not `{}`", name, suffixes.size() == 1 ? "" : " with a unit", word);
-        std::invoke(place, options) = read * found->value;
-        return std::string();
-    }};
+                const std::string& word = given.front();
+                const char* const stop = word.data() + word.size();
+                std::uint64_t read = 0;
+                const auto [end, failure] = std::from_chars(word.data(), stop, read);
+                const std::string_view suffix(end, static_cast<std::size_t>(stop - end));
+                const auto found = std::ranges::find(suffixes, suffix, &Choice<std::uint64_t>::word);
+                const bool fits = failure == std::errc{} && found != suffixes.end() &&
+                                  read <= std::numeric_limits<std::uint64_t>::max() / found->value;
+                if (!fits)
+                    return fmt::format("`--{}` takes a whole number{}; not `{}`", name,
+                                       suffixes.size() == 1 ? "" : " with a unit", word);
+                std::invoke(place, options) = read * found->value;
+                return std::string();
+            }};
 }
 
 /// `--without CURE`: models with a failure that the method cures, for the page that shows them.
@@ -121,29 +129,42 @@ std::string leave_out_cures(const std::vector<std::string>& cures, Options& opti
 
 std::vector<Option> options_for_models() {
     constexpr ExecutionMode search = ExecutionMode::StabilitySearch, every = ExecutionMode::EveryCycle;
-    const auto untimed = [](auto member) { return [member](Options& options) -> auto& { return options.untimed.*member; }; };
+    const auto untimed = [](auto member) {
+        return [member](Options & options) -> auto& { return options.untimed.*member; };
+    };
     return {
         text(Accepts::Output, "output,o", "FILE", &Options::output, "write to FILE instead of standard output"),
-        text(Accepts::OutputDirectory, "output,o", "DIR", &Options::output, "write into DIR, made if missing (default: ./NAME.grafverif)"),
-        choice<Target>(Accepts::Target, "target", {{"uppaal", Target::Uppaal}, {"nusmv", Target::Nusmv}}, &Options::target,
-                       "write one target only (default: both)"),
+        text(Accepts::OutputDirectory, "output,o", "DIR", &Options::output,
+             "write into DIR, made if missing (default: ./NAME.grafverif)"),
+        choice<Target>(Accepts::Target, "target", {{"uppaal", Target::Uppaal}, {"nusmv", Target::Nusmv}},
+                       &Options::target, "write one target only (default: both)"),
         text(Accepts::Loop, "loop", "NAME", &Options::loop, "the closed loop, where the file has several"),
         text(Accepts::Chart, "chart", "NAME", &Options::chart, "the chart, where the file has several"),
-        choice<ExecutionMode>(Accepts::Mode, "mode", {{word(search), search}, {word(every), every}},
-                              &Options::mode, "when outputs are written; wins over what the file says"),
+        choice<ExecutionMode>(Accepts::Mode, "mode", {{word(search), search}, {word(every), every}}, &Options::mode,
+                              "when outputs are written; wins over what the file says"),
         choice<Grain>(Accepts::Grain, "grain", {{"phased", Grain::Phased}, {"atomic", Grain::Atomic}}, &Options::grain,
                       "whether the plant may move within a PLC cycle; wins over the file"),
-        choice<PlantApproach>(Accepts::Untimed, "plant", {{"none", PlantApproach::None}, {"constraints", PlantApproach::Constraints},
-                                                 {"automata", PlantApproach::Automata}}, &Options::plant,
-                              "what the untimed model knows of the plant: nothing, the constraints on its inputs, or its automata "
-                              "(default: none, or automata where an option below is given)"),
-        choice<Schedule>(Accepts::Untimed, "schedule", {{"interleaved", Schedule::Interleaved}, {"synchronous", Schedule::Synchronous},
-                                               {"sequenced", Schedule::Sequenced}}, untimed(&ScheduleOptions::schedule),
-                         "who moves in a step of a model with plant automata; wins over the file (default: interleaved)"),
-        choice<TimeModel>(Accepts::Untimed, "time", {{"abstract", TimeModel::Abstract}, {"discrete", TimeModel::Discrete}},
+        choice<PlantApproach>(
+            Accepts::Untimed, "plant",
+            {{"none", PlantApproach::None},
+             {"constraints", PlantApproach::Constraints},
+             {"automata", PlantApproach::Automata}},
+            &Options::plant,
+            "what the untimed model knows of the plant: nothing, the constraints on its inputs, or its automata "
+            "(default: none, or automata where an option below is given)"),
+        choice<Schedule>(
+            Accepts::Untimed, "schedule",
+            {{"interleaved", Schedule::Interleaved},
+             {"synchronous", Schedule::Synchronous},
+             {"sequenced", Schedule::Sequenced}},
+            untimed(&ScheduleOptions::schedule),
+            "who moves in a step of a model with plant automata; wins over the file (default: interleaved)"),
+        choice<TimeModel>(Accepts::Untimed, "time",
+                          {{"abstract", TimeModel::Abstract}, {"discrete", TimeModel::Discrete}},
                           untimed(&ScheduleOptions::time),
                           "whether timed edges may be taken at any moment, or clocks count (default: abstract)"),
-        toggle(Accepts::Untimed, "fairness", untimed(&ScheduleOptions::fairness), "every movement of the plant comes to its end"),
+        toggle(Accepts::Untimed, "fairness", untimed(&ScheduleOptions::fairness),
+               "every movement of the plant comes to its end"),
     };
 }
 
@@ -160,16 +181,22 @@ std::vector<Option> options_for_forms() {
         toggle(Accepts::FormatDiagram, "counts", &Options::counts, "print counts only, no tables"),
         format(Accepts::FormatTest, {{"csv", F::Csv}, {"json", F::Json}, {"st", F::Text}, {"xml", F::Xml}},
                "form of the output: a table, JSON, Structured Text alone or in PLCopen XML (default: csv)"),
-        choice<TestCover>(Accepts::Cover, "cover", {{"transitions", TestCover::Transitions}, {"evolutions", TestCover::Evolutions},
-                                           {"locations", TestCover::Locations}}, &Options::cover,
-                          "what the test crosses: every combination of inputs in every state, every evolution once, or every location (default: transitions)"),
+        choice<TestCover>(Accepts::Cover, "cover",
+                          {{"transitions", TestCover::Transitions},
+                           {"evolutions", TestCover::Evolutions},
+                           {"locations", TestCover::Locations}},
+                          &Options::cover,
+                          "what the test crosses: every combination of inputs in every state, every evolution once, or "
+                          "every location (default: transitions)"),
         choice<bool>(Accepts::Cover, "hold", {{"stable", false}, {"one", true}}, &Options::one_cycle_each,
                      "cycles of a step: two where the controller stays, or one each (default: stable)"),
         toggle(Accepts::Minimise, "minimise", &Options::minimise, "merge states that nobody can tell apart"),
-        number(Accepts::Limits, "max-states", "N", {}, &Options::max_states, "give up after N locations or states (default: 20000000)"),
-        choice<Clock>(Accepts::Clock, "clock", {{"simulated", Clock::Simulated}, {"real", Clock::Real}}, &Options::clock,
-                           "how time passes: by `wait` lines, or by itself (default: simulated)"),
-        format(Accepts::FormatXml, {{"xml", F::Xml}, {"text", F::Text}}, "PLCopen XML or a textual unit (default: xml)"),
+        number(Accepts::Limits, "max-states", "N", {}, &Options::max_states,
+               "give up after N locations or states (default: 20000000)"),
+        choice<Clock>(Accepts::Clock, "clock", {{"simulated", Clock::Simulated}, {"real", Clock::Real}},
+                      &Options::clock, "how time passes: by `wait` lines, or by itself (default: simulated)"),
+        format(Accepts::FormatXml, {{"xml", F::Xml}, {"text", F::Text}},
+               "PLCopen XML or a textual unit (default: xml)"),
         number(Accepts::MaxEvolutions, "max-evolutions", "N", {}, &Options::max_evolutions,
                "evolutions of one cycle, beyond which it is unstable (default: 1000)"),
     };
@@ -180,23 +207,37 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
     using F = Format;
     return {
         list(Accepts::Search, "property", "NAME", &Options::properties, "check this property only; may be repeated"),
-        choice<Engine>(Accepts::Search, "engine", {{"auto", Engine::Auto}, {"timed", Engine::Timed}, {"symbolic", Engine::Symbolic},
-                                          {"verifyta", Engine::Verifyta}, {"NuSMV", Engine::Nusmv}, {"nuXmv", Engine::Nuxmv}},
+        choice<Engine>(Accepts::Search, "engine",
+                       {{"auto", Engine::Auto},
+                        {"timed", Engine::Timed},
+                        {"symbolic", Engine::Symbolic},
+                        {"verifyta", Engine::Verifyta},
+                        {"NuSMV", Engine::Nusmv},
+                        {"nuXmv", Engine::Nuxmv}},
                        &Options::engine, "the engine that proves (default: auto, an embedded one)"),
-        toggle(Accepts::Search, "untimed", &Options::check_untimed, "check the untimed model, with the symbolic engine or NuSMV"),
-        number(Accepts::Search, "max-states", "N", {}, &Options::max_states, "give up after N states (default: 500000000)"),
+        toggle(Accepts::Search, "untimed", &Options::check_untimed,
+               "check the untimed model, with the symbolic engine or NuSMV"),
+        number(Accepts::Search, "max-states", "N", {}, &Options::max_states,
+               "give up after N states (default: 500000000)"),
         text(Accepts::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
-        text(Accepts::Sequence, "sequence", "FILE", &Options::sequence, "the test sequence, as CSV (`test`: without it, one is made of the chart)"),
-        text(Accepts::Bench, "against", "PROGRAM", &Options::against, "the controller under test: a command for the shell"),
-        toggle(Accepts::Bench, "stop-on-failure", &Options::stop_on_failure, "run no step after the first failure (the default)"),
+        text(Accepts::Sequence, "sequence", "FILE", &Options::sequence,
+             "the test sequence, as CSV (`test`: without it, one is made of the chart)"),
+        text(Accepts::Bench, "against", "PROGRAM", &Options::against,
+             "the controller under test: a command for the shell"),
+        toggle(Accepts::Bench, "stop-on-failure", &Options::stop_on_failure,
+               "run no step after the first failure (the default)"),
         toggle(Accepts::Bench, "go-on", &Options::go_on, "run on after a failure, as far as the controller can"),
-        number(Accepts::Bench, "timeout", "TIME", times, &Options::patience_ms, "give an answer up after TIME, such as 500ms or 5s (default: 10s)"),
+        number(Accepts::Bench, "timeout", "TIME", times, &Options::patience_ms,
+               "give an answer up after TIME, such as 500ms or 5s (default: 10s)"),
         text(Accepts::Bench, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
-        choice<F>(Accepts::Analysis, "format", {{"text", F::Text}, {"json", F::Json}, {"sarif", F::Sarif}}, &Options::format,
-                  "form of the output (default: text)"),
-        text(Accepts::Analysis, "exclusions", "FILE", &Options::exclusions, "pairs of inputs that are never true together, in CSV"),
-        text(Accepts::Traces, "trace-vcd", "FILE", &Options::trace_vcd, "write the first trace as a waveform for GTKWave to FILE"),
-        text(Accepts::Traces, "trace-svg", "FILE", &Options::trace_svg, "write the first trace as a timing diagram to FILE"),
+        choice<F>(Accepts::Analysis, "format", {{"text", F::Text}, {"json", F::Json}, {"sarif", F::Sarif}},
+                  &Options::format, "form of the output (default: text)"),
+        text(Accepts::Analysis, "exclusions", "FILE", &Options::exclusions,
+             "pairs of inputs that are never true together, in CSV"),
+        text(Accepts::Traces, "trace-vcd", "FILE", &Options::trace_vcd,
+             "write the first trace as a waveform for GTKWave to FILE"),
+        text(Accepts::Traces, "trace-svg", "FILE", &Options::trace_svg,
+             "write the first trace as a timing diagram to FILE"),
         text(Accepts::Walk, "script", "FILE", &Options::script, "take commands from FILE instead of standard input"),
         number(Accepts::Walk, "random", "SEED", {}, &Options::random_seed, "make a random walk instead"),
         number(Accepts::Walk, "steps", "N", {}, &Options::steps, "moves of the random walk (default: 100)"),
@@ -211,14 +252,21 @@ std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& ti
         toggle(Accepts::InPlace, "check", &Options::check, "write nothing; exit 1 if FILE is not in canonical form"),
         list(Accepts::File, "include,I", "DIR", &Options::include_folders,
              "look for included files in DIR too, and let them be read; may be repeated"),
-        toggle(Accepts::File, "lossy", &Options::lossy, "leave out what cannot be taken over from another format, with a warning"),
-        number(Accepts::Always, "max-memory", "SIZE", {{"", mega}, {"K", mega >> 10U}, {"M", mega}, {"G", mega << 10U}}, &Options::max_memory,
-               "give up above SIZE, such as 500M or 2G (default: 4G of states, 2G of decision diagrams, and what the machine has)"),
-        number(Accepts::Timeout, "timeout", "TIME", times, &Options::timeout_ms, "give up after TIME, such as 90s or 5min"),
-        choice<DiagnosticFormat>(Accepts::Always, "diagnostics", {{"text", DiagnosticFormat::Text}, {"json", DiagnosticFormat::Json}},
-                                 &Options::diagnostics, "form of errors and warnings on standard error (default: text)"),
-        choice<ColourChoice>(Accepts::Always, "color", {{"auto", ColourChoice::Auto}, {"always", ColourChoice::Always}, {"never", ColourChoice::Never}},
-                             &Options::colour, "colours in errors and warnings (default: auto)"),
+        toggle(Accepts::File, "lossy", &Options::lossy,
+               "leave out what cannot be taken over from another format, with a warning"),
+        number(Accepts::Always, "max-memory", "SIZE", {{"", mega}, {"K", mega >> 10U}, {"M", mega}, {"G", mega << 10U}},
+               &Options::max_memory,
+               "give up above SIZE, such as 500M or 2G (default: 4G of states, 2G of decision diagrams, and what the "
+               "machine has)"),
+        number(Accepts::Timeout, "timeout", "TIME", times, &Options::timeout_ms,
+               "give up after TIME, such as 90s or 5min"),
+        choice<DiagnosticFormat>(
+            Accepts::Always, "diagnostics", {{"text", DiagnosticFormat::Text}, {"json", DiagnosticFormat::Json}},
+            &Options::diagnostics, "form of errors and warnings on standard error (default: text)"),
+        choice<ColourChoice>(
+            Accepts::Always, "color",
+            {{"auto", ColourChoice::Auto}, {"always", ColourChoice::Always}, {"never", ColourChoice::Never}},
+            &Options::colour, "colours in errors and warnings (default: auto)"),
         toggle(Accepts::Always, "quiet,q", &Options::quiet, "no warnings, no list of files"),
         toggle(Accepts::Always, "help,h", &Options::help, "show this help"),
         {Accepts::Ablations, "without", "CURE", "", leave_out_cures, true},
@@ -228,9 +276,11 @@ std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& ti
 
 /// The options of `verb`.
 std::vector<Option> options_of(const Verb& verb) {
-    const std::vector<Choice<std::uint64_t>> times = {{"", 1000}, {"ms", 1}, {"s", 1000}, {"min", 60'000}, {"h", 3'600'000}};
+    const std::vector<Choice<std::uint64_t>> times = {
+        {"", 1000}, {"ms", 1}, {"s", 1000}, {"min", 60'000}, {"h", 3'600'000}};
     std::vector<Option> all;
-    for (std::vector<Option>& group : std::vector{options_for_models(), options_for_forms(), options_for_checks(times), options_for_all(times)})
+    for (std::vector<Option>& group :
+         std::vector{options_for_models(), options_for_forms(), options_for_checks(times), options_for_all(times)})
         for (Option& option : group)
             if (accepts(verb, option.accepts)) all.push_back(std::move(option));
     return all;
@@ -241,7 +291,9 @@ po::options_description described(const std::vector<Option>& options, bool hidde
     for (const Option& option : options) {
         if (option.help.empty() && !hidden) continue;
         auto add = result.add_options();
-        if (option.repeated) add(option.name.c_str(), po::value<std::vector<std::string>>()->value_name(option.value), option.help.c_str());
+        if (option.repeated)
+            add(option.name.c_str(), po::value<std::vector<std::string>>()->value_name(option.value),
+                option.help.c_str());
         else if (option.value.empty()) add(option.name.c_str(), po::bool_switch(), option.help.c_str());
         else add(option.name.c_str(), po::value<std::string>()->value_name(option.value), option.help.c_str());
     }
@@ -267,7 +319,10 @@ std::string take_all(const std::vector<Option>& known, const po::variables_map& 
 std::string settle_untimed(Options& options) {
     ScheduleOptions& untimed = options.untimed;
     const bool discrete = untimed.time == TimeModel::Discrete;
-    const char* asked = untimed.schedule ? "schedule" : discrete ? "time discrete" : untimed.fairness ? "fairness" : nullptr;
+    const char* asked = untimed.schedule   ? "schedule"
+                        : discrete         ? "time discrete"
+                        : untimed.fairness ? "fairness"
+                                           : nullptr;
     untimed.plant = options.plant.value_or(asked != nullptr ? PlantApproach::Automata : PlantApproach::None);
     if (asked != nullptr && untimed.plant != PlantApproach::Automata)
         return fmt::format("`--{}` needs `--plant automata`", asked);
@@ -282,7 +337,8 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
     options.check_untimed = options.check_untimed || modelled || options.untimed.fairness;
     const bool timed = options.engine == Engine::Timed || options.engine == Engine::Verifyta;
     if (timed && options.check_untimed)
-        return fmt::format("`--engine {}` checks timed models; leave out `--untimed` and what it takes", values["engine"].as<std::string>());
+        return fmt::format("`--engine {}` checks timed models; leave out `--untimed` and what it takes",
+                           values["engine"].as<std::string>());
     options.check_untimed = options.check_untimed || (!timed && options.engine != Engine::Auto);
     return {};
 }
@@ -290,7 +346,8 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
 std::string settle_limits(Options& options) {
     if (options.max_evolutions == 0 || options.max_evolutions > std::numeric_limits<std::uint32_t>::max())
         return "`--max-evolutions` takes a number from 1 to 4294967295";
-    constexpr std::uint64_t hundred_years = std::uint64_t{100} * 365 * 24 * 3'600'000;   // clocks count nanoseconds in 63 bits
+    constexpr std::uint64_t hundred_years =
+        std::uint64_t{100} * 365 * 24 * 3'600'000;  // clocks count nanoseconds in 63 bits
     static_assert(2 * hundred_years < std::numeric_limits<std::int64_t>::max() / 1'000'000);
     for (std::optional<std::uint64_t>* time : {&options.timeout_ms, &options.patience_ms})
         if (*time) *time = std::min(**time, hundred_years);
@@ -309,7 +366,11 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     try {
         const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
         po::store(po::command_line_parser(std::vector<std::string>(arguments.begin(), arguments.end()))
-                      .options(all).positional(positional).style(style).run(), values);
+                      .options(all)
+                      .positional(positional)
+                      .style(style)
+                      .run(),
+                  values);
         po::notify(values);
     } catch (const po::error& failure) {
         return {{}, failure.what()};

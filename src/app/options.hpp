@@ -12,8 +12,8 @@
 
 #include "compose/compose.hpp"
 #include "grafverif/ir/closed_loop.hpp"
-#include "grafverif/ir/test_sequence.hpp"
 #include "grafverif/ir/execution.hpp"
+#include "grafverif/ir/test_sequence.hpp"
 
 namespace grafverif::app {
 
@@ -21,70 +21,99 @@ enum class Format { Text, Json, Latex, Xml, Sarif, Dot, Svg, Csv };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
-enum class Engine { Auto, Timed, Verifyta, Symbolic, Nusmv, Nuxmv };   ///< Auto: Timed, of untimed models Symbolic
+enum class Engine { Auto, Timed, Verifyta, Symbolic, Nusmv, Nuxmv };  ///< Auto: Timed, of untimed models Symbolic
 /// How time passes for a controller that runs line by line: by `wait` lines, or by itself.
 enum class Clock { Simulated, Real };
 
 struct Options {
-    std::vector<std::string> operands = {};          ///< FILE, or NAME for `components`
-    std::optional<std::string> output = {};          ///< -o
+    std::vector<std::string> operands = {};  ///< FILE, or NAME for `components`
+    std::optional<std::string> output = {};  ///< -o
     std::optional<std::string> loop = {};
     std::optional<std::string> chart = {};
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
-    ScheduleOptions untimed = {};                    ///< of untimed models; its mode is the one above
-    std::optional<PlantApproach> plant = {};         ///< of untimed models, as asked for
+    ScheduleOptions untimed = {};             ///< of untimed models; its mode is the one above
+    std::optional<PlantApproach> plant = {};  ///< of untimed models, as asked for
     Target target = Target::Both;
     Clock clock = Clock::Simulated;
-    Format format = Format::Text;                    ///< of `testgen`: Csv
+    Format format = Format::Text;  ///< of `testgen`: Csv
     TestCover cover = TestCover::Transitions;
-    bool one_cycle_each = false;                     ///< `--hold one`
+    bool one_cycle_each = false;  ///< `--hold one`
     bool minimise = false;
-    bool counts = false;                             ///< no tables
+    bool counts = false;  ///< no tables
     DiagnosticFormat diagnostics = DiagnosticFormat::Text;
     ColourChoice colour = ColourChoice::Auto;
     bool in_place = false;
     bool check = false;
     bool quiet = false;
-    bool lossy = false;                              ///< leave out what cannot be taken over from another format
-    std::vector<std::string> include_folders = {};   ///< -I
+    bool lossy = false;                             ///< leave out what cannot be taken over from another format
+    std::vector<std::string> include_folders = {};  ///< -I
     bool verbose = false;
     bool help = false;
 
-    std::vector<std::string> properties = {};        ///< of `check`; empty: all
+    std::vector<std::string> properties = {};  ///< of `check`; empty: all
     Engine engine = Engine::Auto;
-    bool check_untimed = false;                      ///< --untimed, or an engine that knows no time
-    Ablations without = {};                          ///< cures of the method left out: see docs/method.md
-    std::vector<std::string> cures_left_out = {};    ///< the same by name
+    bool check_untimed = false;                    ///< --untimed, or an engine that knows no time
+    Ablations without = {};                        ///< cures of the method left out: see docs/method.md
+    std::vector<std::string> cures_left_out = {};  ///< the same by name
     std::optional<std::uint64_t> max_states = {};
-    std::optional<std::uint64_t> max_memory = {};    ///< bytes
-    std::optional<std::uint64_t> timeout_ms = {};    ///< a hundred years at most
-    std::optional<std::chrono::steady_clock::time_point> deadline = {};   ///< the same from the start of the run on
+    std::optional<std::uint64_t> max_memory = {};                        ///< bytes
+    std::optional<std::uint64_t> timeout_ms = {};                        ///< a hundred years at most
+    std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the same from the start of the run on
     std::optional<std::string> junit = {};
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
-    std::string against = {};                        ///< of `test`: the command that runs the controller
-    std::optional<std::string> sequence = {};        ///< of `test`: the table to run; else it is made of the chart
-    std::optional<std::uint64_t> patience_ms = {};   ///< of `test`: for one answer
-    bool stop_on_failure = false, go_on = false;     ///< of `test`
-    std::uint64_t max_evolutions = 1000;             ///< of `st`; in 32 bits
-    std::optional<std::string> script = {};          ///< of `simulate`
-    std::optional<std::string> exclusions = {};      ///< of `analyse`
+    std::string against = {};                       ///< of `test`: the command that runs the controller
+    std::optional<std::string> sequence = {};       ///< of `test`: the table to run; else it is made of the chart
+    std::optional<std::uint64_t> patience_ms = {};  ///< of `test`: for one answer
+    bool stop_on_failure = false, go_on = false;    ///< of `test`
+    std::uint64_t max_evolutions = 1000;            ///< of `st`; in 32 bits
+    std::optional<std::string> script = {};         ///< of `simulate`
+    std::optional<std::string> exclusions = {};     ///< of `analyse`
     std::optional<std::uint64_t> random_seed = {};
-    std::uint64_t steps = 100;                       ///< of a random walk
+    std::uint64_t steps = 100;  ///< of a random walk
 };
 
 /// The groups of options a verb may take besides those that all take; File: those of verbs that read one; Timeout: of those
 /// that have no other.
-enum class Accepts { Always, File, Timeout, Output, OutputDirectory, Loop, Chart, Mode, Grain, Untimed, Target, Format, FormatLatex, InPlace,
-                     Search, Traces, Walk, Verbose, Ablations, Clock, Bench, Sequence, FormatXml, MaxEvolutions, Analysis,
-                     FormatDiagram, FormatTest, Cover, Minimise, Limits };
+enum class Accepts {
+    Always,
+    File,
+    Timeout,
+    Output,
+    OutputDirectory,
+    Loop,
+    Chart,
+    Mode,
+    Grain,
+    Untimed,
+    Target,
+    Format,
+    FormatLatex,
+    InPlace,
+    Search,
+    Traces,
+    Walk,
+    Verbose,
+    Ablations,
+    Clock,
+    Bench,
+    Sequence,
+    FormatXml,
+    MaxEvolutions,
+    Analysis,
+    FormatDiagram,
+    FormatTest,
+    Cover,
+    Minimise,
+    Limits
+};
 
 struct Verb {
     std::string name = {};
-    std::string operand = {};                        ///< as shown in the usage line: `FILE`, `[NAME]`
+    std::string operand = {};  ///< as shown in the usage line: `FILE`, `[NAME]`
     std::size_t least_operands = 1, most_operands = 1;
-    std::string summary = {};                        ///< one line, for the list of verbs
-    std::string description = {};                    ///< for --help
+    std::string summary = {};      ///< one line, for the list of verbs
+    std::string description = {};  ///< for --help
     std::vector<std::string> examples = {};
     std::vector<Accepts> accepts = {};
 };

@@ -16,7 +16,8 @@ namespace {
 
 std::vector<std::string> outputs_of(const Options& options) {
     std::vector<std::string> paths;
-    for (const std::optional<std::string>* one : {&options.output, &options.junit, &options.trace_vcd, &options.trace_svg})
+    for (const std::optional<std::string>* one :
+         {&options.output, &options.junit, &options.trace_vcd, &options.trace_svg})
         if (*one) paths.push_back(**one);
     return paths;
 }

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/system/write_files.hpp"
 #include "app/job.hpp"
 #include "app/program.hpp"
+#include "app/system/write_files.hpp"
 
 namespace grafverif::app {
 

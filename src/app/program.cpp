@@ -12,8 +12,8 @@
 #include <sstream>
 #include <system_error>
 
-#include "app/system/guard.hpp"
 #include "app/outputs.hpp"
+#include "app/system/guard.hpp"
 #include "app/verbs.hpp"
 #include "support/messages.hpp"
 #include "support/printable.hpp"
@@ -52,8 +52,10 @@ void print_overview(std::ostream& out) {
            "Usage: grafverif VERB [FILE] [options]\n\nVerbs:\n";
     for (const Entry& entry : entries) out << fmt::format("  {:<12}{}\n", entry.usage().name, entry.usage().summary);
     out << "\n`grafverif help VERB` tells the options of a verb, with examples; `grafverif --version` the version.\n"
-           "FILE may be `-`, standard input; an output may be `-`, standard output. Outputs are written whole or not at all.\n"
-           "Exit codes: 0 done; 1 a verdict against expectation; 2 input or usage wrong; 3 a verdict unknown, or stopped; 4 our failure.\n";
+           "FILE may be `-`, standard input; an output may be `-`, standard output. Outputs are written whole or not "
+           "at all.\n"
+           "Exit codes: 0 done; 1 a verdict against expectation; 2 input or usage wrong; 3 a verdict unknown, or "
+           "stopped; 4 our failure.\n";
 }
 
 ExitCode usage_error(const Streams& streams, const std::string& complaint, const std::string& help) {
@@ -128,7 +130,8 @@ ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, co
         job.diagnostics.add(messages::out_of_memory(job.options.max_memory));
     } catch (const std::system_error& failure) {
         const bool memory = failure.code() == std::errc::not_enough_memory;
-        job.diagnostics.add(memory ? messages::out_of_memory(job.options.max_memory) : messages::world_failed(failure.what()));
+        job.diagnostics.add(memory ? messages::out_of_memory(job.options.max_memory)
+                                   : messages::world_failed(failure.what()));
     }
     render_diagnostics(job, streams);
     streams.out << job.closing << std::flush;
@@ -149,14 +152,15 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
         streams.out << "grafverif " GRAFVERIF_VERSION "\n";
         return ExitCode::Done;
     }
-    const std::string& verb = asks ? arguments[1] : name;   // `help check` and `--help check` too
+    const std::string& verb = asks ? arguments[1] : name;  // `help check` and `--help check` too
     Nearest nearest(verb);
     for (const Entry& entry : entries) {
         if (entry.usage().name == verb && asks) return print_help(entry.usage(), streams.out), ExitCode::Done;
         if (entry.usage().name == verb) return run_verb(entry, arguments.subspan(1), streams);
         nearest.offer(entry.usage().name);
     }
-    if (verb.starts_with('-')) return usage_error(streams, fmt::format("a verb comes first, options behind it; not `{}`", verb), "");
+    if (verb.starts_with('-'))
+        return usage_error(streams, fmt::format("a verb comes first, options behind it; not `{}`", verb), "");
     const std::string meant = nearest.best().empty() ? "" : fmt::format("; did you mean `{}`?", nearest.best());
     return usage_error(streams, fmt::format("there is no verb `{}`{}", verb, meant), "");
 }

@@ -10,11 +10,11 @@ namespace grafverif::app {
 
 /// Exit codes; where several apply: Failure before Input before Verdict before Unknown.
 enum class ExitCode {
-    Done = 0,      ///< done, every verdict as expected
-    Verdict = 1,   ///< a verdict against expectation
-    Input = 2,     ///< input or usage wrong
-    Unknown = 3,   ///< a verdict unknown, or stopped: by a bound of time or memory, or by Ctrl-C
-    Failure = 4,   ///< a failure on our side
+    Done = 0,     ///< done, every verdict as expected
+    Verdict = 1,  ///< a verdict against expectation
+    Input = 2,    ///< input or usage wrong
+    Unknown = 3,  ///< a verdict unknown, or stopped: by a bound of time or memory, or by Ctrl-C
+    Failure = 4,  ///< a failure on our side
 };
 
 /// The standard streams, which of them are terminals (colours, progress; documents are made clean on the way), and
@@ -24,7 +24,7 @@ struct Streams {
     std::ostream& out;
     std::ostream& err;
     bool err_is_terminal = false;
-    bool alone = false;   ///< the process is ours: it may be bounded, and ended
+    bool alone = false;  ///< the process is ours: it may be bounded, and ended
     bool out_is_terminal = false;
 };
 

@@ -30,10 +30,7 @@ std::string listed(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Simulation::Simulation(const Network& network, Detail detail)
-    : network_(network), detail_(detail) {
-    power_on();
-}
+Simulation::Simulation(const Network& network, Detail detail) : network_(network), detail_(detail) { power_on(); }
 
 void Simulation::power_on() {
     state_ = initial_state(network_);

@@ -68,7 +68,7 @@ private:
     NetworkState state_;
     Run run_ = {};
     ChartRun told_ = {};
-    std::optional<NetworkProjection> projection_;   ///< of the run, into `told_`
+    std::optional<NetworkProjection> projection_;  ///< of the run, into `told_`
     std::optional<Teller> teller_;
     std::vector<std::size_t> commands_ = {};  ///< the length of the run before each
     bool broken_ = false;

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/system/write_files.hpp"
 #include "app/options.hpp"
+#include "app/system/write_files.hpp"
 #include "grafverif/ir/chart_run.hpp"
 
 namespace grafverif::app {

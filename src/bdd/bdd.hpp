@@ -20,8 +20,8 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
-#include <memory>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,10 +31,11 @@
 namespace grafverif {
 
 struct BddLimits {
-    std::uint64_t memory = std::uint64_t{2} << 30U;   ///< bytes, for nodes, tables and cache
+    std::uint64_t memory = std::uint64_t{2} << 30U;  ///< bytes, for nodes, tables and cache
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;          ///< set by somebody else
-    std::uint64_t work = std::numeric_limits<std::uint64_t>::max();   ///< steps of operations: ends as a deadline does, at the same place each time
+    const std::atomic<bool>* stop = nullptr;  ///< set by somebody else
+    std::uint64_t work = std::numeric_limits<
+        std::uint64_t>::max();  ///< steps of operations: ends as a deadline does, at the same place each time
 };
 
 class BddExhausted : public std::exception {
@@ -55,10 +56,9 @@ struct Kernel;
 
 class Bdd {
 public:
-    Bdd() = default;   ///< false
+    Bdd() = default;  ///< false
     Bdd(const Bdd& other) : kernel_(other.kernel_), edge_(other.edge_) { hold(); }
-    Bdd(Bdd&& other) noexcept
-        : kernel_(std::exchange(other.kernel_, nullptr)), edge_(std::exchange(other.edge_, 0)) {}
+    Bdd(Bdd&& other) noexcept : kernel_(std::exchange(other.kernel_, nullptr)), edge_(std::exchange(other.edge_, 0)) {}
     Bdd& operator=(const Bdd& other) {
         other.hold();
         release();
@@ -118,9 +118,9 @@ public:
     std::size_t variables() const;
     Bdd variable(std::uint32_t index) const;
 
-    std::uint64_t nodes() const;   ///< nodes in use, those that nobody needs any more among them
-    std::uint64_t bytes() const;   ///< memory held for nodes, tables and cache
-    std::uint64_t work() const;    ///< steps of operations so far: what was done, whatever time it took
+    std::uint64_t nodes() const;  ///< nodes in use, those that nobody needs any more among them
+    std::uint64_t bytes() const;  ///< memory held for nodes, tables and cache
+    std::uint64_t work() const;   ///< steps of operations so far: what was done, whatever time it took
 
     /// Frees the nodes that nobody needs; it is done without being asked when they are in the way.
     void collect_garbage();
@@ -187,7 +187,7 @@ public:
     /// f renamed. A variable that f depends on and that is not renamed is nobody's new name.
     Bdd operator()(const Bdd& f) const;
 
-    struct Map;   ///< for the implementation
+    struct Map;  ///< for the implementation
 
 private:
     std::unique_ptr<Map> map_;

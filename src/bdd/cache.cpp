@@ -22,7 +22,7 @@ bool Cache::grow(Watch& watch) {
             clear(watch);
             return true;
         }
-        for (std::size_t i = before; i-- > 0;) {   // from the end: entry i goes to 2i or 2i + 1
+        for (std::size_t i = before; i-- > 0;) {  // from the end: entry i goes to 2i or 2i + 1
             watch.step();
             const Entry moved = entries_[i];
             entries_[2 * i] = entries_[2 * i + 1] = {};
@@ -62,7 +62,8 @@ void Cache::keep_marked(const NodeTable& table, Watch& watch) {
         const Known entry = known(i);
         if (entry.f == 0) continue;
         const bool numbered = entry.operation == Operation::Rename;
-        if (!lives(entry.f) || !lives(entry.g) || !lives(entry.result) || (!numbered && !lives(entry.h))) entries_[i] = {};
+        if (!lives(entry.f) || !lives(entry.g) || !lives(entry.result) || (!numbered && !lives(entry.h)))
+            entries_[i] = {};
     }
 }
 

@@ -15,8 +15,14 @@
 namespace grafverif::bdd {
 
 enum class Operation : std::uint32_t {
-    And, Xor, Ite, Exists, AndExists, Cofactor, Simplify,
-    Rename   ///< the third operand is the number of a renaming, no edge
+    And,
+    Xor,
+    Ite,
+    Exists,
+    AndExists,
+    Cofactor,
+    Simplify,
+    Rename  ///< the third operand is the number of a renaming, no edge
 };
 
 class Cache {
@@ -72,7 +78,7 @@ private:
     void shrink_to_nothing();
 
     Block<Entry> entries_;
-    std::size_t size_ = 0;    ///< a power of two; the block may be larger
+    std::size_t size_ = 0;  ///< a power of two; the block may be larger
     unsigned shift_ = 63;
 };
 

@@ -5,9 +5,9 @@
 //
 // It may be stopped anywhere. Before the sweep nothing is lost: garbage is as good as any node. A sweep that was stopped
 // is completed before anything else, from the marks, which are kept until then.
-#include "bdd/kernel.hpp"
-
 #include <algorithm>
+
+#include "bdd/kernel.hpp"
 
 namespace grafverif::bdd {
 
@@ -34,7 +34,8 @@ void mark_from_roots(Kernel& kernel, std::initializer_list<Edge> spared) {
     };
     for (const Edge edge : spared) meet(edge);
     for (std::size_t i = 0; i < kernel.frames.size(); ++i)
-        for (const Frame& frame = kernel.frames[i]; const Edge edge : {frame.f, frame.g, frame.h, frame.low}) meet(edge);
+        for (const Frame& frame = kernel.frames[i]; const Edge edge : {frame.f, frame.g, frame.h, frame.low})
+            meet(edge);
     mark_open();
     for (std::uint32_t n = 1; n < table.used; ++n) {
         kernel.watch.step();
@@ -56,8 +57,8 @@ void relink(Kernel& kernel) {
         table.buckets[bucket] = 0;
     }
     table.free = 0;
-    std::uint32_t in_use = 1;   // the constant
-    for (std::uint32_t n = table.used; n-- > 1;) {   // backwards, so that the first free nodes are taken first
+    std::uint32_t in_use = 1;                       // the constant
+    for (std::uint32_t n = table.used; n-- > 1;) {  // backwards, so that the first free nodes are taken first
         kernel.watch.step();
         Node& node = table.nodes[n];
         if (node.level == free_level || (table.sweeping && !table.marked(n))) {

@@ -32,7 +32,9 @@ struct Conjunction : Branching {
         return std::min(kernel.level(call.f), kernel.level(call.g));
     }
     static std::uint32_t third(const Call&) { return 0; }
-    static Call low(const Kernel& kernel, const Frame& at) { return {kernel.low(at.f, at.level), kernel.low(at.g, at.level), 0}; }
+    static Call low(const Kernel& kernel, const Frame& at) {
+        return {kernel.low(at.f, at.level), kernel.low(at.g, at.level), 0};
+    }
     static Call high(const Kernel& kernel, const Frame& at) {
         return {kernel.high(at.f, at.level), kernel.high(at.g, at.level), 0};
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Exact counting, from the bottom up. The numbers are as long as there are variables, so they count as memory of the
 // space, and each is dropped with the last node above that needs it.
-#include <boost/multiprecision/cpp_int.hpp>
 #include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cassert>
 #include <limits>
 #include <new>
@@ -38,7 +38,7 @@ public:
         const std::vector<std::uint32_t> nodes = bdd::nodes_of(kernel_, root);
         counts_.reserve(nodes.size());
         for (const std::uint32_t n : nodes) {
-            ++counts_[n].parents;   // one too many: the root's; it shall not go
+            ++counts_[n].parents;  // one too many: the root's; it shall not go
             meet(kernel_.table.nodes[n].low);
             meet(kernel_.table.nodes[n].high);
         }
@@ -55,7 +55,7 @@ public:
 private:
     struct Count {
         Number number = 0;
-        std::uint32_t parents = 0;   ///< how many edges to the node have not been used
+        std::uint32_t parents = 0;  ///< how many edges to the node have not been used
     };
 
     std::size_t place(Edge edge) const { return bdd::is_constant(edge) ? places_ : place_of_[kernel_.level(edge)]; }
@@ -65,7 +65,9 @@ private:
         if (!bdd::is_constant(edge)) ++counts_[bdd::index_of(edge)].parents;
     }
 
-    static std::uint64_t bytes(const Number& number) { return sizeof(Count) + number.backend().size() * sizeof(boost::multiprecision::limb_type); }
+    static std::uint64_t bytes(const Number& number) {
+        return sizeof(Count) + number.backend().size() * sizeof(boost::multiprecision::limb_type);
+    }
 
     void keep(std::uint32_t n, Number number) {
         const std::uint64_t more = bytes(number);
@@ -78,7 +80,7 @@ private:
     void drop(Edge edge) {
         if (bdd::is_constant(edge)) return;
         Count& count = counts_[bdd::index_of(edge)];
-        if (--count.parents != 1) return;   // the last is the one too many
+        if (--count.parents != 1) return;  // the last is the one too many
         const std::uint64_t less = bytes(count.number);
         kernel_.budget.used -= less;
         charged_ -= less;

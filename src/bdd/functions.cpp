@@ -68,15 +68,16 @@ Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals) {
         assert(literal.variable < order.size());
         sorted.emplace_back(order.level_of[literal.variable], literal.value);
     }
-    std::ranges::sort(sorted, std::ranges::greater{});   // from the bottom up, so that each adds one node
+    std::ranges::sort(sorted, std::ranges::greater{});  // from the bottom up, so that each adds one node
     sorted.erase(std::ranges::unique(sorted).begin(), sorted.end());
     if (sorted.empty()) return Bdd::constant(true);
     return result_of(&space.kernel(), [&](Kernel& k) {
         Edge result = bdd::true_edge;
         for (std::size_t i = 0; i < sorted.size(); ++i) {
             const auto [level, value] = sorted[i];
-            if (i > 0 && sorted[i - 1].first == level) return bdd::false_edge;   // it is to be both
-            result = value ? bdd::make(k, level, bdd::false_edge, result) : bdd::make(k, level, result, bdd::false_edge);
+            if (i > 0 && sorted[i - 1].first == level) return bdd::false_edge;  // it is to be both
+            result =
+                value ? bdd::make(k, level, bdd::false_edge, result) : bdd::make(k, level, result, bdd::false_edge);
         }
         return result;
     });
@@ -91,7 +92,8 @@ Bdd variable_set(const BddSpace& space, std::span<const std::uint32_t> variables
 
 Bdd exists(const Bdd& f, const Bdd& variables) {
     if (f.is_constant() || variables.is_constant()) return f;
-    return result_of(kernel_of({&f, &variables}), [&](Kernel& k) { return bdd::quantified(k, f.edge(), variables.edge()); });
+    return result_of(kernel_of({&f, &variables}),
+                     [&](Kernel& k) { return bdd::quantified(k, f.edge(), variables.edge()); });
 }
 
 Bdd and_exists(const Bdd& f, const Bdd& g, const Bdd& variables) {

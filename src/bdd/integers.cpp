@@ -73,7 +73,7 @@ Integer product(const Integer& left, const Integer& right) {
     Integer result = constant(0);
     for (std::size_t place = 0; place < right.size(); ++place) {
         const Integer part = shifted(masked(right[place], left), place);
-        result = place + 1 < right.size() ? sum(result, part) : difference(result, part);   // the sign counts negatively
+        result = place + 1 < right.size() ? sum(result, part) : difference(result, part);  // the sign counts negatively
     }
     return result;
 }
@@ -82,7 +82,7 @@ Division division(const Integer& left, const Integer& right) {
     const Integer dividend = magnitude(left), divisor = magnitude(right);
     Integer remainder = constant(0);
     Integer quotient(dividend.size() + 1);
-    for (std::size_t place = dividend.size(); place-- > 0;) {   // long division; the remainder is never negative
+    for (std::size_t place = dividend.size(); place-- > 0;) {  // long division; the remainder is never negative
         remainder = shifted(remainder, 1);
         remainder.front() = dividend[place];
         const Bdd fits = ~less(remainder, divisor);
@@ -112,7 +112,7 @@ Bdd less(const Integer& left, const Integer& right) {
     const std::size_t width = std::max(left.size(), right.size());
     Bdd result;
     for (std::size_t place = 0; place < width; ++place) {
-        const bool sign = place + 1 == width;   // there a one makes a number smaller
+        const bool sign = place + 1 == width;  // there a one makes a number smaller
         const Bdd& low = sign ? bit(right, place) : bit(left, place);
         const Bdd& high = sign ? bit(left, place) : bit(right, place);
         result = ite(low ^ high, high, result);

@@ -21,12 +21,14 @@ bool has_blocks(Kernel& kernel, std::uint32_t capacity) {
     NodeTable& table = kernel.table;
     const auto at_least = [](auto& block, std::size_t size) { return block.size() >= size || block.resize(size); };
     const std::size_t words = (capacity + marks_per_word - 1) / marks_per_word;
-    if (!at_least(table.nodes, capacity) || !at_least(table.refs, capacity) || !at_least(table.marks, words)) return false;
+    if (!at_least(table.nodes, capacity) || !at_least(table.refs, capacity) || !at_least(table.marks, words))
+        return false;
     for (std::size_t n = table.capacity; n < capacity; ++n) {
         kernel.watch.step();
         table.refs[n] = 0;
     }
-    for (std::size_t word = (table.capacity + marks_per_word - 1) / marks_per_word; word < words; ++word) table.marks[word] = 0;
+    for (std::size_t word = (table.capacity + marks_per_word - 1) / marks_per_word; word < words; ++word)
+        table.marks[word] = 0;
     return true;
 }
 
@@ -75,7 +77,8 @@ bool grow(Kernel& kernel) {
     if (table.buckets.size() == 0) return false;
     if (table.stale) relink(kernel);
     // Larger ones find a little more, but no longer where the processor keeps it.
-    while (kernel.cache.size() < table.capacity / 2 && kernel.cache.grow(kernel.watch)) {}
+    while (kernel.cache.size() < table.capacity / 2 && kernel.cache.grow(kernel.watch)) {
+    }
     return kernel.cache.size() != 0;
 }
 

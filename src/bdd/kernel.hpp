@@ -18,10 +18,10 @@ namespace grafverif::bdd {
 
 /// A call of an operation that waits for its branches; all edges, so that collection marks them.
 struct Frame {
-    Edge f = 0, g = 0, h = 0;       ///< its operands
-    Edge low = 0;                   ///< result of the low branch, once there is one
-    std::uint32_t level = 0;        ///< where it branches
-    bool has_low = false, flip = false;   ///< flip: the result is to be complemented
+    Edge f = 0, g = 0, h = 0;            ///< its operands
+    Edge low = 0;                        ///< result of the low branch, once there is one
+    std::uint32_t level = 0;             ///< where it branches
+    bool has_low = false, flip = false;  ///< flip: the result is to be complemented
 };
 
 /// The stack of frames.
@@ -56,8 +56,8 @@ public:
     bool add(std::uint32_t count);
 
     Block<std::uint32_t> level_of, variable_at;
-    Block<std::uint32_t> group_of;   ///< per variable the first of its group, which lies side by side
-    std::uint64_t version = 0;       ///< changes with it
+    Block<std::uint32_t> group_of;  ///< per variable the first of its group, which lies side by side
+    std::uint64_t version = 0;      ///< changes with it
 
 private:
     std::uint32_t size_ = 0;
@@ -83,9 +83,9 @@ struct Kernel {
     NodeTable table;
     Cache cache;
     Frames frames;
-    std::uint32_t numbers = 0;             ///< given to renamings and substitutions
-    std::uint64_t handles = 0;             ///< the sum of `refs`
-    std::uint64_t reorder_above = 0;       ///< nodes; 0: never by itself
+    std::uint32_t numbers = 0;        ///< given to renamings and substitutions
+    std::uint64_t handles = 0;        ///< the sum of `refs`
+    std::uint64_t reorder_above = 0;  ///< nodes; 0: never by itself
 };
 
 /// Room for a node, by growth or by collection, which spares `low` and `high`. Ends with BddExhausted where there is none.
@@ -111,7 +111,8 @@ inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     }
     std::uint32_t& first = table.buckets[table.bucket(level, low, high)];
     for (std::uint32_t n = first; n != 0; n = table.nodes[n].next)
-        if (const Node& node = table.nodes[n]; node.low == low && node.high == high && node.level == level) return n << 1U | flip;
+        if (const Node& node = table.nodes[n]; node.low == low && node.high == high && node.level == level)
+            return n << 1U | flip;
     const std::uint32_t n = table.take();
     table.nodes[n] = {level, low, high, first};
     first = n;

@@ -40,7 +40,7 @@ constexpr std::uint64_t most_nodes = std::uint64_t{1} << 29U;
 struct Node {
     std::uint32_t level = free_level;
     Edge low = 0, high = 0;
-    std::uint32_t next = 0;   ///< in the chain, in the list of free nodes, or in the list of those to be marked; 0: none
+    std::uint32_t next = 0;  ///< in the chain, in the list of free nodes, or in the list of those to be marked; 0: none
 };
 
 class NodeTable {
@@ -103,16 +103,16 @@ public:
     void unmark(std::uint32_t n) { marks[n >> 6U] &= ~(std::uint64_t{1} << (n & 63U)); }
 
     Block<Node> nodes;
-    Block<std::uint32_t> refs;       ///< handles per node; of free nodes 0
-    Block<std::uint64_t> marks;      ///< one bit per node, 0 except while a walk or a collection lasts
-    Block<std::uint32_t> buckets;    ///< a power of two; the first of each chain
-    unsigned shift = 63;             ///< turns a hash into a bucket
-    std::uint32_t capacity = 0;      ///< nodes that fit; the blocks may be larger
-    std::uint32_t used = 0;          ///< nodes from here on were never in use
-    std::uint32_t in_use = 0;        ///< garbage counts
-    std::uint32_t free = 0;          ///< list of nodes below `used` that are not in use
-    bool stale = false;              ///< chains and list of free nodes are to be rebuilt,
-    bool sweeping = false;           ///< and nodes that are not marked freed by that
+    Block<std::uint32_t> refs;     ///< handles per node; of free nodes 0
+    Block<std::uint64_t> marks;    ///< one bit per node, 0 except while a walk or a collection lasts
+    Block<std::uint32_t> buckets;  ///< a power of two; the first of each chain
+    unsigned shift = 63;           ///< turns a hash into a bucket
+    std::uint32_t capacity = 0;    ///< nodes that fit; the blocks may be larger
+    std::uint32_t used = 0;        ///< nodes from here on were never in use
+    std::uint32_t in_use = 0;      ///< garbage counts
+    std::uint32_t free = 0;        ///< list of nodes below `used` that are not in use
+    bool stale = false;            ///< chains and list of free nodes are to be rebuilt,
+    bool sweeping = false;         ///< and nodes that are not marked freed by that
 };
 
 }  // namespace grafverif::bdd

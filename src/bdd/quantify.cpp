@@ -36,12 +36,17 @@ struct Some : Branching {
     }
 
     static Edge join(Kernel& kernel, Frame at, Edge high) {
-        return kernel.level(at.g) == at.level ? disjunction(kernel, at.low, high) : make(kernel, at.level, at.low, high);
+        return kernel.level(at.g) == at.level ? disjunction(kernel, at.low, high)
+                                              : make(kernel, at.level, at.low, high);
     }
 
     // The cube's own low branch is false: its high branch is what remains of it.
-    static Call low(const Kernel& kernel, const Frame& at) { return {kernel.low(at.f), kernel.high(at.g, at.level), 0}; }
-    static Call high(const Kernel& kernel, const Frame& at) { return {kernel.high(at.f), kernel.high(at.g, at.level), 0}; }
+    static Call low(const Kernel& kernel, const Frame& at) {
+        return {kernel.low(at.f), kernel.high(at.g, at.level), 0};
+    }
+    static Call high(const Kernel& kernel, const Frame& at) {
+        return {kernel.high(at.f), kernel.high(at.g, at.level), 0};
+    }
 };
 
 struct Product : Branching {
@@ -68,7 +73,8 @@ struct Product : Branching {
     }
 
     static Edge join(Kernel& kernel, Frame at, Edge high) {
-        return kernel.level(at.h) == at.level ? disjunction(kernel, at.low, high) : make(kernel, at.level, at.low, high);
+        return kernel.level(at.h) == at.level ? disjunction(kernel, at.low, high)
+                                              : make(kernel, at.level, at.low, high);
     }
 
     static Call low(const Kernel& kernel, const Frame& at) {

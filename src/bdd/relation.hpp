@@ -28,8 +28,8 @@ public:
 
     /// Variables that an image quantifies.
     struct Quantified {
-        Bdd unread = {};                ///< those that no part reads
-        std::vector<Bdd> ended = {};    ///< per part: those that no later one reads
+        Bdd unread = {};              ///< those that no part reads
+        std::vector<Bdd> ended = {};  ///< per part: those that no later one reads
     };
     Quantified quantified(std::span<const std::uint32_t> variables) const;
 
@@ -45,7 +45,7 @@ public:
 private:
     struct Part {
         Bdd relation = {};
-        Bdd after = {};   ///< its variables after a step
+        Bdd after = {};  ///< its variables after a step
     };
 
     const BddSpace& space_;

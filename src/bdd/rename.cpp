@@ -45,13 +45,13 @@ struct Renamed : Branching {
     Edge join(Kernel& kernel, Frame at, Edge high) const {
         const std::uint32_t level = map.to[at.level];
         if (level < kernel.level(at.low) && level < kernel.level(high)) return make(kernel, level, at.low, high);
-        kernel.frames.top().h = high;   // nobody else holds it while the variable is made
+        kernel.frames.top().h = high;  // nobody else holds it while the variable is made
         return if_then_else(kernel, make(kernel, level, false_edge, true_edge), high, at.low);
     }
 };
 
 std::uint32_t new_number(Kernel& kernel) {
-    if (++kernel.numbers == 0) {   // all were given: what is known of the old ones goes
+    if (++kernel.numbers == 0) {  // all were given: what is known of the old ones goes
         kernel.cache.clear(kernel.watch);
         kernel.numbers = 1;
     }
@@ -75,7 +75,8 @@ void update(BddRenaming::Map& map, Kernel& kernel) {
 
 }  // namespace bdd
 
-BddRenaming::BddRenaming(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) : map_(std::make_unique<Map>()) {
+BddRenaming::BddRenaming(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs)
+    : map_(std::make_unique<Map>()) {
     map_->pairs.assign(pairs.begin(), pairs.end());
 }
 

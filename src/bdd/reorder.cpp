@@ -24,7 +24,8 @@ struct NoRoom {};
 
 class Sifter {
 public:
-    explicit Sifter(Kernel& kernel) : kernel_(kernel), table_(kernel.table), uses_(table_.capacity), at_(kernel.order.size()) {
+    explicit Sifter(Kernel& kernel)
+        : kernel_(kernel), table_(kernel.table), uses_(table_.capacity), at_(kernel.order.size()) {
         for (std::uint32_t n = 1; n < table_.used; ++n) {
             kernel_.watch.step();
             const Node& node = table_.nodes[n];
@@ -49,7 +50,9 @@ private:
         std::uint32_t end() const { return first + count; }
     };
 
-    std::uint32_t group_at(std::uint32_t level) const { return kernel_.order.group_of[kernel_.order.variable_at[level]]; }
+    std::uint32_t group_at(std::uint32_t level) const {
+        return kernel_.order.group_of[kernel_.order.variable_at[level]];
+    }
 
     /// The group that lies at `level`. Requires that groups are together.
     Span span_at(std::uint32_t level) const {
@@ -82,7 +85,9 @@ private:
             for (; level < span.end(); ++level) nodes += at_[level].size();
             if (nodes > 0) found.emplace_back(nodes, kernel_.order.variable_at[span.first]);
         }
-        std::ranges::sort(found, [](const auto& a, const auto& b) { return a.first != b.first ? a.first > b.first : a.second < b.second; });
+        std::ranges::sort(found, [](const auto& a, const auto& b) {
+            return a.first != b.first ? a.first > b.first : a.second < b.second;
+        });
         std::vector<std::uint32_t> groups;
         for (const auto& [nodes, variable] : found) groups.push_back(variable);
         return groups;
@@ -114,8 +119,18 @@ private:
             move_down(upper, here);
             here.first = upper.first;
         };
-        const auto all_down = [&] { while (here.end() < at_.size()) { down(); if (!note()) break; } };
-        const auto all_up = [&] { while (here.first > 0) { up(); if (!note()) break; } };
+        const auto all_down = [&] {
+            while (here.end() < at_.size()) {
+                down();
+                if (!note()) break;
+            }
+        };
+        const auto all_up = [&] {
+            while (here.first > 0) {
+                up();
+                if (!note()) break;
+            }
+        };
         if (here.first > at_.size() / 2) all_down(), all_up();
         else all_up(), all_down();
         while (here.first < best_first) down();
@@ -200,8 +215,8 @@ private:
 
     Kernel& kernel_;
     NodeTable& table_;
-    std::vector<std::uint32_t> uses_;                ///< edges and handles to a node
-    std::vector<std::vector<std::uint32_t>> at_;     ///< nodes by level
+    std::vector<std::uint32_t> uses_;             ///< edges and handles to a node
+    std::vector<std::vector<std::uint32_t>> at_;  ///< nodes by level
 };
 
 /// Memory that is charged while this lives.
@@ -221,8 +236,9 @@ void reorder(Kernel& kernel) {
     if (kernel.table.capacity == 0) return;
     collect(kernel, {});
     kernel.cache.clear(kernel.watch);
-    const Charge charge(kernel.budget, 16 * std::uint64_t{kernel.table.capacity} + 64 * std::uint64_t{kernel.order.size()});
-    if (charge.bytes == 0) return;   // better spent on nodes
+    const Charge charge(kernel.budget,
+                        16 * std::uint64_t{kernel.table.capacity} + 64 * std::uint64_t{kernel.order.size()});
+    if (charge.bytes == 0) return;  // better spent on nodes
     try {
         Sifter(kernel).sift();
     } catch (const NoRoom&) {

@@ -16,7 +16,7 @@ namespace grafverif::bdd {
 
 struct Rings {
     std::vector<Bdd> each = {};
-    Bdd reached = {};   ///< all of them together
+    Bdd reached = {};  ///< all of them together
 
     /// Adds the new ones of `states` as a ring; false: there are none.
     bool add(const Bdd& states) {

@@ -41,7 +41,8 @@ void BddSpace::collect_garbage() {
 
 std::vector<std::uint32_t> BddSpace::order() const {
     std::vector<std::uint32_t> variables;
-    for (std::uint32_t level = 0; level < kernel_->order.size(); ++level) variables.push_back(kernel_->order.variable_at[level]);
+    for (std::uint32_t level = 0; level < kernel_->order.size(); ++level)
+        variables.push_back(kernel_->order.variable_at[level]);
     return variables;
 }
 
@@ -57,7 +58,9 @@ void BddSpace::reorder() {
 
 void BddSpace::reorder_above(std::uint64_t nodes) { kernel_->reorder_above = nodes; }
 
-Bdd::Bdd(bdd::Kernel& kernel, std::uint32_t edge) : kernel_(bdd::is_constant(edge) ? nullptr : &kernel), edge_(edge) { hold(); }
+Bdd::Bdd(bdd::Kernel& kernel, std::uint32_t edge) : kernel_(bdd::is_constant(edge) ? nullptr : &kernel), edge_(edge) {
+    hold();
+}
 
 void Bdd::hold() const {
     if (kernel_ == nullptr) return;

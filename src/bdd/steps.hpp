@@ -53,7 +53,7 @@ Edge run(Kernel& kernel, const Rule& rule, Call call) {
             }
         }
         result ^= static_cast<Edge>(flip);
-        for (;;) {   // a result goes up to the first frame that has another branch to do
+        for (;;) {  // a result goes up to the first frame that has another branch to do
             if (kernel.frames.size() == base) return result;
             Frame& waiting = kernel.frames.top();
             if (!waiting.has_low && !rule.enough(kernel, waiting, result)) {

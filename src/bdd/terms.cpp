@@ -16,7 +16,8 @@ BddTerm bdd_integer(std::int64_t value) { return {false, bdd::constant(value), {
 std::size_t bit_count(Type type) {
     if (type.boolean) return 1;
     std::size_t bits = 0;
-    for (auto span = static_cast<std::uint64_t>(type.high) - static_cast<std::uint64_t>(type.low); span != 0; span >>= 1U)
+    for (auto span = static_cast<std::uint64_t>(type.high) - static_cast<std::uint64_t>(type.low); span != 0;
+         span >>= 1U)
         ++bits;
     return bits;
 }
@@ -25,7 +26,7 @@ BddTerm term_of(const BddSpace& space, const BddWord& word) {
     if (word.type.boolean) return bdd_boolean(space.variable(word.bits.front()));
     bdd::Integer offset;
     for (const std::uint32_t bit : word.bits) offset.push_back(space.variable(bit));
-    offset.emplace_back();   // it is not negative
+    offset.emplace_back();  // it is not negative
     return {false, bdd::sum(offset, bdd::constant(word.type.low)), {}};
 }
 
@@ -34,7 +35,8 @@ Bdd in_range(const BddSpace& space, const BddWord& word) {
 }
 
 Bdd equals(const BddSpace& space, const BddWord& word, std::int64_t value) {
-    const auto offset = static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(word.type.boolean ? 0 : word.type.low);
+    const auto offset =
+        static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(word.type.boolean ? 0 : word.type.low);
     std::vector<BddLiteral> literals;
     for (std::size_t place = 0; place < word.bits.size(); ++place)
         literals.push_back({word.bits[place], ((offset >> place) & 1U) != 0});
@@ -103,13 +105,13 @@ BddTerm joined(bool disjunction, std::span<const BddTerm* const> operands) {
 BddTerm compared(Op op, const BddTerm& left, const BddTerm& right) {
     const auto with = [&](const Bdd& value) { return BddTerm{true, {value}, left.undefined | right.undefined}; };
     switch (op) {
-    case Op::Equal:        return with(bdd::equal(left.bits, right.bits));
-    case Op::NotEqual:     return with(~bdd::equal(left.bits, right.bits));
-    case Op::Less:         return with(bdd::less(left.bits, right.bits));
-    case Op::LessEqual:    return with(~bdd::less(right.bits, left.bits));
-    case Op::Greater:      return with(bdd::less(right.bits, left.bits));
+    case Op::Equal: return with(bdd::equal(left.bits, right.bits));
+    case Op::NotEqual: return with(~bdd::equal(left.bits, right.bits));
+    case Op::Less: return with(bdd::less(left.bits, right.bits));
+    case Op::LessEqual: return with(~bdd::less(right.bits, left.bits));
+    case Op::Greater: return with(bdd::less(right.bits, left.bits));
     case Op::GreaterEqual: return with(~bdd::less(left.bits, right.bits));
-    default:               unreachable();
+    default: unreachable();
     }
 }
 
@@ -117,7 +119,7 @@ BddTerm calculated(Op op, const BddTerm& left, const BddTerm& right) {
     Bdd undefined = left.undefined | right.undefined;
     bdd::Integer result;
     switch (op) {
-    case Op::Plus:  result = bdd::sum(left.bits, right.bits); break;
+    case Op::Plus: result = bdd::sum(left.bits, right.bits); break;
     case Op::Minus: result = bdd::difference(left.bits, right.bits); break;
     case Op::Times: result = bdd::product(left.bits, right.bits); break;
     case Op::Divide:
@@ -144,10 +146,11 @@ BddTerm negative(const BddTerm& operand) {
 
 }  // namespace
 
-BddTerms::BddTerms(const Exprs& exprs, std::function<BddTerm(const Expr&)> leaf) : exprs_(exprs), leaf_(std::move(leaf)) {}
+BddTerms::BddTerms(const Exprs& exprs, std::function<BddTerm(const Expr&)> leaf)
+    : exprs_(exprs), leaf_(std::move(leaf)) {}
 
 const BddTerm& BddTerms::operator()(Id<Expr> term) {
-    std::vector<Id<Expr>> open{term};   // no recursion: terms are as deep as their author likes
+    std::vector<Id<Expr>> open{term};  // no recursion: terms are as deep as their author likes
     while (!open.empty()) {
         const Id<Expr> next = open.back();
         bool ready = true;
@@ -170,28 +173,32 @@ BddTerm BddTerms::built(Id<Expr> term) const {
     for (const Id<Expr> operand : exprs_.operands(term)) operands.push_back(&known_.at(operand.index));
     switch (node.op) {
     case Op::False:
-    case Op::True:
-        return bdd_boolean(Bdd::constant(node.op == Op::True));
+    case Op::True: return bdd_boolean(Bdd::constant(node.op == Op::True));
     case Op::Integer:
-    case Op::Duration:
-        return bdd_integer(node.value);
-    case Op::Variable: case Op::Step: case Op::Timed: case Op::Parameter: case Op::At:
-        return leaf_(node);
-    case Op::Not:
-        return {true, {~operands[0]->bits.front()}, operands[0]->undefined};
+    case Op::Duration: return bdd_integer(node.value);
+    case Op::Variable:
+    case Op::Step:
+    case Op::Timed:
+    case Op::Parameter:
+    case Op::At: return leaf_(node);
+    case Op::Not: return {true, {~operands[0]->bits.front()}, operands[0]->undefined};
     case Op::And:
-    case Op::Or:
-        return joined(node.op == Op::Or, operands);
-    case Op::Negate:
-        return negative(*operands[0]);
-    case Op::Conditional:
-        return conditional(*operands[0], *operands[1], *operands[2]);
-    case Op::Equal: case Op::NotEqual: case Op::Less: case Op::LessEqual: case Op::Greater: case Op::GreaterEqual:
-        return compared(node.op, *operands[0], *operands[1]);
-    case Op::Plus: case Op::Minus: case Op::Times: case Op::Divide: case Op::Modulo:
-        return calculated(node.op, *operands[0], *operands[1]);
-    case Op::Rise: case Op::Fall:
-        unreachable();   // edges are gone once a chart is derived
+    case Op::Or: return joined(node.op == Op::Or, operands);
+    case Op::Negate: return negative(*operands[0]);
+    case Op::Conditional: return conditional(*operands[0], *operands[1], *operands[2]);
+    case Op::Equal:
+    case Op::NotEqual:
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Greater:
+    case Op::GreaterEqual: return compared(node.op, *operands[0], *operands[1]);
+    case Op::Plus:
+    case Op::Minus:
+    case Op::Times:
+    case Op::Divide:
+    case Op::Modulo: return calculated(node.op, *operands[0], *operands[1]);
+    case Op::Rise:
+    case Op::Fall: unreachable();  // edges are gone once a chart is derived
     }
     unreachable();
 }

@@ -25,8 +25,8 @@ namespace grafverif {
 /// A value that depends on the variables of a space.
 struct BddTerm {
     bool boolean = true;
-    std::vector<Bdd> bits = {};   ///< of a Boolean one; of an integer one or more, the last its sign
-    Bdd undefined = {};           ///< where it has no value; its bits mean nothing there
+    std::vector<Bdd> bits = {};  ///< of a Boolean one; of an integer one or more, the last its sign
+    Bdd undefined = {};          ///< where it has no value; its bits mean nothing there
 
     bool operator==(const BddTerm&) const = default;
 };

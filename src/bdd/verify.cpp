@@ -31,14 +31,16 @@ private:
 
     /// Of a sweep that was stopped, garbage is as good as free.
     bool in_use(std::uint32_t n) const {
-        return n < table_.used && table_.nodes[n].level != free_level && (!table_.sweeping || n == 0 || table_.marked(n));
+        return n < table_.used && table_.nodes[n].level != free_level &&
+               (!table_.sweeping || n == 0 || table_.marked(n));
     }
 
     void look_at_order() {
         const Order& order = kernel_.order;
         for (std::uint32_t variable = 0; variable < order.size(); ++variable) {
             const std::uint32_t level = order.level_of[variable];
-            demand(level < order.size() && order.variable_at[level] == variable, "no place in the order for variable", variable);
+            demand(level < order.size() && order.variable_at[level] == variable, "no place in the order for variable",
+                   variable);
         }
     }
 
@@ -80,7 +82,8 @@ private:
     }
 
     bool value(Edge edge, std::uint64_t seed) {
-        for (; !is_constant(edge); --steps_) edge = assigned(kernel_.level(edge), seed) ? kernel_.high(edge) : kernel_.low(edge);
+        for (; !is_constant(edge); --steps_)
+            edge = assigned(kernel_.level(edge), seed) ? kernel_.high(edge) : kernel_.low(edge);
         return edge == true_edge;
     }
 
@@ -101,16 +104,17 @@ private:
             demand(live, "the cache knows a free node, in slot", slot);
             if (!live || steps_ < 0) continue;
             for (std::uint64_t seed = 0; seed < 4; ++seed) {
-                const bool f = value(known.f, seed), g = value(known.g, seed), h = value(third, seed), r = value(known.result, seed);
+                const bool f = value(known.f, seed), g = value(known.g, seed), h = value(third, seed),
+                           r = value(known.result, seed);
                 switch (known.operation) {
-                case Operation::And:      demand(r == (f && g), "a false conjunction in slot", slot); break;
-                case Operation::Xor:      demand(r == (f != g), "a false exclusive or in slot", slot); break;
-                case Operation::Ite:      demand(r == (f ? g : h), "a false choice in slot", slot); break;
-                case Operation::Exists:   demand(r || !f, "a false quantification in slot", slot); break;
+                case Operation::And: demand(r == (f && g), "a false conjunction in slot", slot); break;
+                case Operation::Xor: demand(r == (f != g), "a false exclusive or in slot", slot); break;
+                case Operation::Ite: demand(r == (f ? g : h), "a false choice in slot", slot); break;
+                case Operation::Exists: demand(r || !f, "a false quantification in slot", slot); break;
                 case Operation::AndExists: demand(r || !(f && g), "a false product in slot", slot); break;
                 case Operation::Cofactor: demand(r == f || !g, "a false cofactor in slot", slot); break;
                 case Operation::Simplify: demand(r == f || !g, "a false simplification in slot", slot); break;
-                case Operation::Rename: break;   // it is a number here
+                case Operation::Rename: break;  // it is a number here
                 }
             }
         }
@@ -119,7 +123,7 @@ private:
     Kernel& kernel_;
     NodeTable& table_;
     std::vector<std::string> faults_ = {};
-    std::int64_t steps_ = 5'000'000;   ///< for trying what the cache knows
+    std::int64_t steps_ = 5'000'000;  ///< for trying what the cache knows
 };
 
 }  // namespace

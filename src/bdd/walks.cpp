@@ -29,7 +29,7 @@ struct Met {
 
 std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root) {
     NodeTable& table = kernel.table;
-    if (table.sweeping) relink(kernel);   // the marks are taken
+    if (table.sweeping) relink(kernel);  // the marks are taken
     Met met(table);
     const auto meet = [&](Edge edge) {
         const std::uint32_t n = index_of(edge);
@@ -98,9 +98,9 @@ std::optional<std::vector<BddLiteral>> one_cube(const Bdd& f) {
 
 void for_each_cube(const Bdd& f, const std::function<bool(std::span<const BddLiteral>)>& visit) {
     struct Branch {
-        Bdd function = {};          ///< what is left; a handle, because `visit` may do anything with the space
-        std::size_t depth = 0;      ///< literals that lead here
-        BddLiteral literal = {};    ///< the last of them
+        Bdd function = {};        ///< what is left; a handle, because `visit` may do anything with the space
+        std::size_t depth = 0;    ///< literals that lead here
+        BddLiteral literal = {};  ///< the last of them
     };
     std::vector<Branch> open{{f, 0, {}}};
     std::vector<BddLiteral> literals;

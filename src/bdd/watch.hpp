@@ -27,7 +27,7 @@ private:
     void look();
 
     BddLimits limits_ = {};
-    std::uint64_t done_ = 0;   ///< when it last looked
+    std::uint64_t done_ = 0;  ///< when it last looked
     std::int64_t left_ = steps_per_look;
 };
 

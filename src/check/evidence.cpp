@@ -27,30 +27,34 @@ public:
     /// Whether the states of the loop meet each condition of justice.
     bool fair() const {
         return told_.loop && std::ranges::all_of(flat_.justice, [this](Id<Expr> term) {
-            for (std::size_t state = *told_.loop; state < size(); ++state)
-                if (holds(state, term)) return true;
-            return false;
-        });
+                   for (std::size_t state = *told_.loop; state < size(); ++state)
+                       if (holds(state, term)) return true;
+                   return false;
+               });
     }
 
 private:
-    using Values = std::vector<std::optional<std::int64_t>>;   ///< of all terms, in one state
+    using Values = std::vector<std::optional<std::int64_t>>;  ///< of all terms, in one state
 
     void look_at(std::size_t state) {
         const std::vector<std::int64_t>& variables = told_.states[state];
-        const Values values = evaluate_all(flat_.exprs, [&](const Expr& leaf) { return variables[static_cast<std::size_t>(leaf.value)]; });
+        const Values values = evaluate_all(
+            flat_.exprs, [&](const Expr& leaf) { return variables[static_cast<std::size_t>(leaf.value)]; });
         const auto all_hold = [&](const std::vector<Id<Expr>>& terms) {
             return std::ranges::all_of(terms, [&](Id<Expr> term) { return values[term.index].value_or(0) != 0; });
         };
         for (std::size_t i = 0; i < terms_.size(); ++i) truths_[i].push_back(values[terms_[i].index].value_or(0) != 0);
         const std::optional<std::size_t> next = state + 1 < size() ? state + 1 : told_.loop;
         std::string why;
-        if (const std::string name = out_of_range(state); !name.empty()) why = "gives `" + name + "` a value outside its range";
+        if (const std::string name = out_of_range(state); !name.empty())
+            why = "gives `" + name + "` a value outside its range";
         else if (!all_hold(flat_.invariants)) why = "violates an invariant of the model";
-        else if (const std::string first = state == 0 ? differs(values, &FlatSystem::Variable::initial, 0) : ""; !first.empty())
+        else if (const std::string first = state == 0 ? differs(values, &FlatSystem::Variable::initial, 0) : "";
+                 !first.empty())
             why = "is no initial state: `" + first + "`";
         else if (next && !all_hold(flat_.transitions)) why = "is left by a step that the model does not have";
-        else if (const std::string then = next ? differs(values, &FlatSystem::Variable::next, *next) : ""; !then.empty())
+        else if (const std::string then = next ? differs(values, &FlatSystem::Variable::next, *next) : "";
+                 !then.empty())
             why = "is followed by one that no step leads to: `" + then + "`";
         if (!why.empty()) broken_ = "state " + std::to_string(state + 1) + " of its trace " + why;
     }
@@ -59,13 +63,15 @@ private:
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
             const Type& type = flat_.variables[id].type;
             const std::int64_t value = told_.states[state][id.index];
-            if (value < (type.boolean ? 0 : type.low) || value > (type.boolean ? 1 : type.high)) return flat_.variables[id].name;
+            if (value < (type.boolean ? 0 : type.low) || value > (type.boolean ? 1 : type.high))
+                return flat_.variables[id].name;
         }
         return {};
     }
 
     /// The first variable whose value in the state `to` is not the one that `values` say.
-    std::string differs(const Values& values, std::optional<Id<Expr>> FlatSystem::Variable::*term, std::size_t to) const {
+    std::string differs(const Values& values, std::optional<Id<Expr>> FlatSystem::Variable::*term,
+                        std::size_t to) const {
         for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
             const std::optional<Id<Expr>>& wanted = flat_.variables[id].*term;
             if (wanted && values[wanted->index] != told_.states[to][id.index]) return flat_.variables[id].name;
@@ -76,13 +82,13 @@ private:
     const FlatSystem& flat_;
     const ToldRun& told_;
     std::vector<Id<Expr>> terms_ = {};
-    std::vector<std::vector<bool>> truths_ = {};   ///< per term, per state
+    std::vector<std::vector<bool>> truths_ = {};  ///< per term, per state
     std::string broken_ = {};
 };
 
 /// Whether some state with `from` is followed by none with `never`, on and on.
 bool avoids(const Evidence& evidence, std::size_t loop, Id<Expr> from, Id<Expr> never) {
-    std::size_t without = evidence.size();   // no state from here on has it
+    std::size_t without = evidence.size();  // no state from here on has it
     while (without > 0 && !evidence.holds(without - 1, never)) --without;
     if (without > loop) return false;
     for (std::size_t state = without; state < evidence.size(); ++state)
@@ -90,14 +96,15 @@ bool avoids(const Evidence& evidence, std::size_t loop, Id<Expr> from, Id<Expr> 
     return false;
 }
 
-bool shows(const Evidence& evidence, const Property& property, const std::vector<Id<Expr>>& operands, Id<Expr> settled, std::size_t loop) {
+bool shows(const Evidence& evidence, const Property& property, const std::vector<Id<Expr>>& operands, Id<Expr> settled,
+           std::size_t loop) {
     const auto some = [&](const auto& broken) {
         for (std::size_t state = 0; state < evidence.size(); ++state)
             if ((!property.at_stable || evidence.holds(state, settled)) && broken(state)) return true;
         return false;
     };
     switch (property.pattern) {
-    case Pattern::Always:    return some([&](std::size_t state) { return !evidence.holds(state, operands[0]); });
+    case Pattern::Always: return some([&](std::size_t state) { return !evidence.holds(state, operands[0]); });
     case Pattern::Never:
     case Pattern::Reachable: return some([&](std::size_t state) { return evidence.holds(state, operands[0]); });
     case Pattern::ExactlyOneOf:
@@ -110,9 +117,13 @@ bool shows(const Evidence& evidence, const Property& property, const std::vector
             if (evidence.holds(state, operands[0])) return false;
         return true;
     case Pattern::LeadsTo: return evidence.fair() && avoids(evidence, loop, operands[0], operands[1]);
-    case Pattern::AlwaysPossible: case Pattern::RawCtl: case Pattern::RawLtl: case Pattern::RawUppaal: case Pattern::NoDeadlock:
-    case Pattern::NoTimelock: case Pattern::ReachableAllSteps:
-        break;
+    case Pattern::AlwaysPossible:
+    case Pattern::RawCtl:
+    case Pattern::RawLtl:
+    case Pattern::RawUppaal:
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock:
+    case Pattern::ReachableAllSteps: break;
     }
     return true;
 }

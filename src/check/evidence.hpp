@@ -15,8 +15,8 @@ namespace grafverif {
 /// A run as a program tells it. States hold a value per variable of a FlatSystem, its choices those with which a step
 /// leaves the state.
 struct ToldRun {
-    std::vector<std::vector<std::int64_t>> states = {};   ///< not empty
-    std::optional<std::size_t> loop = {};                 ///< a last step leads back to this state
+    std::vector<std::vector<std::int64_t>> states = {};  ///< not empty
+    std::optional<std::size_t> loop = {};                ///< a last step leads back to this state
 };
 
 /// Why `told` does not show that `property` is violated (of `reachable`: that it holds); empty: it does. Of `always

@@ -16,7 +16,7 @@ struct ControllerParts {
     std::string name = {};
     std::string prefix = {};  ///< of its names: empty for the only controller
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    bool starts = false;      ///< the first evolution has something to do, and an edge of its own
+    bool starts = false;  ///< the first evolution has something to do, and an edge of its own
     Span origin = {};
 
     /// Per variable of the equations: the variable that others see; the one that stores an output until it is written;
@@ -36,8 +36,8 @@ struct Composition {
     Ablations ablations = {};
     std::vector<ControllerParts> controllers = {};
     std::vector<std::vector<std::uint32_t>> readers =
-        {};                            ///< per variable of the plant: the controllers whose input it is
-    Id<Network::Variable> race = {};   ///< only where two stored actions can race
+        {};                           ///< per variable of the plant: the controllers whose input it is
+    Id<Network::Variable> race = {};  ///< only where two stored actions can race
     /// Templates of timers, each added with the first one of its kind: t1/v, v/t2, t1/v/t2.
     Id<Network::Template> on_delay = {}, off_delay = {}, both_delays = {};
 };

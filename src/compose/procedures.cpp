@@ -222,7 +222,7 @@ private:
         std::vector<Update> updates;
         for (const Kept& each : kept_)
             if (each.first.valid() && !each.after) updates.push_back({each.variable, {each.first}});
-        std::ranges::stable_partition(updates, [&](const Update& update) {   // what edges compare with comes first
+        std::ranges::stable_partition(updates, [&](const Update& update) {  // what edges compare with comes first
             return equations_.variables[update.target].role == Equations::Role::Previous;
         });
         const std::vector<Variable> olds = keep_old(updates, list);

@@ -17,7 +17,6 @@ struct Procedures {
 /// Whether the first evolution has anything to do.
 bool starts(const Equations& equations, ExecutionMode mode);
 
-
 Procedures procedures(Composition& composition, const ControllerParts& parts);
 
 }  // namespace grafverif

@@ -25,7 +25,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr Id<Network::Location> done{2};   ///< where t1 is over, in every template that has a t1
+constexpr Id<Network::Location> done{2};  ///< where t1 is over, in every template that has a t1
 
 enum class Delays { Rise, Fall, Both };
 
@@ -167,7 +167,7 @@ private:
     Network::Template automaton_ = {};
     Id<Expr> level_ = {}, pending_ = {}, end_ = {}, flag_ = {};
     Delay rise_ = {}, fall_ = {};
-    Id<Expr> up_ = {}, down_ = {};   ///< requests
+    Id<Expr> up_ = {}, down_ = {};  ///< requests
 };
 
 Id<Network::Template>& template_of(Composition& composition, Delays delays) {

@@ -31,7 +31,7 @@ using Role = Equations::Role;
 
 /// Where a set of inputs ends up.
 struct Arrival {
-    StateId state = 0;       ///< timers that were started on the path are fresh
+    StateId state = 0;  ///< timers that were started on the path are fresh
     Bdd set = {};
 };
 struct Loop {
@@ -39,7 +39,7 @@ struct Loop {
     Bdd set = {};
 };
 struct Followed {
-    std::vector<Arrival> arrivals = {};   ///< different states
+    std::vector<Arrival> arrivals = {};  ///< different states
     std::vector<Loop> loops = {};
 
     void arrive(StateId state, const Bdd& set) {
@@ -54,7 +54,7 @@ Followed followed(Moves& moves, const std::vector<StateMove>& first, StateId ori
     struct Leg {
         StateId state = 0;
         Bdd set = {};
-        std::size_t depth = 0;   ///< the states of the path before it
+        std::size_t depth = 0;  ///< the states of the path before it
     };
     Followed result;
     std::vector<StateId> path;
@@ -101,11 +101,18 @@ class Search {
 public:
     Search(const Equations& equations, const AutomatonOptions& options, const InputOf& inputs, const InputSpace& space,
            Automaton& automaton, Diagnostics& diagnostics)
-        : equations_(equations), options_(options), space_(space), automaton_(automaton), diagnostics_(diagnostics),
-          moves_(equations, inputs, space), conditions_(space, automaton.exprs), kept_(kept(equations)) {
+        : equations_(equations),
+          options_(options),
+          space_(space),
+          automaton_(automaton),
+          diagnostics_(diagnostics),
+          moves_(equations, inputs, space),
+          conditions_(space, automaton.exprs),
+          kept_(kept(equations)) {
         std::uint32_t outputs = 0;
         for (const Equations::Variable& variable : equations.variables)
-            outputs_.push_back(variable.role == Role::Output ? Id<Automaton::Output>{outputs++} : Id<Automaton::Output>{});
+            outputs_.push_back(variable.role == Role::Output ? Id<Automaton::Output>{outputs++}
+                                                             : Id<Automaton::Output>{});
     }
 
     /// Fills the automaton, whose variables are declared. What has no result is thrown, or said in `diagnostics`.
@@ -140,7 +147,8 @@ private:
             const Loop& loop = all.loops.front();
             throw NoResult{messages::initial_never_stable(equations_.origin, inputs_text(loop.set), loop_text(loop))};
         }
-        const StateId only = first.size() == 1 && moves_.fresh(first.front().next).empty() ? first.front().next : no_state;
+        const StateId only =
+            first.size() == 1 && moves_.fresh(first.front().next).empty() ? first.front().next : no_state;
         const bool unchanged = only != no_state && nothing_happened(init, described(moves_.settled(only)));
         for (const Arrival& arrival : all.arrivals)
             if (!unchanged || arrival.state != only) add_evolution(automaton_.init, arrival);
@@ -180,7 +188,8 @@ private:
     }
 
     void add_evolution(Id<Location> from, const Arrival& arrival) {
-        Automaton::Evolution evolution{from, location(moves_.settled(arrival.state)), conditions_.term(arrival.set), {}, {}};
+        Automaton::Evolution evolution{
+            from, location(moves_.settled(arrival.state)), conditions_.term(arrival.set), {}, {}};
         for (const std::size_t timer : moves_.fresh(arrival.state)) evolution.restarted.push_back(timer_input(timer));
         for (const std::size_t timer : moves_.falling(arrival.state)) evolution.falling.push_back(timer_input(timer));
         automaton_.evolutions.push_back(std::move(evolution));
@@ -194,14 +203,16 @@ private:
     void add_instabilities(Id<Location> from, const std::vector<Loop>& loops) {
         for (const Loop& loop : merged(loops)) {
             const Bdd set = loop.set & space_.assumed();
-            Automaton::Instability instability{from, conditions_.term(loop.set), small_count(set, space_.bits()), space_.witness(set), {}};
+            Automaton::Instability instability{
+                from, conditions_.term(loop.set), small_count(set, space_.bits()), space_.witness(set), {}};
             for (const StateId state : loop.states) instability.cycle.push_back(situation(moves_.values(state)));
             automaton_.instabilities.push_back(std::move(instability));
         }
     }
 
     Id<Location> location(StateId state) {
-        if (location_of_.size() <= state) location_of_.resize(std::max<std::size_t>(state + 1, 2 * location_of_.size()));
+        if (location_of_.size() <= state)
+            location_of_.resize(std::max<std::size_t>(state + 1, 2 * location_of_.size()));
         Id<Location>& known = location_of_[state];
         if (known.valid()) return known;
         known = automaton_.locations.add(described(state));
@@ -222,13 +233,15 @@ private:
         const Values values = moves_.values(state);
         Location result{situation(values), {}, {}};
         for (const Kept& each : kept_)
-            if (equations_.variables[each.variable].role != Role::Step) result.values.push_back(values[each.variable.index]);
+            if (equations_.variables[each.variable].role != Role::Step)
+                result.values.push_back(values[each.variable.index]);
         result.emissions = stored_emissions(result.values);
         for (const Equations::Output& output : equations_.outputs) {
             const LocationCondition value = moves_.condition(output.value, values);
             if (!(value.undefined & space_.assumed()).is_false())
                 diagnostics_.add(messages::no_value_in_location(
-                    output.origin, situation_text(automaton_, result.situation) + " with " + inputs_text(value.undefined)));
+                    output.origin,
+                    situation_text(automaton_, result.situation) + " with " + inputs_text(value.undefined)));
             if (!(value.holds & space_.assumed()).is_false())
                 result.emissions.push_back({output_of(output.variable), conditions_.term(value.holds)});
         }
@@ -242,7 +255,8 @@ private:
         for (std::size_t k = 0; k < equations_.stored.size(); ++k) {
             const Equations::Variable& variable = equations_.variables[equations_.stored[k].variable];
             if (variable.role != Role::Output || values[k] == 0) continue;
-            const Id<Expr> value = variable.type.boolean ? automaton_.exprs.constant(true) : automaton_.exprs.integer(values[k]);
+            const Id<Expr> value =
+                variable.type.boolean ? automaton_.exprs.constant(true) : automaton_.exprs.integer(values[k]);
             result.push_back({output_of(equations_.stored[k].variable), value});
         }
         std::ranges::sort(result, {}, &Automaton::Emission::output);
@@ -256,7 +270,8 @@ private:
 
     std::string loop_text(const Loop& loop) const {
         std::string text;
-        for (const StateId state : loop.states) text += situation_text(automaton_, situation(moves_.values(state))) + " -> ";
+        for (const StateId state : loop.states)
+            text += situation_text(automaton_, situation(moves_.values(state))) + " -> ";
         return text + situation_text(automaton_, situation(moves_.values(loop.states.front())));
     }
 
@@ -268,9 +283,9 @@ private:
     Moves moves_;
     Conditions conditions_;
     std::vector<Kept> kept_;
-    std::vector<Id<Automaton::Output>> outputs_ = {};   ///< per variable
-    std::vector<StateId> states_ = {};                ///< per location; INIT has none
-    std::vector<Id<Location>> location_of_ = {};      ///< per state
+    std::vector<Id<Automaton::Output>> outputs_ = {};  ///< per variable
+    std::vector<StateId> states_ = {};                 ///< per location; INIT has none
+    std::vector<Id<Location>> location_of_ = {};       ///< per state
 };
 
 // -- declarations ------------------------------------------------------------------------------------------------------
@@ -281,15 +296,18 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     for (const Id<Equations::Variable> id : equations.variables.ids()) {
         const Equations::Variable& variable = equations.variables[id];
         if (variable.role == Role::Input)
-            inputs[id.index] = automaton.inputs.add({variable.name, variable.type, {}, {}, 0, 0, variable.origin}).index;
+            inputs[id.index] =
+                automaton.inputs.add({variable.name, variable.type, {}, {}, 0, 0, variable.origin}).index;
     }
     for (const Equations::Timer& timer : equations.timers) {
-        Automaton::Input input{equations.variables[timer.end].name, {}, {}, {}, timer.rise_ms, timer.fall_ms, timer.origin};
+        Automaton::Input input{
+            equations.variables[timer.end].name, {}, {}, {}, timer.rise_ms, timer.fall_ms, timer.origin};
         const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
         const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
         if (step != equations.steps.end()) input.timed = {static_cast<std::uint32_t>(step - equations.steps.begin())};
-        else input.watched = {static_cast<std::uint32_t>(equations.stored.size() + equations.previous.size() +
-                                                         static_cast<std::size_t>(watch - equations.watches.begin()))};
+        else
+            input.watched = {static_cast<std::uint32_t>(equations.stored.size() + equations.previous.size() +
+                                                        static_cast<std::size_t>(watch - equations.watches.begin()))};
         inputs[timer.end.index] = automaton.inputs.add(std::move(input)).index;
     }
     return inputs;
@@ -300,7 +318,8 @@ void order_timers(const Equations& equations, const InputOf& inputs, InputSpace&
     const auto end = [&](const Equations::Timer& timer) { return space.term(*inputs[timer.end.index]).bits.front(); };
     for (const Equations::Timer& one : equations.timers)
         for (const Equations::Timer& other : equations.timers)
-            if (&one != &other && one.watched == other.watched && one.rise_ms >= other.rise_ms && one.fall_ms <= other.fall_ms)
+            if (&one != &other && one.watched == other.watched && one.rise_ms >= other.rise_ms &&
+                one.fall_ms <= other.fall_ms)
                 space.assume(~end(one) | end(other));
 }
 
@@ -319,9 +338,9 @@ bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diag
 }
 
 /// Restricts the inputs to what the constraints allow; false after an error.
-bool assume(const Equations& equations, const InputOf& inputs, InputSpace& space,
-            Diagnostics& diagnostics) {
-    BddTerms terms(equations.exprs, [&](const Expr& leaf) { return space.term(inputs[static_cast<std::size_t>(leaf.value)].value()); });
+bool assume(const Equations& equations, const InputOf& inputs, InputSpace& space, Diagnostics& diagnostics) {
+    BddTerms terms(equations.exprs,
+                   [&](const Expr& leaf) { return space.term(inputs[static_cast<std::size_t>(leaf.value)].value()); });
     for (const Equations::Assumption& assumption : equations.assumptions) {
         const BddTerm& term = terms(assumption.condition);
         space.assume(term.bits.front() & ~term.undefined);
@@ -336,7 +355,8 @@ Id<Expr> assumed_term(const Equations& equations, const InputOf& inputs, Exprs& 
     std::vector<Id<Expr>> terms;
     for (const Equations::Assumption& assumption : equations.assumptions)
         terms.push_back(translate(equations.exprs, assumption.condition, exprs, [&](const Expr& leaf) {
-            return exprs.leaf(Op::Variable, static_cast<std::uint32_t>(inputs[static_cast<std::size_t>(leaf.value)].value()));
+            return exprs.leaf(Op::Variable,
+                              static_cast<std::uint32_t>(inputs[static_cast<std::size_t>(leaf.value)].value()));
         }));
     return exprs.conjunction(terms);
 }

@@ -23,19 +23,19 @@
 namespace grafverif {
 
 struct ConformProgress {
-    std::uint64_t locations = 0;     ///< found
-    std::uint64_t done = 0;          ///< of them, whose evolutions are known
+    std::uint64_t locations = 0;  ///< found
+    std::uint64_t done = 0;       ///< of them, whose evolutions are known
     std::uint64_t evolutions = 0;
 };
 
 struct AutomatonOptions {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     std::uint64_t max_locations = 20'000'000;
-    std::uint64_t max_memory = std::uint64_t{2} << 30U;   ///< bytes of decision diagrams
+    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes of decision diagrams
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;              ///< set by somebody else
-    bool partial = false;   ///< where a limit, the deadline or `stop` ends the search: what was found, not `complete`
-    std::function<void(const ConformProgress&)> progress = {};   ///< called now and then
+    const std::atomic<bool>* stop = nullptr;  ///< set by somebody else
+    bool partial = false;  ///< where a limit, the deadline or `stop` ends the search: what was found, not `complete`
+    std::function<void(const ConformProgress&)> progress = {};  ///< called now and then
 };
 
 /// The automaton of the chart, or nothing after adding at least one error to `diagnostics`: no inputs, no outputs, a

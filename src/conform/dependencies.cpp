@@ -30,7 +30,8 @@ public:
             const Kept& kept = layout_.fields[field].kept;
             Exprs scratch;
             const Expr quiet = scratch[while_quiet(kept.next, scratch)];
-            add(field, kept.next, quiet.op == Op::Variable && quiet.value == std::int64_t{kept.variable.index}, result.fields);
+            add(field, kept.next, quiet.op == Op::Variable && quiet.value == std::int64_t{kept.variable.index},
+                result.fields);
         }
         for (std::uint32_t stored = 0; stored < equations_.stored.size(); ++stored) {
             Exprs scratch;
@@ -42,18 +43,22 @@ public:
     }
 
 private:
-    std::optional<std::uint32_t> firing_of(const Expr& leaf) const { return firing_of_[static_cast<std::size_t>(leaf.value)]; }
+    std::optional<std::uint32_t> firing_of(const Expr& leaf) const {
+        return firing_of_[static_cast<std::size_t>(leaf.value)];
+    }
 
     /// A condition begins with the step upstream, if there is one.
     void add_guards(Dependencies& result) const {
         result.guarded.resize(layout_.fields.size());
         std::vector<std::optional<std::uint32_t>> field_of(equations_.variables.size());
         for (std::uint32_t field = 0; field < layout_.fields.size(); ++field)
-            if (const auto id = layout_.fields[field].kept.variable; equations_.variables[id].role == Role::Step) field_of[id.index] = field;
+            if (const auto id = layout_.fields[field].kept.variable; equations_.variables[id].role == Role::Step)
+                field_of[id.index] = field;
         for (std::uint32_t firing = 0; firing < equations_.firings.size(); ++firing) {
             const Id<Expr> condition = equations_.firings[firing].condition;
             const Expr& guard = exprs_[exprs_[condition].op == Op::And ? exprs_.operands(condition)[0] : condition];
-            const auto field = guard.op == Op::Variable ? field_of[static_cast<std::size_t>(guard.value)] : std::nullopt;
+            const auto field =
+                guard.op == Op::Variable ? field_of[static_cast<std::size_t>(guard.value)] : std::nullopt;
             (field ? result.guarded[*field] : result.unguarded).push_back(firing);
         }
     }
@@ -61,7 +66,8 @@ private:
     /// `term`, in `scratch`, where no transition fires.
     Id<Expr> while_quiet(Id<Expr> term, Exprs& scratch) const {
         return translate(exprs_, term, scratch, [&](const Expr& leaf) {
-            return firing_of(leaf) ? scratch.constant(false) : scratch.leaf(Op::Variable, static_cast<std::uint32_t>(leaf.value));
+            return firing_of(leaf) ? scratch.constant(false)
+                                   : scratch.leaf(Op::Variable, static_cast<std::uint32_t>(leaf.value));
         });
     }
 
@@ -75,20 +81,26 @@ private:
     bool firing_unsettles() const {
         if (exprs_[equations_.stable].op != Op::Not) return false;
         const Id<Expr> changes = exprs_.operands(equations_.stable)[0];
-        const auto is_firing = [&](Id<Expr> term) { return exprs_[term].op == Op::Variable && firing_of(exprs_[term]); };
-        const auto found = exprs_[changes].op == Op::Or ? std::ranges::count_if(exprs_.operands(changes), is_firing) : is_firing(changes);
-        const auto never = std::ranges::count_if(equations_.firings, [&](const auto& one) { return is_false(exprs_, one.condition); });
+        const auto is_firing = [&](Id<Expr> term) {
+            return exprs_[term].op == Op::Variable && firing_of(exprs_[term]);
+        };
+        const auto found = exprs_[changes].op == Op::Or ? std::ranges::count_if(exprs_.operands(changes), is_firing)
+                                                        : is_firing(changes);
+        const auto never =
+            std::ranges::count_if(equations_.firings, [&](const auto& one) { return is_false(exprs_, one.condition); });
         return static_cast<std::size_t>(found + never) == equations_.firings.size();
     }
 
     const Equations& equations_;
     const Exprs& exprs_;
     const StateLayout& layout_;
-    std::vector<std::optional<std::uint32_t>> firing_of_;   ///< per variable
+    std::vector<std::optional<std::uint32_t>> firing_of_;  ///< per variable
 };
 
 }  // namespace
 
-Dependencies dependencies(const Equations& equations, const StateLayout& layout) { return Analysis(equations, layout).found(); }
+Dependencies dependencies(const Equations& equations, const StateLayout& layout) {
+    return Analysis(equations, layout).found();
+}
 
 }  // namespace grafverif::conform

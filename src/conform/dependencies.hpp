@@ -21,11 +21,11 @@ struct Dependencies {
         Numbers always = {};
     };
 
-    std::vector<Numbers> guarded = {};   ///< per field: transitions that fire only where it, a step activity, holds
-    Numbers unguarded = {};              ///< the other transitions
-    Computed fields = {};                ///< all others keep their values
-    Computed races = {};                 ///< stored variables, of which all others do not race
-    bool firing_unsettles = false;       ///< whether no situation in which a transition fires is stable
+    std::vector<Numbers> guarded = {};  ///< per field: transitions that fire only where it, a step activity, holds
+    Numbers unguarded = {};             ///< the other transitions
+    Computed fields = {};               ///< all others keep their values
+    Computed races = {};                ///< stored variables, of which all others do not race
+    bool firing_unsettles = false;      ///< whether no situation in which a transition fires is stable
 };
 
 Dependencies dependencies(const Equations& equations, const StateLayout& layout);

@@ -10,11 +10,13 @@
 namespace grafverif::conform {
 
 Diagnostic limit_reached(const BddExhausted& exhausted, Span origin, const std::atomic<bool>* stop) {
-    return exhausted.cause() == BddExhausted::Cause::Memory ? messages::automaton_too_large(origin)
-                                                            : messages::stopped(origin, stop != nullptr && stop->load());
+    return exhausted.cause() == BddExhausted::Cause::Memory
+               ? messages::automaton_too_large(origin)
+               : messages::stopped(origin, stop != nullptr && stop->load());
 }
 
-InputSpace::InputSpace(std::vector<NamedInput> inputs, const BddLimits& limits) : named_(std::move(inputs)), space_(limits) {
+InputSpace::InputSpace(std::vector<NamedInput> inputs, const BddLimits& limits)
+    : named_(std::move(inputs)), space_(limits) {
     for (const NamedInput& input : named_) {
         BddWord word{input.type, {}};
         const std::size_t count = bit_count(input.type);
@@ -64,7 +66,8 @@ Id<Expr> Conditions::written(const Bdd& function) {
     const std::vector<std::uint32_t> used = support(function);
     for (std::size_t input = 0; input < space_.inputs(); ++input) {
         const BddWord& word = space_.word(input);
-        const bool read = std::ranges::any_of(word.bits, [&](std::uint32_t bit) { return std::ranges::binary_search(used, bit); });
+        const bool read =
+            std::ranges::any_of(word.bits, [&](std::uint32_t bit) { return std::ranges::binary_search(used, bit); });
         if (!word.type.boolean && read) return by_values(function, input);
     }
     return sum_of_products(function);
@@ -99,9 +102,12 @@ Id<Expr> Conditions::one_of(std::size_t input, const std::vector<std::int64_t>& 
         std::size_t last = first;
         while (last + 1 < values.size() && values[last + 1] == values[last] + 1) ++last;
         const std::int64_t low = values[first], high = values[last];
-        const Id<Expr> above = low == type.low ? exprs_.constant(true) : exprs_.apply(Op::GreaterEqual, leaf, exprs_.integer(low));
-        const Id<Expr> below = high == type.high ? exprs_.constant(true) : exprs_.apply(Op::LessEqual, leaf, exprs_.integer(high));
-        intervals.push_back(low == high ? exprs_.apply(Op::Equal, leaf, exprs_.integer(low)) : exprs_.conjunction(above, below));
+        const Id<Expr> above =
+            low == type.low ? exprs_.constant(true) : exprs_.apply(Op::GreaterEqual, leaf, exprs_.integer(low));
+        const Id<Expr> below =
+            high == type.high ? exprs_.constant(true) : exprs_.apply(Op::LessEqual, leaf, exprs_.integer(high));
+        intervals.push_back(low == high ? exprs_.apply(Op::Equal, leaf, exprs_.integer(low))
+                                        : exprs_.conjunction(above, below));
         first = last + 1;
     }
     return exprs_.disjunction(intervals);
@@ -111,7 +117,8 @@ Id<Expr> Conditions::sum_of_products(const Bdd& function) {
     const Bdd& care = space_.assumed();
     const bool boolean = std::ranges::all_of(support(care), [&](std::uint32_t bit) {
         for (std::size_t input = 0; input < space_.inputs(); ++input)
-            if (!space_.word(input).type.boolean && std::ranges::find(space_.word(input).bits, bit) != space_.word(input).bits.end())
+            if (!space_.word(input).type.boolean &&
+                std::ranges::find(space_.word(input).bits, bit) != space_.word(input).bits.end())
                 return false;
         return true;
     });
@@ -147,7 +154,8 @@ Conditions::Cover Conditions::cover(const Bdd& least, const Bdd& most) {
     Cover on = cover(least1 & ~most0, most1);
     Cover either = cover((least0 & ~off.function) | (least1 & ~on.function), most0 & most1);
     Cover result;
-    result.function = ite(space_.space().variable(variable), on.function | either.function, off.function | either.function);
+    result.function =
+        ite(space_.space().variable(variable), on.function | either.function, off.function | either.function);
     for (std::vector<BddLiteral>& product : on.cubes) {
         product.insert(product.begin(), {variable, true});
         result.cubes.push_back(std::move(product));

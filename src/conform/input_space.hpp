@@ -64,7 +64,7 @@ private:
     std::vector<NamedInput> named_;
     BddSpace space_;
     std::vector<BddWord> words_ = {};
-    std::vector<std::uint32_t> bits_ = {};   ///< of all inputs
+    std::vector<std::uint32_t> bits_ = {};  ///< of all inputs
     Bdd assumed_ = Bdd::constant(true);
 };
 

@@ -6,8 +6,9 @@
 namespace grafverif::conform {
 
 LocationTerms::LocationTerms(const Equations& equations, const InputOf& inputs, const InputSpace& space)
-    : equations_(equations), inputs_(inputs), space_(space),
-      of_inputs_(equations.exprs, [this](const Expr& leaf) { return space_.term(*inputs_[static_cast<std::size_t>(leaf.value)]); }) {
+    : equations_(equations), inputs_(inputs), space_(space), of_inputs_(equations.exprs, [this](const Expr& leaf) {
+          return space_.term(*inputs_[static_cast<std::size_t>(leaf.value)]);
+      }) {
     const Exprs& exprs = equations.exprs;
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
         const Id<Expr> id{index};
@@ -18,7 +19,8 @@ LocationTerms::LocationTerms(const Equations& equations, const InputOf& inputs, 
         bool reads_inputs = false, reads_location = false;
         for (const Id<Expr> operand : exprs.operands(id)) {
             reads_inputs = reads_inputs || kinds_[operand.index] != Kind::Fixed;
-            reads_location = reads_location || (kinds_[operand.index] != Kind::OfInputs && !is_constant(exprs[operand].op));
+            reads_location =
+                reads_location || (kinds_[operand.index] != Kind::OfInputs && !is_constant(exprs[operand].op));
         }
         kinds_.push_back(!reads_inputs ? Kind::Fixed : reads_location ? Kind::Mixed : Kind::OfInputs);
     }
@@ -26,9 +28,9 @@ LocationTerms::LocationTerms(const Equations& equations, const InputOf& inputs, 
 
 LocationValue LocationTerms::value(Id<Expr> term, const Values& at) {
     switch (kinds_[term.index]) {
-    case Kind::Fixed:    return fixed(term, at);
+    case Kind::Fixed: return fixed(term, at);
     case Kind::OfInputs: return {0, false, of_inputs_(term)};
-    case Kind::Mixed:    break;
+    case Kind::Mixed: break;
     }
     const Op op = equations_.exprs[term].op;
     if ((op == Op::And || op == Op::Or) && split(term) != nullptr) return joined(term, at);
@@ -83,8 +85,8 @@ LocationValue LocationTerms::fixed(Id<Expr> term, const Values& at) const {
     }
     default: break;
     }
-    const std::optional<std::int64_t> number = evaluate(
-        equations_.exprs, term, [&at](const Expr& leaf) { return at[static_cast<std::size_t>(leaf.value)]; });
+    const std::optional<std::int64_t> number =
+        evaluate(equations_.exprs, term, [&at](const Expr& leaf) { return at[static_cast<std::size_t>(leaf.value)]; });
     return {number.value_or(0), !number, {}};
 }
 
@@ -95,7 +97,7 @@ LocationValue LocationTerms::joined(Id<Expr> term, const Values& at) {
     std::optional<BddTerm> result;
     for (const Id<Expr> operand : parts.others) {
         LocationValue other = value(operand, at);
-        if (other.none) return anyhow(term, at);   // whether it is looked at is up to the inputs
+        if (other.none) return anyhow(term, at);  // whether it is looked at is up to the inputs
         if (!other.function) {
             if ((other.number != 0) == decides) return other;
             continue;

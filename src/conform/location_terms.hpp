@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "conform/input_space.hpp"
 #include "bdd/terms.hpp"
+#include "conform/input_space.hpp"
 #include "grafverif/ir/equations.hpp"
 
 namespace grafverif::conform {
@@ -23,15 +23,14 @@ using InputOf = std::vector<std::optional<std::size_t>>;
 /// A term in a location: `number`, or a function of the inputs where `function` is set.
 struct LocationValue {
     std::int64_t number = 0;
-    bool none = false;                        ///< the constant has no value: division by zero, or too large
+    bool none = false;  ///< the constant has no value: division by zero, or too large
     std::optional<BddTerm> function = {};
-
 };
 
 /// A Boolean term in a location.
 struct LocationCondition {
     Bdd holds = {};
-    Bdd undefined = {};   ///< where it has no value
+    Bdd undefined = {};  ///< where it has no value
 };
 
 class LocationTerms {
@@ -60,7 +59,7 @@ private:
     const Equations& equations_;
     const InputOf& inputs_;
     const InputSpace& space_;
-    std::vector<Kind> kinds_ = {};            ///< per term
+    std::vector<Kind> kinds_ = {};  ///< per term
     BddTerms of_inputs_;
     std::unordered_map<std::uint32_t, std::optional<Split>> splits_ = {};
 };

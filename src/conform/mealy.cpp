@@ -28,7 +28,7 @@ struct Place {
 /// What happens in a place: the inputs that lead to each next place, and those that lead nowhere.
 struct Departures {
     std::map<Place, Bdd> to = {};
-    Bdd staying = {};    ///< part of `to`
+    Bdd staying = {};  ///< part of `to`
     Bdd unstable = {};
     bool operator==(const Departures& other) const { return to == other.to && unstable == other.unstable; }
 };
@@ -41,16 +41,19 @@ struct Level {
 struct Timer {
     Id<Automaton::Input> input = {};
     std::size_t level = 0;
-    std::size_t fall = 0;      ///< place in Place::falls, of a timer with a fall time
+    std::size_t fall = 0;  ///< place in Place::falls, of a timer with a fall time
     std::int64_t rise_ms = 0, fall_ms = 0;
 };
 
 class Builder {
 public:
     Builder(const Automaton& automaton, const MealyOptions& options, Diagnostics& diagnostics)
-        : automaton_(automaton), options_(options), diagnostics_(diagnostics),
+        : automaton_(automaton),
+          options_(options),
+          diagnostics_(diagnostics),
           space_(named(automaton.inputs), {options.max_memory, options.deadline, options.stop}),
-          sets_(automaton.exprs, space_), conditions_(space_, machine_.exprs) {
+          sets_(automaton.exprs, space_),
+          conditions_(space_, machine_.exprs) {
         space_.assume(sets_(automaton.assumed));
         for (const Id<Automaton::Input> id : automaton.inputs.ids()) {
             const Automaton::Input& input = automaton.inputs[id];
@@ -67,7 +70,8 @@ public:
     std::optional<MealyMachine> machine() {
         machine_.name = automaton_.name;
         machine_.mode = automaton_.mode;
-        for (const Automaton::Output& output : automaton_.outputs) machine_.outputs.push_back({output.name, output.type});
+        for (const Automaton::Output& output : automaton_.outputs)
+            machine_.outputs.push_back({output.name, output.type});
         machine_.assumed = translate(automaton_.exprs, automaton_.assumed, machine_.exprs, [&](const Expr& leaf) {
             return machine_.exprs.leaf(Op::Variable, static_cast<std::uint32_t>(leaf.value));
         });
@@ -90,7 +94,8 @@ private:
         const auto known = std::ranges::find_if(levels_, [&](const Level& level) {
             return level.watched.timed == input.timed && level.watched.watched == input.watched;
         });
-        timers_.push_back({id, static_cast<std::size_t>(known - levels_.begin()), falls_, input.rise_ms, input.fall_ms});
+        timers_.push_back(
+            {id, static_cast<std::size_t>(known - levels_.begin()), falls_, input.rise_ms, input.fall_ms});
         if (input.fall_ms > 0) ++falls_;
         if (known == levels_.end()) levels_.push_back({input, input.rise_ms});
         else known->longest = std::max(known->longest, input.rise_ms);
@@ -106,7 +111,8 @@ private:
         for (std::size_t k = 0; k < levels_.size(); ++k)
             place.ages.push_back(active(evolution.to, levels_[k]) ? std::max<std::int64_t>(before.ages[k], 0) : -1);
         for (const Timer& timer : timers_) {
-            if (std::ranges::find(evolution.restarted, timer.input) != evolution.restarted.end()) place.ages[timer.level] = 0;
+            if (std::ranges::find(evolution.restarted, timer.input) != evolution.restarted.end())
+                place.ages[timer.level] = 0;
             const bool fell = std::ranges::find(evolution.falling, timer.input) != evolution.falling.end();
             if (fell && (timer.rise_ms == 0 || before.ages[timer.level] >= timer.rise_ms)) place.falls[timer.fall] = 0;
         }
@@ -157,7 +163,8 @@ private:
         if (place.location != automaton_.init) return place;
         Place same = place;
         for (const Id<Location> id : automaton_.locations.ids())
-            if (id != automaton_.init && automaton_.locations[id].situation == automaton_.locations[place.location].situation &&
+            if (id != automaton_.init &&
+                automaton_.locations[id].situation == automaton_.locations[place.location].situation &&
                 automaton_.locations[id].values == automaton_.locations[place.location].values)
                 same.location = id;
         return same;
@@ -181,7 +188,9 @@ private:
         for (const auto& [place, set] : first.to) {
             const bool same_situation =
                 automaton_.locations[place.location].situation == automaton_.locations[automaton_.init].situation;
-            if (!same_situation || place.ages != init.ages || place.falls != init.falls || !(departures(place) == first)) continue;
+            if (!same_situation || place.ages != init.ages || place.falls != init.falls ||
+                !(departures(place) == first))
+                continue;
             machine_.initial = state(place);
             return;
         }
@@ -192,7 +201,8 @@ private:
         const auto [known, added] = known_.emplace(place, Id<State>{});
         if (!added) return known->second;
         places_.push_back(place);
-        return known->second = machine_.states.add({situation_text(automaton_, automaton_.locations[place.location].situation), detail(place)});
+        return known->second = machine_.states.add(
+                   {situation_text(automaton_, automaton_.locations[place.location].situation), detail(place)});
     }
 
     std::string detail(const Place& place) const {
@@ -201,12 +211,15 @@ private:
         if (place.location == automaton_.init) add("INIT");
         const std::vector<std::int64_t>& values = automaton_.locations[place.location].values;
         for (std::size_t k = 0; k < values.size(); ++k)
-            add(automaton_.stored[Id<Automaton::Stored>{static_cast<std::uint32_t>(k)}].name + " = " + std::to_string(values[k]));
+            add(automaton_.stored[Id<Automaton::Stored>{static_cast<std::uint32_t>(k)}].name + " = " +
+                std::to_string(values[k]));
         for (std::size_t k = 0; k < levels_.size(); ++k)
-            if (place.ages[k] >= 0 && levels_[k].longest > 0) add(level_name(levels_[k]) + " for " + std::to_string(place.ages[k]) + " ms");
+            if (place.ages[k] >= 0 && levels_[k].longest > 0)
+                add(level_name(levels_[k]) + " for " + std::to_string(place.ages[k]) + " ms");
         for (const Timer& timer : timers_)
             if (timer.fall_ms > 0 && place.falls[timer.fall] >= 0)
-                add(automaton_.inputs[timer.input].name + " for " + std::to_string(timer.fall_ms - place.falls[timer.fall]) + " ms more");
+                add(automaton_.inputs[timer.input].name + " for " +
+                    std::to_string(timer.fall_ms - place.falls[timer.fall]) + " ms more");
         return text;
     }
 
@@ -223,7 +236,8 @@ private:
         if (!now.unstable.is_false()) {
             machine_.unstable.push_back({from, conditions_.term(now.unstable)});
             const auto pairs = small_count(now.unstable, bits_);
-            machine_.unstable_pairs = machine_.unstable_pairs && pairs ? std::optional(*machine_.unstable_pairs + *pairs) : std::nullopt;
+            machine_.unstable_pairs =
+                machine_.unstable_pairs && pairs ? std::optional(*machine_.unstable_pairs + *pairs) : std::nullopt;
         }
         if (place.location != automaton_.init) add_waits(from, place, now.staying);
     }
@@ -236,7 +250,8 @@ private:
         for (std::size_t k = 0; k < levels_.size(); ++k)
             if (later.ages[k] >= 0) later.ages[k] = std::min(later.ages[k] + wait, levels_[k].longest);
         for (const Timer& timer : timers_)
-            if (std::int64_t* const fall = timer.fall_ms > 0 ? &later.falls[timer.fall] : nullptr; fall != nullptr && *fall >= 0)
+            if (std::int64_t* const fall = timer.fall_ms > 0 ? &later.falls[timer.fall] : nullptr;
+                fall != nullptr && *fall >= 0)
                 *fall = *fall + wait < timer.fall_ms ? *fall + wait : -1;
         for (const auto& [to, set] : departures(later).to)
             if (const Bdd both = set & staying; !both.is_false()) add_transition(from, to, both, wait);
@@ -269,7 +284,10 @@ private:
         for (const Automaton::Emission& emission : automaton_.locations[place.location].emissions) {
             const Expr& value = automaton_.exprs[emission.value];
             if (is_constant(value.op)) {
-                for (Part& part : parts) part.values[emission.output.index] = value.op == Op::Integer ? value.value : value.op == Op::True ? 1 : 0;
+                for (Part& part : parts)
+                    part.values[emission.output.index] = value.op == Op::Integer ? value.value
+                                                         : value.op == Op::True  ? 1
+                                                                                 : 0;
                 continue;
             }
             Bdd holds = sets_(emission.value);
@@ -302,11 +320,11 @@ private:
     InputSpace space_;
     InputSets sets_;
     Conditions conditions_;
-    std::vector<std::uint32_t> bits_ = {};       ///< of the inputs proper
+    std::vector<std::uint32_t> bits_ = {};  ///< of the inputs proper
     std::vector<Level> levels_ = {};
     std::vector<Timer> timers_ = {};
-    std::size_t falls_ = 0;                      ///< timers with a fall time
-    std::vector<Place> places_ = {};             ///< per state
+    std::size_t falls_ = 0;           ///< timers with a fall time
+    std::vector<Place> places_ = {};  ///< per state
     std::map<Place, Id<State>> known_ = {};
     std::map<std::vector<std::int64_t>, Id<MealyMachine::Answer>> answer_of_ = {};
 };

@@ -20,9 +20,9 @@ namespace grafverif {
 
 struct MealyOptions {
     std::uint64_t max_states = 20'000'000;
-    std::uint64_t max_memory = std::uint64_t{2} << 30U;   ///< bytes of decision diagrams
+    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes of decision diagrams
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;              ///< set by somebody else
+    const std::atomic<bool>* stop = nullptr;  ///< set by somebody else
 };
 
 /// The machine of the automaton, or nothing after an error: a limit. Requires verify(automaton).empty().
@@ -31,6 +31,7 @@ std::optional<MealyMachine> mealy_machine(const LocationAutomaton& automaton, co
 
 /// The least machine that gives the same answers to the same inputs from its initial state: states that nobody can tell
 /// apart become one (Moore 1956), named after the situations of all of them. Nothing after an error at `origin`: a limit.
-std::optional<MealyMachine> minimised(const MealyMachine& machine, const MealyOptions& options, Span origin, Diagnostics& diagnostics);
+std::optional<MealyMachine> minimised(const MealyMachine& machine, const MealyOptions& options, Span origin,
+                                      Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -18,8 +18,10 @@ using namespace conform;
 class Minimiser {
 public:
     Minimiser(const MealyMachine& machine, const BddLimits& limits)
-        : machine_(machine), space_(named(machine.inputs), limits),
-          sets_(machine.exprs, space_), class_of_(machine.states.size()) {
+        : machine_(machine),
+          space_(named(machine.inputs), limits),
+          sets_(machine.exprs, space_),
+          class_of_(machine.states.size()) {
         space_.assume(sets_(machine.assumed));
     }
 
@@ -51,9 +53,10 @@ private:
     std::size_t refine() {
         struct Less {
             bool operator()(const Signature& a, const Signature& b) const {
-                return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-                    return x.first != y.first ? x.first < y.first : x.second.edge() < y.second.edge();
-                });
+                return std::lexicographical_compare(
+                    a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+                        return x.first != y.first ? x.first < y.first : x.second.edge() < y.second.edge();
+                    });
             }
         };
         const std::vector<Signature> all = signatures();
@@ -74,7 +77,8 @@ private:
         const std::vector<Signature> all = signatures();
         for (std::uint32_t state = 0; state < all.size(); ++state) {
             if (class_of_[state] != result.states.size()) continue;
-            const Id<MealyMachine::State> from = result.states.add({situations(state), machine_.states[{state}].detail});
+            const Id<MealyMachine::State> from =
+                result.states.add({situations(state), machine_.states[{state}].detail});
             for (const auto& [response, set] : all[state]) {
                 const auto& [to, answer, wait] = response;
                 if (to != no_class) {
@@ -110,7 +114,8 @@ private:
 
 }  // namespace
 
-std::optional<MealyMachine> minimised(const MealyMachine& machine, const MealyOptions& options, Span origin, Diagnostics& diagnostics) {
+std::optional<MealyMachine> minimised(const MealyMachine& machine, const MealyOptions& options, Span origin,
+                                      Diagnostics& diagnostics) {
     try {
         return Minimiser(machine, {options.max_memory, options.deadline, options.stop}).minimised();
     } catch (const BddExhausted& exhausted) {

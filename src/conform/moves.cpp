@@ -25,8 +25,13 @@
 namespace grafverif::conform {
 
 Moves::Moves(const Equations& equations, const InputOf& inputs, const InputSpace& space)
-    : equations_(equations), inputs_(inputs), space_(space), terms_(equations, inputs, space), layout_(equations),
-      dependencies_(dependencies(equations, layout_)), store_(layout_.words) {
+    : equations_(equations),
+      inputs_(inputs),
+      space_(space),
+      terms_(equations, inputs, space),
+      layout_(equations),
+      dependencies_(dependencies(equations, layout_)),
+      store_(layout_.words) {
     for (const Equations::Variable& variable : equations.variables) initial_.push_back(variable.initial);
 }
 
@@ -73,7 +78,7 @@ std::vector<StateMove> Moves::moves_of(StateId state) {
     const Values before = values(state);
     const Bdd known = known_ends(state, before);
     std::vector<StateMove> moves;
-    Values at = before;   // and what fires in the cell at hand; one copy serves all cells
+    Values at = before;  // and what fires in the cell at hand; one copy serves all cells
     for (const Cell& cell : cells(before, space_.assumed() & known)) {
         for (const std::uint32_t firing : cell.fired) at[equations_.firings[firing].variable.index] = 1;
         check_races(cell, at);
@@ -91,7 +96,7 @@ public:
     /// `firing` fires where `condition` holds.
     void cut(std::uint32_t firing, const Bdd& condition) {
         const Bdd alone = condition & ~touched_;
-        if (!(alone == condition)) {   // somewhere others fire as well
+        if (!(alone == condition)) {  // somewhere others fire as well
             const std::size_t count = cells_.size();
             for (std::size_t k = 0; k < count; ++k) {
                 Bdd both = cells_[k].set & condition;
@@ -118,7 +123,7 @@ public:
 
 private:
     std::vector<Cell> cells_ = {};
-    Bdd touched_ = {};   ///< all of them together
+    Bdd touched_ = {};  ///< all of them together
 };
 
 std::vector<Moves::Cell> Moves::cells(const Values& at, const Bdd& within) {
@@ -152,15 +157,19 @@ void Moves::add_moves(const Cell& cell, StateId state, const Values& at, std::ve
     };
     for (Part& part : evolved(cell, at)) {
         if (!stable.is_false()) add({part.set & stable, {}}, true);
-        if (!stable.is_true()) add({stable.is_false() ? std::move(part.set) : part.set & ~stable, std::move(part.changes)}, false);
+        if (!stable.is_true())
+            add({stable.is_false() ? std::move(part.set) : part.set & ~stable, std::move(part.changes)}, false);
     }
 }
 
 std::vector<Moves::Part> Moves::evolved(const Cell& cell, const Values& at) {
     std::vector<Part> parts{{cell.set, {}}};
-    const auto compute = [&](std::uint32_t field) { parts = given(std::move(parts), field, layout_.fields[field].kept.next, at); };
+    const auto compute = [&](std::uint32_t field) {
+        parts = given(std::move(parts), field, layout_.fields[field].kept.next, at);
+    };
     std::ranges::for_each(dependencies_.fields.always, compute);
-    for (const std::uint32_t firing : cell.fired) std::ranges::for_each(dependencies_.fields.by_firing[firing], compute);
+    for (const std::uint32_t firing : cell.fired)
+        std::ranges::for_each(dependencies_.fields.by_firing[firing], compute);
     return parts;
 }
 
@@ -186,7 +195,8 @@ std::vector<Moves::Part> Moves::given(std::vector<Part> parts, std::uint32_t fie
     const LocationValue found = terms_.value(term, at);
     const auto give = [&](Part& part, std::int64_t value) {
         if (value < variable.type.low || value > variable.type.high)
-            throw NoResult{messages::out_of_range_in_location(variable.origin, variable.name, value, circumstances(at, part.set))};
+            throw NoResult{
+                messages::out_of_range_in_location(variable.origin, variable.name, value, circumstances(at, part.set))};
         part.changes.emplace_back(field, value);
     };
     std::vector<Part> pieces;
@@ -240,7 +250,8 @@ StateId Moves::changed(StateId state, const Changes& changes, const Values& befo
     for (std::size_t k = 0; k < layout_.timers.size(); ++k) {
         const StateLayout::Timer& bits = layout_.timers[k];
         const Equations::Timer& timer = equations_.timers[k];
-        const bool was = before[timer.watched.index] != 0, is = has_bit(now, bits.level), fresh = has_bit(now, bits.fresh);
+        const bool was = before[timer.watched.index] != 0, is = has_bit(now, bits.level),
+                   fresh = has_bit(now, bits.fresh);
         if (is && !was) set_bit(now, bits.fresh, true);
         if (is || !was) continue;
         set_bit(now, bits.fresh, false);
@@ -272,8 +283,10 @@ Bdd Moves::known_ends(StateId state, const Values& at) const {
         const Equations::Timer& timer = equations_.timers[k];
         const bool level = at[timer.watched.index] != 0;
         const std::uint32_t end = space_.word(*inputs_[timer.end.index]).bits.front();
-        if (timer.rise_ms == 0 && (level || has_bit(store_.at(state), layout_.timers[k].falling))) known.push_back({end, true});
-        if (timer.fall_ms == 0 && (!level || has_bit(store_.at(state), layout_.timers[k].fresh))) known.push_back({end, false});
+        if (timer.rise_ms == 0 && (level || has_bit(store_.at(state), layout_.timers[k].falling)))
+            known.push_back({end, true});
+        if (timer.fall_ms == 0 && (!level || has_bit(store_.at(state), layout_.timers[k].fresh)))
+            known.push_back({end, false});
     }
     return cube(space_.space(), known);
 }
@@ -294,7 +307,8 @@ std::vector<StateMove> Moves::first() {
     for (const Equations::Stored& stored : equations_.stored)
         check_race(stored.first_race, equations_.variables[stored.variable], parts.front().set, at);
     for (std::uint32_t field = 0; field < layout_.evolving; ++field)
-        if (const Id<Expr> term = layout_.fields[field].kept.first; term.valid()) parts = given(std::move(parts), field, term, at);
+        if (const Id<Expr> term = layout_.fields[field].kept.first; term.valid())
+            parts = given(std::move(parts), field, term, at);
     std::vector<StateMove> moves;
     const Values off(at.size());
     for (Part& part : parts)
@@ -307,7 +321,8 @@ std::vector<StateMove> Moves::first() {
 
 void Moves::check_races(const Cell& cell, const Values& at) {
     const auto check = [&](std::uint32_t stored) {
-        check_race(equations_.stored[stored].race, equations_.variables[equations_.stored[stored].variable], cell.set, at);
+        check_race(equations_.stored[stored].race, equations_.variables[equations_.stored[stored].variable], cell.set,
+                   at);
     };
     std::ranges::for_each(dependencies_.races.always, check);
     for (const std::uint32_t firing : cell.fired) std::ranges::for_each(dependencies_.races.by_firing[firing], check);
@@ -322,7 +337,8 @@ void Moves::check_races(const Cell& cell, const Values& at) {
 void Moves::check_race(Id<Expr> race, const Equations::Variable& variable, const Bdd& within, const Values& at) {
     const LocationCondition condition = terms_.condition(race, at);
     const Bdd both = condition.holds & ~condition.undefined & within;
-    if (!both.is_false()) throw NoResult{messages::action_race(variable.origin, variable.name, circumstances(at, both))};
+    if (!both.is_false())
+        throw NoResult{messages::action_race(variable.origin, variable.name, circumstances(at, both))};
     demand_value(condition.undefined, within, variable.origin, at);
 }
 

@@ -25,7 +25,7 @@ namespace grafverif::conform {
 struct StateMove {
     Bdd set = {};
     StateId next = 0;
-    bool stable = false;   ///< nothing changes under these inputs but levels that timers watch, and they no more then
+    bool stable = false;  ///< nothing changes under these inputs but levels that timers watch, and they no more then
 };
 
 /// Thrown where the equations give some evolution no result: a race, a value that does not exist or fit.
@@ -59,7 +59,7 @@ private:
         std::vector<std::uint32_t> fired = {};
     };
     class Partition;
-    using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;   ///< field, value
+    using Changes = std::vector<std::pair<std::uint32_t, std::int64_t>>;  ///< field, value
     /// A part of a cell, and what the evolution changes there.
     struct Part {
         Bdd set = {};
@@ -89,7 +89,7 @@ private:
     StateLayout layout_;
     Dependencies dependencies_;
     StateStore store_;
-    std::deque<std::optional<std::vector<StateMove>>> known_ = {};   ///< per state
+    std::deque<std::optional<std::vector<StateMove>>> known_ = {};  ///< per state
 };
 
 }  // namespace grafverif::conform

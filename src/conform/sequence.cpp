@@ -4,8 +4,8 @@
 #include <map>
 
 #include "conform/input_space.hpp"
-#include "conform/tour.hpp"
 #include "conform/test_sequence.hpp"
+#include "conform/tour.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif {
@@ -20,7 +20,7 @@ public:
     Writer(const MealyMachine& machine, const TestOptions& options)
         : machine_(machine), options_(options), space_(named(machine.inputs), {}), sets_(machine.exprs, space_) {
         space_.assume(sets_(machine.assumed));
-        std::uint32_t stride = 1;   // meant for TestCover::Transitions, whose combinations are few
+        std::uint32_t stride = 1;  // meant for TestCover::Transitions, whose combinations are few
         weights_.resize(space_.space().variables());
         for (std::size_t input = machine.inputs.size(); input-- > 0;) {
             strides_.push_back(stride);
@@ -44,7 +44,8 @@ public:
         test.cover = options_.cover;
         test.one_cycle_each = options_.one_cycle_each;
         for (const MealyMachine::Variable& input : machine_.inputs) test.inputs.push_back({input.name, input.type});
-        for (const MealyMachine::Variable& output : machine_.outputs) test.outputs.push_back({output.name, output.type});
+        for (const MealyMachine::Variable& output : machine_.outputs)
+            test.outputs.push_back({output.name, output.type});
         for (const State& state : machine_.states) test.situations.add({state.situation});
         for (const auto& sequence : tour.sequences)
             if (!sequence.empty()) test.sequences.push_back(steps(sequence));
@@ -78,7 +79,9 @@ private:
         });
     }
 
-    std::uint64_t pair(std::uint32_t state, std::uint32_t inputs) const { return std::uint64_t{state} * combinations_ + inputs; }
+    std::uint64_t pair(std::uint32_t state, std::uint32_t inputs) const {
+        return std::uint64_t{state} * combinations_ + inputs;
+    }
 
     /// One arc per state and combination of inputs. A transition that stays costs no step of its own where another one
     /// arrives with its inputs and holds them, or where a wait follows.
@@ -134,12 +137,14 @@ private:
         const auto [place, added] = staying_.try_emplace({arrival.to, arrival.answer});
         if (!added) return place->second;
         for (const MealyMachine::Transition& one : transitions_from(machine_, arrival.to))
-            if (one.to == arrival.to && one.answer == arrival.answer && one.wait_ms == 0) place->second |= set_of(one.condition);
+            if (one.to == arrival.to && one.answer == arrival.answer && one.wait_ms == 0)
+                place->second |= set_of(one.condition);
         return place->second;
     }
 
     void add(const MealyMachine::Transition& transition, std::uint32_t inputs, bool stays) {
-        arcs_.push_back({transition.from.index, transition.to.index, inputs, transition.answer.index, transition.wait_ms, stays});
+        arcs_.push_back(
+            {transition.from.index, transition.to.index, inputs, transition.answer.index, transition.wait_ms, stays});
     }
 
     std::vector<std::int64_t> values(std::uint32_t inputs) const {
@@ -156,13 +161,14 @@ private:
     TestSequence::Sequence steps(const std::vector<std::uint32_t>& tour) {
         TestSequence::Sequence sequence;
         const TestSequence::Step* last = nullptr;
-        bool held = false;   // the machine stays under the inputs of the last step, which says so
+        bool held = false;  // the machine stays under the inputs of the last step, which says so
         for (const std::uint32_t index : tour) {
             const TourArc& arc = arcs_[index];
             const std::vector<std::int64_t> inputs = values(arc.inputs);
             if (arc.wait_ms != 0 && !(held && last != nullptr && last->inputs == inputs))
                 sequence.steps.push_back({inputs, staying_answer(arc.from, inputs), cycles(true), 0, {arc.from}});
-            sequence.steps.push_back({inputs, machine_.answers[{arc.answer}].values, cycles(arc.stays), arc.wait_ms, {arc.to}});
+            sequence.steps.push_back(
+                {inputs, machine_.answers[{arc.answer}].values, cycles(arc.stays), arc.wait_ms, {arc.to}});
             last = &sequence.steps.back();
             held = arc.stays && (!options_.one_cycle_each || arc.from == arc.to);
         }
@@ -173,7 +179,9 @@ private:
     std::uint32_t cycles(bool stays) const { return stays && !options_.one_cycle_each ? 2 : 1; }
 
     bool holds(Id<Expr> condition, const std::vector<std::int64_t>& inputs) const {
-        return evaluate(machine_.exprs, condition, [&](const Expr& leaf) { return inputs[static_cast<std::size_t>(leaf.value)]; }).value_or(0) != 0;
+        return evaluate(machine_.exprs, condition, [&](const Expr& leaf) {
+                   return inputs[static_cast<std::size_t>(leaf.value)];
+               }).value_or(0) != 0;
     }
 
     /// What is written in `state` while it stays.
@@ -196,13 +204,13 @@ private:
     InputSpace space_;
     InputSets sets_;
     std::uint64_t combinations_ = 0;
-    std::vector<std::uint32_t> strides_ = {};   ///< per input, in the numbers of combinations
-    std::vector<std::uint32_t> weights_ = {};   ///< per variable of the space
+    std::vector<std::uint32_t> strides_ = {};  ///< per input, in the numbers of combinations
+    std::vector<std::uint32_t> weights_ = {};  ///< per variable of the space
     std::vector<TourArc> arcs_ = {};
     std::vector<std::vector<std::int64_t>> witnesses_ = {};
     std::map<std::pair<Id<State>, Id<MealyMachine::Answer>>, Bdd> staying_ = {};
     std::uint64_t to_cover_ = 0;
-    std::uint64_t crossed_before_waits_ = 0;    ///< stable transitions that only the step before a wait crosses
+    std::uint64_t crossed_before_waits_ = 0;  ///< stable transitions that only the step before a wait crosses
 };
 
 /// The bits that all inputs together have.

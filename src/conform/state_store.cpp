@@ -11,7 +11,7 @@ StateLayout::StateLayout(const Equations& equations) {
     for (const Kept& each : kept(equations)) {
         const Type type = equations.variables[each.variable].type;
         const auto width = static_cast<std::uint32_t>(std::max<std::size_t>(1, bit_count(type)));
-        if (bits % 64 + width > 64) bits += 64 - bits % 64;   // a field stands in one word
+        if (bits % 64 + width > 64) bits += 64 - bits % 64;  // a field stands in one word
         fields.push_back({each, type, bits / 64, bits % 64, (std::uint64_t{1} << width) - 1});
         first_bit[each.variable.index] = bits;
         bits += width;
@@ -35,7 +35,9 @@ void StateLayout::set(PackedState& state, std::uint32_t field, std::int64_t valu
     state[at.word] = (state[at.word] & ~(at.mask << at.shift)) | (packed << at.shift);
 }
 
-bool has_bit(std::span<const std::uint64_t> state, std::uint32_t bit) { return ((state[bit / 64] >> (bit % 64)) & 1U) != 0; }
+bool has_bit(std::span<const std::uint64_t> state, std::uint32_t bit) {
+    return ((state[bit / 64] >> (bit % 64)) & 1U) != 0;
+}
 
 void set_bit(PackedState& state, std::uint32_t bit, bool value) {
     const std::uint64_t mask = std::uint64_t{1} << (bit % 64);

@@ -23,11 +23,11 @@ struct StateLayout {
         Kept kept = {};
         Type type = {};
         std::uint32_t word = 0, shift = 0;
-        std::uint64_t mask = 0;                  ///< before the shift
+        std::uint64_t mask = 0;  ///< before the shift
     };
     struct Timer {
-        std::uint32_t fresh = 0, falling = 0;    ///< bits
-        std::uint32_t level = 0;                 ///< the bit of what it watches
+        std::uint32_t fresh = 0, falling = 0;  ///< bits
+        std::uint32_t level = 0;               ///< the bit of what it watches
     };
 
     explicit StateLayout(const Equations& equations);
@@ -35,10 +35,10 @@ struct StateLayout {
     std::int64_t value(std::span<const std::uint64_t> state, std::uint32_t field) const;
     void set(PackedState& state, std::uint32_t field, std::int64_t value) const;
 
-    std::vector<Field> fields = {};              ///< those of watched levels are the last
-    std::size_t evolving = 0;                    ///< fields before those
+    std::vector<Field> fields = {};  ///< those of watched levels are the last
+    std::size_t evolving = 0;        ///< fields before those
     std::vector<Timer> timers = {};
-    std::size_t words = 1;                       ///< of 64 bits
+    std::size_t words = 1;  ///< of 64 bits
 };
 
 bool has_bit(std::span<const std::uint64_t> state, std::uint32_t bit);
@@ -53,7 +53,9 @@ public:
     explicit StateStore(std::size_t words) : words_(words) {}
 
     std::size_t size() const { return packed_.size() / words_; }
-    std::span<const std::uint64_t> at(StateId state) const { return {packed_.data() + std::size_t{state} * words_, words_}; }
+    std::span<const std::uint64_t> at(StateId state) const {
+        return {packed_.data() + std::size_t{state} * words_, words_};
+    }
 
     /// The number of the state, new or known.
     StateId intern(std::span<const std::uint64_t> state);
@@ -63,7 +65,7 @@ private:
 
     std::size_t words_ = 1;
     std::vector<std::uint64_t> packed_ = {};
-    std::vector<StateId> slots_ = std::vector<StateId>(64, no_state);   ///< open addressing
+    std::vector<StateId> slots_ = std::vector<StateId>(64, no_state);  ///< open addressing
 };
 
 }  // namespace grafverif::conform

@@ -26,8 +26,8 @@ namespace grafverif {
 struct TestOptions {
     TestCover cover = TestCover::Transitions;
     bool one_cycle_each = false;
-    std::size_t max_input_bits = 20;             ///< of TestCover::Transitions: 2^20 combinations
-    std::uint64_t max_pairs = 100'000'000;       ///< likewise: of states and combinations
+    std::size_t max_input_bits = 20;        ///< of TestCover::Transitions: 2^20 combinations
+    std::uint64_t max_pairs = 100'000'000;  ///< likewise: of states and combinations
 };
 
 /// The sequences for `machine`, or nothing after an error: too many combinations of inputs, nothing to cover. Requires

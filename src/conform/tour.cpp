@@ -47,11 +47,13 @@ private:
     std::optional<std::vector<std::uint32_t>> levels_to_demand() const;
     void drain(std::uint32_t source, const std::vector<std::uint32_t>& level, std::vector<std::size_t>& next);
     void send(std::uint32_t source, std::uint32_t target, const std::vector<std::uint32_t>& path);
-    std::int64_t reduced(std::uint32_t from, const Half& half) const { return half.cost + potential_[from] - potential_[half.to]; }
+    std::int64_t reduced(std::uint32_t from, const Half& half) const {
+        return half.cost + potential_[from] - potential_[half.to];
+    }
 
     std::vector<Half> halves_ = {};
-    std::vector<std::vector<std::uint32_t>> out_ = {};   ///< per node: halves
-    std::vector<std::int64_t> supply_ = {};              ///< still to leave, or to enter
+    std::vector<std::vector<std::uint32_t>> out_ = {};  ///< per node: halves
+    std::vector<std::int64_t> supply_ = {};             ///< still to leave, or to enter
     std::vector<std::int64_t> potential_ = {};
 };
 
@@ -78,7 +80,7 @@ bool Flow::shortest_paths() {
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     for (std::uint32_t node = 0; node < out_.size(); ++node)
         if (supply_[node] > 0) open.emplace(distance[node] = 0, node);
-    std::int64_t nearest = unlimited;   // demand
+    std::int64_t nearest = unlimited;  // demand
     while (!open.empty()) {
         const auto [far, node] = open.top();
         open.pop();
@@ -126,7 +128,7 @@ std::optional<std::vector<std::uint32_t>> Flow::levels_to_demand() const {
 
 /// Sends what `source` supplies, from level to level, as far as it goes. `next`: per node the first half not tried in vain.
 void Flow::drain(std::uint32_t source, const std::vector<std::uint32_t>& level, std::vector<std::size_t>& next) {
-    std::vector<std::uint32_t> path;   // halves
+    std::vector<std::uint32_t> path;  // halves
     while (supply_[source] > 0) {
         const std::uint32_t node = path.empty() ? source : halves_[path.back()].to;
         if (supply_[node] < 0) {
@@ -180,9 +182,13 @@ std::vector<std::uint32_t> distinct_arcs(const std::vector<TourArc>& arcs) {
     std::vector<std::uint32_t> all;
     for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
         if (arcs[arc].from != arcs[arc].to) all.push_back(arc);
-    const auto key = [&](std::uint32_t arc) { return std::tuple(arcs[arc].from, arcs[arc].to, arcs[arc].wait_ms != 0, arc); };
+    const auto key = [&](std::uint32_t arc) {
+        return std::tuple(arcs[arc].from, arcs[arc].to, arcs[arc].wait_ms != 0, arc);
+    };
     std::ranges::sort(all, {}, key);
-    const auto same = [&](std::uint32_t a, std::uint32_t b) { return arcs[a].from == arcs[b].from && arcs[a].to == arcs[b].to; };
+    const auto same = [&](std::uint32_t a, std::uint32_t b) {
+        return arcs[a].from == arcs[b].from && arcs[a].to == arcs[b].to;
+    };
     all.erase(std::unique(all.begin(), all.end(), same), all.end());
     return all;
 }
@@ -208,7 +214,7 @@ bool strongly_connected(std::uint32_t nodes, std::uint32_t start, const std::vec
 /// How often each arc is crossed, and how often the controller is switched off and on again in each node.
 struct Crossings {
     std::vector<std::uint32_t> arcs = {};
-    std::vector<std::int64_t> ends = {};     ///< per node
+    std::vector<std::int64_t> ends = {};  ///< per node
     std::int64_t starts = 1;
 };
 
@@ -217,7 +223,7 @@ struct Crossings {
 Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs) {
     const std::vector<std::uint32_t> distinct = distinct_arcs(arcs);
     const bool several = !strongly_connected(nodes, start, arcs, distinct);
-    const std::int64_t step_cost = several ? std::int64_t{1} << 32U : 1;   // fewer sequences only where no step is lost
+    const std::int64_t step_cost = several ? std::int64_t{1} << 32U : 1;  // fewer sequences only where no step is lost
     Flow flow(nodes + 1);
     for (const TourArc& arc : arcs) {
         flow.add_supply(arc.to, 1);
@@ -230,7 +236,8 @@ Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<T
     if (several) flow.add_arc(nodes, start, 1);
     flow.solve();
     Crossings crossings{std::vector<std::uint32_t>(arcs.size(), 1), {}, 1};
-    for (std::size_t k = 0; k < distinct.size(); ++k) crossings.arcs[distinct[k]] += static_cast<std::uint32_t>(flow.flow(k));
+    for (std::size_t k = 0; k < distinct.size(); ++k)
+        crossings.arcs[distinct[k]] += static_cast<std::uint32_t>(flow.flow(k));
     for (std::uint32_t node = 0; node < nodes; ++node) crossings.ends.push_back(flow.flow(distinct.size() + node));
     if (several) crossings.starts += flow.flow(distinct.size() + nodes);
     return crossings;
@@ -241,14 +248,19 @@ Crossings balanced(std::uint32_t nodes, std::uint32_t start, const std::vector<T
 class Circuit {
 public:
     Circuit(std::uint32_t nodes, std::uint32_t start, const std::vector<TourArc>& arcs, Crossings crossings)
-        : nodes_(nodes), start_(start), arcs_(arcs), left_(std::move(crossings)), leaving_(nodes, arcs), next_(leaving_.first) {
+        : nodes_(nodes),
+          start_(start),
+          arcs_(arcs),
+          left_(std::move(crossings)),
+          leaving_(nodes, arcs),
+          next_(leaving_.first) {
         for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
             if (arcs[arc].wait_ms != 0) waits_.emplace(key(arcs[arc].from, arcs[arc].inputs), arc);
     }
 
     std::vector<std::vector<std::uint32_t>> sequences() {
         std::vector<Visit> path{{nodes_, none}};
-        std::vector<std::uint32_t> reversed;   // arcs; `none` where the controller is switched on
+        std::vector<std::uint32_t> reversed;  // arcs; `none` where the controller is switched on
         while (!path.empty()) {
             const Visit here = path.back();
             if (const std::uint32_t arc = onwards(here); arc != none) {
@@ -275,7 +287,7 @@ public:
 private:
     struct Visit {
         std::uint32_t node = 0;
-        std::uint32_t arc = none;   ///< that led here
+        std::uint32_t arc = none;  ///< that led here
     };
 
     static std::uint64_t key(std::uint32_t node, std::uint32_t inputs) { return (std::uint64_t{node} << 32U) | inputs; }
@@ -297,7 +309,7 @@ private:
     const std::vector<TourArc>& arcs_;
     Crossings left_;
     Leaving leaving_;
-    std::vector<std::uint32_t> next_;   ///< per node: the first of its arcs that may have crossings left
+    std::vector<std::uint32_t> next_;  ///< per node: the first of its arcs that may have crossings left
     std::unordered_map<std::uint64_t, std::uint32_t> waits_ = {};
 };
 
@@ -315,7 +327,8 @@ namespace {
 /// Breadth-first searches for the nearest node wanted.
 class NearestSearch {
 public:
-    NearestSearch(std::uint32_t nodes, const std::vector<TourArc>& arcs) : arcs_(arcs), leaving_(nodes, arcs), seen_in_(nodes), by_(nodes) {}
+    NearestSearch(std::uint32_t nodes, const std::vector<TourArc>& arcs)
+        : arcs_(arcs), leaving_(nodes, arcs), seen_in_(nodes), by_(nodes) {}
 
     /// The arcs of a shortest path from `start` on to a node wanted, the last first; empty: none is in reach.
     std::vector<std::uint32_t> path(std::uint32_t start, const std::vector<bool>& wanted) {
@@ -347,7 +360,7 @@ private:
     const std::vector<TourArc>& arcs_;
     Leaving leaving_;
     std::uint32_t round_ = 0;
-    std::vector<std::uint32_t> seen_in_, by_;   ///< per node: the last search that saw it, and the arc it came by
+    std::vector<std::uint32_t> seen_in_, by_;  ///< per node: the last search that saw it, and the arc it came by
 };
 
 }  // namespace
@@ -361,7 +374,7 @@ Tour visiting_tour(std::uint32_t nodes, std::uint32_t start, const std::vector<T
     std::uint32_t here = start;
     for (auto open = std::ranges::count(wanted, true); open > 0;) {
         const std::vector<std::uint32_t> path = search.path(here, wanted);
-        if (path.empty()) {   // what is left can be reached from power-on only
+        if (path.empty()) {  // what is left can be reached from power-on only
             here = start;
             tour.sequences.emplace_back();
             continue;

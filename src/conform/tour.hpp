@@ -10,15 +10,15 @@ namespace grafverif::conform {
 /// An arc of the graph, crossed by one step; `wait`: it has to follow a step with the same inputs.
 struct TourArc {
     std::uint32_t from = 0, to = 0;
-    std::uint32_t inputs = 0;        ///< their number, whatever it counts
+    std::uint32_t inputs = 0;  ///< their number, whatever it counts
     std::uint32_t answer = 0;
     std::int64_t wait_ms = 0;
-    bool stays = false;              ///< the machine stays in `to` under these inputs
+    bool stays = false;  ///< the machine stays in `to` under these inputs
 };
 
 struct Tour {
-    std::vector<std::vector<std::uint32_t>> sequences = {};   ///< arcs, each sequence from `start`
-    std::uint64_t length = 0;        ///< arcs in all, which no tour undercuts
+    std::vector<std::vector<std::uint32_t>> sequences = {};  ///< arcs, each sequence from `start`
+    std::uint64_t length = 0;                                ///< arcs in all, which no tour undercuts
 };
 
 /// A tour that crosses every arc of `arcs`, all of which can be reached from `start` through arcs of `arcs`: one

@@ -35,10 +35,11 @@ struct Hierarchy {
     std::vector<Id<Chart::PartialChart>> home = {};
     /// Homes, each after those that enclose it or force something in it.
     std::vector<Id<Chart::PartialChart>> order = {};
-    std::vector<std::vector<Id<Chart::Step>>> region = {};           ///< per partial chart
-    std::vector<std::vector<Id<Chart::ForcingOrder>>> orders = {};   ///< per partial chart: those that its region is under
-    std::vector<std::vector<Id<Chart::Step>>> forced = {};           ///< per order: the steps it makes active, sorted
-    std::vector<bool> initial = {};                                  ///< per step: active at power-on
+    std::vector<std::vector<Id<Chart::Step>>> region = {};  ///< per partial chart
+    std::vector<std::vector<Id<Chart::ForcingOrder>>> orders =
+        {};                                                 ///< per partial chart: those that its region is under
+    std::vector<std::vector<Id<Chart::Step>>> forced = {};  ///< per order: the steps it makes active, sorted
+    std::vector<bool> initial = {};                         ///< per step: active at power-on
 };
 
 /// Nothing after adding an error: a cycle, or a chart that one step forces twice.
@@ -51,7 +52,7 @@ bool conflict(const Chart& chart, const Hierarchy& hierarchy, Id<Chart::ForcingO
 inline constexpr std::size_t term_size_limit = 1'000'000;    ///< nodes of one equation, as printed
 inline constexpr std::size_t total_size_limit = 10'000'000;  ///< nodes of all terms that substitution and races add
 inline constexpr std::size_t term_depth_limit = 2'000;
-inline constexpr std::size_t stored_value_limit = 1'000;     ///< different values stored in one variable
+inline constexpr std::size_t stored_value_limit = 1'000;  ///< different values stored in one variable
 
 /// Size and depth of terms as trees, which is how they are printed. Sizes saturate well above every limit.
 class Measures {
@@ -68,9 +69,9 @@ private:
 
 /// Where a term is read, which decides what a leaf of the chart stands for.
 enum class Reading {
-    Before,   ///< in a cycle, over the values before it: conditions, events, values to store
-    After,    ///< at its end, over the values after it: outputs, what timers watch
-    First,    ///< in the first evolution, where there are no edges: values to store
+    Before,  ///< in a cycle, over the values before it: conditions, events, values to store
+    After,   ///< at its end, over the values after it: outputs, what timers watch
+    First,   ///< in the first evolution, where there are no edges: values to store
 };
 
 struct Derivation {
@@ -78,29 +79,27 @@ struct Derivation {
     Diagnostics& diagnostics;
     Equations equations = {};
     Hierarchy hierarchy = {};
-    UniqueNames names = {};                              ///< of the variables of the equations, and of timers
-    std::vector<Id<Equations::Variable>> steps = {};     ///< X_s, per step
-    std::vector<Id<Equations::Variable>> firings = {};   ///< CF_t, per transition
-    std::vector<Id<Expr>> step_leaves = {};              ///< X_s as a term: looking leaves up anew is what costs most
-    std::vector<Id<Expr>> firing_leaves = {};            ///< CF_t as a term
-    std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};   ///< per variable
-    std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};           ///< per variable
-    std::vector<bool> reads_output = {};                 ///< per term of the chart: a continuous output occurs in it
-    std::vector<Id<Expr>> values = {};                   ///< per variable: equation (13) of a continuous output
-    std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};   ///< P_e, per term e of the equations
-    std::unordered_map<std::uint32_t, Id<Equations::Variable>> watched = {};    ///< V_e, likewise
+    UniqueNames names = {};                             ///< of the variables of the equations, and of timers
+    std::vector<Id<Equations::Variable>> steps = {};    ///< X_s, per step
+    std::vector<Id<Equations::Variable>> firings = {};  ///< CF_t, per transition
+    std::vector<Id<Expr>> step_leaves = {};             ///< X_s as a term: looking leaves up anew is what costs most
+    std::vector<Id<Expr>> firing_leaves = {};           ///< CF_t as a term
+    std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous = {};  ///< per variable
+    std::vector<std::vector<Id<Chart::StoredAction>>> stored = {};          ///< per variable
+    std::vector<bool> reads_output = {};  ///< per term of the chart: a continuous output occurs in it
+    std::vector<Id<Expr>> values = {};    ///< per variable: equation (13) of a continuous output
+    std::unordered_map<std::uint32_t, Id<Equations::Variable>> previous = {};  ///< P_e, per term e of the equations
+    std::unordered_map<std::uint32_t, Id<Equations::Variable>> watched = {};   ///< V_e, likewise
     /// Timers by watched variable, t1 and t2.
     std::map<std::tuple<Id<Equations::Variable>, std::int64_t, std::int64_t>, Id<Equations::Timer>> timers = {};
     Measures measures = {};
-    std::uint64_t added = 0;                             ///< towards total_size_limit
-    bool exhausted = false;                              ///< the total was exceeded, and said so
-    std::size_t errors_before = 0;                       ///< of the inputs handled earlier
+    std::uint64_t added = 0;        ///< towards total_size_limit
+    bool exhausted = false;         ///< the total was exceeded, and said so
+    std::size_t errors_before = 0;  ///< of the inputs handled earlier
 };
 
 /// Whether an error was found in this chart.
-inline bool failed(const Derivation& derivation) {
-    return derivation.diagnostics.errors() != derivation.errors_before;
-}
+inline bool failed(const Derivation& derivation) { return derivation.diagnostics.errors() != derivation.errors_before; }
 
 /// Whether `variable` is an output without stored actions, which has an equation (13).
 bool is_continuous(const Derivation& derivation, Id<Chart::Variable> variable);

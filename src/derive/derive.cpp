@@ -23,17 +23,19 @@ namespace {
 struct Edges {
     std::vector<bool> occur = {};
     std::vector<bool> needed = {};
-    std::vector<bool> nested = {};   ///< an edge of an edge occurs in it
+    std::vector<bool> nested = {};  ///< an edge of an edge occurs in it
 };
 
 bool needs_edge(const Exprs& exprs, Id<Expr> term, const std::vector<bool>& needed) {
     const std::span<const Id<Expr>> operands = exprs.operands(term);
     const auto needs = [&](Id<Expr> operand) -> bool { return needed[operand.index]; };
     switch (exprs[term].op) {
-    case Op::Rise: case Op::Fall: case Op::False: return true;
-    case Op::And:                                 return std::ranges::any_of(operands, needs);
-    case Op::Or:                                  return std::ranges::all_of(operands, needs);
-    default:                                      return false;
+    case Op::Rise:
+    case Op::Fall:
+    case Op::False: return true;
+    case Op::And: return std::ranges::any_of(operands, needs);
+    case Op::Or: return std::ranges::all_of(operands, needs);
+    default: return false;
     }
 }
 
@@ -74,8 +76,7 @@ struct Refusal {
     void continuous_actions() const {
         for (const Chart::ContinuousAction& action : chart.continuous)
             if (edge.occur[action.condition.index])
-                diagnostics.add(
-                    messages::edge_in_assignation(action.origin, chart.variables[action.output].name));
+                diagnostics.add(messages::edge_in_assignation(action.origin, chart.variables[action.output].name));
     }
 
     /// 4.8.3: an event is an instant, so it needs an edge.
@@ -113,8 +114,8 @@ void add_variables(Derivation& derivation) {
     const Chart& chart = derivation.chart;
     Equations& equations = derivation.equations;
     for (const Chart::Variable& variable : chart.variables)
-        equations.variables.add({names.fresh(variable.name), role(variable.kind), variable.type, variable.initial,
-                                 variable.origin});
+        equations.variables.add(
+            {names.fresh(variable.name), role(variable.kind), variable.type, variable.initial, variable.origin});
     for (const Id<Chart::Step> id : chart.steps.ids()) {
         const Chart::Step& step = chart.steps[id];
         const std::string name = names.fresh("X_" + qualifier(chart, id, '_') + step.name);
@@ -143,7 +144,7 @@ void index_actions(Derivation& derivation) {
         const Expr& node = chart.exprs[Id<Expr>{index}];
         bool reads = node.op == Op::Variable &&
                      is_continuous(derivation, Id<Chart::Variable>{static_cast<std::uint32_t>(node.value)});
-        if (node.op == Op::Timed) {   // what it watches precedes it
+        if (node.op == Op::Timed) {  // what it watches precedes it
             const Id<Chart::TimeCondition> timed{static_cast<std::uint32_t>(node.value)};
             reads = derivation.reads_output[chart.time_conditions[timed].watched.index];
         }

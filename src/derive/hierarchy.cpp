@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "derive/derivation.hpp"
-
 #include <algorithm>
 
+#include "derive/derivation.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif {
@@ -73,7 +72,7 @@ private:
     }
 
     void find_stand_ins() {
-        std::vector<Id<Chart::Step>> entry(chart_.steps.size()), exit(chart_.steps.size());   // of the expansion
+        std::vector<Id<Chart::Step>> entry(chart_.steps.size()), exit(chart_.steps.size());  // of the expansion
         for (const Id<Chart::Step> id : chart_.steps.ids()) {
             const Chart::Step& step = chart_.steps[id];
             if (partial(step.chart).kind != Chart::PartialKind::Expansion) continue;
@@ -145,7 +144,7 @@ private:
         initial.resize(chart_.steps.size());
         for (const Id<Chart::Step> step : chart_.steps.ids())
             if (chart_.steps[step].initial) initial[result_.entered[step.index].index] = true;
-        std::vector<std::vector<Id<Chart::ForcingOrder>>> orders(chart_.partial_charts.size());   // per home
+        std::vector<std::vector<Id<Chart::ForcingOrder>>> orders(chart_.partial_charts.size());  // per home
         for (const Id<Chart::ForcingOrder> id : chart_.forcing.ids())
             orders[result_.home[chart_.forcing[id].forced.index].index].push_back(id);
         for (const Id<Partial> home : result_.order) {
@@ -188,17 +187,18 @@ private:
         const Chart::ForcingOrder& first = chart_.forcing[one];
         const Chart::ForcingOrder& second = chart_.forcing[other];
         if (first.forced != forced && second.forced != forced) return;
-        const bool together = first.step == second.step ||
-                              (result_.initial[first.step.index] && result_.initial[second.step.index]);
+        const bool together =
+            first.step == second.step || (result_.initial[first.step.index] && result_.initial[second.step.index]);
         if (!together || !conflict(chart_, result_, one, other)) return;
         if (first.forced == second.forced) {
             diagnostics_.add(messages::forced_twice(second.origin, partial(forced).name, first.origin));
             return;
         }
-        const bool own = second.forced == forced;   // the order of the expansion, rather than that of what it expands
+        const bool own = second.forced == forced;  // the order of the expansion, rather than that of what it expands
         const Chart::ForcingOrder& inner = own ? second : first;
         const Chart::ForcingOrder& whole = own ? first : second;
-        diagnostics_.add(messages::forced_beside(inner.origin, partial(forced).name, partial(whole.forced).name, whole.origin));
+        diagnostics_.add(
+            messages::forced_beside(inner.origin, partial(forced).name, partial(whole.forced).name, whole.origin));
     }
 
     const Chart& chart_;

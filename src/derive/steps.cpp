@@ -60,7 +60,7 @@ public:
             if (chart_.steps[step].activation_link) linked_[hierarchy_.entered[step.index].index] = true;
         std::vector<Equations::StepActivity>& steps = derivation_.equations.steps;
         steps.resize(chart_.steps.size());
-        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());   // per home
+        std::vector<std::vector<Id<Chart::PartialChart>>> expansions(chart_.partial_charts.size());  // per home
         for (const Id<Chart::PartialChart> id : chart_.partial_charts.ids())
             if (hierarchy_.home[id.index] != id) expansions[hierarchy_.home[id.index].index].push_back(id);
         for (const Id<Chart::PartialChart> home : hierarchy_.order) {
@@ -103,7 +103,8 @@ private:
             const Id<Chart::Step> forcing = chart_.forcing[order].step;
             if (chart_.forcing[order].to == Chart::ForcedTo::Current)
                 held.push_back(exprs_.conjunction(active(forcing), of(forcing).next));
-            else if (std::ranges::binary_search(hierarchy_.forced[order.index], step)) raised.push_back(of(forcing).next);
+            else if (std::ranges::binary_search(hierarchy_.forced[order.index], step))
+                raised.push_back(of(forcing).next);
             else cleared.push_back(of(forcing).next);
         }
         const Id<Chart::Step> enclosing = chart_.partial_charts[home].owner;
@@ -142,7 +143,7 @@ private:
     const Chart& chart_;
     const Hierarchy& hierarchy_;
     Exprs& exprs_;
-    std::vector<std::vector<Id<Expr>>> on_, off_;   ///< per step: the firing conditions that activate, deactivate it
+    std::vector<std::vector<Id<Expr>>> on_, off_;  ///< per step: the firing conditions that activate, deactivate it
     std::vector<bool> linked_;
 };
 

@@ -23,10 +23,10 @@ struct Group {
 Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
     const std::string& target = derivation.chart.variables[action.target].name;
     switch (action.on) {
-    case Chart::StoredOn::Clearing:     return derivation.firing_leaves[action.transition.index];
-    case Chart::StoredOn::Activation:   return derivation.equations.steps[action.step.index].activated;
+    case Chart::StoredOn::Clearing: return derivation.firing_leaves[action.transition.index];
+    case Chart::StoredOn::Activation: return derivation.equations.steps[action.step.index].activated;
     case Chart::StoredOn::Deactivation: return derivation.equations.steps[action.step.index].deactivated;
-    case Chart::StoredOn::Event:        break;
+    case Chart::StoredOn::Event: break;
     }
     const Id<Expr> event = over_equations(derivation, action.event, Reading::Before, action.origin,
                                           "the event of an action on `" + target + "`");
@@ -37,7 +37,7 @@ Id<Expr> trigger_of(Derivation& derivation, const Chart::StoredAction& action) {
 /// The actions on `variable`, as its writes, in order; fewer after an error.
 struct Writes {
     std::vector<Equations::Write> list = {};
-    std::vector<Id<Expr>> first = {};   ///< of those that are initial: the value in the first evolution
+    std::vector<Id<Expr>> first = {};  ///< of those that are initial: the value in the first evolution
 };
 
 Writes writes(Derivation& derivation, Id<Chart::Variable> variable) {
@@ -145,7 +145,7 @@ Equations::Stored stored_equation(Derivation& derivation, Id<Chart::Variable> va
     result.next = next(exprs, grouped, before);
     result.race = race(derivation, grouped);
     result.first = before;
-    std::vector<Id<Expr>> differing;   // from the first of the initial writes
+    std::vector<Id<Expr>> differing;  // from the first of the initial writes
     if (!written.first.empty()) result.first = written.first.front();
     for (const Id<Expr> value : written.first)
         if (value != result.first) differing.push_back(exprs.apply(Op::NotEqual, result.first, value));

@@ -71,9 +71,8 @@ Id<Expr> copied(Derivation& derivation, Id<Expr> root, Reading reading, Span whe
         const Id<Expr> value = derivation.values[index];
         return value.valid() ? value : exprs.leaf(Op::Variable, index);
     };
-    return TermCopier(derivation.chart.exprs, exprs, leaf, [&](Op op, Id<Expr> now) {
-        return edge(derivation, now, op == Op::Rise, reading, where);
-    })(root);
+    return TermCopier(derivation.chart.exprs, exprs, leaf,
+                      [&](Op op, Id<Expr> now) { return edge(derivation, now, op == Op::Rise, reading, where); })(root);
 }
 
 }  // namespace
@@ -115,8 +114,8 @@ Id<Expr> consistent(Exprs& exprs, Id<Expr> term) {
     std::unordered_set<std::uint32_t> denied;
     for (const Id<Expr> operand : exprs.operands(term))
         if (exprs[operand].op == Op::Not) denied.insert(exprs.operands(operand)[0].index);
-    const bool contradicts = std::ranges::any_of(
-        exprs.operands(term), [&](Id<Expr> operand) { return denied.contains(operand.index); });
+    const bool contradicts =
+        std::ranges::any_of(exprs.operands(term), [&](Id<Expr> operand) { return denied.contains(operand.index); });
     return contradicts ? exprs.constant(false) : term;
 }
 

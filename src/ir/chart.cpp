@@ -32,9 +32,9 @@ bool leaf_in_table(const Chart& chart, const Expr& leaf) {
     const auto index = static_cast<std::uint32_t>(leaf.value);
     switch (leaf.op) {
     case Op::Variable: return index < chart.variables.size();
-    case Op::Step:     return index < chart.steps.size();
-    case Op::Timed:    return index < chart.time_conditions.size();
-    default:           return !is_leaf(leaf.op) && leaf.op != Op::Duration;
+    case Op::Step: return index < chart.steps.size();
+    case Op::Timed: return index < chart.time_conditions.size();
+    default: return !is_leaf(leaf.op) && leaf.op != Op::Duration;
     }
 }
 
@@ -91,7 +91,8 @@ void check_partial_charts(const Chart& chart, Faults& faults) {
                      "the owner of " + partial.name + " does not fit its kind");
         if (chart.steps.contains(partial.owner)) {
             const Chart::StepKind wanted = is_expansion ? Chart::StepKind::Macro : Chart::StepKind::Enclosing;
-            faults.check(chart.steps[partial.owner].kind == wanted, "the owner of " + partial.name + " is another step");
+            faults.check(chart.steps[partial.owner].kind == wanted,
+                         "the owner of " + partial.name + " is another step");
             if (is_expansion) ++expansions[partial.owner.index];
         }
         if (!is_expansion) continue;

@@ -97,22 +97,22 @@ std::vector<std::string> verify(const ChartRun& run) {
 
 std::string_view word(ChartRun::Kind kind) {
     switch (kind) {
-        case ChartRun::Kind::Plant: return "plant";
-        case ChartRun::Kind::Environment: return "environment";
-        case ChartRun::Kind::Timer: return "timer";
-        case ChartRun::Kind::Controller: return "controller";
-        case ChartRun::Kind::Delay: return "delay";
+    case ChartRun::Kind::Plant: return "plant";
+    case ChartRun::Kind::Environment: return "environment";
+    case ChartRun::Kind::Timer: return "timer";
+    case ChartRun::Kind::Controller: return "controller";
+    case ChartRun::Kind::Delay: return "delay";
     }
     unreachable();
 }
 
 std::string_view word(ChartRun::Role role) {
     switch (role) {
-        case ChartRun::Role::Input: return "input";
-        case ChartRun::Role::Output: return "output";
-        case ChartRun::Role::Internal: return "internal";
-        case ChartRun::Role::Image: return "image";
-        case ChartRun::Role::Plant: return "plant";
+    case ChartRun::Role::Input: return "input";
+    case ChartRun::Role::Output: return "output";
+    case ChartRun::Role::Internal: return "internal";
+    case ChartRun::Role::Image: return "image";
+    case ChartRun::Role::Plant: return "plant";
     }
     unreachable();
 }

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "support/overloaded.hpp"
 #include "ir/sorts.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 
@@ -13,8 +13,8 @@ namespace {
 
 Sort sort_of(Component::ValueKind kind) {
     switch (kind) {
-    case Component::ValueKind::Boolean:  return Sort::Boolean;
-    case Component::ValueKind::Integer:  return Sort::Integer;
+    case Component::ValueKind::Boolean: return Sort::Boolean;
+    case Component::ValueKind::Integer: return Sort::Integer;
     case Component::ValueKind::Duration: return Sort::Duration;
     }
     unreachable();

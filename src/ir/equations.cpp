@@ -16,9 +16,11 @@ using Role = Equations::Role;
 struct Check {
     const Equations& equations;
     std::vector<std::string> faults = {};
-    Sorts sorts{equations.exprs, [this](const Expr& leaf) { return sort_of(equations.variables[{static_cast<std::uint32_t>(leaf.value)}].type); }};
-    std::vector<bool> reads_firing = {};   ///< per term: a firing condition occurs in it
-    std::vector<int> defined = {};         ///< per variable: how many equations it has
+    Sorts sorts{equations.exprs, [this](const Expr& leaf) {
+                    return sort_of(equations.variables[{static_cast<std::uint32_t>(leaf.value)}].type);
+                }};
+    std::vector<bool> reads_firing = {};  ///< per term: a firing condition occurs in it
+    std::vector<int> defined = {};        ///< per variable: how many equations it has
 
     void fault(std::string text) { faults.push_back(std::move(text)); }
 
@@ -182,7 +184,8 @@ std::vector<Kept> kept(const Equations& equations) {
     for (const Equations::Previous& previous : equations.previous)
         all.push_back({previous.variable, previous.value, previous.value});
     for (const Equations::StepActivity& step : equations.steps) all.push_back({step.variable, step.next});
-    for (const Equations::Watch& watch : equations.watches) all.push_back({watch.variable, watch.value, watch.value, true});
+    for (const Equations::Watch& watch : equations.watches)
+        all.push_back({watch.variable, watch.value, watch.value, true});
     return all;
 }
 
@@ -206,9 +209,11 @@ std::vector<Fault> faults(const Equations& equations) {
 }
 
 bool acts_at_first(const Equations& equations) {
-    return std::ranges::any_of(kept(equations), [&](const Kept& each) {
-               return each.first.valid() && equations.variables[each.variable].role != Role::Previous && !each.after;
-           }) ||
+    return std::ranges::any_of(kept(equations),
+                               [&](const Kept& each) {
+                                   return each.first.valid() &&
+                                          equations.variables[each.variable].role != Role::Previous && !each.after;
+                               }) ||
            std::ranges::any_of(faults(equations), [&](const Fault& each) {
                return each.first.valid() && !is_false(equations.exprs, each.first);
            });

@@ -29,21 +29,43 @@ std::size_t hash_of(Op op, std::int64_t value, std::span<const Id<Expr>> operand
 std::optional<std::int64_t> combine(Op op, std::int64_t left, std::int64_t right) {
     std::int64_t result = 0;
     switch (op) {
-    case Op::Equal:        return left == right;
-    case Op::NotEqual:     return left != right;
-    case Op::Less:         return left < right;
-    case Op::LessEqual:    return left <= right;
-    case Op::Greater:      return left > right;
+    case Op::Equal: return left == right;
+    case Op::NotEqual: return left != right;
+    case Op::Less: return left < right;
+    case Op::LessEqual: return left <= right;
+    case Op::Greater: return left > right;
     case Op::GreaterEqual: return left >= right;
-    case Op::Plus:         if (__builtin_add_overflow(left, right, &result)) return {}; return result;
-    case Op::Minus:        if (__builtin_sub_overflow(left, right, &result)) return {}; return result;
-    case Op::Times:        if (__builtin_mul_overflow(left, right, &result)) return {}; return result;
-    case Op::Divide:       if (right == 0 || (right == -1 && left == INT64_MIN)) return {}; return left / right;
-    case Op::Modulo:       if (right == 0 || (right == -1 && left == INT64_MIN)) return {}; return left % right;
-    case Op::False: case Op::True: case Op::Integer: case Op::Duration: case Op::Variable: case Op::Step: case Op::Timed:
-    case Op::Parameter: case Op::At: case Op::Not: case Op::And: case Op::Or: case Op::Rise: case Op::Fall:
-    case Op::Negate: case Op::Conditional:
-        break;
+    case Op::Plus:
+        if (__builtin_add_overflow(left, right, &result)) return {};
+        return result;
+    case Op::Minus:
+        if (__builtin_sub_overflow(left, right, &result)) return {};
+        return result;
+    case Op::Times:
+        if (__builtin_mul_overflow(left, right, &result)) return {};
+        return result;
+    case Op::Divide:
+        if (right == 0 || (right == -1 && left == INT64_MIN)) return {};
+        return left / right;
+    case Op::Modulo:
+        if (right == 0 || (right == -1 && left == INT64_MIN)) return {};
+        return left % right;
+    case Op::False:
+    case Op::True:
+    case Op::Integer:
+    case Op::Duration:
+    case Op::Variable:
+    case Op::Step:
+    case Op::Timed:
+    case Op::Parameter:
+    case Op::At:
+    case Op::Not:
+    case Op::And:
+    case Op::Or:
+    case Op::Rise:
+    case Op::Fall:
+    case Op::Negate:
+    case Op::Conditional: break;
     }
     unreachable();
 }
@@ -57,13 +79,18 @@ bool is_arithmetic(Op op) { return op >= Op::Negate && op <= Op::Modulo; }
 bool is_true(const Exprs& exprs, Id<Expr> id) { return exprs[id].op == Op::True; }
 bool is_false(const Exprs& exprs, Id<Expr> id) { return exprs[id].op == Op::False; }
 
-std::uint32_t at_process(const Expr& node) { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(node.value) >> 32U); }
-std::uint32_t at_location(const Expr& node) { return static_cast<std::uint32_t>(static_cast<std::uint64_t>(node.value)); }
+std::uint32_t at_process(const Expr& node) {
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(node.value) >> 32U);
+}
+std::uint32_t at_location(const Expr& node) {
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(node.value));
+}
 
 bool Exprs::operator==(const Exprs& other) const {
     if (nodes_.size() != other.nodes_.size() || operands_ != other.operands_) return false;
     return std::ranges::equal(nodes_, other.nodes_, [](const Expr& left, const Expr& right) {
-        return left.op == right.op && left.value == right.value && left.first == right.first && left.count == right.count;
+        return left.op == right.op && left.value == right.value && left.first == right.first &&
+               left.count == right.count;
     });
 }
 
@@ -85,7 +112,8 @@ Id<Expr> Exprs::intern(Op op, std::int64_t value, std::span<const Id<Expr>> oper
         const Expr& node = nodes_[found.index];
         if (node.op == op && node.value == value && std::ranges::equal(this->operands(found), operands)) return found;
     }
-    const Expr node{op, value, static_cast<std::uint32_t>(operands_.size()), static_cast<std::uint32_t>(operands.size())};
+    const Expr node{op, value, static_cast<std::uint32_t>(operands_.size()),
+                    static_cast<std::uint32_t>(operands.size())};
     // `operands` may be a view into operands_ itself, which growing would move.
     const std::vector<Id<Expr>> copy(operands.begin(), operands.end());
     operands_.insert(operands_.end(), copy.begin(), copy.end());
@@ -134,7 +162,8 @@ std::optional<std::vector<Id<Expr>>> flattened(const Exprs& exprs, Op op, std::s
     };
     for (const Id<Expr> operand : operands) {
         if (exprs[operand].op != op) take(operand);
-        else for (const Id<Expr> inner : exprs.operands(operand)) take(inner);
+        else
+            for (const Id<Expr> inner : exprs.operands(operand)) take(inner);
     }
     if (absorbed) return {};
     if (flat.size() == 2 && flat[0] == flat[1]) flat.pop_back();
@@ -211,13 +240,17 @@ std::optional<std::int64_t> value_of(const Exprs& exprs, Id<Expr> root,
                                      const std::function<std::int64_t(const Expr&)>& leaf, const Value& value) {
     const Expr& node = exprs[root];
     switch (node.op) {
-    case Op::False:    return 0;
-    case Op::True:     return 1;
+    case Op::False: return 0;
+    case Op::True: return 1;
     case Op::Integer:
     case Op::Duration: return node.value;
-    case Op::Variable: case Op::Step: case Op::Timed: case Op::Parameter: case Op::At:
-    case Op::Rise: case Op::Fall:
-        return leaf(node);
+    case Op::Variable:
+    case Op::Step:
+    case Op::Timed:
+    case Op::Parameter:
+    case Op::At:
+    case Op::Rise:
+    case Op::Fall: return leaf(node);
     case Op::Not: {
         const auto operand = value(0);
         return operand ? std::optional<std::int64_t>(*operand == 0) : std::nullopt;
@@ -242,8 +275,17 @@ std::optional<std::int64_t> value_of(const Exprs& exprs, Id<Expr> root,
         if (!condition) return {};
         return value(*condition != 0 ? 1 : 2);
     }
-    case Op::Equal: case Op::NotEqual: case Op::Less: case Op::LessEqual: case Op::Greater: case Op::GreaterEqual:
-    case Op::Plus: case Op::Minus: case Op::Times: case Op::Divide: case Op::Modulo: {
+    case Op::Equal:
+    case Op::NotEqual:
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Greater:
+    case Op::GreaterEqual:
+    case Op::Plus:
+    case Op::Minus:
+    case Op::Times:
+    case Op::Divide:
+    case Op::Modulo: {
         const auto left = value(0);
         const auto right = value(1);
         return left && right ? combine(node.op, *left, *right) : std::nullopt;
@@ -266,8 +308,7 @@ std::vector<std::optional<std::int64_t>> evaluate_all(const Exprs& exprs,
     values.reserve(exprs.size());
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
         const std::span<const Id<Expr>> operands = exprs.operands({index});
-        values.push_back(
-            value_of(exprs, {index}, leaf, [&](std::size_t i) { return values[operands[i].index]; }));
+        values.push_back(value_of(exprs, {index}, leaf, [&](std::size_t i) { return values[operands[i].index]; }));
     }
     return values;
 }
@@ -286,14 +327,16 @@ void collect(const Exprs& exprs, Id<Expr> root, std::unordered_set<std::uint32_t
 }  // namespace
 
 Id<Expr> TermCopier::operator()(Id<Expr> root) {
-    const Expr node = (*from_)[root];   // by value: `to` may be `from`, and grow
+    const Expr node = (*from_)[root];  // by value: `to` may be `from`, and grow
     if (node.op == Op::False || node.op == Op::True) return to_->constant(node.op == Op::True);
     if (node.op == Op::Integer) return to_->integer(node.value);
     if (const auto known = copies_.find(root.index); known != copies_.end()) return known->second;
     std::vector<Id<Expr>> operands(from_->operands(root).begin(), from_->operands(root).end());
     for (Id<Expr>& operand : operands) operand = (*this)(operand);
     const bool is_edge = edge_ && (node.op == Op::Rise || node.op == Op::Fall);
-    const Id<Expr> result = operands.empty() ? leaf_(node) : is_edge ? edge_(node.op, operands[0]) : to_->apply(node.op, operands);
+    const Id<Expr> result = operands.empty() ? leaf_(node)
+                            : is_edge        ? edge_(node.op, operands[0])
+                                             : to_->apply(node.op, operands);
     copies_.emplace(root.index, result);
     return result;
 }

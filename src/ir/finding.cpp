@@ -21,7 +21,8 @@ constexpr std::array kinds = {
     FindingKind{"out-of-range", Level::Error, "A stored action writes a value outside the range of its variable."},
     FindingKind{"no-value", Level::Error, "A condition or a stored value divides by zero."},
     FindingKind{"forcing-cycle", Level::Error, "Forcing orders force each other in a circle."},
-    FindingKind{"forced-twice", Level::Error, "Two forcing orders hold one partial chart in different situations at once."},
+    FindingKind{"forced-twice", Level::Error,
+                "Two forcing orders hold one partial chart in different situations at once."},
     FindingKind{"forced-and-enclosed", Level::Error,
                 "A partial chart is forced while the step that encloses it is active, which governs it too."},
     FindingKind{"action-conflict", Level::Warning,
@@ -44,9 +45,9 @@ std::span<const FindingKind> finding_kinds() { return kinds; }
 
 std::string_view word(Finding::Level level) {
     switch (level) {
-    case Level::Error:   return "error";
+    case Level::Error: return "error";
     case Level::Warning: return "warning";
-    case Level::Note:    return "note";
+    case Level::Note: return "note";
     }
     unreachable();
 }
@@ -67,7 +68,8 @@ std::vector<std::string> verify(const Analysis& analysis) {
     for (const OpenQuestion& question : analysis.open)
         if (std::ranges::find(kinds, question.code, &FindingKind::code) == kinds.end())
             faults.push_back("nothing asks for `" + question.code + "`");
-    if (analysis.open.empty() != analysis.obstacle.empty()) faults.push_back("questions are open without a reason, or the other way round");
+    if (analysis.open.empty() != analysis.obstacle.empty())
+        faults.push_back("questions are open without a reason, or the other way round");
     return faults;
 }
 

@@ -73,7 +73,9 @@ private:
                 [&](const System::ParameterSymbol&) {
                     return std::vector<Site>{{{}, system_.instances[site.instance].arguments[site.symbol.index]}};
                 },
-                [&](const System::MemberSymbol& member) { return std::vector<Site>{{member.instance, member.symbol}}; },
+                [&](const System::MemberSymbol& member) {
+                    return std::vector<Site>{{member.instance, member.symbol}};
+                },
                 [&](const System::DefineSymbol& define) {
                     std::vector<Site> read;
                     for (const Id<Expr> leaf : leaves(system_.exprs, define.value))
@@ -92,7 +94,7 @@ private:
             if (!known_[index(site)].valid())
                 for (const Site source : sources(site))
                     if (!known_[index(source)].valid()) open.push_back(source);
-            assert(open.size() <= known_.size() * known_.size() + 1);   // definitions form no cycle
+            assert(open.size() <= known_.size() * known_.size() + 1);  // definitions form no cycle
             if (open.size() != before) continue;
             open.pop_back();
             if (known_[index(site)].valid()) continue;
@@ -127,8 +129,8 @@ private:
 
     const System& system_;
     FlatSystem flat_ = {};
-    std::vector<std::size_t> offsets_ = {};   ///< per instance: the index of its first symbol
-    std::vector<Id<Expr>> known_ = {};        ///< per site: its value
+    std::vector<std::size_t> offsets_ = {};  ///< per instance: the index of its first symbol
+    std::vector<Id<Expr>> known_ = {};       ///< per site: its value
 };
 
 }  // namespace
@@ -143,8 +145,8 @@ Id<Expr> flattened(const System& system, FlatSystem& flat, Id<Expr> term) {
 std::string_view word(SystemFault::Kind kind) {
     switch (kind) {
     case SystemFault::Kind::NoInitialState: return "no-initial-state";
-    case SystemFault::Kind::DeadEnd:        return "dead-end";
-    case SystemFault::Kind::OutOfRange:     return "out-of-range";
+    case SystemFault::Kind::DeadEnd: return "dead-end";
+    case SystemFault::Kind::OutOfRange: return "out-of-range";
     }
     unreachable();
 }

@@ -19,9 +19,9 @@ namespace grafverif {
 
 struct FlatSystem {
     struct Variable {
-        std::string name = {};                 ///< `START`, of an instance `station.X_2`
+        std::string name = {};  ///< `START`, of an instance `station.X_2`
         Type type = {};
-        bool choice = false;                   ///< chosen anew in each step, no part of the state
+        bool choice = false;  ///< chosen anew in each step, no part of the state
         std::optional<Id<Expr>> initial = {};
         std::optional<Id<Expr>> next = {};
         Span origin = {};
@@ -30,7 +30,7 @@ struct FlatSystem {
 
     Exprs exprs = {};
     Table<Variable> variables = {};
-    std::vector<Id<Expr>> symbols = {};        ///< per symbol of the system's main: its value
+    std::vector<Id<Expr>> symbols = {};  ///< per symbol of the system's main: its value
     std::vector<Id<Expr>> invariants = {}, transitions = {}, justice = {};
 
     bool operator==(const FlatSystem&) const = default;
@@ -44,9 +44,10 @@ Id<Expr> flattened(const TransitionSystem& system, FlatSystem& flat, Id<Expr> te
 
 /// How a program that reads a model of the system spells what is in its tables.
 struct SystemSpelling {
-    std::vector<std::string> variables = {};             ///< of flattened(system).variables
-    std::vector<std::vector<std::string>> values = {};   ///< per variable, the names of its values from type.low; none: numbers
-    std::vector<std::string> properties = {};            ///< of system.properties
+    std::vector<std::string> variables = {};  ///< of flattened(system).variables
+    std::vector<std::vector<std::string>> values =
+        {};                                    ///< per variable, the names of its values from type.low; none: numbers
+    std::vector<std::string> properties = {};  ///< of system.properties
 
     bool operator==(const SystemSpelling&) const = default;
 };
@@ -54,8 +55,8 @@ struct SystemSpelling {
 /// A run of a TransitionSystem. States hold the value of each symbol of main; where that depends on choices, with those
 /// of the step that leaves the state. A symbol without a value there (a definition that divides by zero) is 0.
 struct SystemRun {
-    std::vector<std::vector<std::int64_t>> states = {};   ///< the first is an initial state
-    std::optional<std::size_t> loop = {};                 ///< a last step leads back to this state, and so on for ever
+    std::vector<std::vector<std::int64_t>> states = {};  ///< the first is an initial state
+    std::optional<std::size_t> loop = {};                ///< a last step leads back to this state, and so on for ever
 
     bool operator==(const SystemRun&) const = default;
 };
@@ -63,13 +64,13 @@ struct SystemRun {
 /// Why a system means nothing: no verdict about it would be worth anything.
 struct SystemFault {
     enum class Kind {
-        NoInitialState,   ///< the invariants and initial values contradict each other
-        DeadEnd,          ///< a reachable state has no step
-        OutOfRange,       ///< a step gives `variable` a value outside its range, or none
+        NoInitialState,  ///< the invariants and initial values contradict each other
+        DeadEnd,         ///< a reachable state has no step
+        OutOfRange,      ///< a step gives `variable` a value outside its range, or none
     };
     Kind kind = Kind::NoInitialState;
     std::string variable = {};
-    SystemRun run = {};          ///< to the state where it shows
+    SystemRun run = {};  ///< to the state where it shows
 
     bool operator==(const SystemFault&) const = default;
 };

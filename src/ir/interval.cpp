@@ -32,8 +32,8 @@ std::int64_t product(std::int64_t a, std::int64_t b) {
 }
 
 Interval product(Interval a, Interval b) {
-    const auto [low, high] = std::minmax({product(a.low, b.low), product(a.low, b.high),
-                                          product(a.high, b.low), product(a.high, b.high)});
+    const auto [low, high] =
+        std::minmax({product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)});
     return {low, high};
 }
 
@@ -68,13 +68,13 @@ Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
     if (node.op == Op::Negate) return {difference(0, right.high), difference(0, right.low)};
     const Interval left = interval(exprs, operands[operands.size() - 2], type_of);
     switch (node.op) {
-    case Op::Plus:        return {sum(left.low, right.low), sum(left.high, right.high)};
-    case Op::Minus:       return {difference(left.low, right.high), difference(left.high, right.low)};
-    case Op::Times:       return product(left, right);
-    case Op::Divide:      return quotient(left, right);
-    case Op::Modulo:      return remainder(left, right);
+    case Op::Plus: return {sum(left.low, right.low), sum(left.high, right.high)};
+    case Op::Minus: return {difference(left.low, right.high), difference(left.high, right.low)};
+    case Op::Times: return product(left, right);
+    case Op::Divide: return quotient(left, right);
+    case Op::Modulo: return remainder(left, right);
     case Op::Conditional: return {std::min(left.low, right.low), std::max(left.high, right.high)};
-    default:              unreachable();
+    default: unreachable();
     }
 }
 

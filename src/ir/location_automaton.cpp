@@ -36,7 +36,8 @@ struct Check {
         if (!automaton.exprs.contains(automaton.assumed)) return;
         for (const Id<Expr> leaf : leaves(automaton.exprs, automaton.assumed)) {
             const Id<LocationAutomaton::Input> input{static_cast<std::uint32_t>(automaton.exprs[leaf].value)};
-            if (automaton.inputs.contains(input) && is_timer(automaton.inputs[input])) fault("what is assumed reads a timer");
+            if (automaton.inputs.contains(input) && is_timer(automaton.inputs[input]))
+                fault("what is assumed reads a timer");
         }
     }
 
@@ -57,7 +58,8 @@ struct Check {
     }
 
     bool situation(const std::vector<Id<Step>>& situation) {
-        const bool known = std::ranges::all_of(situation, [&](Id<Step> step) { return automaton.steps.contains(step); });
+        const bool known =
+            std::ranges::all_of(situation, [&](Id<Step> step) { return automaton.steps.contains(step); });
         if (!known) fault("a situation has a step that does not exist");
         if (std::ranges::adjacent_find(situation, std::greater_equal{}) != situation.end())
             fault("the steps of a situation are not in increasing order");
@@ -70,13 +72,15 @@ struct Check {
         for (const Id<Location> id : automaton.locations.ids()) {
             const Location& location = automaton.locations[id];
             situation(location.situation);
-            if (location.values.size() != automaton.stored.size()) fault("a location has not one value per stored variable");
+            if (location.values.size() != automaton.stored.size())
+                fault("a location has not one value per stored variable");
             if (id != automaton.init && !known.emplace(location.situation, location.values).second)
                 fault("two locations are the same");
             for (const LocationAutomaton::Emission& emission : location.emissions) {
                 if (!automaton.outputs.contains(emission.output)) fault("an emission has no output");
                 term(emission.value, "an emission");
-                if (automaton.exprs.contains(emission.value) && is_false(automaton.exprs, emission.value)) fault("an emission never holds");
+                if (automaton.exprs.contains(emission.value) && is_false(automaton.exprs, emission.value))
+                    fault("an emission never holds");
             }
         }
     }
@@ -114,7 +118,8 @@ struct Check {
 
 }  // namespace
 
-std::span<const LocationAutomaton::Evolution> evolutions_from(const LocationAutomaton& automaton, Id<Location> location) {
+std::span<const LocationAutomaton::Evolution> evolutions_from(const LocationAutomaton& automaton,
+                                                              Id<Location> location) {
     return leaving(automaton.evolutions, location);
 }
 

@@ -202,7 +202,9 @@ private:
         if (network_.settled.valid()) check_term(network_.settled, Sort::Boolean, "settled");
     }
 
-    bool check_term(Id<Expr> term, Sort sort, const std::string& what) { return sorts_.check(term, sort, what, faults_); }
+    bool check_term(Id<Expr> term, Sort sort, const std::string& what) {
+        return sorts_.check(term, sort, what, faults_);
+    }
 
     /// Terms are those of `automaton` from here on; none: those of properties.
     void read_terms_of(const Network::Template* automaton) {

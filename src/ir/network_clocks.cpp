@@ -21,7 +21,8 @@ std::int64_t cap_of(const ClockInterval& interval) {
 }
 
 /// Raises the caps of `location` to what `constraints` compare with.
-void compare(const Network& network, const std::vector<Network::ClockConstraint>& constraints, std::vector<std::int64_t>& cap) {
+void compare(const Network& network, const std::vector<Network::ClockConstraint>& constraints,
+             std::vector<std::int64_t>& cap) {
     for (const Network::ClockConstraint& constraint : constraints) {
         std::int64_t& known = cap[constraint.clock.index];
         known = std::max(known, cap_of(admitted(network, constraint)));
@@ -37,7 +38,8 @@ ProcessClocks analyse(const Network& network, const Network::Template& automaton
     result.greatest.assign(clocks, 0);
     if (clocks == 0) return result;
     std::vector<std::vector<std::uint32_t>> entering(automaton.locations.size());
-    for (const Id<Network::Edge> edge : automaton.edges.ids()) entering[automaton.edges[edge].to.index].push_back(edge.index);
+    for (const Id<Network::Edge> edge : automaton.edges.ids())
+        entering[automaton.edges[edge].to.index].push_back(edge.index);
 
     std::vector<std::uint32_t> changed;
     for (const Id<Network::Location> location : automaton.locations.ids()) {
@@ -56,7 +58,8 @@ ProcessClocks analyse(const Network& network, const Network::Template& automaton
             for (std::uint32_t clock = 0; clock < clocks; ++clock) {
                 if (std::ranges::find(edge.resets, Id<Network::Clock>{clock}) != edge.resets.end()) continue;
                 std::int64_t& cap = result.cap[edge.from.index][clock];
-                grew = grew || cap < result.cap[target][clock] || (result.bounded[target][clock] && !result.bounded[edge.from.index][clock]);
+                grew = grew || cap < result.cap[target][clock] ||
+                       (result.bounded[target][clock] && !result.bounded[edge.from.index][clock]);
                 cap = std::max(cap, result.cap[target][clock]);
                 if (result.bounded[target][clock]) result.bounded[edge.from.index][clock] = true;
             }
@@ -64,7 +67,8 @@ ProcessClocks analyse(const Network& network, const Network::Template& automaton
         }
     }
     for (const std::vector<std::int64_t>& caps : result.cap)
-        for (std::size_t clock = 0; clock < clocks; ++clock) result.greatest[clock] = std::max(result.greatest[clock], caps[clock]);
+        for (std::size_t clock = 0; clock < clocks; ++clock)
+            result.greatest[clock] = std::max(result.greatest[clock], caps[clock]);
     return result;
 }
 
@@ -72,12 +76,12 @@ ProcessClocks analyse(const Network& network, const Network::Template& automaton
 
 ClockInterval admitted(Op relation, std::int64_t bound) {
     switch (relation) {
-    case Op::Less:         return {0, bound - 1};
-    case Op::LessEqual:    return {0, bound};
-    case Op::Equal:        return {bound, bound};
+    case Op::Less: return {0, bound - 1};
+    case Op::LessEqual: return {0, bound};
+    case Op::Equal: return {bound, bound};
     case Op::GreaterEqual: return {bound, ClockInterval::unbounded};
-    case Op::Greater:      return {bound + 1, ClockInterval::unbounded};
-    default:               unreachable();
+    case Op::Greater: return {bound + 1, ClockInterval::unbounded};
+    default: unreachable();
     }
 }
 
@@ -85,7 +89,8 @@ ClockInterval admitted(const Network& network, const Network::ClockConstraint& c
     return admitted(constraint.relation, constant(network, constraint.bound));
 }
 
-std::vector<ClockInterval> admitted(const Network& network, const std::vector<Network::ClockConstraint>& constraints, std::size_t clocks) {
+std::vector<ClockInterval> admitted(const Network& network, const std::vector<Network::ClockConstraint>& constraints,
+                                    std::size_t clocks) {
     std::vector<ClockInterval> result(clocks);
     for (const Network::ClockConstraint& constraint : constraints) {
         const ClockInterval one = admitted(network, constraint);

@@ -21,7 +21,7 @@ namespace grafverif {
 struct ClockInterval {
     std::int64_t low = 0;
     std::int64_t high = unbounded;
-    static constexpr std::int64_t unbounded = std::int64_t{1} << 48;   ///< beyond every constant
+    static constexpr std::int64_t unbounded = std::int64_t{1} << 48;  ///< beyond every constant
     bool contains(std::int64_t value) const { return low <= value && value <= high; }
 };
 
@@ -30,13 +30,14 @@ ClockInterval admitted(Op relation, std::int64_t bound);
 /// The values that a constraint admits.
 ClockInterval admitted(const Network& network, const Network::ClockConstraint& constraint);
 /// The meet of `constraints` per clock, `clocks` entries.
-std::vector<ClockInterval> admitted(const Network& network, const std::vector<Network::ClockConstraint>& constraints, std::size_t clocks);
+std::vector<ClockInterval> admitted(const Network& network, const std::vector<Network::ClockConstraint>& constraints,
+                                    std::size_t clocks);
 
 struct ProcessClocks {
     static constexpr std::int64_t dead = -1;
-    std::vector<std::vector<std::int64_t>> cap = {};   ///< per location and clock; `dead`: kept at 0
-    std::vector<std::vector<bool>> bounded = {};       ///< per location and clock
-    std::vector<std::int64_t> greatest = {};           ///< per clock, over all locations: the values to make room for
+    std::vector<std::vector<std::int64_t>> cap = {};  ///< per location and clock; `dead`: kept at 0
+    std::vector<std::vector<bool>> bounded = {};      ///< per location and clock
+    std::vector<std::int64_t> greatest = {};          ///< per clock, over all locations: the values to make room for
 };
 
 /// Of each process of an expanded network.

@@ -34,8 +34,8 @@ bool holds(Op relation, std::int64_t clock, std::int64_t bound) {
     return clock > bound;
 }
 
-bool satisfied(const Network& network, Id<Network::Process> process, const std::vector<Network::ClockConstraint>& constraints,
-               const std::vector<std::int64_t>& clocks) {
+bool satisfied(const Network& network, Id<Network::Process> process,
+               const std::vector<Network::ClockConstraint>& constraints, const std::vector<std::int64_t>& clocks) {
     return std::ranges::all_of(constraints, [&](const Network::ClockConstraint& constraint) {
         const std::int64_t bound = bound_value(network, network.processes[process], constraint.bound);
         return holds(constraint.relation, clocks[constraint.clock.index], bound);
@@ -85,7 +85,8 @@ Step fire(const Network& network, NetworkState& state, const Fire& move) {
     const Network::Template& shape = automaton(network, move.process);
     const Network::Edge& edge = shape.edges[move.edge];
     state.clocks[move.process.index] = std::move(clocks);
-    if (const Step step = assign(network, state, process, edge.assignments); step.result != Step::Result::Done) return step;
+    if (const Step step = assign(network, state, process, edge.assignments); step.result != Step::Result::Done)
+        return step;
     for (const Id<Network::Procedure> call : edge.calls) {
         const Step step = assign(network, state, process, shape.procedures[call].assignments);
         if (step.result != Step::Result::Done) return step;
@@ -169,7 +170,8 @@ std::optional<std::vector<NetworkState>> replay(const Network& network, const Ru
     const auto same = [&](const NetworkState& left, const NetworkState& right) {
         if (left.locations != right.locations) return false;
         return std::ranges::all_of(network.variables.ids(), [&](Id<Network::Variable> variable) {
-            return network.variables[variable].scratch || left.variables[variable.index] == right.variables[variable.index];
+            return network.variables[variable].scratch ||
+                   left.variables[variable.index] == right.variables[variable.index];
         });
     };
     if (!same(states[*run.loop], states.back())) return {};

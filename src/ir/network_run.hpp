@@ -15,9 +15,9 @@ namespace grafverif {
 
 /// Where a network stands. Scratch variables keep whatever was written last.
 struct NetworkState {
-    std::vector<Id<Network::Location>> locations = {};        ///< one per process
-    std::vector<std::int64_t> variables = {};                 ///< one per variable
-    std::vector<std::vector<std::int64_t>> clocks = {};       ///< per process, one per clock, in time units
+    std::vector<Id<Network::Location>> locations = {};   ///< one per process
+    std::vector<std::int64_t> variables = {};            ///< one per variable
+    std::vector<std::vector<std::int64_t>> clocks = {};  ///< per process, one per clock, in time units
 
     bool operator==(const NetworkState&) const = default;
 };
@@ -28,9 +28,9 @@ NetworkState initial_state(const Network& network);
 struct Step {
     enum class Result {
         Done,
-        Blocked,      ///< guard, clock constraint, invariant or urgency forbids it
-        OutOfRange,   ///< `variable` would leave its range
-        NoValue,      ///< division by zero
+        Blocked,     ///< guard, clock constraint, invariant or urgency forbids it
+        OutOfRange,  ///< `variable` would leave its range
+        NoValue,     ///< division by zero
     };
     Result result = Result::Done;
     Id<Network::Variable> variable = {};

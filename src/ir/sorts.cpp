@@ -12,9 +12,9 @@ namespace {
 
 std::string_view described(Sort sort) {
     switch (sort) {
-    case Sort::None:     return "well typed";
-    case Sort::Boolean:  return "Boolean";
-    case Sort::Integer:  return "an integer";
+    case Sort::None: return "well typed";
+    case Sort::Boolean: return "Boolean";
+    case Sort::Integer: return "an integer";
     case Sort::Duration: return "a duration";
     }
     unreachable();
@@ -46,20 +46,26 @@ Sort Sorts::of(Id<Expr> term) {
     const Expr& node = (*exprs_)[term];
     const auto operand = [&](std::size_t i) { return (*this)(exprs_->operands(term)[i]); };
     switch (node.op) {
-    case Op::False: case Op::True:
-        return Sort::Boolean;
-    case Op::Integer:
-        return Sort::Integer;
-    case Op::Duration: case Op::Variable: case Op::Step: case Op::Timed: case Op::Parameter: case Op::At:
-        return leaf_(node);
-    case Op::Rise: case Op::Fall:
-        return all(term, Sort::Boolean) ? leaf_(node) : Sort::None;
-    case Op::Not: case Op::And: case Op::Or:
-        return all(term, Sort::Boolean) ? Sort::Boolean : Sort::None;
-    case Op::Equal: case Op::NotEqual:
-        return all(term, Sort::Boolean) || all(term, Sort::Integer) ? Sort::Boolean : Sort::None;
-    case Op::Less: case Op::LessEqual: case Op::Greater: case Op::GreaterEqual:
-        return all(term, Sort::Integer) ? Sort::Boolean : Sort::None;
+    case Op::False:
+    case Op::True: return Sort::Boolean;
+    case Op::Integer: return Sort::Integer;
+    case Op::Duration:
+    case Op::Variable:
+    case Op::Step:
+    case Op::Timed:
+    case Op::Parameter:
+    case Op::At: return leaf_(node);
+    case Op::Rise:
+    case Op::Fall: return all(term, Sort::Boolean) ? leaf_(node) : Sort::None;
+    case Op::Not:
+    case Op::And:
+    case Op::Or: return all(term, Sort::Boolean) ? Sort::Boolean : Sort::None;
+    case Op::Equal:
+    case Op::NotEqual: return all(term, Sort::Boolean) || all(term, Sort::Integer) ? Sort::Boolean : Sort::None;
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Greater:
+    case Op::GreaterEqual: return all(term, Sort::Integer) ? Sort::Boolean : Sort::None;
     case Op::Plus:
         if (all(term, Sort::Duration)) return Sort::Duration;
         return all(term, Sort::Integer) ? Sort::Integer : Sort::None;
@@ -67,10 +73,11 @@ Sort Sorts::of(Id<Expr> term) {
         if (operand(0) == Sort::Integer && operand(1) == Sort::Duration) return Sort::Duration;
         if (operand(0) == Sort::Duration && operand(1) == Sort::Integer) return Sort::Duration;
         return all(term, Sort::Integer) ? Sort::Integer : Sort::None;
-    case Op::Negate: case Op::Minus: case Op::Divide: case Op::Modulo:
-        return all(term, Sort::Integer) ? Sort::Integer : Sort::None;
-    case Op::Conditional:
-        return operand(0) == Sort::Boolean && operand(1) == operand(2) ? operand(1) : Sort::None;
+    case Op::Negate:
+    case Op::Minus:
+    case Op::Divide:
+    case Op::Modulo: return all(term, Sort::Integer) ? Sort::Integer : Sort::None;
+    case Op::Conditional: return operand(0) == Sort::Boolean && operand(1) == operand(2) ? operand(1) : Sort::None;
     }
     unreachable();
 }

@@ -16,10 +16,10 @@
 namespace grafverif {
 
 enum class Sort : std::uint8_t {
-    None,       ///< of no term: it is missing, or an operand or leaf in it has no place there
+    None,  ///< of no term: it is missing, or an operand or leaf in it has no place there
     Boolean,
     Integer,
-    Duration,   ///< sums of durations, and integers times a duration; of components only
+    Duration,  ///< sums of durations, and integers times a duration; of components only
 };
 
 inline Sort sort_of(Type type) { return type.boolean ? Sort::Boolean : Sort::Integer; }

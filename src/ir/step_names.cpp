@@ -18,7 +18,7 @@ std::string step_variable_name(const Network& network, Id<Network::Variable> var
         if (step == controller.words.steps.end()) continue;
         return (network.controllers.size() == 1 ? "" : controller.words.name + ".") + step_variable_name(step->name);
     }
-    return network.variables[variable].name;   // of no controller: a network that nobody composed
+    return network.variables[variable].name;  // of no controller: a network that nobody composed
 }
 
 }  // namespace grafverif

@@ -60,8 +60,8 @@ std::size_t step_count(const TestSequence& test) {
 std::string_view word(TestCover cover) {
     switch (cover) {
     case TestCover::Transitions: return "transitions";
-    case TestCover::Evolutions:  return "evolutions";
-    case TestCover::Locations:   return "locations";
+    case TestCover::Evolutions: return "evolutions";
+    case TestCover::Locations: return "locations";
     }
     unreachable();
 }
@@ -72,7 +72,8 @@ std::vector<std::string> verify(const TestSequence& test) {
     for (const TestSequence::Sequence& sequence : test.sequences) check.sequence(sequence);
     if (test.covered > test.to_cover) check.fault("more is covered than there is");
     if (test.lower_bound > step_count(test)) check.fault("the lower bound is above the length");
-    if (test.proven_least && test.lower_bound != step_count(test)) check.fault("the length is not the bound that proves it");
+    if (test.proven_least && test.lower_bound != step_count(test))
+        check.fault("the length is not the bound that proves it");
     return std::move(check.faults);
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "support/overloaded.hpp"
 #include "ir/sorts.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 
@@ -57,8 +57,7 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
                        [&](const System::StateSymbol& state) {
                            if (state.initial)
                                sorts.check(*state.initial, sort_of(symbol.type), where + ": initial", faults);
-                           if (state.next)
-                               sorts.check(*state.next, sort_of(symbol.type), where + ": next", faults);
+                           if (state.next) sorts.check(*state.next, sort_of(symbol.type), where + ": next", faults);
                        },
                        [](const System::ChoiceSymbol&) {},
                        [&](const System::DefineSymbol& define) {
@@ -70,12 +69,10 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
                    },
                    symbol.kind);
     }
-    for (const Id<Expr> term : module.invariants)
-        sorts.check(term, Sort::Boolean, module.name + ": invariant", faults);
+    for (const Id<Expr> term : module.invariants) sorts.check(term, Sort::Boolean, module.name + ": invariant", faults);
     for (const Id<Expr> term : module.transitions)
         sorts.check(term, Sort::Boolean, module.name + ": transition", faults);
-    for (const Id<Expr> term : module.justice)
-        sorts.check(term, Sort::Boolean, module.name + ": justice", faults);
+    for (const Id<Expr> term : module.justice) sorts.check(term, Sort::Boolean, module.name + ": justice", faults);
 }
 
 /// The definitions of a module, or its initial values, form no cycle. Kahn: take away whatever depends on nothing left.
@@ -132,14 +129,19 @@ void check_instances(const System& system, Faults& faults) {
 /// How many operands a property of this pattern has; empty: one or more.
 std::optional<std::size_t> arity(Pattern pattern) {
     switch (pattern) {
-    case Pattern::Always: case Pattern::Never: case Pattern::Reachable: case Pattern::Inevitable:
-    case Pattern::AlwaysPossible:
-        return 1;
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::Reachable:
+    case Pattern::Inevitable:
+    case Pattern::AlwaysPossible: return 1;
     case Pattern::LeadsTo: return 2;
     case Pattern::ExactlyOneOf: return {};
-    case Pattern::NoDeadlock: case Pattern::NoTimelock: case Pattern::ReachableAllSteps: case Pattern::RawUppaal:
-    case Pattern::RawCtl: case Pattern::RawLtl:
-        return 0;
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock:
+    case Pattern::ReachableAllSteps:
+    case Pattern::RawUppaal:
+    case Pattern::RawCtl:
+    case Pattern::RawLtl: return 0;
     }
     unreachable();
 }
@@ -172,24 +174,23 @@ bool reads_choice(const System& system, const std::vector<bool>& chosen, Id<Expr
 
 /// Whether `symbol` depends on a choice by what `chosen` knows so far.
 bool is_chosen(const System& system, const Chosen& chosen, Id<System::Module> module, Id<System::Symbol> symbol) {
-    return std::visit(
-        overloaded{
-            [&](const System::ParameterSymbol&) {
-                return std::ranges::any_of(system.instances, [&](const System::Instance& instance) {
-                    return instance.module == module &&
-                           chosen[system.main.index][instance.arguments[symbol.index].index];
-                });
-            },
-            [](const System::StateSymbol&) { return false; },
-            [](const System::ChoiceSymbol&) { return true; },
-            [&](const System::DefineSymbol& define) {
-                return reads_choice(system, chosen[module.index], define.value);
-            },
-            [&](const System::MemberSymbol& member) -> bool {
-                return chosen[system.instances[member.instance].module.index][member.symbol.index];
-            },
-        },
-        system.modules[module].symbols[symbol].kind);
+    return std::visit(overloaded{
+                          [&](const System::ParameterSymbol&) {
+                              return std::ranges::any_of(system.instances, [&](const System::Instance& instance) {
+                                  return instance.module == module &&
+                                         chosen[system.main.index][instance.arguments[symbol.index].index];
+                              });
+                          },
+                          [](const System::StateSymbol&) { return false; },
+                          [](const System::ChoiceSymbol&) { return true; },
+                          [&](const System::DefineSymbol& define) {
+                              return reads_choice(system, chosen[module.index], define.value);
+                          },
+                          [&](const System::MemberSymbol& member) -> bool {
+                              return chosen[system.instances[member.instance].module.index][member.symbol.index];
+                          },
+                      },
+                      system.modules[module].symbols[symbol].kind);
 }
 
 Chosen chosen_symbols(const System& system) {

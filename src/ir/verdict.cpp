@@ -7,24 +7,24 @@ namespace grafverif {
 
 std::string_view word(Outcome outcome) {
     switch (outcome) {
-    case Outcome::Holds:    return "holds";
+    case Outcome::Holds: return "holds";
     case Outcome::Violated: return "violated";
-    case Outcome::Unknown:  return "unknown";
+    case Outcome::Unknown: return "unknown";
     }
     unreachable();
 }
 
 std::string_view word(Obstacle obstacle) {
     switch (obstacle) {
-    case Obstacle::None:        return "";
-    case Obstacle::Bound:       return "bound";
-    case Obstacle::Memory:      return "memory";
-    case Obstacle::Stopped:     return "stopped";
-    case Obstacle::Inexact:     return "inexact";
+    case Obstacle::None: return "";
+    case Obstacle::Bound: return "bound";
+    case Obstacle::Memory: return "memory";
+    case Obstacle::Stopped: return "stopped";
+    case Obstacle::Inexact: return "inexact";
     case Obstacle::Unsupported: return "unsupported";
-    case Obstacle::Faulty:      return "faulty";
-    case Obstacle::Failed:      return "failed";
-    case Obstacle::Disagrees:   return "engine-disagrees";
+    case Obstacle::Faulty: return "faulty";
+    case Obstacle::Failed: return "failed";
+    case Obstacle::Disagrees: return "engine-disagrees";
     }
     unreachable();
 }
@@ -33,14 +33,18 @@ std::string_view word(ModelError::Kind kind) {
     switch (kind) {
     case ModelError::Kind::OutOfRange: return "out-of-range";
     case ModelError::Kind::ActionRace: return "action-race";
-    case ModelError::Kind::NoValue:    return "no-value";
+    case ModelError::Kind::NoValue: return "no-value";
     }
     unreachable();
 }
 
 Verdict verdict_on(Id<Property> about, const Property& property) {
-    return {.about = about, .property = property.name, .pattern = property.pattern, .declared = about.valid(),
-            .expected_violated = property.expected_violated, .origin = property.origin};
+    return {.about = about,
+            .property = property.name,
+            .pattern = property.pattern,
+            .declared = about.valid(),
+            .expected_violated = property.expected_violated,
+            .origin = property.origin};
 }
 
 void distrust(Verdict& verdict, std::string_view why) {

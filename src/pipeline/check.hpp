@@ -33,7 +33,7 @@ bool all_known(const std::vector<std::string>& names, const std::vector<std::str
 struct LoopToCheck {
     const Network& network;
     std::vector<const Chart*> charts = {};
-    bool cures_left_out = false;   ///< its runs are not those of its charts, which is the point
+    bool cures_left_out = false;  ///< its runs are not those of its charts, which is the point
 };
 Report check(const LoopToCheck& loop, const CheckOptions& options);
 

@@ -43,7 +43,10 @@ TimedResult search(const Network& network, const CheckOptions& options) {
 class Reporter {
 public:
     Reporter(const LoopToCheck& loop, const CheckOptions& options)
-        : loop_(loop), network_(loop.network), witnesses_(options.witnesses), detail_(options.every_move ? Detail::Everything : Detail::Chart) {}
+        : loop_(loop),
+          network_(loop.network),
+          witnesses_(options.witnesses),
+          detail_(options.every_move ? Detail::Everything : Detail::Chart) {}
 
     Report report(TimedResult result) {
         Report report{network_.name, basis_of(network_, "timed")};
@@ -92,8 +95,8 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
     return Reporter(loop, options).report(search(loop.network, options));
 }
 
-std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
-                            Diagnostics& diagnostics) {
+std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,
+                            const CheckOptions& options, Diagnostics& diagnostics) {
     const auto network = network_of(model, loop, how, diagnostics);
     if (!network || !all_known(options.properties, property_names(*network), diagnostics)) return {};
     return check({*network, charts_of(model, model.loops[loop])}, options);

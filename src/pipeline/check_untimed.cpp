@@ -128,7 +128,7 @@ Report check(const SystemToCheck& check, const CheckOptions& options) {
             }});
         };
     SymbolicResult result;
-    if (options.properties.empty() || !symbolic.properties.empty())   // no names would ask for all
+    if (options.properties.empty() || !symbolic.properties.empty())  // no names would ask for all
         result = check_symbolic(check.system, symbolic);
     SystemReporter reporter(check, SystemReporter::Of::EmbeddedEngine, "symbolic", options, result.verdicts);
     if (result.fault) reporter.add(*result.fault);
@@ -185,7 +185,8 @@ Report check(const Model& model, Id<Chart> chart, const Equations& equations, co
              const CheckOptions& options) {
     Report report = check(system, options);
     const bool asked = options.properties.empty() || is_asked(stabilises, options.properties);
-    if (asked && asks_for_stability(system.system)) add_stabilises(model.charts[chart], equations, options.limits, report);
+    if (asked && asks_for_stability(system.system))
+        add_stabilises(model.charts[chart], equations, options.limits, report);
     return report;
 }
 

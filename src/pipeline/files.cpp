@@ -45,7 +45,8 @@ std::string device_and_node(const struct stat& status) { return fmt::format("{}:
 std::optional<std::string> content_of_file(const fs::path& path, std::string& why) {
     struct stat status = {};
     if (::stat(path.c_str(), &status) != 0) return why = reason(errno), std::nullopt;
-    if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), std::nullopt;   // opening a device may do something
+    if (!S_ISREG(status.st_mode))
+        return why = kind_of(status.st_mode), std::nullopt;  // opening a device may do something
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
     if (!file.open() || ::fstat(file.number(), &status) != 0) return why = reason(errno), std::nullopt;
     if (!S_ISREG(status.st_mode)) return why = kind_of(status.st_mode), std::nullopt;
@@ -134,8 +135,10 @@ std::optional<std::string> Reach::read(const std::string& path, std::string& why
     std::error_code failure;
     const fs::path file = fs::canonical(path, failure);
     if (!failure && std::ranges::none_of(roots_, [&](const fs::path& root) { return is_below(file, root); })) {
-        why = "it lies neither below the folder of the main file nor below that of its project, which `.git` or `grafverif.project` "
-              "marks; let it be read with `-I FOLDER`";
+        why =
+            "it lies neither below the folder of the main file nor below that of its project, which `.git` or "
+            "`grafverif.project` "
+            "marks; let it be read with `-I FOLDER`";
         return {};
     }
     return content_of_file(failure ? fs::path(path) : file, why);

@@ -11,7 +11,7 @@
 
 namespace grafverif {
 
-inline constexpr std::uintmax_t largest_input = std::uintmax_t{256} << 20U;   ///< bytes
+inline constexpr std::uintmax_t largest_input = std::uintmax_t{256} << 20U;  ///< bytes
 
 /// The content of the regular file at `path`, or nothing with the reason in `why`: missing, a folder, a pipe, a device,
 /// unreadable, above `largest_input`. Never waits.
@@ -43,7 +43,7 @@ public:
     std::optional<std::string> read(const std::string& path, std::string& why) const;
 
 private:
-    std::vector<std::filesystem::path> roots_ = {};   ///< links followed
+    std::vector<std::filesystem::path> roots_ = {};  ///< links followed
 };
 
 }  // namespace grafverif

@@ -81,8 +81,8 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const
     return network_of(model, loop, ComposeOptions{options.grain, options.mode, {}}, diagnostics);
 }
 
-std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
-                                                     Diagnostics& diagnostics) {
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop,
+                                                     const ModelOptions& options, Diagnostics& diagnostics) {
     auto system = scheduled(model, model.loops[loop], options, diagnostics);
     if (system) *system = nusmv::sayable(std::move(*system));
     return system;

@@ -17,7 +17,8 @@ namespace grafverif {
 
 namespace {
 
-Reading read(const std::string& path, std::optional<std::string> text, const std::string& why, const ReadOptions& options) {
+Reading read(const std::string& path, std::optional<std::string> text, const std::string& why,
+             const ReadOptions& options) {
     Reading reading;
     if (!text) {
         reading.diagnostics.add(messages::cannot_read(path, why));

@@ -39,7 +39,8 @@ UppaalQuestions uppaal_questions(const Network& network) {
     UppaalQuestions result;
     for (const uppaal::Formula& formula : uppaal::formulas(lowered)) {
         const auto why = std::ranges::find(left_out, formula.property, &uppaal::Inexpressible::property);
-        result.questions.push_back({formula.property, formula.name, formula.text, why == left_out.end() ? "" : why->reason});
+        result.questions.push_back(
+            {formula.property, formula.name, formula.text, why == left_out.end() ? "" : why->reason});
     }
     result.project = written([&](std::ostream& out) { uppaal::emit(lowered, out); });
     return result;
@@ -47,7 +48,8 @@ UppaalQuestions uppaal_questions(const Network& network) {
 
 std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics) {
     for (const TransitionSystem::Omitted& omitted : system.omitted)
-        diagnostics.add(messages::not_expressible(omitted.property.origin, omitted.property.name, "NuSMV", omitted.reason));
+        diagnostics.add(
+            messages::not_expressible(omitted.property.origin, omitted.property.name, "NuSMV", omitted.reason));
     return written([&](std::ostream& out) { nusmv::emit(system, out); });
 }
 

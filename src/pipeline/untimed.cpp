@@ -58,7 +58,7 @@ Abstraction abstraction_of(const ModelOptions& options, const ClosedLoop* loop) 
     const std::string fair = untimed.fairness ? ", under fairness" : "";
     switch (untimed.schedule.value_or(loop->schedule.value_or(Schedule::Interleaved))) {
     case Schedule::Synchronous: return {"plant automata, synchronous" + fair, {}, Carries::Nowhere, false};
-    case Schedule::Sequenced:   return {"plant automata, sequenced" + fair, {}, Carries::Nowhere, false};
+    case Schedule::Sequenced: return {"plant automata, sequenced" + fair, {}, Carries::Nowhere, false};
     case Schedule::Interleaved: break;
     }
     const std::string grain = options.grain.value_or(loop->grain) == Grain::Phased ? "phased" : "atomic";
@@ -94,7 +94,7 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
     case Abstraction::Carries::ExactInIntegerTime:
         if (!about_states || observed) return "integer time only";
         return holds == (property.pattern == Pattern::Reachable)
-                   ? "so in the timed loop"   // a run shows it, and one of integer time is one of dense time
+                   ? "so in the timed loop"  // a run shows it, and one of integer time is one of dense time
                    : "the states of the timed engine: integer time only, if a clock constraint is strict";
     case Abstraction::Carries::Nowhere: return "it says nothing beyond this model";
     }

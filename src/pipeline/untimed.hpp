@@ -11,16 +11,16 @@ namespace grafverif {
 
 struct Abstraction {
     enum class Carries {
-        ToEveryPlant,         ///< no plant: what holds of all runs does so with every plant, in grain atomic
-        ToTimedLoop,          ///< plant automata that move at any time in any order: likewise of the timed loop
-        ExactInIntegerTime,   ///< the states of the timed engine
-        Nowhere,              ///< a restricted order of events
+        ToEveryPlant,        ///< no plant: what holds of all runs does so with every plant, in grain atomic
+        ToTimedLoop,         ///< plant automata that move at any time in any order: likewise of the timed loop
+        ExactInIntegerTime,  ///< the states of the timed engine
+        Nowhere,             ///< a restricted order of events
     };
-    std::string words = {};   ///< `no plant`, `plant automata, interleaved`
-    std::string grain = {};   ///< empty: none of its own
+    std::string words = {};  ///< `no plant`, `plant automata, interleaved`
+    std::string grain = {};  ///< empty: none of its own
     Carries carries = Carries::Nowhere;
-    bool constrained = false; ///< the constraints on the inputs are assumed
-    bool fair = false;        ///< runs are fair: what is said of them, rather than of states, is about this model
+    bool constrained = false;  ///< the constraints on the inputs are assumed
+    bool fair = false;         ///< runs are fair: what is said of them, rather than of states, is about this model
 };
 /// Of the model that transition_system_of makes of `loop`, or of a lone chart.
 Abstraction abstraction_of(const ModelOptions& options, const ClosedLoop* loop);

@@ -11,10 +11,10 @@
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/network.hpp"
 #include "grafverif/support/diagnostic.hpp"
-#include "support/messages.hpp"
-#include "support/overloaded.hpp"
 #include "plant/checks.hpp"
 #include "plant/variables.hpp"
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 
@@ -189,9 +189,9 @@ Table<Network::Parameter> parameters(const Component& component) {
     };
     const auto kind = [](Component::ParameterKind from) {
         switch (from) {
-            case Component::ParameterKind::Input: return Network::ParameterKind::Read;
-            case Component::ParameterKind::Output: return Network::ParameterKind::Written;
-            case Component::ParameterKind::Constant: return Network::ParameterKind::Constant;
+        case Component::ParameterKind::Input: return Network::ParameterKind::Read;
+        case Component::ParameterKind::Output: return Network::ParameterKind::Written;
+        case Component::ParameterKind::Constant: return Network::ParameterKind::Constant;
         }
         unreachable();
     };

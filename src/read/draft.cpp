@@ -12,12 +12,13 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t deepest_expression = 1000;
-constexpr std::size_t longest_name = 900;   // of the 1000 bytes there are, with room for a prefix and a number
+constexpr std::size_t longest_name = 900;  // of the 1000 bytes there are, with room for a prefix and a number
 
 /// The words that a name may not be: see grammars/grafcet.yy.
-constexpr std::array reserved = {"grafcet", "component", "closed_loop", "include", "input", "output", "internal",
-                                 "step", "transition", "when", "do", "force", "and", "or", "not", "true", "false",
-                                 "always", "never", "reachable", "inevitable", "possible"};
+constexpr std::array reserved = {"grafcet",  "component", "closed_loop", "include", "input", "output",
+                                 "internal", "step",      "transition",  "when",    "do",    "force",
+                                 "and",      "or",        "not",         "true",    "false", "always",
+                                 "never",    "reachable", "inevitable",  "possible"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -74,7 +75,8 @@ Id<tree::Expr> Draft::node(tree::Op op, const std::vector<Id<tree::Expr>>& given
         if (!one.valid()) return {};
         const bool joins = (op == tree::Op::And || op == tree::Op::Or) && file_.exprs[one].op == op;
         if (!joins) all.push_back(one);
-        else for (const Id<tree::Expr> inner : operands(one)) all.push_back(inner);
+        else
+            for (const Id<tree::Expr> inner : operands(one)) all.push_back(inner);
     }
     std::size_t depth = 0;
     for (const Id<tree::Expr> one : all) depth = std::max<std::size_t>(depth, file_.exprs[one].depth);
@@ -97,7 +99,7 @@ Id<tree::Expr> Draft::copy(Id<tree::Expr> term) {
     tree::Expr node = file_.exprs[term];
     node.first = node.last = node.next = {};
     const Id<tree::Expr> id = file_.exprs.add(node);
-    for (const Id<tree::Expr> one : inner) {   // depth is bounded by deepest_expression
+    for (const Id<tree::Expr> one : inner) {  // depth is bounded by deepest_expression
         const Id<tree::Expr> twin = copy(one);
         tree::append(file_.exprs, id, twin);
     }
@@ -135,7 +137,8 @@ void Draft::group_variables(tree::Chart& chart) const {
     for (tree::ChartItem& item : chart.items) {
         auto* next = std::get_if<tree::Variables>(&item);
         auto* last = items.empty() ? nullptr : std::get_if<tree::Variables>(&items.back());
-        const bool joins = next != nullptr && last != nullptr && last->kind == next->kind && plain(*last) && plain(*next);
+        const bool joins =
+            next != nullptr && last != nullptr && last->kind == next->kind && plain(*last) && plain(*next);
         if (joins) last->variables.push_back(next->variables.front());
         else items.push_back(std::move(item));
     }

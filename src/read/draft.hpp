@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "grafverif/support/diagnostic.hpp"
-#include "syntax/language/tree.hpp"
 #include "support/unique_names.hpp"
+#include "syntax/language/tree.hpp"
 
 namespace grafverif {
 
@@ -59,7 +59,7 @@ private:
     tree::Words words_;
     Diagnostics* diagnostics_;
     bool lossy_ = false;
-    std::size_t errors_ = 0;   ///< said before this draft
+    std::size_t errors_ = 0;  ///< said before this draft
 };
 
 /// Names of one scope, legal in the language and different from each other. A name that has to change is warned of.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "read/exclusions.hpp"
 
-#include "support/messages.hpp"
 #include "read/csv.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
@@ -20,7 +20,8 @@ Id<Chart::Variable> input(const CsvField& field, const Chart& chart, Diagnostics
 }
 
 bool is_header(const CsvRow& fields) {
-    return fields.size() == 3 && fields[0].text == "variable1" && fields[1].text == "variable2" && fields[2].text == "reason";
+    return fields.size() == 3 && fields[0].text == "variable1" && fields[1].text == "variable2" &&
+           fields[2].text == "reason";
 }
 
 }  // namespace
@@ -41,7 +42,8 @@ std::optional<std::vector<ExclusionRow>> read_exclusions(Id<Source> file, const 
             continue;
         }
         const auto first = input(fields[0], chart, diagnostics), second = input(fields[1], chart, diagnostics);
-        if (first.valid() && first == second) diagnostics.add(messages::excludes_itself(fields[1].where, fields[1].text));
+        if (first.valid() && first == second)
+            diagnostics.add(messages::excludes_itself(fields[1].where, fields[1].text));
         rows.push_back({first, second, fields[2].text, fields[0].where});
     }
     if (diagnostics.errors() != errors) return {};

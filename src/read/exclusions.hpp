@@ -19,7 +19,7 @@
 namespace grafverif {
 
 struct ExclusionRow {
-    Id<Chart::Variable> first = {}, second = {};   ///< Boolean inputs of the chart, not the same
+    Id<Chart::Variable> first = {}, second = {};  ///< Boolean inputs of the chart, not the same
     std::string reason = {};
     Span origin = {};
 

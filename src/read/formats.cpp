@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "grafverif/support/diagnostic.hpp"
-#include "support/messages.hpp"
-#include "syntax/language/parse.hpp"
-#include "syntax/st/parse_st.hpp"
-#include "syntax/st/st_tree.hpp"
-#include "syntax/language/tree.hpp"
 #include "read/agrafe/agrafe.hpp"
 #include "read/draft.hpp"
 #include "read/plcopen/plcopen.hpp"
 #include "read/sfc/sfc.hpp"
 #include "read/xml.hpp"
+#include "support/messages.hpp"
+#include "syntax/language/parse.hpp"
 #include "syntax/language/readable.hpp"
+#include "syntax/language/tree.hpp"
+#include "syntax/st/parse_st.hpp"
+#include "syntax/st/st_tree.hpp"
 
 namespace grafverif {
 
@@ -44,10 +44,13 @@ void keep_comments(const st::File& file, std::string_view text, Draft& draft) {
     std::ranges::sort(places, {}, &Span::begin);
     for (const st::Comment& comment : file.comments) {
         const auto next = std::ranges::upper_bound(places, comment.where.begin, {}, &Span::begin);
-        const bool same_line = next != places.begin() &&
-                               text.substr(std::prev(next)->begin, comment.where.begin - std::prev(next)->begin).find('\n') == std::string_view::npos;
+        const bool same_line =
+            next != places.begin() &&
+            text.substr(std::prev(next)->begin, comment.where.begin - std::prev(next)->begin).find('\n') ==
+                std::string_view::npos;
         const Span about = same_line ? *std::prev(next) : next == places.end() ? comment.where : *next;
-        for (std::string& line : comment_lines(without_marks(comment.text))) draft.comment(about, std::move(line), same_line);
+        for (std::string& line : comment_lines(without_marks(comment.text)))
+            draft.comment(about, std::move(line), same_line);
     }
 }
 
@@ -65,8 +68,8 @@ tree::File read_sfc_text(Id<Source> source, const Sources& sources, bool lossy, 
 }
 
 /// What a file of IEC 61131-3 can begin with, and one of ours cannot.
-constexpr std::array first_words = {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION", "VAR_GLOBAL", "TYPE", "CONFIGURATION",
-                                    "VAR", "VAR_INPUT", "VAR_OUTPUT", "INITIAL_STEP"};
+constexpr std::array first_words = {"PROGRAM", "FUNCTION_BLOCK", "FUNCTION",   "VAR_GLOBAL",  "TYPE", "CONFIGURATION",
+                                    "VAR",     "VAR_INPUT",      "VAR_OUTPUT", "INITIAL_STEP"};
 
 constexpr std::array our_first_words = {"grafcet", "component", "closed_loop", "include"};
 
@@ -116,7 +119,7 @@ tree::File read_xml(Id<Source> source, Sources& sources, const ImportOptions& op
 }  // namespace
 
 FileFormat format_of(std::string_view text) {
-    if (is_utf16(text)) {   // XML comes so; text is told to come in UTF-8 by whoever reads it
+    if (is_utf16(text)) {  // XML comes so; text is told to come in UTF-8 by whoever reads it
         text.remove_prefix(std::min(text.find_first_not_of(std::string_view("\xFF\xFE\0 \t\r\n", 7)), text.size()));
         return text.starts_with('<') ? FileFormat::Xml : FileFormat::Unknown;
     }
@@ -125,7 +128,9 @@ FileFormat format_of(std::string_view text) {
     if (first.starts_with('<')) return FileFormat::Xml;
     if (first.starts_with("(*")) return FileFormat::StructuredText;
     std::size_t length = 0;
-    while (length < first.size() && (first[length] == '_' || std::isalpha(static_cast<unsigned char>(first[length])) != 0)) ++length;
+    while (length < first.size() &&
+           (first[length] == '_' || std::isalpha(static_cast<unsigned char>(first[length])) != 0))
+        ++length;
     const std::string_view word = first.substr(0, length);
     if (std::ranges::find(our_first_words, word) != our_first_words.end()) return FileFormat::Grafcet;
     const bool structured = std::ranges::find(first_words, st::capitals(word)) != first_words.end();
@@ -135,8 +140,8 @@ FileFormat format_of(std::string_view text) {
 tree::File read_any(Id<Source> source, Sources& sources, const ImportOptions& options, Diagnostics& diagnostics) {
     switch (format_of(sources[source].text)) {
     case FileFormat::Unknown:
-    case FileFormat::Grafcet:        return parse_file(source, sources, diagnostics);
-    case FileFormat::Xml:            return read_xml(source, sources, options, diagnostics);
+    case FileFormat::Grafcet: return parse_file(source, sources, diagnostics);
+    case FileFormat::Xml: return read_xml(source, sources, options, diagnostics);
     case FileFormat::StructuredText: return read_sfc_text(source, sources, options.lossy, diagnostics);
     }
     return broken(source);

@@ -15,10 +15,10 @@
 namespace grafverif {
 
 enum class FileFormat {
-    Unknown,        ///< what begins like none of those below, an empty file too; read as our own language
-    Grafcet,        ///< our own language
-    Xml,            ///< AGRAFE GRAFCET or PLCopen TC6 XML: its root tells
-    StructuredText, ///< IEC 61131-3: the textual form of Sequential Function Charts
+    Unknown,         ///< what begins like none of those below, an empty file too; read as our own language
+    Grafcet,         ///< our own language
+    Xml,             ///< AGRAFE GRAFCET or PLCopen TC6 XML: its root tells
+    StructuredText,  ///< IEC 61131-3: the textual form of Sequential Function Charts
 };
 
 FileFormat format_of(std::string_view text);

@@ -26,18 +26,19 @@ public:
     void items(const std::vector<tree::ChartItem>& all) {
         for (const tree::ChartItem& item : all) {
             std::visit(overloaded{
-                [](const tree::Variables&) {},
-                [this](const tree::Constraint& constraint) { term(constraint.condition); },
-                [](const tree::Accept&) {},
-                [this](const tree::Step& step) {
-                    for (const tree::Action& action : step.actions) this->action(action);
-                },
-                [this](const tree::Transition& transition) {
-                    term(transition.condition);
-                    for (const tree::Assignment& one : transition.assignments) assignment(one);
-                },
-                [this](const tree::Partial& partial) { items(partial.items); },
-            }, item);
+                           [](const tree::Variables&) {},
+                           [this](const tree::Constraint& constraint) { term(constraint.condition); },
+                           [](const tree::Accept&) {},
+                           [this](const tree::Step& step) {
+                               for (const tree::Action& action : step.actions) this->action(action);
+                           },
+                           [this](const tree::Transition& transition) {
+                               term(transition.condition);
+                               for (const tree::Assignment& one : transition.assignments) assignment(one);
+                           },
+                           [this](const tree::Partial& partial) { items(partial.items); },
+                       },
+                       item);
         }
     }
 
@@ -77,13 +78,14 @@ private:
 
     void action(const tree::Action& action) {
         std::visit(overloaded{
-            [this](const tree::ContinuousAction& one) { term(one.condition); },
-            [this](const tree::StoredAction& one) {
-                assignment(one.assignment);
-                term(one.event);
-            },
-            [](const tree::ForcingOrder&) {},
-        }, action);
+                       [this](const tree::ContinuousAction& one) { term(one.condition); },
+                       [this](const tree::StoredAction& one) {
+                           assignment(one.assignment);
+                           term(one.event);
+                       },
+                       [](const tree::ForcingOrder&) {},
+                   },
+                   action);
     }
 
     void assignment(const tree::Assignment& one) {

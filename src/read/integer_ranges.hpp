@@ -16,12 +16,12 @@ struct OpenInteger {
     Id<tree::Word> variable = {};
     bool input = false;
     std::int64_t initial = 0;
-    std::int64_t least = 0, greatest = 0;   ///< of its type
+    std::int64_t least = 0, greatest = 0;  ///< of its type
 };
 
 struct FoundRange {
     std::int64_t low = 0, high = 0;
-    bool exact = false;                     ///< no other value makes a difference
+    bool exact = false;  ///< no other value makes a difference
 };
 
 /// The range of each of `integers`, in order.

@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "support/overloaded.hpp"
 #include "read/formats.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 
@@ -14,7 +14,7 @@ namespace {
 class Layout {
 public:
     explicit Layout(tree::File& file) : file_(file) {
-        position_ += static_cast<std::uint32_t>(file.comments.size());   // room for those of the head
+        position_ += static_cast<std::uint32_t>(file.comments.size());  // room for those of the head
         for (tree::Comment& comment : file.comments) hung_[comment.where.begin].push_back(std::move(comment));
         file.comments.clear();
         file.gaps.clear();
@@ -69,22 +69,24 @@ private:
     void items(std::vector<tree::ChartItem>& all) {
         std::size_t last = std::variant_npos;
         for (tree::ChartItem& item : all) {
-            const bool gap = last != std::variant_npos && (last != item.index() || std::holds_alternative<tree::Partial>(item));
+            const bool gap =
+                last != std::variant_npos && (last != item.index() || std::holds_alternative<tree::Partial>(item));
             last = item.index();
             std::visit(overloaded{
-                [&](auto& plain) { begin(plain.where, gap); },
-                [&](tree::Step& step) {
-                    begin(step.where, gap);
-                    for (tree::Action& action : step.actions)
-                        std::visit([this](auto& one) { begin(one.where, false); }, action);
-                    end(step.where);
-                },
-                [&](tree::Partial& partial) {
-                    begin(partial.where, gap);
-                    items(partial.items);   // there are no partial charts in partial charts
-                    end(partial.where);
-                },
-            }, item);
+                           [&](auto& plain) { begin(plain.where, gap); },
+                           [&](tree::Step& step) {
+                               begin(step.where, gap);
+                               for (tree::Action& action : step.actions)
+                                   std::visit([this](auto& one) { begin(one.where, false); }, action);
+                               end(step.where);
+                           },
+                           [&](tree::Partial& partial) {
+                               begin(partial.where, gap);
+                               items(partial.items);  // there are no partial charts in partial charts
+                               end(partial.where);
+                           },
+                       },
+                       item);
         }
     }
 

@@ -40,17 +40,18 @@ void split_mixed_actions(Draft& draft, tree::Chart& chart) {
             for (const tree::Variable& one : variables->variables) names.take(std::string(draft.text(one.name)));
         if (const auto* partial = std::get_if<tree::Partial>(&item)) names.take(std::string(draft.text(partial->name)));
     }
-    each(chart.items,
-         [&](tree::Step& step) {
-             names.take(std::string(draft.text(step.name)));
-             for (tree::Action& action : step.actions) {
-                 if (const auto* one = std::get_if<tree::ContinuousAction>(&action)) continuous.insert(one->output.word);
-                 if (auto* one = std::get_if<tree::StoredAction>(&action)) assignments.push_back(&one->assignment);
-             }
-         },
-         [&](tree::Transition& transition) {
-             for (tree::Assignment& one : transition.assignments) assignments.push_back(&one);
-         });
+    each(
+        chart.items,
+        [&](tree::Step& step) {
+            names.take(std::string(draft.text(step.name)));
+            for (tree::Action& action : step.actions) {
+                if (const auto* one = std::get_if<tree::ContinuousAction>(&action)) continuous.insert(one->output.word);
+                if (auto* one = std::get_if<tree::StoredAction>(&action)) assignments.push_back(&one->assignment);
+            }
+        },
+        [&](tree::Transition& transition) {
+            for (tree::Assignment& one : transition.assignments) assignments.push_back(&one);
+        });
     std::unordered_map<Id<tree::Word>, std::size_t> known;
     std::vector<Mixed> mixed;
     for (tree::Assignment* one : assignments) {
@@ -78,11 +79,13 @@ void split_mixed_actions(Draft& draft, tree::Chart& chart) {
         variable.name = draft.name(one.stored, where);
         variable.where = where;
         declared.emplace_back(tree::Variables{tree::VariableKind::Internal, {variable}, where});
-        always.actions.emplace_back(tree::ContinuousAction{one.output, draft.variable(one.stored, where), {}, {}, where});
+        always.actions.emplace_back(
+            tree::ContinuousAction{one.output, draft.variable(one.stored, where), {}, {}, where});
     }
-    chart.items.insert(chart.items.begin() + static_cast<std::ptrdiff_t>(last), std::make_move_iterator(declared.begin()),
-                       std::make_move_iterator(declared.end()));
-    tree::Partial partial{tree::PartialKind::Partial, draft.name(names.fresh("stored_outputs"), chart.where), {}, chart.where};
+    chart.items.insert(chart.items.begin() + static_cast<std::ptrdiff_t>(last),
+                       std::make_move_iterator(declared.begin()), std::make_move_iterator(declared.end()));
+    tree::Partial partial{
+        tree::PartialKind::Partial, draft.name(names.fresh("stored_outputs"), chart.where), {}, chart.where};
     partial.items.emplace_back(std::move(always));
     chart.items.emplace_back(std::move(partial));
 }

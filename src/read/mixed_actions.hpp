@@ -4,8 +4,8 @@
 // Function Charts that is what N and S together mean; elsewhere it is a reading that is warned of.
 #pragma once
 
-#include "syntax/language/tree.hpp"
 #include "read/draft.hpp"
+#include "syntax/language/tree.hpp"
 
 namespace grafverif {
 

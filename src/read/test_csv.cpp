@@ -9,10 +9,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "read/csv.hpp"
 #include "support/messages.hpp"
 #include "syntax/print/dialect.hpp"
 #include "syntax/print/scan_line.hpp"
-#include "read/csv.hpp"
 
 namespace grafverif {
 
@@ -22,7 +22,7 @@ enum class TestWord : std::uint8_t { Sequence, Step, Wait, Cycles, Situation, In
 
 struct TestColumn {
     TestWord word = TestWord::Input;
-    std::size_t index = 0;   ///< of the input or output
+    std::size_t index = 0;  ///< of the input or output
 };
 
 std::optional<TestWord> test_word(std::string_view text) {
@@ -42,8 +42,8 @@ public:
     }
 
     void header(const CsvRow& row) {
-        const bool ours = row.size() >= 4 && row[0].text == "sequence" && row[1].text == "step" && row[2].text == "wait" &&
-                          row[3].text == "cycles";
+        const bool ours = row.size() >= 4 && row[0].text == "sequence" && row[1].text == "step" &&
+                          row[2].text == "wait" && row[3].text == "cycles";
         for (std::size_t k = 0; k < row.size(); ++k) {
             const auto word = test_word(row[k].text);
             const bool fixed = ours && (k < 4 || (k + 1 == row.size() && word == TestWord::Situation));
@@ -57,9 +57,11 @@ public:
             columns_.push_back(column);
         }
         for (std::size_t k = 0; k < inputs_.size(); ++k)
-            if (!has({TestWord::Input, k})) diagnostics_.add(messages::missing_column(row_span(row), "input", inputs_[k].name));
+            if (!has({TestWord::Input, k}))
+                diagnostics_.add(messages::missing_column(row_span(row), "input", inputs_[k].name));
         for (std::size_t k = 0; k < outputs_.size(); ++k)
-            if (!has({TestWord::Output, k})) diagnostics_.add(messages::missing_column(row_span(row), "output", outputs_[k].name));
+            if (!has({TestWord::Output, k}))
+                diagnostics_.add(messages::missing_column(row_span(row), "output", outputs_[k].name));
     }
 
     void step(const CsvRow& row) {
@@ -73,13 +75,13 @@ public:
         std::string sequence, number, situation;
         for (std::size_t k = 0; k < row.size(); ++k) {
             switch (columns_[k].word) {
-            case TestWord::Sequence:  sequence = row[k].text; break;
-            case TestWord::Step:      number = row[k].text; break;
+            case TestWord::Sequence: sequence = row[k].text; break;
+            case TestWord::Step: number = row[k].text; break;
             case TestWord::Situation: situation = row[k].text; break;
-            case TestWord::Wait:      step.wait_ms = wait(row[k]); break;
-            case TestWord::Cycles:    step.cycles = cycles(row[k]); break;
-            case TestWord::Input:     step.inputs[columns_[k].index] = value(row[k], inputs_[columns_[k].index]); break;
-            case TestWord::Output:    step.outputs[columns_[k].index] = value(row[k], outputs_[columns_[k].index]); break;
+            case TestWord::Wait: step.wait_ms = wait(row[k]); break;
+            case TestWord::Cycles: step.cycles = cycles(row[k]); break;
+            case TestWord::Input: step.inputs[columns_[k].index] = value(row[k], inputs_[columns_[k].index]); break;
+            case TestWord::Output: step.outputs[columns_[k].index] = value(row[k], outputs_[columns_[k].index]); break;
             }
         }
         step.situation = situation_of(situation);
@@ -173,8 +175,8 @@ TestSequence test_without_steps(const Chart& chart, ExecutionMode mode) {
 
 }  // namespace
 
-std::optional<TestSequence> read_test_csv(Id<Source> file, const Sources& sources, const Chart& chart, ExecutionMode mode,
-                                          Diagnostics& diagnostics) {
+std::optional<TestSequence> read_test_csv(Id<Source> file, const Sources& sources, const Chart& chart,
+                                          ExecutionMode mode, Diagnostics& diagnostics) {
     const std::size_t errors = diagnostics.errors();
     TestSequence test = test_without_steps(chart, mode);
     TestTable reader(test, diagnostics);

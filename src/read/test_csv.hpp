@@ -17,7 +17,7 @@
 namespace grafverif {
 
 /// Empty after at least one error. Guarantees verify(test).empty(). Nothing is known of what it covers.
-std::optional<TestSequence> read_test_csv(Id<Source> file, const Sources& sources, const Chart& chart, ExecutionMode mode,
-                                          Diagnostics& diagnostics);
+std::optional<TestSequence> read_test_csv(Id<Source> file, const Sources& sources, const Chart& chart,
+                                          ExecutionMode mode, Diagnostics& diagnostics);
 
 }  // namespace grafverif

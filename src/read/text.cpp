@@ -13,8 +13,8 @@
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/language/parse.hpp"
-#include "syntax/resolve/resolve.hpp"
 #include "syntax/language/tree.hpp"
+#include "syntax/resolve/resolve.hpp"
 
 namespace grafverif {
 
@@ -30,7 +30,9 @@ std::string identity(const std::string& path, const ReadContext& context) {
 std::string joined(const std::filesystem::path& folder, const std::string& written, const ReadContext& context) {
     const std::filesystem::path path = folder / written;
     const std::string shorter = path.lexically_normal().generic_string();
-    return identity(shorter, context) == identity(path.generic_string(), context) || !context.identity ? shorter : path.generic_string();
+    return identity(shorter, context) == identity(path.generic_string(), context) || !context.identity
+               ? shorter
+               : path.generic_string();
 }
 
 /// The file that `written` means in the file named `from`: the first that is there, or else the first looked for.
@@ -48,7 +50,7 @@ enum class State { Open, Done };
 struct Open {
     tree::File file = {};
     std::string identity = {};
-    std::size_t next = 0;   ///< declaration to look at
+    std::size_t next = 0;  ///< declaration to look at
 };
 
 /// Each file once; cycles and files that cannot be had (then `missing`) are reported at the line that asks for them.
@@ -62,7 +64,8 @@ std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, c
         open.push_back({read_any(source, sources, {context.lossy}, diagnostics), std::move(identity), 0});
     };
     const std::string main = sources[file].name;
-    enter(file, identity(context.identity ? main : std::filesystem::path(main).lexically_normal().generic_string(), context));
+    enter(file,
+          identity(context.identity ? main : std::filesystem::path(main).lexically_normal().generic_string(), context));
     while (!open.empty()) {
         Open& top = open.back();
         if (top.next == top.file.declarations.size()) {
@@ -98,7 +101,7 @@ struct Reading {
     const ReadContext& context;
     Diagnostics& diagnostics;
     Model model = {};
-    std::unordered_map<std::string, Span> charts = {}, components = {}, loops = {};   ///< names seen, and where
+    std::unordered_map<std::string, Span> charts = {}, components = {}, loops = {};  ///< names seen, and where
     std::unordered_set<std::string> charts_in_error = {}, components_in_error = {};
 };
 
@@ -127,7 +130,8 @@ const LibraryEntry* library_entry(const Reading& reading, std::string_view name)
 void read_component(Reading& reading, const tree::File& file, const tree::Component& written) {
     const std::string name(file.text(written.name));
     if (!is_new(reading, reading.components, "component", name, written.name.where)) return;
-    if (library_entry(reading, name) != nullptr) reading.diagnostics.add(messages::shadows_library(written.name.where, name));
+    if (library_entry(reading, name) != nullptr)
+        reading.diagnostics.add(messages::shadows_library(written.name.where, name));
     auto component = written.broken ? std::nullopt : resolve_component(file, written, reading.diagnostics);
     if (component) reading.model.components.add(std::move(*component));
     else reading.components_in_error.insert(name);
@@ -137,11 +141,12 @@ void read_component(Reading& reading, const tree::File& file, const tree::Compon
 void read_parts(Reading& reading, const tree::File& file) {
     for (const tree::Declaration& declaration : file.declarations) {
         std::visit(overloaded{
-            [](const tree::Include&) {},
-            [](const tree::ClosedLoop&) {},
-            [&](const tree::Chart& chart) { read_chart(reading, file, chart); },
-            [&](const tree::Component& component) { read_component(reading, file, component); },
-        }, declaration);
+                       [](const tree::Include&) {},
+                       [](const tree::ClosedLoop&) {},
+                       [&](const tree::Chart& chart) { read_chart(reading, file, chart); },
+                       [&](const tree::Component& component) { read_component(reading, file, component); },
+                   },
+                   declaration);
     }
 }
 

@@ -17,9 +17,9 @@
 namespace grafverif {
 
 struct LibraryEntry {
-    std::string_view name = {};   ///< of the component
-    std::string_view text = {};   ///< of its file
-    std::string_view path = {};   ///< as shown in diagnostics
+    std::string_view name = {};  ///< of the component
+    std::string_view text = {};  ///< of its file
+    std::string_view path = {};  ///< as shown in diagnostics
 };
 
 struct ReadContext {
@@ -27,11 +27,11 @@ struct ReadContext {
     /// there), or empty with `why`: not found, out of reach, too large.
     std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};
     std::span<const LibraryEntry> library = {};
-    bool lossy = false;   ///< what a file of another format says and a chart cannot is left out, with a warning
+    bool lossy = false;  ///< what a file of another format says and a chart cannot is left out, with a warning
     /// What tells the file at `path` from others, the same for every path to it; empty: nothing is there. Without this
     /// function every path is a file of its own.
     std::function<std::string(const std::string& path)> identity = {};
-    std::span<const std::string> folders = {};   ///< looked in for includes, after the folder of the including file
+    std::span<const std::string> folders = {};  ///< looked in for includes, after the folder of the including file
 };
 
 /// Charts, components and loops of `file` and what it includes, in order; empty after at least one error.

@@ -11,11 +11,11 @@
 #include <unordered_set>
 
 #include "grafverif/support/diagnostic.hpp"
-#include "support/messages.hpp"
 #include "grafverif/support/source.hpp"
-#include "syntax/st/st_tree.hpp"
+#include "support/messages.hpp"
 #include "support/xml_text.hpp"
 #include "syntax/language/readable.hpp"
+#include "syntax/st/st_tree.hpp"
 
 namespace grafverif {
 
@@ -55,9 +55,10 @@ std::string from_utf16(std::string_view bytes, bool big_endian) {
 }
 
 /// What Windows-1252 has where Latin-1 has control characters.
-constexpr std::array<std::uint16_t, 32> windows = {
-    0x20AC, 0x81, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D, 0x017D, 0x8F,
-    0x90, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D, 0x017E, 0x0178};
+constexpr std::array<std::uint16_t, 32> windows = {0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                                   0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
+                                                   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                                   0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
 
 std::string from_latin(std::string_view bytes) {
     std::string text;
@@ -70,7 +71,8 @@ std::string from_latin(std::string_view bytes) {
 
 /// The value of `encoding` in the XML declaration, with where it begins; empty where there is none.
 std::string_view declared_encoding(std::string_view text) {
-    const std::string_view head = text.substr(0, text.starts_with("<?xml") ? std::min(text.find("?>"), text.size()) : 0);
+    const std::string_view head =
+        text.substr(0, text.starts_with("<?xml") ? std::min(text.find("?>"), text.size()) : 0);
     const std::size_t word = head.find("encoding");
     if (word == std::string_view::npos) return {};
     const std::size_t open = head.find_first_of("\"'", word);
@@ -90,13 +92,15 @@ bool make_utf8(Id<Source> source, Sources& sources, Diagnostics& diagnostics) {
     const std::size_t mark = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     const std::string_view encoding = declared_encoding(std::string_view(text).substr(mark));
     const std::string name = st::capitals(encoding);
-    if (mark == 3 || name.empty() || name == "UTF-8" || name == "UTF8" || name == "ASCII" || name == "US-ASCII") return true;
+    if (mark == 3 || name.empty() || name == "UTF-8" || name == "UTF8" || name == "ASCII" || name == "US-ASCII")
+        return true;
     if (name == "ISO-8859-1" || name == "LATIN1" || name == "WINDOWS-1252" || name == "CP1252") {
         text = from_latin(text);
         return true;
     }
     const auto begin = static_cast<std::uint32_t>(encoding.data() - text.data());
-    diagnostics.add(messages::unknown_encoding({source, begin, begin + static_cast<std::uint32_t>(encoding.size())}, encoding));
+    diagnostics.add(
+        messages::unknown_encoding({source, begin, begin + static_cast<std::uint32_t>(encoding.size())}, encoding));
     return false;
 }
 
@@ -104,18 +108,18 @@ constexpr std::size_t deepest_element = 1000;
 
 std::string_view described(pugi::xml_parse_status status) {
     switch (status) {
-    case pugi::status_unrecognized_tag:        return "this is no tag";
-    case pugi::status_bad_pi:                  return "a processing instruction does not end";
-    case pugi::status_bad_comment:             return "a comment does not end";
-    case pugi::status_bad_cdata:               return "a CDATA section does not end";
-    case pugi::status_bad_doctype:             return "the document type does not end";
-    case pugi::status_bad_pcdata:              return "a text does not end";
-    case pugi::status_bad_start_element:       return "a start tag does not end";
-    case pugi::status_bad_attribute:           return "an attribute wants `name=\"value\"`";
-    case pugi::status_bad_end_element:         return "an end tag is malformed";
-    case pugi::status_end_element_mismatch:    return "an end tag closes another element, or an element is not closed";
-    case pugi::status_no_document_element:     return "there is no element";
-    default:                                   return "it cannot be parsed";
+    case pugi::status_unrecognized_tag: return "this is no tag";
+    case pugi::status_bad_pi: return "a processing instruction does not end";
+    case pugi::status_bad_comment: return "a comment does not end";
+    case pugi::status_bad_cdata: return "a CDATA section does not end";
+    case pugi::status_bad_doctype: return "the document type does not end";
+    case pugi::status_bad_pcdata: return "a text does not end";
+    case pugi::status_bad_start_element: return "a start tag does not end";
+    case pugi::status_bad_attribute: return "an attribute wants `name=\"value\"`";
+    case pugi::status_bad_end_element: return "an end tag is malformed";
+    case pugi::status_end_element_mismatch: return "an end tag closes another element, or an element is not closed";
+    case pugi::status_no_document_element: return "there is no element";
+    default: return "it cannot be parsed";
     }
 }
 
@@ -268,7 +272,8 @@ std::string value(pugi::xml_node node, std::string_view name) { return unescape_
 bool Xml::flag(pugi::xml_node node, std::string_view name, Diagnostics& diagnostics) const {
     const std::string text = value(node, name);
     if (!text.empty() && text != "true" && text != "1" && text != "false" && text != "0")
-        diagnostics.add(messages::bad_value(where(node, name), '`' + std::string(name) + '`', text, "`true` or `false`"));
+        diagnostics.add(
+            messages::bad_value(where(node, name), '`' + std::string(name) + '`', text, "`true` or `false`"));
     return text == "true" || text == "1";
 }
 

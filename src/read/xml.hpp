@@ -40,10 +40,12 @@ public:
     std::string content(pugi::xml_node node) const;
 
 private:
-    std::uint32_t offset(const char* place) const { return begin_ + static_cast<std::uint32_t>(place - buffer_.data()); }
+    std::uint32_t offset(const char* place) const {
+        return begin_ + static_cast<std::uint32_t>(place - buffer_.data());
+    }
 
     Id<Source> source_ = {};
-    std::uint32_t begin_ = 0;            ///< of the buffer in the source
+    std::uint32_t begin_ = 0;  ///< of the buffer in the source
     std::vector<char> buffer_ = {};
     pugi::xml_document document_ = {};
     pugi::xml_node root_ = {};

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <utility>
 
-#include "report/terminal.hpp"
 #include "report/table.hpp"
+#include "report/terminal.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif {
@@ -22,9 +22,9 @@ namespace {
 Diagnostic diagnostic(const Finding& finding) {
     Diagnostic made;
     switch (finding.level) {
-    case Finding::Level::Error:   made.severity = Severity::Error; break;
+    case Finding::Level::Error: made.severity = Severity::Error; break;
     case Finding::Level::Warning: made.severity = Severity::Warning; break;
-    case Finding::Level::Note:    made.severity = Severity::Note; break;
+    case Finding::Level::Note: made.severity = Severity::Note; break;
     }
     made.code = finding.code;
     made.where = finding.origin;
@@ -45,29 +45,34 @@ void print_evidence(const Finding& finding, std::ostream& out) {
 void print_accepted(const Analysis& analysis, std::ostream& out) {
     for (const Finding& finding : analysis.findings)
         if (finding.accepted)
-            out << fmt::format("accepted: {} [{}]: {}\n", printable(finding.message), finding.code, printable(*finding.accepted));
+            out << fmt::format("accepted: {} [{}]: {}\n", printable(finding.message), finding.code,
+                               printable(*finding.accepted));
 }
 
 /// `X4`, `X5`; what is beyond eight is counted.
 std::string subjects_text(const std::vector<std::string>& subjects) {
     constexpr std::size_t most = 8;
     std::string text;
-    for (std::size_t k = 0; k < std::min(most, subjects.size()); ++k) text += fmt::format("{}`{}`", k == 0 ? "" : ", ", printable(subjects[k]));
+    for (std::size_t k = 0; k < std::min(most, subjects.size()); ++k)
+        text += fmt::format("{}`{}`", k == 0 ? "" : ", ", printable(subjects[k]));
     return subjects.size() > most ? fmt::format("{} and {} more", text, subjects.size() - most) : text;
 }
 
 /// What is not known, a line for each code and for how far it was looked into.
 void print_open(const Analysis& analysis, std::ostream& out) {
     if (analysis.open.empty()) return;
-    out << fmt::format("not decided: {} of {} questions; {}\n", analysis.open.size(), analysis.questions, analysis.obstacle);
+    out << fmt::format("not decided: {} of {} questions; {}\n", analysis.open.size(), analysis.questions,
+                       analysis.obstacle);
     std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines;
-    std::set<std::pair<const void*, std::string_view>> told;   // several questions may be about one subject
+    std::set<std::pair<const void*, std::string_view>> told;  // several questions may be about one subject
     for (const OpenQuestion& question : analysis.open) {
         std::vector<std::string>& subjects = lines[{question.code, open_text(question)}];
-        if (!question.subject.empty() && told.emplace(&subjects, question.subject).second) subjects.push_back(question.subject);
+        if (!question.subject.empty() && told.emplace(&subjects, question.subject).second)
+            subjects.push_back(question.subject);
     }
     for (const auto& [line, subjects] : lines)
-        out << "    " << line.first << (subjects.empty() ? "" : " of " + subjects_text(subjects)) << ": " << line.second << '\n';
+        out << "    " << line.first << (subjects.empty() ? "" : " of " + subjects_text(subjects)) << ": " << line.second
+            << '\n';
 }
 
 void print_tally(const Analysis& analysis, std::ostream& out) {
@@ -103,10 +108,12 @@ void print_findings(const Analysis& analysis, const Sources& sources, Colour col
 }
 
 std::string open_text(const OpenQuestion& question) {
-    const bool never = question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
+    const bool never =
+        question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
     const std::string least = question.evolutions == 0 ? "" : fmt::format("none in {} evolutions", question.evolutions);
     if (question.instants == 0) return least.empty() ? "nothing is known" : least;
-    const std::string first = question.instants == 1 ? "the first instant" : fmt::format("the first {} instants", question.instants);
+    const std::string first =
+        question.instants == 1 ? "the first instant" : fmt::format("the first {} instants", question.instants);
     return (never ? "so it is in " : "none in ") + first + (least.empty() ? "" : ", " + least);
 }
 

@@ -24,7 +24,8 @@ namespace grafverif {
 void print_findings(const Analysis& analysis, const Sources& sources, Colour colour, std::ostream& out);
 void print_findings_json(const Analysis& analysis, const Sources& sources, std::ostream& out);
 /// `version`: of the program, for the record.
-void print_findings_sarif(const Analysis& analysis, const Sources& sources, const std::string& version, std::ostream& out);
+void print_findings_sarif(const Analysis& analysis, const Sources& sources, const std::string& version,
+                          std::ostream& out);
 
 /// How far a question that is not decided was looked into: `none in the first 9 instants`.
 std::string open_text(const OpenQuestion& question);

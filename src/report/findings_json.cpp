@@ -35,8 +35,8 @@ FindingJson open_json(const OpenQuestion& question) {
 
 FindingJson timing(const Finding& finding) {
     switch (finding.timing) {
-    case Finding::Timing::Untimed:     return nullptr;
-    case Finding::Timing::Confirmed:   return "confirmed";
+    case Finding::Timing::Untimed: return nullptr;
+    case Finding::Timing::Confirmed: return "confirmed";
     case Finding::Timing::Unconfirmed: return "unconfirmed";
     }
     return nullptr;
@@ -126,14 +126,11 @@ FindingJson result(const Finding& finding, const Sources& sources) {
         place["message"] = {{"text", related.message}};
         object["relatedLocations"].push_back(std::move(place));
     }
-    if (finding.accepted)
-        object["suppressions"] = {{{"kind", "inSource"}, {"justification", *finding.accepted}}};
+    if (finding.accepted) object["suppressions"] = {{{"kind", "inSource"}, {"justification", *finding.accepted}}};
     return object;
 }
 
-void dump(const FindingJson& object, std::ostream& out) {
-    out << json_text(object) << '\n';
-}
+void dump(const FindingJson& object, std::ostream& out) { out << json_text(object) << '\n'; }
 
 }  // namespace
 
@@ -161,11 +158,10 @@ void print_findings_sarif(const Analysis& analysis, const Sources& sources, cons
     FindingJson invocation = {{"executionSuccessful", analysis.open.empty() && analysis.failures.empty()}};
     for (const OpenQuestion& question : analysis.open) {
         const std::string subject = question.subject.empty() ? "" : " of `" + question.subject + "`";
-        const std::string text = "not decided (" + analysis.obstacle + "): " + question.code + subject + ": " +
-                                 open_text(question);
-        invocation["toolExecutionNotifications"].push_back({{"level", "warning"},
-                                                            {"message", {{"text", text}}},
-                                                            {"associatedRule", {{"id", question.code}}}});
+        const std::string text =
+            "not decided (" + analysis.obstacle + "): " + question.code + subject + ": " + open_text(question);
+        invocation["toolExecutionNotifications"].push_back(
+            {{"level", "warning"}, {"message", {{"text", text}}}, {"associatedRule", {{"id", question.code}}}});
     }
     dump({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
           {"version", "2.1.0"},

@@ -29,14 +29,13 @@ std::string edge_words(const Network& network, const ModelError& error) {
 std::string message_of(const Network& network, const ModelError& error) {
     const std::string name = error.variable.valid() ? network.variables[error.variable].name : "";
     switch (error.kind) {
-        case ModelError::Kind::OutOfRange: {
-            const Type& type = network.variables[error.variable].type;
-            return fmt::format("`{}` would leave its range {}..{}, in {}", name, type.low, type.high,
-                               edge_words(network, error));
-        }
-        case ModelError::Kind::ActionRace:
-            return "two stored actions give one variable different values in one evolution";
-        case ModelError::Kind::NoValue: return fmt::format("division by zero, in {}", edge_words(network, error));
+    case ModelError::Kind::OutOfRange: {
+        const Type& type = network.variables[error.variable].type;
+        return fmt::format("`{}` would leave its range {}..{}, in {}", name, type.low, type.high,
+                           edge_words(network, error));
+    }
+    case ModelError::Kind::ActionRace: return "two stored actions give one variable different values in one evolution";
+    case ModelError::Kind::NoValue: return fmt::format("division by zero, in {}", edge_words(network, error));
     }
     unreachable();
 }
@@ -64,7 +63,8 @@ std::string message_of(const SystemFault& fault) {
     switch (fault.kind) {
     case SystemFault::Kind::NoInitialState: return "there is no state to begin with: constraints contradict each other";
     case SystemFault::Kind::DeadEnd: return "the model gets stuck in a state that has no step";
-    case SystemFault::Kind::OutOfRange: return fmt::format("`{}` would leave its range, or get no value", fault.variable);
+    case SystemFault::Kind::OutOfRange:
+        return fmt::format("`{}` would leave its range, or get no value", fault.variable);
     }
     unreachable();
 }

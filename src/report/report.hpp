@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "ir/flat_system.hpp"
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/report.hpp"
+#include "ir/flat_system.hpp"
 #include "report/tell.hpp"
 
 namespace grafverif {

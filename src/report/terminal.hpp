@@ -11,8 +11,8 @@
 #include <iosfwd>
 
 #include "grafverif/ir/chart_run.hpp"
-#include "report/report.hpp"
 #include "grafverif/support/diagnostic.hpp"
+#include "report/report.hpp"
 
 namespace grafverif {
 

@@ -47,8 +47,8 @@ private:
             return fmt::format("{}, untimed: {}; {}{}{}{}", basis.engine, basis.untimed, basis.mode, grain, states,
                                answer.carries.empty() ? "" : "; " + answer.carries);
         }
-        return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero{}", basis.engine, basis.mode,
-                           basis.grain, seconds_text(basis.time_unit_ms), states);
+        return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero{}", basis.engine,
+                           basis.mode, basis.grain, seconds_text(basis.time_unit_ms), states);
     }
 
     void print(const Answer& answer) {
@@ -82,7 +82,8 @@ private:
     }
 
     void print(const Breakdown& breakdown) {
-        out_ << painted("the model breaks off", 31) << ": " << printable(breakdown.message) << " [" << breakdown.code << "]\n";
+        out_ << painted("the model breaks off", 31) << ": " << printable(breakdown.message) << " [" << breakdown.code
+             << "]\n";
         if (!breakdown.trace.steps.empty()) print_told("the way there", breakdown.trace, "");
     }
 

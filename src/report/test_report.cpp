@@ -9,10 +9,10 @@
 #include <ostream>
 #include <tuple>
 
-#include "support/overloaded.hpp"
 #include "report/test_words.hpp"
-#include "support/xml_text.hpp"
 #include "support/json_text.hpp"
+#include "support/overloaded.hpp"
+#include "support/xml_text.hpp"
 
 namespace grafverif {
 
@@ -31,11 +31,11 @@ std::string_view word(StepVerdict verdict) {
 
 std::string_view word(TestReport::Cause cause) {
     switch (cause) {
-    case TestReport::Cause::Different:     return "different";
+    case TestReport::Cause::Different: return "different";
     case TestReport::Cause::NotUnderstood: return "not-understood";
-    case TestReport::Cause::Silent:        return "silent";
-    case TestReport::Cause::Ended:         return "ended";
-    case TestReport::Cause::Flood:         return "flood";
+    case TestReport::Cause::Silent: return "silent";
+    case TestReport::Cause::Ended: return "ended";
+    case TestReport::Cause::Flood: return "flood";
     }
     unreachable();
 }
@@ -102,7 +102,8 @@ std::vector<std::string> verify(const TestReport& report) {
         if (report.verdicts[k].size() != rows_of(report.test.sequences[k]).size()) return {"not one verdict per row"};
         for (std::size_t row = 0; row < report.verdicts[k].size(); ++row) {
             const bool told = failure != report.failures.end() && failure->sequence == k && failure->row == row;
-            if (told != (report.verdicts[k][row] == StepVerdict::Failed)) faults.push_back("a failure without its verdict");
+            if (told != (report.verdicts[k][row] == StepVerdict::Failed))
+                faults.push_back("a failure without its verdict");
             if (told) ++failure;
         }
     }
@@ -119,7 +120,9 @@ void print_json(const TestReport& report, std::ostream& out) {
     const Json document = {{"chart", report.test.chart},
                            {"mode", mode_word(report.test.mode)},
                            {"controller", report.controller},
-                           {"verdict", count.failed != 0 ? "failed" : count.not_run != 0 ? "unknown" : "passed"},
+                           {"verdict", count.failed != 0    ? "failed"
+                                       : count.not_run != 0 ? "unknown"
+                                                            : "passed"},
                            {"passed", count.passed},
                            {"failed", count.failed},
                            {"not_run", count.not_run},
@@ -131,9 +134,10 @@ void print_json(const TestReport& report, std::ostream& out) {
 void print_junit(const TestReport& report, std::ostream& out) {
     const TestTally count = tally(report);
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
-    out << fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"{:.3f}\">\n",
-                       attribute_xml(report.test.chart), count.passed + count.failed + count.not_run, count.failed,
-                       count.not_run, report.seconds);
+    out << fmt::format(
+        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"{:.3f}\">\n",
+        attribute_xml(report.test.chart), count.passed + count.failed + count.not_run, count.failed, count.not_run,
+        report.seconds);
     for_each_row(report, [&](std::size_t sequence, std::size_t row, const TestReport::Failure* failed) {
         out << fmt::format("    <testcase classname=\"{}\" name=\"{}\"", attribute_xml(report.test.chart),
                            attribute_xml(row_name(report.test, sequence, row)));

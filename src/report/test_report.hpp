@@ -25,18 +25,18 @@ struct TestReport {
         Flood,          ///< more than one line, or one without end
     };
     struct Failure {
-        std::size_t sequence = 0;                  ///< index in TestSequence::sequences
-        std::size_t row = 0;                       ///< of the sequence, its activation included
-        std::uint32_t scan = 1;                    ///< of the row, from 1: the first that failed
+        std::size_t sequence = 0;  ///< index in TestSequence::sequences
+        std::size_t row = 0;       ///< of the sequence, its activation included
+        std::uint32_t scan = 1;    ///< of the row, from 1: the first that failed
         Cause cause = Cause::Different;
-        std::vector<std::int64_t> answered = {};   ///< per output; for Different only
-        std::string message = {};                  ///< what happened; empty for Different
+        std::vector<std::int64_t> answered = {};  ///< per output; for Different only
+        std::string message = {};                 ///< what happened; empty for Different
         bool operator==(const Failure&) const = default;
     };
 
     TestSequence test = {};
-    std::string controller = {};                           ///< the command that runs it
-    std::vector<std::vector<StepVerdict>> verdicts = {};   ///< per sequence, per row
+    std::string controller = {};                          ///< the command that runs it
+    std::vector<std::vector<StepVerdict>> verdicts = {};  ///< per sequence, per row
     std::vector<Failure> failures = {};
     double seconds = 0;
 

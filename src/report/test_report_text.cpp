@@ -6,11 +6,11 @@
 #include <ostream>
 
 #include "report/test_report.hpp"
+#include "report/test_words.hpp"
 #include "support/overloaded.hpp"
+#include "support/printable.hpp"
 #include "syntax/print/dialect.hpp"
 #include "syntax/print/scan_line.hpp"
-#include "report/test_words.hpp"
-#include "support/printable.hpp"
 
 namespace grafverif {
 
@@ -69,7 +69,8 @@ std::string cause_words(const TestReport& report, const TestReport::Failure& fai
     const TestSequence::Step& step = *rows_of(report.test.sequences[failure.sequence])[failure.row];
     std::string differing;
     for (std::size_t k = 0; k < failure.answered.size(); ++k)
-        if (failure.answered[k] != step.outputs[k]) differing += (differing.empty() ? "" : ", ") + report.test.outputs[k].name;
+        if (failure.answered[k] != step.outputs[k])
+            differing += (differing.empty() ? "" : ", ") + report.test.outputs[k].name;
     return "differs in " + differing;
 }
 
@@ -79,18 +80,21 @@ std::string failure_words(const TestReport& report, const TestReport::Failure& f
     std::string text = fmt::format("    inputs    {}\n    expected  {}{}\n", named(report.test.inputs, step.inputs),
                                    named(report.test.outputs, step.outputs),
                                    situation.empty() ? "" : "   situation " + printable(situation));
-    if (!failure.answered.empty()) text += fmt::format("    answered  {}\n", named(report.test.outputs, failure.answered));
-    return text + fmt::format("    scan {} of {}: {}\n", failure.scan, step.cycles, printable(cause_words(report, failure)));
+    if (!failure.answered.empty())
+        text += fmt::format("    answered  {}\n", named(report.test.outputs, failure.answered));
+    return text +
+           fmt::format("    scan {} of {}: {}\n", failure.scan, step.cycles, printable(cause_words(report, failure)));
 }
 
 void print_text(const TestReport& report, bool failures_only, std::ostream& out) {
     const TestTally count = tally(report);
     const std::size_t steps = step_count(report.test);
     const std::size_t sequences = report.test.sequences.size();
-    out << fmt::format("{} ({}) against `{}`: {} step{}{}\n", report.test.chart, mode_word(report.test.mode), printable(report.controller),
-                       steps, steps == 1 ? "" : "s",
+    out << fmt::format("{} ({}) against `{}`: {} step{}{}\n", report.test.chart, mode_word(report.test.mode),
+                       printable(report.controller), steps, steps == 1 ? "" : "s",
                        sequences == 1 ? "" : fmt::format(" in {} sequences, each from power-on", sequences));
-    if (!failures_only) out << fmt::format("inputs {} -> outputs {}\n", names(report.test.inputs), names(report.test.outputs));
+    if (!failures_only)
+        out << fmt::format("inputs {} -> outputs {}\n", names(report.test.inputs), names(report.test.outputs));
     print_rows(report, failures_only, out);
     out << fmt::format("{}: {} passed, {} failed, {} not run\n",
                        count.failed != 0    ? "does not conform"

@@ -32,9 +32,9 @@ std::string code(std::size_t index) {
 }
 
 constexpr std::array<std::pair<const char*, ChartRun::Role>, 4> scopes{{{"inputs", ChartRun::Role::Input},
-                                                                       {"outputs", ChartRun::Role::Output},
-                                                                       {"internals", ChartRun::Role::Internal},
-                                                                       {"plant", ChartRun::Role::Plant}}};
+                                                                        {"outputs", ChartRun::Role::Output},
+                                                                        {"internals", ChartRun::Role::Internal},
+                                                                        {"plant", ChartRun::Role::Plant}}};
 
 /// All values of a row in the order of the wires.
 std::vector<std::int64_t> all_values(const ChartRun& run, std::size_t index) {

@@ -7,7 +7,8 @@ namespace grafverif {
 
 Levels::Levels(const Chart& chart) : chart_(chart) {
     has_hierarchy_ = !chart.forcing.empty();
-    for (const Chart::PartialChart& partial : chart.partial_charts) has_hierarchy_ = has_hierarchy_ || partial.owner.valid();
+    for (const Chart::PartialChart& partial : chart.partial_charts)
+        has_hierarchy_ = has_hierarchy_ || partial.owner.valid();
     if (!has_hierarchy_) return;
     entries_.resize(chart.steps.size());
     exits_.resize(chart.steps.size());
@@ -77,7 +78,7 @@ std::vector<bool> Levels::round(const std::vector<bool>* old, const std::vector<
                    (*old)[order.step.index] && now[order.step.index];
         });
     };
-    for (const Id<Chart::Step> id : chart_.steps.ids()) {   // activation links
+    for (const Id<Chart::Step> id : chart_.steps.ids()) {  // activation links
         const Chart::Step& step = chart_.steps[id];
         const Id<Chart::Step> owner = chart_.partial_charts[step.chart].owner;
         const bool linked = step.activation_link && owner.valid() && old != nullptr;
@@ -96,7 +97,7 @@ std::vector<bool> Levels::round(const std::vector<bool>* old, const std::vector<
         const Chart::PartialChart& partial = chart_.partial_charts[id];
         if (partial.kind == Chart::PartialKind::Enclosed && !now[partial.owner.index]) clear(id, next);
     }
-    for (const Id<Chart::Step> id : chart_.steps.ids())   // a macro-step is active while a step of its expansion is
+    for (const Id<Chart::Step> id : chart_.steps.ids())  // a macro-step is active while a step of its expansion is
         if (chart_.steps[id].kind == Chart::StepKind::Macro) next[id.index] = false;
     for (const Id<Chart::Step> id : chart_.steps.ids()) {
         if (!next[id.index] || chart_.steps[id].kind == Chart::StepKind::Macro) continue;

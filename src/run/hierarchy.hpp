@@ -45,7 +45,7 @@ private:
 
     const Chart& chart_;
     bool has_hierarchy_ = false;
-    std::vector<Id<Chart::Step>> entries_ = {}, exits_ = {};   ///< per step: of the expansion of a macro-step
+    std::vector<Id<Chart::Step>> entries_ = {}, exits_ = {};  ///< per step: of the expansion of a macro-step
 };
 
 }  // namespace grafverif

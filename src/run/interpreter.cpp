@@ -116,8 +116,8 @@ void watch(const Chart& chart, const Memory& memory, const std::vector<bool>& en
         }
         Timing& timing = evolution.state.timing[k];
         if ((*level != 0) == (timing.risen >= 0)) continue;
-        const bool lasted = timing.risen == element.rise_ms ? element.rise_ms == 0 || ended[k]
-                                                            : timing.risen > element.rise_ms;
+        const bool lasted =
+            timing.risen == element.rise_ms ? element.rise_ms == 0 || ended[k] : timing.risen > element.rise_ms;
         if (*level == 0 && lasted) timing.fallen = 0;
         timing.risen = *level != 0 ? 0 : -1;
     }

@@ -41,20 +41,20 @@ namespace grafverif {
 
 /// How long a watched term has lasted, as of the end of an evolution; -1: it does not.
 struct Timing {
-    std::int64_t risen = -1;    ///< milliseconds since it became true; -1 while it is false
-    std::int64_t fallen = -1;   ///< since it became false after it had lasted for its t1; -1: it has not yet
+    std::int64_t risen = -1;   ///< milliseconds since it became true; -1 while it is false
+    std::int64_t fallen = -1;  ///< since it became false after it had lasted for its t1; -1: it has not yet
 
     bool operator==(const Timing&) const = default;
 };
 
 struct State {
-    std::vector<bool> situation = {};           ///< per step: whether it is active
-    std::vector<std::int64_t> ages = {};        ///< per step: milliseconds since its activation; inactive: -1
-    std::vector<std::int64_t> values = {};  ///< per variable: internals, the image of stored outputs; others: initial
-    std::vector<std::int64_t> outputs = {};     ///< per variable: outputs as written to the plant; others: initial
-    std::vector<bool> previous = {};            ///< per term whose edges are read: its value in the last evolution
-    std::vector<Timing> timing = {};            ///< per element of timed_elements()
-    bool started = false;                       ///< the first evolution has been made
+    std::vector<bool> situation = {};        ///< per step: whether it is active
+    std::vector<std::int64_t> ages = {};     ///< per step: milliseconds since its activation; inactive: -1
+    std::vector<std::int64_t> values = {};   ///< per variable: internals, the image of stored outputs; others: initial
+    std::vector<std::int64_t> outputs = {};  ///< per variable: outputs as written to the plant; others: initial
+    std::vector<bool> previous = {};         ///< per term whose edges are read: its value in the last evolution
+    std::vector<Timing> timing = {};         ///< per element of timed_elements()
+    bool started = false;                    ///< the first evolution has been made
 
     bool operator==(const State&) const = default;
 };
@@ -75,15 +75,15 @@ struct RunFault {
         ForcedApart,  ///< two forcing orders that cannot be obeyed together are active
     };
     Kind kind = Kind::NoValue;
-    Id<Chart::Variable> variable = {};          ///< not valid: in a condition
+    Id<Chart::Variable> variable = {};  ///< not valid: in a condition
     std::int64_t value = 0;
-    Span where = {};                            ///< the transition, the action or the time condition; else the chart
+    Span where = {};  ///< the transition, the action or the time condition; else the chart
 
     bool operator==(const RunFault&) const = default;
 };
 
 struct Evolution {
-    State state = {};                           ///< after it; with a race or a fault: not to be used further
+    State state = {};  ///< after it; with a race or a fault: not to be used further
     std::vector<Id<Chart::Transition>> fired = {};
     bool stable = false;  ///< nothing fired, nothing changed: the situation is stable for these inputs
     std::optional<StoredRace> race = {};
@@ -92,8 +92,8 @@ struct Evolution {
 
 struct Cycle {
     State state = {};
-    std::vector<std::vector<Id<Chart::Transition>>> fired = {};   ///< per evolution
-    bool stable = false;                        ///< of the last evolution
+    std::vector<std::vector<Id<Chart::Transition>>> fired = {};  ///< per evolution
+    bool stable = false;                                         ///< of the last evolution
     std::optional<StoredRace> race = {};
     std::optional<RunFault> fault = {};
     /// Total instability (stability search only): the situations that follow each other for ever with these inputs;
@@ -115,7 +115,7 @@ State power_on(const Chart& chart);
 /// What of a chart depends on time: `t1/v/t2`. The delay of an action (IEC 60848, 4.8.2) is the time condition 3s/X on
 /// its step, and so is the end of its limit.
 struct TimedElement {
-    Id<Expr> watched = {};                      ///< not valid: `step` is watched
+    Id<Expr> watched = {};  ///< not valid: `step` is watched
     Id<Chart::Step> step = {};
     std::int64_t rise_ms = 0;
     std::int64_t fall_ms = 0;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "grafverif/ir/network.hpp"
-#include "ir/network_run.hpp"
 #include "grafverif/ir/verdict.hpp"
+#include "ir/network_run.hpp"
 
 namespace grafverif {
 

@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "grafverif/ir/chart_run.hpp"
-#include "ir/flat_system.hpp"
 #include "grafverif/ir/network.hpp"
-#include "ir/network_run.hpp"
 #include "grafverif/ir/verdict.hpp"
+#include "ir/flat_system.hpp"
+#include "ir/network_run.hpp"
 
 namespace grafverif {
 

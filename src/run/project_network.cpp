@@ -11,10 +11,10 @@ namespace {
 
 ChartRun::Kind kind_of(Network::ProcessKind kind) {
     switch (kind) {
-        case Network::ProcessKind::Plant: return ChartRun::Kind::Plant;
-        case Network::ProcessKind::Environment: return ChartRun::Kind::Environment;
-        case Network::ProcessKind::Controller: return ChartRun::Kind::Controller;
-        case Network::ProcessKind::Timer: return ChartRun::Kind::Timer;
+    case Network::ProcessKind::Plant: return ChartRun::Kind::Plant;
+    case Network::ProcessKind::Environment: return ChartRun::Kind::Environment;
+    case Network::ProcessKind::Controller: return ChartRun::Kind::Controller;
+    case Network::ProcessKind::Timer: return ChartRun::Kind::Timer;
     }
     unreachable();
 }

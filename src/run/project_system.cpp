@@ -16,9 +16,9 @@ using Writes = ChartRun::Act::Writes;
 
 ChartRun::Kind kind_of(System::Component::Kind kind) {
     switch (kind) {
-        case System::Component::Kind::Plant: return ChartRun::Kind::Plant;
-        case System::Component::Kind::Environment: return ChartRun::Kind::Environment;
-        case System::Component::Kind::Timer: return ChartRun::Kind::Timer;
+    case System::Component::Kind::Plant: return ChartRun::Kind::Plant;
+    case System::Component::Kind::Environment: return ChartRun::Kind::Environment;
+    case System::Component::Kind::Timer: return ChartRun::Kind::Timer;
     }
     unreachable();
 }

@@ -13,9 +13,9 @@ namespace grafverif {
 
 /// What an evolution must remember for the next one, of the terms that something of the chart reads.
 struct Memory {
-    std::vector<Id<Expr>> edges = {};           ///< operands of edges, in order
-    std::vector<std::uint32_t> places = {};     ///< per term: its place in `edges`; empty where there are none
-    std::vector<bool> time_conditions = {};     ///< per time condition: whether it is read
+    std::vector<Id<Expr>> edges = {};        ///< operands of edges, in order
+    std::vector<std::uint32_t> places = {};  ///< per term: its place in `edges`; empty where there are none
+    std::vector<bool> time_conditions = {};  ///< per time condition: whether it is read
 };
 
 Memory memory(const Chart& chart);
@@ -54,8 +54,8 @@ private:
     std::vector<Known> known_ = {};
     std::vector<bool> stored_ = {};
     std::vector<std::vector<Id<Chart::ContinuousAction>>> actions_ = {};
-    std::vector<std::size_t> first_time_ = {};   ///< per continuous action: its first element of `timed`
-    bool lost_ = false;                          ///< something read by the term at hand has no value
+    std::vector<std::size_t> first_time_ = {};  ///< per continuous action: its first element of `timed`
+    bool lost_ = false;                         ///< something read by the term at hand has no value
 };
 
 }  // namespace grafverif

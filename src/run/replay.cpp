@@ -221,9 +221,9 @@ std::optional<Disagreement> replay(const ChartRun& run, std::span<const Chart* c
         for (const ChartRun::Act& act : moment.acts) {
             ControllerReplay& replay = replays[act.controller.index];
             if (std::string what = replay.does(act, *before, moment.after); !what.empty())
-                return Disagreement{moment.move,
-                                    "controller " + replay.name() + ", evolution " + std::to_string(replay.evolutions()),
-                                    std::move(what)};
+                return Disagreement{
+                    moment.move, "controller " + replay.name() + ", evolution " + std::to_string(replay.evolutions()),
+                    std::move(what)};
             if (replay.raced()) return {};
         }
         before = &moment.after;

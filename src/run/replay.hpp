@@ -35,7 +35,8 @@ std::optional<Disagreement> disagreement(const ChartRun& run, std::span<const Ch
 /// What cannot be done together in one evolution.
 struct Clash {
     std::string controller = {};
-    std::string variable = {};   ///< two stored actions give it different values; empty: forcing orders contradict each other
+    std::string variable =
+        {};  ///< two stored actions give it different values; empty: forcing orders contradict each other
 };
 /// Of a run that ends in a race; nothing where by the rules none is.
 std::optional<Clash> clash(const ChartRun& run, std::span<const Chart* const> charts);
@@ -43,7 +44,7 @@ std::optional<Clash> clash(const ChartRun& run, std::span<const Chart* const> ch
 /// Of an untimed run: two times over one step, of which a cycle samples the longer as over and the shorter as not. No
 /// plant gives such a run.
 struct Untimely {
-    std::string step = {};   ///< as the chart names it
+    std::string step = {};  ///< as the chart names it
     std::int64_t longer_ms = 0, shorter_ms = 0;
 };
 std::optional<Untimely> untimely(const ChartRun& run);

@@ -11,7 +11,8 @@ namespace {
 
 class TestReplay {
 public:
-    TestReplay(const Chart& chart, const TestSequence& test) : chart_(chart), test_(test), inputs_(chart.variables.size()) {}
+    TestReplay(const Chart& chart, const TestSequence& test)
+        : chart_(chart), test_(test), inputs_(chart.variables.size()) {}
 
     /// What is wrong with one step, or nothing.
     std::string step(const TestSequence::Step& step) {
@@ -23,7 +24,8 @@ public:
             if (state_.situation[id.index]) situation += (situation.size() > 1 ? "," : "") + qualified(id);
         const std::string& expected = test_.situations[step.situation].text;
         const std::string between = " or ";
-        const bool one_of = (between + expected + between).find(between + situation + '}' + between) != std::string::npos;
+        const bool one_of =
+            (between + expected + between).find(between + situation + '}' + between) != std::string::npos;
         return one_of ? "" : "the situation is " + situation + "} instead of " + expected;
     }
 
@@ -49,7 +51,8 @@ private:
             if (chart_.variables[id].kind != Chart::VariableKind::Output) continue;
             const std::int64_t expected = step.outputs[output++], found = state_.outputs[id.index];
             if (found != expected)
-                return "`" + chart_.variables[id].name + "` is " + std::to_string(found) + " instead of " + std::to_string(expected);
+                return "`" + chart_.variables[id].name + "` is " + std::to_string(found) + " instead of " +
+                       std::to_string(expected);
         }
         return {};
     }
@@ -57,7 +60,7 @@ private:
     const Chart& chart_;
     const TestSequence& test_;
     State state_ = {};
-    std::vector<std::int64_t> inputs_ = {};   ///< per variable of the chart
+    std::vector<std::int64_t> inputs_ = {};  ///< per variable of the chart
 };
 
 }  // namespace
@@ -70,7 +73,8 @@ std::optional<std::string> disagreement(const Chart& chart, const TestSequence& 
         std::string what = sequence.activation ? replay.step(*sequence.activation) : "";
         std::size_t number = 0;
         while (what.empty() && number < sequence.steps.size()) what = replay.step(sequence.steps[number++]);
-        if (!what.empty()) return "sequence " + std::to_string(k + 1) + ", step " + std::to_string(number) + ": " + what;
+        if (!what.empty())
+            return "sequence " + std::to_string(k + 1) + ", step " + std::to_string(number) + ": " + what;
     }
     return {};
 }

@@ -45,20 +45,20 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
 /// Why the model cannot answer a pattern; empty: it can.
 std::string refusal(const LoopMeaning& meaning, Pattern pattern) {
     switch (pattern) {
-        case Pattern::NoDeadlock:
-            return meaning.can_move.valid() ? "" : "this model is total, and cannot say whether the closed loop is";
-        case Pattern::NoTimelock: return meaning.can_wait.valid() ? "" : "there is no time in this model";
-        case Pattern::RawUppaal: return "it is a formula for UPPAAL";
-        case Pattern::Always:
-        case Pattern::Never:
-        case Pattern::Reachable:
-        case Pattern::Inevitable:
-        case Pattern::LeadsTo:
-        case Pattern::ReachableAllSteps:
-        case Pattern::ExactlyOneOf:
-        case Pattern::AlwaysPossible:
-        case Pattern::RawCtl:
-        case Pattern::RawLtl: return {};
+    case Pattern::NoDeadlock:
+        return meaning.can_move.valid() ? "" : "this model is total, and cannot say whether the closed loop is";
+    case Pattern::NoTimelock: return meaning.can_wait.valid() ? "" : "there is no time in this model";
+    case Pattern::RawUppaal: return "it is a formula for UPPAAL";
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::Reachable:
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo:
+    case Pattern::ReachableAllSteps:
+    case Pattern::ExactlyOneOf:
+    case Pattern::AlwaysPossible:
+    case Pattern::RawCtl:
+    case Pattern::RawLtl: return {};
     }
     unreachable();
 }

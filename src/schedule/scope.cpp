@@ -33,35 +33,41 @@ std::string controllers_scope(std::span<const ControllerPart> controllers, bool 
                                   "infinitely often. "
                                 : "One step is one PLC cycle. ") +
                        power_on + outputs_written(controllers);
-    text += "An always, never, exactly one of or inevitable that holds here, and a leads to that holds and whose left "
-            "side reads no input, holds with every plant " +
-            std::string(constrained ? "that keeps the constraints " : "") + "in grain atomic, provided that " +
-            (several ? "each controller runs" : "the plant lets the controller run") +
-            "; so does a reachable that is violated here. What fails here may yet hold with the real plant. All "
-            "other verdicts are about this model only: reachable that holds, always possible, CTL and LTL formulas, "
-            "what an observer saw, and, at stable, all but always, never and exactly one of.";
+    text +=
+        "An always, never, exactly one of or inevitable that holds here, and a leads to that holds and whose left "
+        "side reads no input, holds with every plant " +
+        std::string(constrained ? "that keeps the constraints " : "") + "in grain atomic, provided that " +
+        (several ? "each controller runs" : "the plant lets the controller run") +
+        "; so does a reachable that is violated here. What fails here may yet hold with the real plant. All "
+        "other verdicts are about this model only: reachable that holds, always possible, CTL and LTL formulas, "
+        "what an observer saw, and, at stable, all but always, never and exactly one of.";
     if (constrained)
-        text += " The constraints are assumptions: whether the plant keeps them is a property to prove with plant "
-                "automata.";
+        text +=
+            " The constraints are assumptions: whether the plant keeps them is a property to prove with plant "
+            "automata.";
     return text;
 }
 
 std::string together_scope(Schedule schedule, std::span<const ControllerPart> controllers, bool fairness) {
-    std::string text = "This model is the closed loop with its plant automata, without time: a timed edge may be taken "
-                       "at any moment. ";
+    std::string text =
+        "This model is the closed loop with its plant automata, without time: a timed edge may be taken "
+        "at any moment. ";
     if (schedule == Schedule::Synchronous)
-        text += "Schedule synchronous: in one step every controller runs one PLC cycle and every automaton takes one "
-                "edge, all from the same state; an automaton stays only where it has no urgent edge to take. ";
+        text +=
+            "Schedule synchronous: in one step every controller runs one PLC cycle and every automaton takes one "
+            "edge, all from the same state; an automaton stays only where it has no urgent edge to take. ";
     else
-        text += "Schedule sequenced: controllers and plant take turns. The controllers run cycles until they settle (one "
-                "cycle, where outputs are written in every cycle); then the plant runs rounds until one changes "
-                "nothing. In a round each automaton takes one edge, in any order, and stays only where it has nothing "
-                "urgent to do; timed edges are taken in the first round only. Every property is judged at the end of "
-                "each evolution of the plant (PTE) and of the controllers, and in no state between. ";
+        text +=
+            "Schedule sequenced: controllers and plant take turns. The controllers run cycles until they settle (one "
+            "cycle, where outputs are written in every cycle); then the plant runs rounds until one changes "
+            "nothing. In a round each automaton takes one edge, in any order, and stays only where it has nothing "
+            "urgent to do; timed edges are taken in the first round only. Every property is judged at the end of "
+            "each evolution of the plant (PTE) and of the controllers, and in no state between. ";
     text += power_on + outputs_written(controllers);
     if (fairness) text += fair_runs;
     return text +
-           "This schedule restricts the order of events: every verdict is about this model, and none carries over to the "
+           "This schedule restricts the order of events: every verdict is about this model, and none carries over to "
+           "the "
            "timed closed loop. There, sensors may be seen one before the other, and outputs change in between.";
 }
 
@@ -70,22 +76,25 @@ std::string network_scope(const Network& network, const ScheduleOptions& options
     std::string text = "This model is the closed loop with its plant automata, schedule interleaved, grain " + grain +
                        ": in one step any one automaton that can, or the PLC, takes an edge";
     if (options.time == TimeModel::Discrete) {
-        text += ", or time passes by one unit. Clocks count units of time: the states are those of the timed closed loop "
-                "in integer time. ";
+        text +=
+            ", or time passes by one unit. Clocks count units of time: the states are those of the timed closed loop "
+            "in integer time. ";
         if (options.fairness) text += fair_runs;
         return text + "Verdicts on always, never, exactly one of" + (options.fairness ? "" : " and reachable") +
                " hold of the timed loop in this grain where its clock constraints are closed; other verdicts are for "
                "integer time only.";
     }
-    text += "; where no urgent edge can be taken, perhaps none does. Time is left out: a timed edge may be taken at any "
-            "moment. ";
+    text +=
+        "; where no urgent edge can be taken, perhaps none does. Time is left out: a timed edge may be taken at any "
+        "moment. ";
     if (options.fairness)
         return text + fair_runs +
                "An always, never or exactly one of that holds here holds in the timed closed loop of this mode and "
                "grain. All other verdicts are about this model, under fairness: EF asks for a fair run.";
-    return text + "It has every run of the timed closed loop of this mode and grain, and more: an always, never, exactly "
-                  "one of, inevitable or leads to that holds here holds there, and so does a reachable that is "
-                  "violated. Nothing else carries over: what fails here may yet hold in the timed loop.";
+    return text +
+           "It has every run of the timed closed loop of this mode and grain, and more: an always, never, exactly "
+           "one of, inevitable or leads to that holds here holds there, and so does a reachable that is "
+           "violated. Nothing else carries over: what fails here may yet hold in the timed loop.";
 }
 
 }  // namespace grafverif::schedule

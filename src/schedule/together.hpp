@@ -25,9 +25,9 @@
 
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/equations.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/transition_system.hpp"
-#include "grafverif/ir/execution.hpp"
 #include "grafverif/support/diagnostic.hpp"
 
 namespace grafverif {

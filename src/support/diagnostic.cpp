@@ -7,8 +7,8 @@
 #include <string_view>
 #include <tuple>
 
-#include "support/overloaded.hpp"
 #include "support/json_text.hpp"
+#include "support/overloaded.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif {
@@ -22,18 +22,18 @@ namespace {
 
 std::string_view word(Severity severity) {
     switch (severity) {
-    case Severity::Error:   return "error";
+    case Severity::Error: return "error";
     case Severity::Warning: return "warning";
-    case Severity::Note:    return "note";
+    case Severity::Note: return "note";
     }
     unreachable();
 }
 
 std::string_view ansi(Severity severity) {
     switch (severity) {
-    case Severity::Error:   return "\x1b[1;31m";
+    case Severity::Error: return "\x1b[1;31m";
     case Severity::Warning: return "\x1b[1;35m";
-    case Severity::Note:    return "\x1b[1;36m";
+    case Severity::Note: return "\x1b[1;36m";
     }
     unreachable();
 }
@@ -43,7 +43,7 @@ constexpr std::size_t clip_columns = 100;
 /// A source line as shown: at most `clip_columns` bytes around the marked part, cut at character boundaries.
 struct Excerpt {
     std::string text = {};
-    std::string marks = {};   ///< blanks, tabs kept, then carets
+    std::string marks = {};  ///< blanks, tabs kept, then carets
 };
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
@@ -108,8 +108,8 @@ std::vector<Diagnostic> in_order(std::vector<Diagnostic> diagnostics) {
 }
 
 nlohmann::ordered_json as_json(const Diagnostic& diagnostic, const Sources& sources) {
-    nlohmann::ordered_json object = {{"file", nullptr}, {"line", nullptr}, {"column", nullptr},
-                                     {"end_line", nullptr}, {"end_column", nullptr}};
+    nlohmann::ordered_json object = {
+        {"file", nullptr}, {"line", nullptr}, {"column", nullptr}, {"end_line", nullptr}, {"end_column", nullptr}};
     if (sources.contains(diagnostic.where.source)) {
         const Source& source = sources[diagnostic.where.source];
         const Place begin = place(source.text, diagnostic.where.begin);

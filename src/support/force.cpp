@@ -12,7 +12,8 @@ constexpr int most_rounds = 100, patience = 8;
 
 class Force {
 public:
-    Force(std::size_t vertices, const std::vector<ForceEdge>& edges) : edges_(edges), edges_of_(vertices), place_(vertices) {
+    Force(std::size_t vertices, const std::vector<ForceEdge>& edges)
+        : edges_(edges), edges_of_(vertices), place_(vertices) {
         for (std::uint32_t edge = 0; edge < edges_.size(); ++edge)
             for (const std::uint32_t vertex : edges_[edge]) edges_of_[vertex].push_back(edge);
         std::iota(place_.begin(), place_.end(), 0.0);
@@ -55,19 +56,22 @@ private:
     double total_span() const {
         double span = 0;
         for (const ForceEdge& edge : edges_) {
-            const auto [least, most] = std::ranges::minmax(edge, {}, [&](std::uint32_t vertex) { return place_[vertex]; });
+            const auto [least, most] =
+                std::ranges::minmax(edge, {}, [&](std::uint32_t vertex) { return place_[vertex]; });
             span += place_[most] - place_[least];
         }
         return span;
     }
 
     const std::vector<ForceEdge>& edges_;
-    std::vector<std::vector<std::uint32_t>> edges_of_;   ///< per vertex
+    std::vector<std::vector<std::uint32_t>> edges_of_;  ///< per vertex
     std::vector<double> place_;
 };
 
 }  // namespace
 
-std::vector<double> force_places(std::size_t vertices, const std::vector<ForceEdge>& edges) { return Force(vertices, edges).places(); }
+std::vector<double> force_places(std::size_t vertices, const std::vector<ForceEdge>& edges) {
+    return Force(vertices, edges).places();
+}
 
 }  // namespace grafverif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "support/messages.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "support/wording.hpp"
 
@@ -29,30 +29,39 @@ Diagnostic cannot_read(std::string_view path, std::string_view why) {
 Diagnostic world_failed(std::string_view what) { return error("cannot-write", {}, std::string(what)); }
 
 Diagnostic output_is_input(std::string_view output, std::string_view input) {
-    return error("output-is-input", {},
-                 output == input ? fmt::format("`{}` would be written, and it is read in the same run; name another output", output)
-                                 : fmt::format("`{}` would be written, and it is `{}`, which is read in the same run; name another output", output, input));
+    return error(
+        "output-is-input", {},
+        output == input
+            ? fmt::format("`{}` would be written, and it is read in the same run; name another output", output)
+            : fmt::format("`{}` would be written, and it is `{}`, which is read in the same run; name another output",
+                          output, input));
 }
 
 Diagnostic output_twice(std::string_view one, std::string_view other) {
-    return error("output-twice", {},
-                 one == other ? fmt::format("two outputs would be written to `{}`; give each a name of its own", one)
-                              : fmt::format("two outputs would be written to one file, `{}` and `{}`; give each a name of its own", one, other));
+    return error(
+        "output-twice", {},
+        one == other
+            ? fmt::format("two outputs would be written to `{}`; give each a name of its own", one)
+            : fmt::format("two outputs would be written to one file, `{}` and `{}`; give each a name of its own", one,
+                          other));
 }
 
 Diagnostic cure_left_out(std::string_view cure) {
-    return warning("cure-left-out", {}, fmt::format("`{}` is left out of the model: no verdict here is about the chart", cure));
+    return warning("cure-left-out", {},
+                   fmt::format("`{}` is left out of the model: no verdict here is about the chart", cure));
 }
 
 Diagnostic missing_program(std::string_view program, std::string_view instead) {
-    return error("missing-program", {},
-                 fmt::format("`{}` is not on the PATH; the embedded engine needs nothing installed: `{}`", program, instead));
+    return error(
+        "missing-program", {},
+        fmt::format("`{}` is not on the PATH; the embedded engine needs nothing installed: `{}`", program, instead));
 }
 
 Diagnostic no_closed_loop() {
-    return error("no-closed-loop", {},
-                 "the file has no closed loop; declare `closed_loop NAME { controller CHART; ... }`. A chart alone is run by "
-                 "`grafverif plc`, checked by `grafverif check`, and written as a model by `grafverif nusmv`");
+    return error(
+        "no-closed-loop", {},
+        "the file has no closed loop; declare `closed_loop NAME { controller CHART; ... }`. A chart alone is run by "
+        "`grafverif plc`, checked by `grafverif check`, and written as a model by `grafverif nusmv`");
 }
 
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known) {
@@ -63,11 +72,13 @@ Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::spa
 
 Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std::span<const std::string> known) {
     if (known.empty()) return error("no-such-choice", {}, fmt::format("the file has no {}", kind));
-    return error("ambiguous-choice", {}, fmt::format("the file has several {}s: {}; choose with `{}`", kind, listed(known), option));
+    return error("ambiguous-choice", {},
+                 fmt::format("the file has several {}s: {}; choose with `{}`", kind, listed(known), option));
 }
 
 Diagnostic not_expressible(Span property, std::string_view name, std::string_view target, std::string_view reason) {
-    return warning("not-expressible", property, fmt::format("property `{}` is left out of the {} model; {}", name, target, reason));
+    return warning("not-expressible", property,
+                   fmt::format("property `{}` is left out of the {} model; {}", name, target, reason));
 }
 
 // -- reading ---------------------------------------------------------------------------------------------------------
@@ -80,10 +91,11 @@ Diagnostic output_cycle(Span where, std::span<const std::string> outputs) {
     for (const std::string& output : outputs.first(std::min(shown, outputs.size())))
         path += fmt::format("`{}` reads ", output);
     if (outputs.size() > shown) path += fmt::format("{} more, the last reads ", outputs.size() - shown);
-    return error("output-cycle", where,
-                 fmt::format("the output `{}` depends on itself ({}`{}`); an assignation condition means the equation of "
-                             "each output it reads",
-                             outputs.front(), path, outputs.front()));
+    return error(
+        "output-cycle", where,
+        fmt::format("the output `{}` depends on itself ({}`{}`); an assignation condition means the equation of "
+                    "each output it reads",
+                    outputs.front(), path, outputs.front()));
 }
 
 Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit) {
@@ -94,10 +106,11 @@ Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit) 
 }
 
 Diagnostic term_too_deep(Span where, std::string_view what, std::size_t limit) {
-    return error("too-large", where,
-                 fmt::format("the equation of {} nests deeper than {}; outputs read in conditions are replaced by their "
-                             "equations, read internal variables instead",
-                             what, limit));
+    return error(
+        "too-large", where,
+        fmt::format("the equation of {} nests deeper than {}; outputs read in conditions are replaced by their "
+                    "equations, read internal variables instead",
+                    what, limit));
 }
 
 Diagnostic terms_too_large(Span where, std::string_view grafcet, std::size_t limit) {
@@ -108,8 +121,9 @@ Diagnostic terms_too_large(Span where, std::string_view grafcet, std::size_t lim
 }
 
 Diagnostic too_many_stored_values(Span where, std::string_view variable, std::size_t limit) {
-    return error("too-large", where,
-                 fmt::format("more than {} different values are stored in `{}`; use fewer actions on it", limit, variable));
+    return error(
+        "too-large", where,
+        fmt::format("more than {} different values are stored in `{}`; use fewer actions on it", limit, variable));
 }
 
 // -- plant and compose -------------------------------------------------------------------------------------------------
@@ -127,53 +141,70 @@ std::string time_text(std::int64_t milliseconds) {
 Diagnostic no_multiple_of_time_unit(Span where, std::int64_t milliseconds, std::int64_t unit_ms) {
     return error("no-multiple-of-time-unit", where,
                  fmt::format("`{}` is no whole number of time units of `{}`; leave out `time unit`, or choose one that "
-                             "divides every duration", time_text(milliseconds), time_text(unit_ms)));
+                             "divides every duration",
+                             time_text(milliseconds), time_text(unit_ms)));
 }
 
 Diagnostic duration_too_long(Span where, std::int64_t milliseconds, std::int64_t unit_ms) {
     return error("duration-too-long", where,
                  fmt::format("`{}` is {} time units of `{}`, more than model checkers count; choose durations with a "
-                             "larger common divisor", time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
+                             "larger common divisor",
+                             time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
 }
 
 Diagnostic many_time_units(Span where, std::int64_t milliseconds, std::int64_t unit_ms) {
-    return warning("many-time-units", where,
+    return warning(
+        "many-time-units", where,
         fmt::format("`{}` is {} time units of `{}`, and engines that count units will be slow; choose durations with a "
-                    "larger common divisor", time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
+                    "larger common divisor",
+                    time_text(milliseconds), milliseconds / unit_ms, time_text(unit_ms)));
 }
 
 Diagnostic no_value(Span where, std::string_view instance) {
-    return error("no-value", where, fmt::format("a value at power-on of `{}` cannot be computed; look for a division by "
-                                                "zero", instance));
+    return error("no-value", where,
+                 fmt::format("a value at power-on of `{}` cannot be computed; look for a division by "
+                             "zero",
+                             instance));
 }
 
 Diagnostic bad_range(Span where, std::string_view variable, std::int64_t low, std::int64_t high) {
-    return error("bad-range", where, fmt::format("`{}` would range over {}..{}; a range is not empty and lies within "
-                                                 "-32768..32767", variable, low, high));
+    return error("bad-range", where,
+                 fmt::format("`{}` would range over {}..{}; a range is not empty and lies within "
+                             "-32768..32767",
+                             variable, low, high));
 }
 
 Diagnostic initial_out_of_range(Span where, std::string_view variable, std::int64_t initial, std::int64_t low,
                                 std::int64_t high) {
-    return error("initial-out-of-range", where, fmt::format("`{}` starts at {}, outside its range {}..{}; widen the "
-                                                            "range or start within it", variable, initial, low, high));
+    return error("initial-out-of-range", where,
+                 fmt::format("`{}` starts at {}, outside its range {}..{}; widen the "
+                             "range or start within it",
+                             variable, initial, low, high));
 }
 
 Diagnostic second_writer(Span where, std::string_view variable, std::string_view first, std::string_view second) {
-    return error("two-writers", where, fmt::format("`{}` is assigned by `{}` and by `{}`; each shared variable has one "
-                                                   "writer", variable, first, second));
+    return error("two-writers", where,
+                 fmt::format("`{}` is assigned by `{}` and by `{}`; each shared variable has one "
+                             "writer",
+                             variable, first, second));
 }
 
 Diagnostic urgent_invariant(Span where, std::string_view component, std::string_view location) {
-    return error("urgent-invariant", where,
-                 fmt::format("the invariant of `{}` can fail when this urgent edge of `{}` fires; reset its clock on the "
-                             "edge, or bound it as strongly in the source location", location, component));
+    return error(
+        "urgent-invariant", where,
+        fmt::format("the invariant of `{}` can fail when this urgent edge of `{}` fires; reset its clock on the "
+                    "edge, or bound it as strongly in the source location",
+                    location, component));
 }
 
 Diagnostic range_skipped(Span where, std::string_view variable, std::string_view mover, std::int64_t step,
                          std::string_view detector, std::int64_t low, std::int64_t high) {
-    return warning("range-skipped", where,
-        fmt::format("`{}` moves `{}` in steps of {}, which can jump over the range {}..{} that `{}` detects; choose steps "
-                    "of at most {}", mover, variable, step, low, high, detector, high - low + 1));
+    return warning(
+        "range-skipped", where,
+        fmt::format(
+            "`{}` moves `{}` in steps of {}, which can jump over the range {}..{} that `{}` detects; choose steps "
+            "of at most {}",
+            mover, variable, step, low, high, detector, high - low + 1));
 }
 
 // -- schedule and emit -------------------------------------------------------------------------------------------------

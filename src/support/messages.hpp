@@ -121,14 +121,15 @@ Diagnostic empty_component(Span where, std::string_view component);
 Diagnostic edge_outside_chart(Span where);
 
 // (src/support/messages_loop.cpp)
-Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter, std::string_view example);
+Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter,
+                            std::string_view example);
 Diagnostic argument_not_a_name(Span where, std::string_view parameter, std::string_view kind);
 Diagnostic missing_initially(Span where, std::string_view component, std::string_view locations);
 Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean);
 Diagnostic undriven_variable(Span where, std::string_view variable, std::string_view suggestion);
 Diagnostic argument_type(Span where, std::string_view name, std::string_view found, std::string_view expected);
-Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, std::int64_t high, std::int64_t wanted_low,
-                          std::int64_t wanted_high);
+Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, std::int64_t high,
+                          std::int64_t wanted_low, std::int64_t wanted_high);
 Diagnostic no_controller(Span where, std::string_view loop);
 Diagnostic clock_in_property(Span where, std::string_view clock);
 /// `language`: `CTL`; `what`: of the text at `where`.

@@ -64,8 +64,9 @@ Diagnostic assigned_input(Span where, std::string_view variable) {
 }
 
 Diagnostic continuous_and_stored(Span where, std::string_view output, Span other) {
-    Diagnostic diagnostic = error("continuous-and-stored", where,
-        fmt::format("`{}` has continuous and stored actions; use one kind for an output", clipped(output)));
+    Diagnostic diagnostic =
+        error("continuous-and-stored", where,
+              fmt::format("`{}` has continuous and stored actions; use one kind for an output", clipped(output)));
     diagnostic.notes.push_back(note(other, "the other kind is here"));
     return diagnostic;
 }
@@ -97,8 +98,9 @@ Diagnostic forced_twice(Span where, std::string_view chart, Span first) {
 Diagnostic forced_beside(Span where, std::string_view expansion, std::string_view with, Span first) {
     Diagnostic diagnostic = error(
         "forced-twice", where,
-        fmt::format("`{0}` has an order of its own and is forced with `{1}`, of which it expands a macro-step; keep one order",
-                    clipped(expansion), clipped(with)));
+        fmt::format(
+            "`{0}` has an order of its own and is forced with `{1}`, of which it expands a macro-step; keep one order",
+            clipped(expansion), clipped(with)));
     diagnostic.notes.push_back(note(first, "the other order is here"));
     return diagnostic;
 }

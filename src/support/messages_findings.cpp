@@ -14,8 +14,8 @@ Diagnostic bad_exclusion_header(Span where) {
 
 Diagnostic bad_exclusion(Span where, std::size_t fields) {
     return error("bad-exclusion", where,
-                 fmt::format("this row has {} {}; write two inputs and a reason, in quotes where it holds a comma", fields,
-                             fields == 1 ? "field" : "fields"));
+                 fmt::format("this row has {} {}; write two inputs and a reason, in quotes where it holds a comma",
+                             fields, fields == 1 ? "field" : "fields"));
 }
 
 Diagnostic not_a_boolean_input(Span where, std::string_view name, std::string_view chart) {
@@ -29,9 +29,9 @@ Diagnostic excludes_itself(Span where, std::string_view name) {
 }
 
 Diagnostic unknown_finding(Span where, std::string_view code) {
-    return error("unknown-finding", where,
-                 fmt::format("there is no finding `{}`; `grafverif analyse` shows the code of each in brackets",
-                             clipped(code)));
+    return error(
+        "unknown-finding", where,
+        fmt::format("there is no finding `{}`; `grafverif analyse` shows the code of each in brackets", clipped(code)));
 }
 
 }  // namespace grafverif::messages

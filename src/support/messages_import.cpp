@@ -25,10 +25,12 @@ Diagnostic unknown_encoding(Span where, std::string_view encoding) {
 }
 
 Diagnostic unknown_format(Span where, std::string_view root) {
-    return error("unknown-format", where,
-                 fmt::format("{} that is known here; read are AGRAFE GRAFCET (XML, `<grafcet:Grafcet>`), PLCopen TC6 XML "
-                             "(`<project>`) and textual Sequential Function Charts (`PROGRAM`, `FUNCTION_BLOCK`)",
-                             root.empty() ? "the file begins with no chart" : fmt::format("`{}` begins no chart", clipped(root))));
+    return error(
+        "unknown-format", where,
+        fmt::format(
+            "{} that is known here; read are AGRAFE GRAFCET (XML, `<grafcet:Grafcet>`), PLCopen TC6 XML "
+            "(`<project>`) and textual Sequential Function Charts (`PROGRAM`, `FUNCTION_BLOCK`)",
+            root.empty() ? "the file begins with no chart" : fmt::format("`{}` begins no chart", clipped(root))));
 }
 
 Diagnostic dangling_reference(Span where, std::string_view reference, std::string_view kind) {
@@ -77,10 +79,11 @@ Diagnostic chosen_kind(Span where, std::string_view variable, std::string_view k
 }
 
 Diagnostic mixed_actions(Span where, std::string_view output, std::string_view stored) {
-    return warning("mixed-actions", where,
-                   fmt::format("`{0}` has continuous and stored actions; it is true where a continuous action says so or "
-                               "what was stored last, now `{1}`, is true",
-                               clipped(output), clipped(stored)));
+    return warning(
+        "mixed-actions", where,
+        fmt::format("`{0}` has continuous and stored actions; it is true where a continuous action says so or "
+                    "what was stored last, now `{1}`, is true",
+                    clipped(output), clipped(stored)));
 }
 
 Diagnostic explicit_priority(Span where, std::string_view step, std::size_t branches) {
@@ -95,7 +98,8 @@ Diagnostic differs_from_sfc(Span where, std::string_view what) {
 }
 
 Diagnostic ours_already(Span where) {
-    return error("nothing-to-import", where, "the file is in our own language, which every verb reads; `grafverif fmt` prints it");
+    return error("nothing-to-import", where,
+                 "the file is in our own language, which every verb reads; `grafverif fmt` prints it");
 }
 
 Diagnostic nothing_to_import(Span where, std::string_view what) {

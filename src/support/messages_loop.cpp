@@ -74,9 +74,9 @@ Diagnostic constraint_reads(Span where, std::string_view name, std::string_view 
 }
 
 Diagnostic observer_blocks(Span where, std::string_view observer) {
-    return error("observer-blocks", where,
-                 fmt::format("an invariant of `{}` would block the system that it watches; take it out",
-                             clipped(observer)));
+    return error(
+        "observer-blocks", where,
+        fmt::format("an invariant of `{}` would block the system that it watches; take it out", clipped(observer)));
 }
 
 Diagnostic observer_acts(Span where, std::string_view observer) {
@@ -91,7 +91,8 @@ Diagnostic bad_formula(Span where, std::string_view language, std::string_view w
 }
 
 Diagnostic formula_at_stable(Span where) {
-    return error("bad-formula", where, "a formula is passed through as it stands, in settled states and others; leave out `at stable`");
+    return error("bad-formula", where,
+                 "a formula is passed through as it stands, in settled states and others; leave out `at stable`");
 }
 
 Diagnostic observer_without_start(Span where, std::string_view observer) {
@@ -100,10 +101,12 @@ Diagnostic observer_without_start(Span where, std::string_view observer) {
 }
 
 Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided) {
-    return error("constraints-contradict", where,
-                 fmt::format("{} of the inputs that satisfy `{}` together with the constraints before it, so the model would "
-                             "have no state; correct one of them",
-                             decided ? "there are no values" : "no values were found in the memory allowed", clipped(constraint)));
+    return error(
+        "constraints-contradict", where,
+        fmt::format("{} of the inputs that satisfy `{}` together with the constraints before it, so the model would "
+                    "have no state; correct one of them",
+                    decided ? "there are no values" : "no values were found in the memory allowed",
+                    clipped(constraint)));
 }
 
 Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Tests, their tables, and Structured Text.
+#include "support/messages.hpp"
+
 #include <fmt/format.h>
 
-#include "support/messages.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
@@ -13,7 +14,8 @@ Diagnostic not_in_structured_text(Span where, std::string_view what) {
 }
 
 Diagnostic cannot_run(std::string_view command) {
-    return error("cannot-run", {}, fmt::format("the shell cannot run `{}`; give a command that starts the controller", command));
+    return error("cannot-run", {},
+                 fmt::format("the shell cannot run `{}`; give a command that starts the controller", command));
 }
 
 Diagnostic nothing_to_test(Span where, std::string_view chart, std::string_view what) {
@@ -26,16 +28,17 @@ Diagnostic empty_test(Span where) {
 }
 
 Diagnostic unknown_column(Span where, std::string_view name, std::string_view chart) {
-    return error("bad-sequence", where,
-                 fmt::format("`{}` is neither an input nor an output of `{}`, nor one of `sequence`, `step`, `wait`, `cycles`, "
-                             "`situation`",
-                             clipped(name), clipped(chart)));
+    return error(
+        "bad-sequence", where,
+        fmt::format("`{}` is neither an input nor an output of `{}`, nor one of `sequence`, `step`, `wait`, `cycles`, "
+                    "`situation`",
+                    clipped(name), clipped(chart)));
 }
 
 Diagnostic missing_column(Span where, std::string_view kind, std::string_view name) {
     return error("bad-sequence", where,
-                 fmt::format("there is no column for the {} `{}`; the first row names every input and every output", kind,
-                             clipped(name)));
+                 fmt::format("there is no column for the {} `{}`; the first row names every input and every output",
+                             kind, clipped(name)));
 }
 
 Diagnostic repeated_column(Span where, std::string_view name) {
@@ -47,18 +50,22 @@ Diagnostic row_length(Span where, std::size_t found, std::size_t wanted) {
                  fmt::format("this row has {} field{}, the first row has {}", found, found == 1 ? "" : "s", wanted));
 }
 
-Diagnostic bad_field(Span where, std::string_view problem) { return error("bad-sequence", where, std::string(problem)); }
+Diagnostic bad_field(Span where, std::string_view problem) {
+    return error("bad-sequence", where, std::string(problem));
+}
 
 Diagnostic misplaced_wait(Span where, bool first) {
-    return error("bad-sequence", where,
-                 first ? "the first step of a sequence cannot wait: it begins at power-on"
-                       : "a step that waits changes no input; wait in a row of its own, with the inputs of the row before");
+    return error(
+        "bad-sequence", where,
+        first ? "the first step of a sequence cannot wait: it begins at power-on"
+              : "a step that waits changes no input; wait in a row of its own, with the inputs of the row before");
 }
 
 Diagnostic misplaced_activation(Span where) {
-    return error("bad-sequence", where,
-                 "step 0 is the scan that activates the initial steps: the first row of its sequence, one cycle, with the "
-                 "inputs of step 1");
+    return error(
+        "bad-sequence", where,
+        "step 0 is the scan that activates the initial steps: the first row of its sequence, one cycle, with the "
+        "inputs of step 1");
 }
 
 }  // namespace grafverif::messages

@@ -8,10 +8,11 @@
 namespace grafverif::messages {
 
 Diagnostic duration_below(Span where, std::string_view op, std::string_view written) {
-    return error("type-mismatch", where,
-                 fmt::format("this is a duration; `{0}` takes a condition, and binds tighter than `/`: write `{0}({1}/...)`, "
-                             "with brackets around the time condition",
-                             op, written));
+    return error(
+        "type-mismatch", where,
+        fmt::format("this is a duration; `{0}` takes a condition, and binds tighter than `/`: write `{0}({1}/...)`, "
+                    "with brackets around the time condition",
+                    op, written));
 }
 
 Diagnostic type_mismatch(Span where, std::string_view user, std::string_view expected, std::string_view found) {

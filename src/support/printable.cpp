@@ -14,20 +14,24 @@ struct CodeRange {
 };
 
 /// Beside control characters: marks, embeddings, overrides and isolates of direction, separators of lines.
-constexpr std::array directions = {CodeRange{0x061C, 0x061C}, CodeRange{0x200E, 0x200F}, CodeRange{0x2028, 0x202E}, CodeRange{0x2066, 0x2069}};
+constexpr std::array directions = {CodeRange{0x061C, 0x061C}, CodeRange{0x200E, 0x200F}, CodeRange{0x2028, 0x202E},
+                                   CodeRange{0x2066, 0x2069}};
 
 /// What stands on the character before it, or joins two. The most common ones: a caret may be a column off elsewhere.
-constexpr std::array without_width = {CodeRange{0x0300, 0x036F}, CodeRange{0x200B, 0x200D}, CodeRange{0x20D0, 0x20FF}, CodeRange{0x2060, 0x2064},
-                                      CodeRange{0xFE00, 0xFE0F}, CodeRange{0xFE20, 0xFE2F}, CodeRange{0xFEFF, 0xFEFF}};
+constexpr std::array without_width = {CodeRange{0x0300, 0x036F}, CodeRange{0x200B, 0x200D}, CodeRange{0x20D0, 0x20FF},
+                                      CodeRange{0x2060, 0x2064}, CodeRange{0xFE00, 0xFE0F}, CodeRange{0xFE20, 0xFE2F},
+                                      CodeRange{0xFEFF, 0xFEFF}};
 
 /// East Asian characters and pictures.
-constexpr std::array wide = {CodeRange{0x1100, 0x115F}, CodeRange{0x2E80, 0x303E}, CodeRange{0x3041, 0xA4CF}, CodeRange{0xAC00, 0xD7A3},
-                             CodeRange{0xF900, 0xFAFF}, CodeRange{0xFE30, 0xFE6F}, CodeRange{0xFF00, 0xFF60}, CodeRange{0xFFE0, 0xFFE6},
-                             CodeRange{0x1F300, 0x1F64F}, CodeRange{0x1F680, 0x1F6FF}, CodeRange{0x1F900, 0x1F9FF}, CodeRange{0x20000, 0x3FFFD}};
+constexpr std::array wide = {CodeRange{0x1100, 0x115F},   CodeRange{0x2E80, 0x303E},   CodeRange{0x3041, 0xA4CF},
+                             CodeRange{0xAC00, 0xD7A3},   CodeRange{0xF900, 0xFAFF},   CodeRange{0xFE30, 0xFE6F},
+                             CodeRange{0xFF00, 0xFF60},   CodeRange{0xFFE0, 0xFFE6},   CodeRange{0x1F300, 0x1F64F},
+                             CodeRange{0x1F680, 0x1F6FF}, CodeRange{0x1F900, 0x1F9FF}, CodeRange{0x20000, 0x3FFFD}};
 
 template <std::size_t N>
 bool is_in(const std::array<CodeRange, N>& ranges, std::uint32_t code) {
-    return std::ranges::any_of(ranges, [code](const CodeRange& range) { return range.first <= code && code <= range.last; });
+    return std::ranges::any_of(ranges,
+                               [code](const CodeRange& range) { return range.first <= code && code <= range.last; });
 }
 
 /// As RFC 3629 has it: no overlong form, no surrogate, nothing beyond U+10FFFF.
@@ -64,9 +68,11 @@ std::string shown(std::string_view text, std::string_view kept) {
 
 Glyph first_glyph(std::string_view text) {
     Glyph glyph = decoded(text);
-    if (glyph.well_formed) glyph.obeyed = glyph.code < 0x20 || (glyph.code >= 0x7F && glyph.code < 0xA0) || is_in(directions, glyph.code);
+    if (glyph.well_formed)
+        glyph.obeyed = glyph.code < 0x20 || (glyph.code >= 0x7F && glyph.code < 0xA0) || is_in(directions, glyph.code);
     constexpr std::uint32_t first_of_tables = 0x300;
-    if (!glyph.obeyed && glyph.code >= first_of_tables) glyph.columns = is_in(without_width, glyph.code) ? 0 : is_in(wide, glyph.code) ? 2 : 1;
+    if (!glyph.obeyed && glyph.code >= first_of_tables)
+        glyph.columns = is_in(without_width, glyph.code) ? 0 : is_in(wide, glyph.code) ? 2 : 1;
     return glyph;
 }
 

@@ -14,11 +14,11 @@ namespace grafverif {
 
 /// The character that a text begins with.
 struct Glyph {
-    std::size_t bytes = 1;         ///< that it takes; of what is no UTF-8: one
-    std::uint32_t code = 0;        ///< Unicode; of what is no UTF-8: 0xFFFD
+    std::size_t bytes = 1;   ///< that it takes; of what is no UTF-8: one
+    std::uint32_t code = 0;  ///< Unicode; of what is no UTF-8: 0xFFFD
     bool well_formed = true;
-    bool obeyed = false;           ///< by a terminal: control characters, tab and line feed too, and those of direction
-    std::size_t columns = 1;       ///< on a terminal: 0, 1 or 2; obeyed ones count 1
+    bool obeyed = false;      ///< by a terminal: control characters, tab and line feed too, and those of direction
+    std::size_t columns = 1;  ///< on a terminal: 0, 1 or 2; obeyed ones count 1
 };
 
 /// Requires a text that is not empty.

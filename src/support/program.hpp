@@ -10,15 +10,15 @@ namespace grafverif {
 
 struct ProgramResult {
     enum class End {
-        Exited,          ///< by itself; `status` is its exit code
-        Signalled,       ///< ended by signal number `status`
-        TimedOut,        ///< ended by us, at the deadline
-        Stopped,         ///< ended by us, because the user asked
-        TooMuchOutput,   ///< ended by us, having written more than allowed
+        Exited,         ///< by itself; `status` is its exit code
+        Signalled,      ///< ended by signal number `status`
+        TimedOut,       ///< ended by us, at the deadline
+        Stopped,        ///< ended by us, because the user asked
+        TooMuchOutput,  ///< ended by us, having written more than allowed
     };
     End end = End::Exited;
     int status = 0;
-    std::string out = {}, err = {};   ///< standard output and standard error, as far as it came
+    std::string out = {}, err = {};  ///< standard output and standard error, as far as it came
 
     bool operator==(const ProgramResult&) const = default;
 };

@@ -34,7 +34,8 @@ bool append_reference(std::string& text, std::string_view name) {
         std::string_view name = {};
         char character = 0;
     };
-    constexpr std::array<Entity, 5> entities = {{{"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}}};
+    constexpr std::array<Entity, 5> entities = {
+        {{"lt", '<'}, {"gt", '>'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}}};
     for (const Entity& entity : entities) {
         if (entity.name != name) continue;
         text += entity.character;
@@ -44,7 +45,8 @@ bool append_reference(std::string& text, std::string_view name) {
     const bool hexadecimal = name.starts_with("#x");
     const std::string_view digits = name.substr(hexadecimal ? 2 : 1);
     std::uint32_t code = 0;
-    const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), code, hexadecimal ? 16 : 10);
+    const auto [end, failure] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), code, hexadecimal ? 16 : 10);
     if (failure != std::errc() || end != digits.data() + digits.size() || code == 0 || code > 0x10FFFF ||
         (code >= 0xD800 && code < 0xE000))
         return false;
@@ -58,7 +60,8 @@ std::string unescape_xml(std::string_view written, std::uint32_t begin, std::vec
     constexpr std::size_t longest_reference = 12;
     std::string text;
     for (std::size_t at = 0; at < written.size();) {
-        const std::size_t end = written[at] == '&' ? written.substr(at, longest_reference).find(';') : std::string_view::npos;
+        const std::size_t end =
+            written[at] == '&' ? written.substr(at, longest_reference).find(';') : std::string_view::npos;
         if (end == std::string_view::npos || !append_reference(text, written.substr(at + 1, end - 1))) {
             text += written[at];
             origins.push_back(begin + static_cast<std::uint32_t>(at++));

@@ -43,7 +43,7 @@ void escape_xml(std::string_view text, std::string& xml) {
         case '<': xml += "&lt;"; break;
         case '>': xml += "&gt;"; break;
         case '&': xml += "&amp;"; break;
-        default:  append_shown(text, length, xml);
+        default: append_shown(text, length, xml);
         }
         text.remove_prefix(length == 0 ? 1 : length);
     }

@@ -16,7 +16,7 @@ namespace grafverif::fuzz {
 inline std::uint64_t untempered(std::uint64_t number) {
     number ^= number >> Random::tempering_l;
     number ^= (number << Random::tempering_t) & Random::tempering_c;
-    std::uint64_t found = number;   // each round is right in more of the lower bits
+    std::uint64_t found = number;  // each round is right in more of the lower bits
     for (int round = 0; round < 4; ++round) found = number ^ ((found << Random::tempering_s) & Random::tempering_b);
     std::uint64_t state = found;
     for (int round = 0; round < 3; ++round) state = found ^ ((state >> Random::tempering_u) & Random::tempering_d);
@@ -28,10 +28,11 @@ inline Random byte_random(std::string_view bytes) {
     std::uint64_t mixed = bytes.size();
     for (std::size_t k = 0; k < Random::state_size; ++k) {
         if (k < bytes.size()) mixed = (mixed ^ static_cast<unsigned char>(bytes[k])) * 0x9E3779B97F4A7C15U;
-        const std::uint64_t number = k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : mixed = mixed * 6364136223846793005U + 1442695040888963407U;
+        const std::uint64_t number = k < bytes.size() ? static_cast<unsigned char>(bytes[k])
+                                                      : mixed = mixed * 6364136223846793005U + 1442695040888963407U;
         text << untempered(number) << ' ';
     }
-    text << 0;   // libstdc++: where in the state it stands
+    text << 0;  // libstdc++: where in the state it stands
     Random random;
     text >> random;
     return random;

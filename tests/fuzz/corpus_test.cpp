@@ -20,7 +20,8 @@ class Corpus : public testing::TestWithParam<Target> {};
 
 TEST_P(Corpus, BreaksNoPromise) {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(fs::path(GRAFVERIF_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name))
+    for (const auto& entry :
+         fs::directory_iterator(fs::path(GRAFVERIF_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name))
         files.push_back(entry.path());
     std::ranges::sort(files);
     ASSERT_FALSE(files.empty());

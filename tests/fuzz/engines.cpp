@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Answers of other programs: NuSMV and verifyta may say anything.
-#include "fuzz/common.hpp"
-#include "fuzz/targets.hpp"
 #include "check/external/nusmv.hpp"
 #include "check/external/verifyta.hpp"
 #include "emit/nusmv/nusmv.hpp"
+#include "fuzz/common.hpp"
+#include "fuzz/targets.hpp"
 #include "report/tell.hpp"
 #include "run/project.hpp"
 #include "run/replay.hpp"
@@ -23,12 +23,15 @@ std::string nusmv_complaint(std::string_view bytes) {
     ProgramResult said;
     said.out = bytes;
     const NusmvResult result = read_nusmv(system, spelling, properties, said);
-    if (result.verdicts.size() != properties.size() || result.runs.size() != properties.size()) return "too few verdicts, or too many";
+    if (result.verdicts.size() != properties.size() || result.runs.size() != properties.size())
+        return "too few verdicts, or too many";
     for (std::size_t i = 0; i < properties.size(); ++i) {
-        if (!result.total && result.verdicts[i].outcome != Outcome::Unknown) return "a verdict on a model with dead ends";
+        if (!result.total && result.verdicts[i].outcome != Outcome::Unknown)
+            return "a verdict on a model with dead ends";
         if (!result.runs[i]) continue;
         const SystemRun& run = *result.runs[i];
-        if (run.states.empty() || (run.loop && *run.loop >= run.states.size())) return "a run of no states, or that loops to none";
+        if (run.states.empty() || (run.loop && *run.loop >= run.states.size()))
+            return "a run of no states, or that loops to none";
         ChartRun projected = project(system, run);
         if (!disagreement(projected, loop.charts())) tell(std::move(projected));
     }
@@ -41,9 +44,12 @@ std::string verifyta_complaint(std::string_view bytes) {
     said.err = bytes.substr(said.out.size());
     const ExternalAnswer answer = read_verifyta(said);
     const bool known = answer.outcome != Outcome::Unknown;
-    if (known != (answer.obstacle == Obstacle::None) || known != answer.reason.empty()) return "a verdict with a reason, or none without: " + answer.reason;
-    const bool yes = said.out.find("Formula is satisfied.") != std::string::npos, no = said.out.find("Formula is NOT satisfied.") != std::string::npos;
-    if ((answer.outcome == Outcome::Holds && !yes) || (answer.outcome == Outcome::Violated && !no)) return "a verdict that nobody gave";
+    if (known != (answer.obstacle == Obstacle::None) || known != answer.reason.empty())
+        return "a verdict with a reason, or none without: " + answer.reason;
+    const bool yes = said.out.find("Formula is satisfied.") != std::string::npos,
+               no = said.out.find("Formula is NOT satisfied.") != std::string::npos;
+    if ((answer.outcome == Outcome::Holds && !yes) || (answer.outcome == Outcome::Violated && !no))
+        return "a verdict that nobody gave";
     return {};
 }
 

@@ -19,5 +19,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         std::cerr << "broken promise: " << complaint << '\n';
         std::abort();
     }
-    std::abort();   // no such target
+    std::abort();  // no such target
 }

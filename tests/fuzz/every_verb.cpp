@@ -12,11 +12,11 @@
 
 #include "fuzz/common.hpp"
 #include "read/test_csv.hpp"
-#include "syntax/language/parse.hpp"
-#include "syntax/st/parse_st.hpp"
 #include "support/nusmv_reader.hpp"
 #include "support/run_structured_text.hpp"
 #include "support/uppaal_reader.hpp"
+#include "syntax/language/parse.hpp"
+#include "syntax/st/parse_st.hpp"
 #include "unit/app/run_program.hpp"
 
 namespace grafverif::fuzz {
@@ -46,7 +46,10 @@ std::vector<VerbRun> all_runs() {
         {{"uppaal", "FILE"}, Uppaal, true},
         {{"build", "FILE", "-o", "FOLDER/models"}, Text, true},
         {{"nusmv", "FILE", "--plant", "constraints"}, Nusmv, true},
-        {{"simulate", "FILE", "--random", "3", "--steps", "30", "--trace-vcd", "FOLDER/t.vcd", "--trace-svg", "FOLDER/t.svg"}, Text, true},
+        {{"simulate", "FILE", "--random", "3", "--steps", "30", "--trace-vcd", "FOLDER/t.vcd", "--trace-svg",
+          "FOLDER/t.svg"},
+         Text,
+         true},
         {{"simulate", "FILE"}, Text, true, "1\nwait\nwait 1s\nback\n2\nin1 = true\ndo nobody\nquit\n"},
     };
     for (const char* schedule : {"interleaved", "synchronous", "sequenced"})
@@ -56,7 +59,9 @@ std::vector<VerbRun> all_runs() {
         arguments.insert(arguments.end(), limits.begin(), limits.end());
         runs.push_back({std::move(arguments), written, of_loop, {}});
     };
-    bounded({"check", "FILE", "--format", "json", "--max-states", "20000", "--junit", "FOLDER/r.xml", "--trace-vcd", "FOLDER/t.vcd", "--trace-svg", "FOLDER/t.svg"}, Json, false);
+    bounded({"check", "FILE", "--format", "json", "--max-states", "20000", "--junit", "FOLDER/r.xml", "--trace-vcd",
+             "FOLDER/t.vcd", "--trace-svg", "FOLDER/t.svg"},
+            Json, false);
     bounded({"check", "FILE", "--max-states", "20000", "--grain", "atomic", "--mode", "every-cycle"}, Text, false);
     bounded({"check", "FILE", "--untimed", "--format", "json", "--junit", "FOLDER/r.xml"}, Json, false);
     bounded({"check", "FILE", "--plant", "automata", "--fairness"}, Text, true);
@@ -86,7 +91,8 @@ std::string units_complaint(const std::string& text) {
     const Id<Source> source = sources.add({"units.st", text});
     st::File file;
     const st::Text whole{{{source, 0, static_cast<std::uint32_t>(text.size())}, false}};
-    return st::parse_units(whole, file, sources, diagnostics) ? "" : "no Structured Text: " + shown(diagnostics, sources);
+    return st::parse_units(whole, file, sources, diagnostics) ? ""
+                                                              : "no Structured Text: " + shown(diagnostics, sources);
 }
 
 /// A table is one of the chart that it was made of.
@@ -103,7 +109,9 @@ std::string table_complaint(const std::string& text, const VerbRun& run, const M
 std::string grafcet_complaint(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;
-    return parse_file(sources.add({"written.grafcet", text}), sources, diagnostics).broken ? "no text of ours: " + shown(diagnostics, sources) : "";
+    return parse_file(sources.add({"written.grafcet", text}), sources, diagnostics).broken
+               ? "no text of ours: " + shown(diagnostics, sources)
+               : "";
 }
 
 std::string written_complaint(const std::string& text, const VerbRun& run, Written written, const Model& model) {
@@ -142,7 +150,8 @@ std::string content_of(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-std::string result_complaint(const VerbRun& run, const app::Result& result, const Model& model, const fs::path& folder) {
+std::string result_complaint(const VerbRun& run, const app::Result& result, const Model& model,
+                             const fs::path& folder) {
     static const std::regex refusal(R"((^|\n)[^\n]*error: [^\n]* \[[a-z0-9-]+\])");
     std::string files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -154,9 +163,12 @@ std::string result_complaint(const VerbRun& run, const app::Result& result, cons
     switch (result.code) {
     case app::ExitCode::Failure: return "a failure on our side";
     case app::ExitCode::Input:
-        if (run.arguments[0] == "plc" && result.out.find("error: ") != std::string::npos) return {};   // a line that it did not understand
+        if (run.arguments[0] == "plc" && result.out.find("error: ") != std::string::npos)
+            return {};  // a line that it did not understand
         return std::regex_search(result.err, refusal) ? "" : "it is refused, and nothing says why";
-    case app::ExitCode::Unknown: if (result.out.empty()) return {}; break;
+    case app::ExitCode::Unknown:
+        if (result.out.empty()) return {};
+        break;
     case app::ExitCode::Done:
     case app::ExitCode::Verdict: break;
     }
@@ -175,7 +187,9 @@ std::string complaint(const VerbRun& run, const fs::path& file, const Model& mod
     std::string command = "grafverif";
     for (const std::string& argument : run.arguments) {
         const bool written = argument.starts_with("FOLDER");
-        arguments.push_back(argument == "FILE" ? file.string() : written ? folder.string() + argument.substr(6) : argument);
+        arguments.push_back(argument == "FILE" ? file.string()
+                            : written          ? folder.string() + argument.substr(6)
+                                               : argument);
         command += ' ' + argument;
     }
     fs::create_directories(folder);
@@ -183,8 +197,8 @@ std::string complaint(const VerbRun& run, const fs::path& file, const Model& mod
     const std::string wrong = result_complaint(run, result, model, folder);
     fs::remove_all(folder);
     if (wrong.empty()) return {};
-    return command + ": " + wrong + "\nexit code " + std::to_string(static_cast<int>(result.code)) + "\nFILE:\n" + content_of(file) +
-           "\nstandard output:\n" + result.out + "\nstandard error:\n" + result.err;
+    return command + ": " + wrong + "\nexit code " + std::to_string(static_cast<int>(result.code)) + "\nFILE:\n" +
+           content_of(file) + "\nstandard output:\n" + result.out + "\nstandard error:\n" + result.err;
 }
 
 }  // namespace grafverif::fuzz

@@ -16,9 +16,9 @@ namespace grafverif::fuzz {
 enum class Written { Text, Grafcet, Json, Xml, Uppaal, Nusmv, TestTable, Plcopen, StructuredText };
 
 struct VerbRun {
-    std::vector<std::string> arguments = {};   ///< FILE is the chart; FOLDER/... a file to write, told by its name
+    std::vector<std::string> arguments = {};  ///< FILE is the chart; FOLDER/... a file to write, told by its name
     Written written = Written::Text;
-    bool of_loop = false;                      ///< without a closed loop it is refused
+    bool of_loop = false;  ///< without a closed loop it is refused
     std::string typed = {};
 };
 

@@ -20,7 +20,8 @@ const Chart& press() {
         const std::string text = press_text;
         Sources sources;
         Diagnostics diagnostics;
-        return *read_text(sources.add({"press.grafcet", text.substr(0, text.find("closed_loop"))}), sources, {}, diagnostics);
+        return *read_text(sources.add({"press.grafcet", text.substr(0, text.find("closed_loop"))}), sources, {},
+                          diagnostics);
     }();
     return *model.charts.begin();
 }
@@ -43,7 +44,8 @@ std::string test_table_complaint(std::string_view bytes) {
     for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
         Sources sources;
         Diagnostics diagnostics;
-        const auto test = read_test_csv(sources.add({"fuzzed.csv", std::string(bytes)}), sources, press(), mode, diagnostics);
+        const auto test =
+            read_test_csv(sources.add({"fuzzed.csv", std::string(bytes)}), sources, press(), mode, diagnostics);
         const std::string said = shown(diagnostics, sources);
         if (test.has_value() == diagnostics.has_errors()) return "read and refused, or neither:\n" + said;
         if (!test) continue;
@@ -85,7 +87,8 @@ std::string scan_complaint(std::string_view bytes) {
     if (!read.values) return {};
     if (bytes.size() > longest_scan_line(columns.size())) return "a line is read that is too long";
     const std::string written = scan_line(*read.values);
-    if (read_scan_line(written, columns).values != read.values) return "what is written means something else: " + written;
+    if (read_scan_line(written, columns).values != read.values)
+        return "what is written means something else: " + written;
     return {};
 }
 

@@ -8,10 +8,10 @@
 #include "fuzz/targets.hpp"
 #include "read/formats.hpp"
 #include "read/text.hpp"
+#include "support/print_model.hpp"
 #include "syntax/language/format.hpp"
 #include "syntax/language/parse.hpp"
 #include "syntax/st/parse_st.hpp"
-#include "support/print_model.hpp"
 
 namespace grafverif::fuzz {
 
@@ -30,7 +30,7 @@ std::string answer_complaint(bool read, const Diagnostics& diagnostics, const So
 
 struct TextRead {
     std::optional<Model> model = {};
-    std::string complaint = {};   ///< about what was said of it
+    std::string complaint = {};  ///< about what was said of it
     std::string said = {};
 };
 
@@ -43,7 +43,8 @@ TextRead read(Id<Source> file, Sources& sources, bool lossy) {
     reading.complaint = answer_complaint(reading.model.has_value(), diagnostics, sources);
     reading.said = shown(diagnostics, sources);
     if (reading.complaint.empty() && reading.model)
-        for (const std::string& broken : verify(*reading.model)) reading.complaint += "not well formed: " + broken + '\n';
+        for (const std::string& broken : verify(*reading.model))
+            reading.complaint += "not well formed: " + broken + '\n';
     return reading;
 }
 
@@ -58,7 +59,8 @@ std::string reading_back(const Model& model, const std::string& text, Sources& s
     const TextRead again = read(sources.add({"written.grafcet", text}), sources, false);
     if (!again.complaint.empty()) return again.complaint + "\nof:\n" + text;
     if (!again.model) return "what is written is refused:\n" + again.said + text;
-    if (printed(*again.model) != printed(model)) return "what is written means something else:\n" + text + "\nwas:\n" + printed(model);
+    if (printed(*again.model) != printed(model))
+        return "what is written means something else:\n" + text + "\nwas:\n" + printed(model);
     return {};
 }
 
@@ -66,7 +68,8 @@ std::string reading_back(const Model& model, const std::string& text, Sources& s
 std::string form_complaint(const std::string& text, Sources& sources) {
     Diagnostics diagnostics;
     const tree::File file = parse_file(sources.add({"formatted.grafcet", text}), sources, diagnostics);
-    if (file.broken || diagnostics.has_errors()) return "formatted, it does not parse:\n" + shown(diagnostics, sources) + text;
+    if (file.broken || diagnostics.has_errors())
+        return "formatted, it does not parse:\n" + shown(diagnostics, sources) + text;
     const std::string again = formatted(file);
     return again == text ? "" : "formatted twice, it differs:\n" + text + "\nand:\n" + again;
 }
@@ -117,7 +120,8 @@ std::string structured_text_complaint(std::string_view bytes) {
             const bool read = part == 0   ? st::parse_units(whole, file, sources, diagnostics)
                               : part == 1 ? st::parse_statements(whole, file, sources, diagnostics).has_value()
                                           : st::parse_expression(whole, file, sources, diagnostics).has_value();
-            if (std::string complaint = answer_complaint(read, diagnostics, sources); !complaint.empty()) return complaint;
+            if (std::string complaint = answer_complaint(read, diagnostics, sources); !complaint.empty())
+                return complaint;
         }
     }
     return {};

@@ -12,8 +12,8 @@
 
 #include "app/job.hpp"
 #include "support/print_model.hpp"
-#include "syntax/print/equations.hpp"
 #include "support/print_network.hpp"
+#include "syntax/print/equations.hpp"
 
 namespace grafverif::app {
 namespace {
@@ -64,8 +64,10 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
     const UppaalProject project = uppaal_project(*network, job.diagnostics);
 
     expect_golden(folder / "1-chart.txt", printed([](auto& out, const Model& m) { print(out, m); }, *model));
-    expect_golden(folder / "2-equations.txt", printed([](auto& out, const Equations& e) { print_equations(out, e); }, *equations));
-    expect_golden(folder / "3-network.txt", printed([](auto& out, const Network& n) { print_network(out, n); }, *network));
+    expect_golden(folder / "2-equations.txt",
+                  printed([](auto& out, const Equations& e) { print_equations(out, e); }, *equations));
+    expect_golden(folder / "3-network.txt",
+                  printed([](auto& out, const Network& n) { print_network(out, n); }, *network));
     expect_golden(folder / "4-uppaal.xml", project.project);
     expect_golden(folder / "4-uppaal.q", project.queries);
     expect_golden(folder / "5-model.smv", nusmv_model(*system, job.diagnostics));

@@ -22,16 +22,18 @@ std::set<std::string> codes() {
     for (const auto& entry : fs::directory_iterator(root / "src/support"))
         if (entry.path().filename().string().starts_with("messages")) text += text_of(entry.path());
     std::set<std::string> found;
-    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) found.insert((*match)[1]);
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
+        found.insert((*match)[1]);
     return found;
 }
 
 /// What no chart alone can show: files that are missing, too large or cannot be written, choices of the command line,
 /// programs that are not installed, and what one target cannot say (see unit_app).
 const std::set<std::string> of_the_world = {
-    "cannot-read", "cannot-write", "too-large", "no-closed-loop", "no-such-choice", "ambiguous-choice",
-    "not-expressible", "bad-sequence", "not-in-structured-text", "cannot-run", "nothing-to-test", "stopped", "out-of-memory", "bound-reached",
-    "nothing-to-import", "left-out", "missing-program", "cure-left-out", "output-is-input", "output-twice"};
+    "cannot-read",      "cannot-write",    "too-large",     "no-closed-loop",         "no-such-choice",
+    "ambiguous-choice", "not-expressible", "bad-sequence",  "not-in-structured-text", "cannot-run",
+    "nothing-to-test",  "stopped",         "out-of-memory", "bound-reached",          "nothing-to-import",
+    "left-out",         "missing-program", "cure-left-out", "output-is-input",        "output-twice"};
 
 TEST(House, EveryDiagnosticHasAReject) {
     const std::set<std::string> all = codes();

@@ -33,9 +33,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 struct Block {
-    std::string language = {};   ///< what stands behind the opening fence
+    std::string language = {};  ///< what stands behind the opening fence
     std::vector<std::string> lines = {};
-    std::size_t line = 0;   ///< of the opening fence, from 1
+    std::size_t line = 0;  ///< of the opening fence, from 1
 };
 
 std::vector<Block> blocks_of(const fs::path& document) {
@@ -84,7 +84,8 @@ public:
     Workplace() {
         std::string pattern = (fs::temp_directory_path() / "grafverif-docs-XXXXXX").string();
         folder_ = ::mkdtemp(pattern.data());
-        for (const char* name : {"docs", "samples", "templates"}) fs::create_directory_symlink(root / name, folder_ / name);
+        for (const char* name : {"docs", "samples", "templates"})
+            fs::create_directory_symlink(root / name, folder_ / name);
     }
     Workplace(const Workplace&) = delete;
     Workplace& operator=(const Workplace&) = delete;
@@ -94,8 +95,8 @@ public:
 
     /// Both streams of `command`, run by a shell in the folder.
     std::string output_of(const std::string& command) const {
-        const std::string line = "cd '" + folder_.string() + "' && PATH='" + program.parent_path().string() + "':$PATH; { " +
-                                 command + "; } 2>&1";
+        const std::string line = "cd '" + folder_.string() + "' && PATH='" + program.parent_path().string() +
+                                 "':$PATH; { " + command + "; } 2>&1";
         const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(line.c_str(), "r"), ::pclose);
         std::string text;
         std::array<char, 4096> buffer = {};
@@ -109,7 +110,8 @@ private:
 };
 
 /// Whether `actual` is `expected`, a line `...` of which stands for any number of lines.
-bool matches(const std::vector<std::string>& expected, std::size_t e, const std::vector<std::string>& actual, std::size_t a) {
+bool matches(const std::vector<std::string>& expected, std::size_t e, const std::vector<std::string>& actual,
+             std::size_t a) {
     if (e == expected.size()) return a == actual.size();
     if (expected[e] == "...") {
         for (std::size_t next = a; next <= actual.size(); ++next)
@@ -131,12 +133,14 @@ TEST(Documents, ShowTheRealOutputOfTheirCommands) {
             for (std::size_t i = 0; i < block.lines.size();) {
                 const std::string command = block.lines[i].starts_with("$ ") ? block.lines[i].substr(2) : "";
                 std::vector<std::string> expected;
-                for (++i; i < block.lines.size() && !block.lines[i].starts_with("$ "); ++i) expected.push_back(block.lines[i]);
+                for (++i; i < block.lines.size() && !block.lines[i].starts_with("$ "); ++i)
+                    expected.push_back(block.lines[i]);
                 ASSERT_NE(command, "") << document << ':' << block.line << ": a console block begins with `$ `";
                 ++commands;
                 const std::string output = workplace.output_of(command);
                 EXPECT_TRUE(matches(expected, 0, lines_of(output), 0))
-                    << document << ':' << block.line << ": `" << command << "` prints\n" << output;
+                    << document << ':' << block.line << ": `" << command << "` prints\n"
+                    << output;
             }
         }
     }
@@ -150,7 +154,7 @@ TEST(Documents, ShowCanonicalText) {
             if (!block.language.starts_with("grafcet")) continue;
             ++charts;
             std::string text = written(block);
-            if (block.language != "grafcet") {   // `grafcet closed_loop`: what stands in one
+            if (block.language != "grafcet") {  // `grafcet closed_loop`: what stands in one
                 text = "closed_loop page {\n";
                 for (const std::string& line : block.lines) text += (line.empty() ? "" : "    ") + line + '\n';
                 text += "}\n";

@@ -20,14 +20,15 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::map<std::string, int> rungs = {
-    {"support", 0}, {"ir", 1},      {"syntax", 2},   {"run", 2},  {"bdd", 2},   {"read", 3},    {"derive", 3}, {"plant", 3},
-    {"compose", 3}, {"schedule", 3}, {"emit", 3}, {"check", 3}, {"conform", 3}, {"analyse", 3}, {"report", 3}, {"pipeline", 4}, {"app", 5},
+    {"support", 0}, {"ir", 1},      {"syntax", 2},  {"run", 2},      {"bdd", 2},  {"read", 3},
+    {"derive", 3},  {"plant", 3},   {"compose", 3}, {"schedule", 3}, {"emit", 3}, {"check", 3},
+    {"conform", 3}, {"analyse", 3}, {"report", 3},  {"pipeline", 4}, {"app", 5},
 };
 
 struct Inclusion {
     fs::path file = {};
     std::string room = {};
-    std::string header = {};   ///< as written between the quotes or brackets
+    std::string header = {};  ///< as written between the quotes or brackets
 };
 
 std::vector<fs::path> sources(const std::vector<fs::path>& folders) {
@@ -56,8 +57,7 @@ std::vector<Inclusion> inclusions() {
         std::istringstream lines(text_of(file));
         for (std::string line; std::getline(lines, line);) {
             std::smatch match;
-            if (std::regex_search(line, match, pattern))
-                found.push_back({file, room_with(file), match[1]});
+            if (std::regex_search(line, match, pattern)) found.push_back({file, room_with(file), match[1]});
         }
     }
     return found;
@@ -109,10 +109,13 @@ TEST(Ladder, EveryPlaceThatThePageOfTheHouseNamesIsThere) {
 TEST(Ladder, ThirdPartyLibrariesStayInTheirRooms) {
     struct Rule {
         std::string prefix = {};
-        std::set<std::string> places = {};   ///< rooms, or folders of them
+        std::set<std::string> places = {};  ///< rooms, or folders of them
     };
     const std::vector<Rule> rules = {
-        {"pugixml", {"read", "emit/uppaal"}}, {"boost/multiprecision", {"bdd"}}, {"boost/program_options", {"app"}}, {"gtest", {}},
+        {"pugixml", {"read", "emit/uppaal"}},
+        {"boost/multiprecision", {"bdd"}},
+        {"boost/program_options", {"app"}},
+        {"gtest", {}},
     };
     for (const Inclusion& inclusion : inclusions()) {
         for (const Rule& rule : rules) {
@@ -130,13 +133,15 @@ TEST(Ladder, PublicHeadersNameNoThirdParty) {
     for (const Inclusion& inclusion : inclusions()) {
         if (inclusion.file.string().find("/include/grafverif/") == std::string::npos) continue;
         const bool ours = inclusion.header.starts_with("grafverif/");
-        const bool standard = inclusion.header.find('/') == std::string::npos && inclusion.header.find('.') == std::string::npos;
+        const bool standard =
+            inclusion.header.find('/') == std::string::npos && inclusion.header.find('.') == std::string::npos;
         EXPECT_TRUE(ours || standard) << inclusion.file << " includes " << inclusion.header;
     }
 }
 
 TEST(Ladder, OnlyTheAppSeesStreamsOfTheProcessAndOnlyThePipelineReadsFilesBesides) {
-    static const std::regex streams(R"(std::c(in|out|err)\b|\bgetenv\b)"), files(R"(std::(i|o)?fstream|std::filesystem(?!::path)|[^\w]::open\()");
+    static const std::regex streams(R"(std::c(in|out|err)\b|\bgetenv\b)"),
+        files(R"(std::(i|o)?fstream|std::filesystem(?!::path)|[^\w]::open\()");
     for (const fs::path& file : sources({"include/grafverif", "src"})) {
         if (room_with(file) == "app") continue;
         EXPECT_FALSE(std::regex_search(text_of(file), streams)) << file;
@@ -147,6 +152,16 @@ TEST(Ladder, OnlyTheAppSeesStreamsOfTheProcessAndOnlyThePipelineReadsFilesBeside
 TEST(House, EveryFileBeginsWithItsLicence) {
     for (const fs::path& file : sources({"include", "src", "tests"}))
         EXPECT_TRUE(text_of(file).starts_with("// SPDX-License-Identifier: MIT\n")) << file;
+}
+
+TEST(House, SourcesAreAsTheFormatterHasThem) {
+    const std::string formatter = "clang-format-14";  // others break lines elsewhere
+    if (std::system((formatter + " --version >/dev/null 2>&1").c_str()) != 0)
+        GTEST_SKIP() << "there is no " << formatter;
+    std::string command = "cd '" + root.string() + "' && " + formatter + " --dry-run --Werror";
+    for (const fs::path& file : sources({"include", "src", "tests", "bench"}))
+        command += " '" + fs::relative(file, root).string() + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << "clang-format-14 -i the files named above";
 }
 
 TEST(House, NoSourceGrowsOutOfHand) {
@@ -160,7 +175,8 @@ TEST(House, NoFolderHoldsMoreThanTwentySources) {
     std::map<fs::path, int> count;
     for (const fs::path& file : sources({"src"}))
         if (file.extension() == ".cpp") ++count[file.parent_path()];
-    for (const auto& [folder, files] : count) EXPECT_LE(files, 20) << folder << ": give what belongs together a folder of its own";
+    for (const auto& [folder, files] : count)
+        EXPECT_LE(files, 20) << folder << ": give what belongs together a folder of its own";
 }
 
 TEST(House, TheFrontDoorIsSmall) {

@@ -25,7 +25,7 @@ constexpr std::size_t most_points = 4000;
 /// Every statement an analysis can make, as `code subject`, with the first instant in which it comes about; what never
 /// happens has none.
 using Facts = std::map<std::string, std::size_t>;
-using Rest = std::pair<State, std::vector<bool>>;   ///< with the ends of the time conditions
+using Rest = std::pair<State, std::vector<bool>>;  ///< with the ends of the time conditions
 
 struct RestOrder {
     static auto key(const Rest& rest) {
@@ -180,8 +180,9 @@ private:
             if (before.situation[id.index] && on[id.index] && !off[id.index])
                 note("step-reactivated " + step_variable(chart_, id));
         for (const Id<Chart::Transition> id : chart_.transitions.ids()) {
-            const bool enabled = std::ranges::all_of(chart_.transitions[id].from,
-                                                     [&](Id<Chart::Step> step) -> bool { return before.situation[step.index]; });
+            const bool enabled = std::ranges::all_of(chart_.transitions[id].from, [&](Id<Chart::Step> step) -> bool {
+                return before.situation[step.index];
+            });
             if (enabled && std::ranges::find(made.fired, id) == made.fired.end()) always_.erase(name(id));
         }
     }
@@ -193,7 +194,7 @@ private:
     std::set<std::uint32_t> active_ = {};
     std::set<std::string> fired_ = {}, always_ = {};
     std::set<Rest, RestOrder> known_ = {};
-    std::deque<std::pair<Rest, std::size_t>> open_ = {};   ///< with their instant: the nearest first
+    std::deque<std::pair<Rest, std::size_t>> open_ = {};  ///< with their instant: the nearest first
     std::size_t instant_ = 1;
     std::size_t points_ = 0;
     bool lost_ = false;
@@ -214,20 +215,24 @@ bool masked(const std::string& fact, const Facts& expected) {
 
 /// How much of a chart is looked at.
 struct Bounds {
-    int looks = -1;               ///< the analysis is stopped after so many instants of its parts; negative: never
+    int looks = -1;  ///< the analysis is stopped after so many instants of its parts; negative: never
     std::int64_t longest_count = 256;
 };
 
-std::string fact_of(const std::string& code, const std::string& subject) { return code + (subject.empty() ? "" : " " + subject); }
+std::string fact_of(const std::string& code, const std::string& subject) {
+    return code + (subject.empty() ? "" : " " + subject);
+}
 
 /// What open questions say that is not so: what comes about in instants that were looked at was found.
 /// Several questions may be about one subject: that of a fact that was found may be another one.
 std::string wrongly_open(const Analysis& analysis, const Facts& expected, const std::set<std::string>& found) {
     std::string text;
     for (const OpenQuestion& question : analysis.open) {
-        const bool never = question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
+        const bool never =
+            question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
         const auto fact = expected.find(fact_of(question.code, question.subject));
-        if (never || fact == expected.end() || found.contains(fact->first) || fact->second > question.instants) continue;
+        if (never || fact == expected.end() || found.contains(fact->first) || fact->second > question.instants)
+            continue;
         text += "said not to be in the first " + std::to_string(question.instants) + " instants: " + fact->first + '\n';
     }
     return text;
@@ -254,7 +259,8 @@ std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, 
     std::set<std::string> found, unconfirmed, open;
     for (const Finding& finding : analysis.findings) {
         if (!is_compared(finding.code)) continue;
-        (finding.timing == Finding::Timing::Unconfirmed ? unconfirmed : found).insert(fact_of(finding.code, finding.subject));
+        (finding.timing == Finding::Timing::Unconfirmed ? unconfirmed : found)
+            .insert(fact_of(finding.code, finding.subject));
     }
     for (const OpenQuestion& question : analysis.open) open.insert(fact_of(question.code, question.subject));
     // Timers end in orders that no times have: what happens then may be none, and keeps it from being said to be never.
@@ -277,8 +283,8 @@ void expect_agreement(const Bounds& bounds, int seeds) {
             if (!wrong) continue;
             ++compared;
             if (wrong->empty()) continue;
-            const Chart small =
-                shrunk(chart, [&](const Chart& less) { return !disagreement(less, mode, bounds).value_or("").empty(); });
+            const Chart small = shrunk(
+                chart, [&](const Chart& less) { return !disagreement(less, mode, bounds).value_or("").empty(); });
             FAIL() << "seed " << seed << (mode == ExecutionMode::EveryCycle ? ", every_cycle" : "") << '\n'
                    << *disagreement(small, mode, bounds) << chart_text(small);
         }
@@ -292,7 +298,9 @@ TEST(AnalyseLaw, WhatAStoppedAnalysisSaysAndLeavesOpenIsSo) {
     for (const int looks : {1, 2, 4, 7}) expect_agreement({.looks = looks}, 20);
 }
 
-TEST(AnalyseLaw, CountersFollowedToTheirThresholdsOnlyMakeNothingUp) { expect_agreement({.looks = -1, .longest_count = 0}, 40); }
+TEST(AnalyseLaw, CountersFollowedToTheirThresholdsOnlyMakeNothingUp) {
+    expect_agreement({.looks = -1, .longest_count = 0}, 40);
+}
 
 }  // namespace
 }  // namespace grafverif

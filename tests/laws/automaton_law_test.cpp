@@ -17,8 +17,8 @@ constexpr int runs_per_chart = 3, cycles_per_run = 12;
 
 /// What the runs met, so that a generator gone dull does not pass for a law that holds.
 struct Walked {
-    int refused = 0, evolutions = 0, stays = 0, unstable = 0, conditional = 0, timed = 0, watched = 0, tests = 0, several = 0, waiting = 0,
-        merged = 0, constrained = 0;
+    int refused = 0, evolutions = 0, stays = 0, unstable = 0, conditional = 0, timed = 0, watched = 0, tests = 0,
+        several = 0, waiting = 0, merged = 0, constrained = 0;
 };
 
 /// Per timer of the equations: which timed element of the chart it is.
@@ -29,7 +29,8 @@ std::vector<std::size_t> elements_of(const Chart& chart, const Equations& equati
         for (std::size_t timer = 0; timer < equations.timers.size(); ++timer) {
             const Equations::Timer& one = equations.timers[timer];
             const bool of_action = k >= equations.conditions.size();
-            if (of_action ? one.watched == equations.steps[elements[k].step.index].variable && one.rise_ms == elements[k].rise_ms && one.fall_ms == 0
+            if (of_action ? one.watched == equations.steps[elements[k].step.index].variable &&
+                                one.rise_ms == elements[k].rise_ms && one.fall_ms == 0
                           : equations.conditions[k] == Id<Equations::Timer>{static_cast<std::uint32_t>(timer)})
                 result[timer] = k;
         }
@@ -41,7 +42,11 @@ std::vector<std::size_t> elements_of(const Chart& chart, const Equations& equati
 class Walk {
 public:
     Walk(const Chart& chart, const Equations& equations, const LocationAutomaton& automaton, Walked& walked)
-        : chart_(chart), automaton_(automaton), walked_(walked), elements_(elements_of(chart, equations)), state_(power_on(chart)),
+        : chart_(chart),
+          automaton_(automaton),
+          walked_(walked),
+          elements_(elements_of(chart, equations)),
+          state_(power_on(chart)),
           location_(automaton.init) {}
 
     /// One cycle; what differs, or nothing. `ended`: the run cannot go on.
@@ -54,7 +59,9 @@ public:
         for (const LocationAutomaton::Instability& one : instabilities_of(automaton_, location_))
             if (value(one.condition) != 0) instability = &one;
         if ((instability != nullptr) != !run.endless.empty()) return "total instability";
-        if (instability != nullptr) return ++walked_.unstable, instability->cycle.size() == run.endless.size() ? "" : "the cycle of instability";
+        if (instability != nullptr)
+            return ++walked_.unstable,
+                   instability->cycle.size() == run.endless.size() ? "" : "the cycle of instability";
         const LocationAutomaton::Evolution* taken = nullptr;
         for (const LocationAutomaton::Evolution& one : evolutions_from(automaton_, location_)) {
             if (value(one.condition) == 0) continue;
@@ -65,7 +72,7 @@ public:
         if (taken != nullptr) location_ = taken->to;
         ended = false;
         state_ = run.state;
-        read_inputs(inputs);   // ends of timers as the outputs meet them
+        read_inputs(inputs);  // ends of timers as the outputs meet them
         return compared();
     }
 
@@ -79,13 +86,16 @@ private:
         const std::vector<bool> holds = time_conditions(chart_, state_);
         for (std::size_t timer = 0; timer < elements_.size(); ++timer) {
             inputs_.push_back(holds[elements_[timer]]);
-            const LocationAutomaton::Input& input = automaton_.inputs[Id<LocationAutomaton::Input>{static_cast<std::uint32_t>(inputs_.size() - 1)}];
+            const LocationAutomaton::Input& input =
+                automaton_.inputs[Id<LocationAutomaton::Input>{static_cast<std::uint32_t>(inputs_.size() - 1)}];
             if (inputs_.back() != 0) ++(input.timed.valid() ? walked_.timed : walked_.watched);
         }
     }
 
     std::int64_t value(Id<Expr> term) const {
-        return evaluate(automaton_.exprs, term, [&](const Expr& leaf) { return inputs_[static_cast<std::size_t>(leaf.value)]; }).value_or(-1);
+        return evaluate(automaton_.exprs, term,
+                        [&](const Expr& leaf) { return inputs_[static_cast<std::size_t>(leaf.value)]; })
+            .value_or(-1);
     }
 
     std::string compared() {
@@ -94,7 +104,8 @@ private:
         for (const Id<Chart::Step> step : chart_.steps.ids())
             if (state_.situation[step.index]) situation.push_back({step.index});
         if (situation != location.situation)
-            return "the situation is " + situation_text(automaton_, situation) + ", not " + situation_text(automaton_, location.situation);
+            return "the situation is " + situation_text(automaton_, situation) + ", not " +
+                   situation_text(automaton_, location.situation);
         std::vector<std::int64_t> outputs(automaton_.outputs.size());
         for (const LocationAutomaton::Emission& emission : location.emissions) {
             outputs[emission.output.index] = value(emission.value);
@@ -102,7 +113,8 @@ private:
         }
         std::size_t output = 0;
         for (const Id<Chart::Variable> id : chart_.variables.ids())
-            if (chart_.variables[id].kind == Chart::VariableKind::Output && outputs[output++] != state_.outputs[id.index])
+            if (chart_.variables[id].kind == Chart::VariableKind::Output &&
+                outputs[output++] != state_.outputs[id.index])
                 return "output " + chart_.variables[id].name;
         return {};
     }
@@ -110,10 +122,10 @@ private:
     const Chart& chart_;
     const LocationAutomaton& automaton_;
     Walked& walked_;
-    std::vector<std::size_t> elements_ = {};   ///< per timer of the equations
+    std::vector<std::size_t> elements_ = {};  ///< per timer of the equations
     State state_ = {};
     Id<LocationAutomaton::Location> location_ = {};
-    std::vector<std::int64_t> inputs_ = {};   ///< per input of the automaton
+    std::vector<std::int64_t> inputs_ = {};  ///< per input of the automaton
 };
 
 /// Forbids two of the Boolean inputs to be true together, where there are so many.
@@ -129,11 +141,13 @@ void constrain(Chart& chart, Random& random) {
 
 bool allowed(const Chart& chart, const std::vector<std::int64_t>& inputs) {
     return std::ranges::all_of(chart.constraints, [&](const Chart::Constraint& one) {
-        return evaluate(chart.exprs, one.condition, [&](const Expr& leaf) { return inputs[static_cast<std::size_t>(leaf.value)]; }) == 1;
+        return evaluate(chart.exprs, one.condition,
+                        [&](const Expr& leaf) { return inputs[static_cast<std::size_t>(leaf.value)]; }) == 1;
     });
 }
 
-std::string walk(const Chart& chart, const Equations& equations, const LocationAutomaton& automaton, Random& random, Walked& walked) {
+std::string walk(const Chart& chart, const Equations& equations, const LocationAutomaton& automaton, Random& random,
+                 Walked& walked) {
     for (int run = 0; run < runs_per_chart; ++run) {
         Walk side_by_side(chart, equations, automaton, walked);
         std::vector<std::int64_t> inputs(chart.variables.size());
@@ -141,7 +155,8 @@ std::string walk(const Chart& chart, const Equations& equations, const LocationA
         for (int k = 0; k < cycles_per_run && !ended; ++k) {
             for (const Id<Chart::Variable> id : chart.variables.ids())
                 if (chart.variables[id].kind == Chart::VariableKind::Input && chance(random, 50))
-                    inputs[id.index] = random_number(random, chart.variables[id].type.low, chart.variables[id].type.high);
+                    inputs[id.index] =
+                        random_number(random, chart.variables[id].type.low, chart.variables[id].type.high);
             if (!allowed(chart, inputs)) continue;
             if (std::string what = side_by_side.cycle_with(inputs, ended); !what.empty()) return what;
             if (chance(random, 40)) side_by_side.wait(500 * random_number(random, 1, 8));
@@ -166,7 +181,8 @@ std::string tested(const Chart& chart, const MealyMachine& machine, Walked& walk
             walked.several += test->sequences.size() > 1 ? 1 : 0;
             for (const TestSequence::Sequence& sequence : test->sequences)
                 for (const TestSequence::Step& step : sequence.steps) walked.waiting += step.wait_ms != 0 ? 1 : 0;
-            if (const auto wrong = disagreement(chart, *test)) return std::string(word(cover)) + (one ? ", one cycle each: " : ": ") + *wrong;
+            if (const auto wrong = disagreement(chart, *test))
+                return std::string(word(cover)) + (one ? ", one cycle each: " : ": ") + *wrong;
         }
     return {};
 }
@@ -212,9 +228,12 @@ TEST(AutomatonLaw, TheAutomatonIsWhereTheInterpreterIs) {
             const std::uint64_t run_seed = random();
             if (violation(chart, run_seed, mode, walked).empty()) continue;
             Walked ignored;
-            const Chart smallest = shrunk(chart, [&](const Chart& smaller) { return !violation(smaller, run_seed, mode, ignored).empty(); });
-            FAIL() << "seed " << seed << (mode == ExecutionMode::EveryCycle ? ", every cycle, " : ", stability search, ")
-                   << violation(smallest, run_seed, mode, ignored) << "\n\n" << chart_text(smallest);
+            const Chart smallest = shrunk(
+                chart, [&](const Chart& smaller) { return !violation(smaller, run_seed, mode, ignored).empty(); });
+            FAIL() << "seed " << seed
+                   << (mode == ExecutionMode::EveryCycle ? ", every cycle, " : ", stability search, ")
+                   << violation(smallest, run_seed, mode, ignored) << "\n\n"
+                   << chart_text(smallest);
         }
     }
     EXPECT_GT(walked.evolutions, 300);

@@ -15,7 +15,7 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t most_variables = 10;
-using Truth = std::bitset<std::size_t{1} << most_variables>;   // bit n: the value where variable i is bit i of n
+using Truth = std::bitset<std::size_t{1} << most_variables>;  // bit n: the value where variable i is bit i of n
 
 struct Tabled {
     Bdd bdd = {};
@@ -98,16 +98,18 @@ private:
     Tabled made() {
         const Tabled f = any(), g = any(), h = any();
         switch (random_number(random_, 0, 13)) {
-        case 0:  return {f.bdd & g.bdd, f.table & g.table};
-        case 1:  return {f.bdd | g.bdd, f.table | g.table};
-        case 2:  return {f.bdd ^ g.bdd, f.table ^ g.table};
-        case 3:  return {iff(f.bdd, g.bdd), table([&](std::size_t n) { return f.table[n] == g.table[n]; })};
-        case 4:  return {implies(f.bdd, g.bdd), table([&](std::size_t n) { return !f.table[n] || g.table[n]; })};
-        case 5:  return {~f.bdd, table([&](std::size_t n) { return !f.table[n]; })};
-        case 6:  return {ite(f.bdd, g.bdd, h.bdd), table([&](std::size_t n) { return f.table[n] ? g.table[n] : h.table[n]; })};
-        case 7:  return variable();
-        case 8:  return {Bdd::constant(true), table([](std::size_t) { return true; })};
-        case 9:  return some(f);
+        case 0: return {f.bdd & g.bdd, f.table & g.table};
+        case 1: return {f.bdd | g.bdd, f.table | g.table};
+        case 2: return {f.bdd ^ g.bdd, f.table ^ g.table};
+        case 3: return {iff(f.bdd, g.bdd), table([&](std::size_t n) { return f.table[n] == g.table[n]; })};
+        case 4: return {implies(f.bdd, g.bdd), table([&](std::size_t n) { return !f.table[n] || g.table[n]; })};
+        case 5: return {~f.bdd, table([&](std::size_t n) { return !f.table[n]; })};
+        case 6:
+            return {ite(f.bdd, g.bdd, h.bdd),
+                    table([&](std::size_t n) { return f.table[n] ? g.table[n] : h.table[n]; })};
+        case 7: return variable();
+        case 8: return {Bdd::constant(true), table([](std::size_t) { return true; })};
+        case 9: return some(f);
         case 10: return product(f, g);
         case 11: return assumed(f);
         case 12: return renamed(f);
@@ -154,7 +156,8 @@ private:
         std::vector<std::uint32_t> all(variables_), used;
         std::iota(all.begin(), all.end(), 0U);
         for (const std::uint32_t i : all)
-            if (table([&](std::size_t n) { return f.table[with(n, i, true)] != f.table[with(n, i, false)]; }).any()) used.push_back(i);
+            if (table([&](std::size_t n) { return f.table[with(n, i, true)] != f.table[with(n, i, false)]; }).any())
+                used.push_back(i);
         EXPECT_EQ(support(f.bdd), used);
         EXPECT_EQ(small_count(f.bdd, all), f.table.count());
         EXPECT_EQ(count(f.bdd, all), std::to_string(f.table.count()));
@@ -166,7 +169,9 @@ private:
             return true;
         });
         EXPECT_EQ(together, f.bdd);
-        if (!f.bdd.is_constant()) { EXPECT_EQ(ite(space_.variable(f.bdd.top()), f.bdd.high(), f.bdd.low()), f.bdd); }
+        if (!f.bdd.is_constant()) {
+            EXPECT_EQ(ite(space_.variable(f.bdd.top()), f.bdd.high(), f.bdd.low()), f.bdd);
+        }
         if (care.bdd.is_false()) return f;
         Tabled result{simplify(f.bdd, care.bdd), {}};
         result.table = table([&](std::size_t n) { return evaluate(result.bdd, assignment(n)); });
@@ -197,7 +202,7 @@ TEST(BddLaw, OperationsAgreeWithTablesOfTruthWhereMemoryIsScarce) {
     for (int seed = 0; seed < worlds; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        RandomSpace world(random, {.memory = 135'000});   // some thousand nodes: collections come within operations
+        RandomSpace world(random, {.memory = 135'000});  // some thousand nodes: collections come within operations
         for (int i = 0; i < 100 && !testing::Test::HasFailure(); ++i) try {
                 world.step();
             } catch (const BddExhausted& failure) {

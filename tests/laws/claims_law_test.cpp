@@ -12,10 +12,10 @@
 #include <optional>
 #include <set>
 
-#include "pipeline/untimed.hpp"
 #include "check/symbolic/symbolic.hpp"
 #include "check/timed/timed.hpp"
 #include "ir/network_run.hpp"
+#include "pipeline/untimed.hpp"
 #include "run/project.hpp"
 #include "run/replay.hpp"
 #include "support/law_size.hpp"
@@ -123,10 +123,8 @@ private:
     ClosedLoop& loop() { return model_.loops[{0}]; }
 
     void ask(std::string name, Pattern pattern, std::vector<Id<Expr>> operands, bool at_stable) {
-        loop().properties.add({.name = std::move(name),
-                               .pattern = pattern,
-                               .operands = std::move(operands),
-                               .at_stable = at_stable});
+        loop().properties.add(
+            {.name = std::move(name), .pattern = pattern, .operands = std::move(operands), .at_stable = at_stable});
     }
 
     /// Properties that tell whether a verdict is vacuous, and whether the constraints hold.
@@ -276,7 +274,8 @@ private:
             if (kept(atomic_.verdicts)) agree(words, verdict, atomic_.verdicts, &atomic_.loop->network);
             // Without time the controllers may be kept waiting for ever.
             for (const Untimed& other : untimed_)
-                if (other.grain == Grain::Atomic && other.options.schedule == Schedule::Interleaved && kept(other.verdicts) &&
+                if (other.grain == Grain::Atomic && other.options.schedule == Schedule::Interleaved &&
+                    kept(other.verdicts) &&
                     (other.options.time == TimeModel::Discrete ? !other.options.fairness : !is_liveness(verdict)) &&
                     !(is_liveness(verdict) && loop().controllers.size() > 1))
                     agree(words, verdict, other.verdicts);

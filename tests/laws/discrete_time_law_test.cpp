@@ -27,7 +27,8 @@ constexpr std::size_t most_clocks = 6;
 
 std::size_t clock_count(const Network& network) {
     std::size_t count = 0;
-    for (const Network::Process& process : network.processes) count += network.templates[process.automaton].clocks.size();
+    for (const Network::Process& process : network.processes)
+        count += network.templates[process.automaton].clocks.size();
     return count;
 }
 

@@ -8,9 +8,9 @@
 #include "compose/compose.hpp"
 #include "derive/derive.hpp"
 #include "plant/plant.hpp"
-#include "support/print_network.hpp"
 #include "support/law_size.hpp"
 #include "support/naive_tadd.hpp"
+#include "support/print_network.hpp"
 #include "support/random_loop.hpp"
 #include "support/run_equations.hpp"
 

@@ -7,16 +7,16 @@
 #include <sstream>
 #include <string>
 
-#include "unit/read/fixtures.hpp"
 #include "derive/derive.hpp"
 #include "read/formats.hpp"
 #include "read/text.hpp"
+#include "support/law_size.hpp"
+#include "support/print_model.hpp"
 #include "syntax/language/format.hpp"
 #include "syntax/language/parse.hpp"
 #include "syntax/print/equations.hpp"
-#include "support/print_model.hpp"
+#include "unit/read/fixtures.hpp"
 #include "unit/read/random_files.hpp"
-#include "support/law_size.hpp"
 
 namespace grafverif {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "derive/derive.hpp"
 #include "run/interpreter.hpp"
-#include "syntax/print/equations.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"
 #include "support/run_equations.hpp"
+#include "syntax/print/equations.hpp"
 
 namespace grafverif {
 namespace {
@@ -109,7 +109,7 @@ std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode
     std::vector<std::int64_t> inputs = state.values;
     for (int k = 0; k < cycles_per_run; ++k) {
         const Cycle run = cycle(chart, state, inputs, mode);
-        std::vector<std::int64_t> extended = inputs;   // the variables of the equations begin with those of the chart
+        std::vector<std::int64_t> extended = inputs;  // the variables of the equations begin with those of the chart
         extended.resize(equations->variables.size());
         const EquationsCycle algebra = cycle(*equations, values, extended, mode);
         meet(chart, state, run, met);
@@ -141,9 +141,8 @@ TEST(InterpreterEquationsLaw, TheEquationsDoWhatTheRulesOfTheStandardSay) {
             const std::uint64_t run_seed = random();
             if (violation(chart, run_seed, mode, met).empty()) continue;
             Met ignored;
-            const Chart smallest = shrunk(chart, [&](const Chart& smaller) {
-                return !violation(smaller, run_seed, mode, ignored).empty();
-            });
+            const Chart smallest = shrunk(
+                chart, [&](const Chart& smaller) { return !violation(smaller, run_seed, mode, ignored).empty(); });
             FAIL() << "seed " << seed
                    << (mode == ExecutionMode::EveryCycle ? ", every cycle, " : ", stability search, ")
                    << violation(smallest, run_seed, mode, ignored) << "\n\n"

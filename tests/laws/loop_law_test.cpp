@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <map>
 
-#include "support/print_network.hpp"
-#include "unit/compose/hand_chart.hpp"
 #include "support/law_size.hpp"
 #include "support/naive_tadd.hpp"
+#include "support/print_network.hpp"
+#include "unit/compose/hand_chart.hpp"
 
 namespace grafverif {
 namespace {

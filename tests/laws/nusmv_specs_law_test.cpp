@@ -52,7 +52,8 @@ void expect_agreement(const System& system, Compared& compared, Ours of = Ours::
         ASSERT_NE(spec, specs.end()) << property.name;
         const bool holds = verdict_of_spec(*spec, property, spec_is_true(system, *graph, *spec));
         if (of == Ours::Engine && ours.verdicts[id.index].outcome == Outcome::Unknown) continue;
-        const bool we_say = of == Ours::Engine ? ours.verdicts[id.index].outcome == Outcome::Holds : explicit_verdict(system, *graph, property);
+        const bool we_say = of == Ours::Engine ? ours.verdicts[id.index].outcome == Outcome::Holds
+                                               : explicit_verdict(system, *graph, property);
         ASSERT_EQ(holds, we_say) << property.name << "\n" << out.str();
         ++compared.verdicts;
     }
@@ -70,7 +71,8 @@ TEST(NusmvSpecsLaw, ToolsDecideRandomSystemsAsOurEngineDoes) {
         ask_more(system, random);
         ASSERT_NO_FATAL_FAILURE(expect_agreement(system, compared));
     }
-    std::cout << "seeds 1 to " << cases << ": " << compared.systems << " systems, " << compared.verdicts << " verdicts\n";
+    std::cout << "seeds 1 to " << cases << ": " << compared.systems << " systems, " << compared.verdicts
+              << " verdicts\n";
     EXPECT_GT(compared.several_starts, 20u);
     EXPECT_GT(compared.nothing_fair, 0u) << "some systems without a fair run";
 }
@@ -88,16 +90,21 @@ TEST(NusmvSpecsLaw, ToolsDecideRandomLoopsAsOurEngineDoesInEveryApproachAndSched
             ASSERT_NO_FATAL_FAILURE(expect_agreement(system, compared, Ours::ExplicitSearch));
         }
     }
-    std::cout << "seeds 1 to " << cases << ": " << compared.systems << " models, " << compared.verdicts << " verdicts\n";
+    std::cout << "seeds 1 to " << cases << ": " << compared.systems << " models, " << compared.verdicts
+              << " verdicts\n";
     EXPECT_GT(compared.systems, 0u);
 }
 
 TEST(NusmvSpecsLaw, ToolsDecideASmallLoopAsOurEngineDoesInEveryApproachAndSchedule) {
-    const Model model = read_loop("grafcet lamp { input PRESS; output LIGHT; initial step 0; step 1 { LIGHT; }\n"
-                                  "transition t0: 0 -> 1 when PRESS; transition t1: 1 -> 0 when !PRESS; }\n"
-                                  "closed_loop room { controller lamp; environment a = push_button(OUT = PRESS);\n"
-                                  "property shown: reachable LIGHT; property pressed: reachable PRESS at stable; property both: reachable X0 && X1;\n"
-                                  "property quick: inevitable X1; property back: X1 leads to X0; property again: always possible X1; }\n").model;
+    const Model model =
+        read_loop(
+            "grafcet lamp { input PRESS; output LIGHT; initial step 0; step 1 { LIGHT; }\n"
+            "transition t0: 0 -> 1 when PRESS; transition t1: 1 -> 0 when !PRESS; }\n"
+            "closed_loop room { controller lamp; environment a = push_button(OUT = PRESS);\n"
+            "property shown: reachable LIGHT; property pressed: reachable PRESS at stable; property both: reachable X0 "
+            "&& X1;\n"
+            "property quick: inevitable X1; property back: X1 leads to X0; property again: always possible X1; }\n")
+            .model;
     Random random(7);
     Compared compared;
     for (const bool fairness : {false, true})
@@ -107,7 +114,8 @@ TEST(NusmvSpecsLaw, ToolsDecideASmallLoopAsOurEngineDoesInEveryApproachAndSchedu
             ASSERT_NO_FATAL_FAILURE(expect_agreement(system, compared));
         }
     std::cout << compared.systems << " models, " << compared.verdicts << " verdicts\n";
-    EXPECT_EQ(compared.systems, 16u) << "with and without fairness, in two approaches without a plant and six ways with one";
+    EXPECT_EQ(compared.systems, 16u)
+        << "with and without fairness, in two approaches without a plant and six ways with one";
 }
 
 /// One free input, and nothing else.
@@ -121,8 +129,10 @@ struct OneInput {
         const auto symbol = system.modules[system.main].symbols.add({"a", {}, System::StateSymbol{}, "", {}});
         input = system.exprs.leaf(Op::Variable, symbol.index);
         system.settled = system.exprs.constant(true);
-        for (const Pattern pattern : {Pattern::Reachable, Pattern::Inevitable, Pattern::AlwaysPossible, Pattern::LeadsTo}) {
-            Property property{.name = "P" + std::to_string(system.properties.size()), .pattern = pattern, .operands = {input}};
+        for (const Pattern pattern :
+             {Pattern::Reachable, Pattern::Inevitable, Pattern::AlwaysPossible, Pattern::LeadsTo}) {
+            Property property{
+                .name = "P" + std::to_string(system.properties.size()), .pattern = pattern, .operands = {input}};
             if (pattern == Pattern::LeadsTo) property.operands.push_back(system.exprs.negation(input));
             system.properties.add(property);
         }
@@ -132,7 +142,7 @@ struct OneInput {
 TEST(NusmvSpecsLaw, WhatIsReachedFromOneInitialStateOnlyIsReachable) {
     OneInput one;
     auto& symbol = one.system.modules[one.system.main].symbols[{0}];
-    symbol.kind = System::StateSymbol{{}, one.input};   // it stays as it began
+    symbol.kind = System::StateSymbol{{}, one.input};  // it stays as it began
     Compared compared;
     expect_agreement(one.system, compared);
     EXPECT_EQ(compared.several_starts, 1u);
@@ -153,9 +163,15 @@ TEST(NusmvSpecsLaw, FormulasAreReadWithThePrecedencesOfNusmv) {
     struct Case {
         const char *text, *bracketed;
     };
-    for (const Case& one : {Case{"AG x -> y", "(AG x) -> y"}, {"! a & b | c", "((!a) & b) | c"}, {"!a = b", "(!a) = b"},
-                            {"a -> b -> c", "a -> (b -> c)"}, {"a <-> b -> c", "(a <-> b) -> c"}, {"!EF a & b", "(!(EF a)) & b"},
-                            {"x + 1 * 2 = 3 & y", "((x + (1 * 2)) = 3) & y"}, {"AG EF a", "AG (EF a)"}, {"a ? b : c | d", "a ? b : (c | d)"}})
+    for (const Case& one : {Case{"AG x -> y", "(AG x) -> y"},
+                            {"! a & b | c", "((!a) & b) | c"},
+                            {"!a = b", "(!a) = b"},
+                            {"a -> b -> c", "a -> (b -> c)"},
+                            {"a <-> b -> c", "(a <-> b) -> c"},
+                            {"!EF a & b", "(!(EF a)) & b"},
+                            {"x + 1 * 2 = 3 & y", "((x + (1 * 2)) = 3) & y"},
+                            {"AG EF a", "AG (EF a)"},
+                            {"a ? b : c | d", "a ? b : (c | d)"}})
         EXPECT_EQ(read_spec(one.text), read_spec(one.bracketed)) << one.text;
     for (const char* wrong : {"", "a &", "(a", "a b", "AG", "a; INVAR FALSE"}) EXPECT_FALSE(read_spec(wrong)) << wrong;
 }

@@ -9,9 +9,9 @@
 
 #include "derive/derive.hpp"
 #include "read/text.hpp"
-#include "syntax/print/equations.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"
+#include "syntax/print/equations.hpp"
 
 namespace grafverif {
 namespace {

@@ -31,8 +31,8 @@ struct Twin {
     TransitionSystem system = {};
     SystemState state = {};
     std::vector<EquationsTiming> timing = {};
-    bool ends_moved = false;   ///< some timer's end changed in the last step
-    std::string before_start = {};   ///< what is wrong with power-on
+    bool ends_moved = false;        ///< some timer's end changed in the last step
+    std::string before_start = {};  ///< what is wrong with power-on
 
     std::string path(Id<Equations::Variable> variable) const {
         return system.instances[{0}].name + "." + equations.variables[variable].name;
@@ -142,7 +142,7 @@ std::string settled_disagreement(const Twin& twin, std::span<const std::int64_t>
     after.step(inputs);
     for (const Id<Equations::Variable> id : twin.equations.variables.ids()) {
         const Role role = twin.equations.variables[id].role;
-        if (role == Role::FiringCondition || role == Role::Watched) continue;   // the system has no timers
+        if (role == Role::FiringCondition || role == Role::Watched) continue;  // the system has no timers
         if (twin.value(id) != after.value(id)) return "settled, but " + twin.equations.variables[id].name + " changes";
     }
     return {};

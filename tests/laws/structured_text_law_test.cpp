@@ -38,7 +38,7 @@ int fault_of(const Cycle& run) {
 std::string disagreement(const Chart& chart, const Equations& equations, const Cycle& run, const SmallPlc& plc) {
     const int fault = fault_of(run);
     const auto found = plc.value("FAULT");
-    const bool either = fault > 1 && found > 1;   // which of several in one evolution comes first is left open
+    const bool either = fault > 1 && found > 1;  // which of several in one evolution comes first is left open
     if (found != fault && !either) return "fault " + std::to_string(found) + " instead of " + std::to_string(fault);
     for (const Id<Chart::Variable> id : chart.variables.ids())
         if (chart.variables[id].kind == Chart::VariableKind::Output &&
@@ -73,7 +73,8 @@ std::string violation(const Chart& chart, std::uint64_t seed, ExecutionMode mode
     for (int k = 0; k < 14; ++k) {
         const Cycle run = cycle(chart, state, inputs, mode);
         for (const Id<Chart::Variable> id : chart.variables.ids())
-            if (chart.variables[id].kind == Chart::VariableKind::Input) plc.set(chart.variables[id].name, inputs[id.index]);
+            if (chart.variables[id].kind == Chart::VariableKind::Input)
+                plc.set(chart.variables[id].name, inputs[id.index]);
         plc.call(now);
         meet(chart, state, run, met);
         const std::string what = disagreement(chart, *equations, run, plc);
@@ -108,10 +109,12 @@ TEST(StructuredTextLaw, TheControllerDoesWhatTheRulesOfTheStandardSay) {
             const std::uint64_t run_seed = random();
             if (violation_or_error(chart, run_seed, mode, met).empty()) continue;
             Met ignored;
-            const Chart smallest = shrunk(
-                chart, [&](const Chart& smaller) { return !violation_or_error(smaller, run_seed, mode, ignored).empty(); });
+            const Chart smallest = shrunk(chart, [&](const Chart& smaller) {
+                return !violation_or_error(smaller, run_seed, mode, ignored).empty();
+            });
             Diagnostics diagnostics;
-            FAIL() << "seed " << seed << (mode == ExecutionMode::EveryCycle ? ", every cycle, " : ", stability search, ")
+            FAIL() << "seed " << seed
+                   << (mode == ExecutionMode::EveryCycle ? ", every cycle, " : ", stability search, ")
                    << violation_or_error(smallest, run_seed, mode, ignored) << "\n\n"
                    << chart_text(smallest) << '\n'
                    << controller_text(*derive(smallest, diagnostics), mode, Form::Text);

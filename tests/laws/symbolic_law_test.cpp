@@ -30,7 +30,7 @@ StateSet looking_like(const System& system, const SystemGraph& graph, const std:
         return std::ranges::all_of(symbols.ids(), [&](Id<System::Symbol> id) {
             if (std::holds_alternative<System::ChoiceSymbol>(symbols[id].kind) ||
                 std::holds_alternative<System::DefineSymbol>(symbols[id].kind))
-                return true;   // may depend on a choice, which the graph does not keep
+                return true;  // may depend on a choice, which the graph does not keep
             return value_of(system, state, symbols[id].name) == seen[id.index];
         });
     });

@@ -9,8 +9,8 @@
 #include "support/law_size.hpp"
 #include "support/naive_tadd.hpp"
 #include "support/random_loop.hpp"
-#include "support/read_loop.hpp"
 #include "support/random_network.hpp"
+#include "support/read_loop.hpp"
 #include "unit/check/networks.hpp"
 
 namespace grafverif {
@@ -21,7 +21,7 @@ struct Explored {
     std::vector<TaddState> states = {};
     std::vector<std::vector<std::size_t>> next = {}, actions = {};
     std::vector<bool> passes = {}, acts = {}, faulty = {};
-    std::vector<std::size_t> later = {};   // where a unit of time leads
+    std::vector<std::size_t> later = {};  // where a unit of time leads
     bool any_fault = false;
 };
 
@@ -42,12 +42,16 @@ std::optional<Explored> explored(const NaiveTadd& tadd, std::size_t limit) {
         all.acts.push_back(false);
         all.faulty.push_back(false);
         all.later.push_back(i);
-        if (const Id<Network::Variable> race = tadd.network().race; race.valid() && all.states[i].variables[race.index] != 0) {
+        if (const Id<Network::Variable> race = tadd.network().race;
+            race.valid() && all.states[i].variables[race.index] != 0) {
             all.faulty[i] = all.any_fault = true;
             continue;
         }
         for (const TaddMove& move : tadd.successors(TaddState(all.states[i]))) {
-            if (move.out_of_range) { all.faulty[i] = all.any_fault = true; continue; }
+            if (move.out_of_range) {
+                all.faulty[i] = all.any_fault = true;
+                continue;
+            }
             const std::size_t next = number(move.next);
             all.next[i].push_back(next);
             (move.delay() ? all.passes : all.acts)[i] = true;
@@ -63,7 +67,8 @@ std::vector<bool> inevitable(const Explored& all, std::vector<bool> met) {
     for (bool changed = true; changed;) {
         changed = false;
         for (std::size_t i = 0; i < all.states.size(); ++i) {
-            const bool leads = !all.next[i].empty() && std::ranges::all_of(all.next[i], [&](std::size_t next) { return met[next]; });
+            const bool leads =
+                !all.next[i].empty() && std::ranges::all_of(all.next[i], [&](std::size_t next) { return met[next]; });
             if (met[i] || !(leads || all.faulty[i])) continue;
             met[i] = changed = true;
         }
@@ -90,7 +95,8 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
     const auto where = [&](std::size_t operand) {
         std::vector<bool> set;
         for (const TaddState& state : all.states)
-            set.push_back((!property.at_stable || tadd.settled(state)) && tadd.holds(property.operands[operand], state));
+            set.push_back((!property.at_stable || tadd.settled(state)) &&
+                          tadd.holds(property.operands[operand], state));
         return set;
     };
     const auto everywhere = [&](const auto& test) {
@@ -100,12 +106,14 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
     };
     const auto judged = [&](std::size_t i) { return !property.at_stable || tadd.settled(all.states[i]); };
     switch (property.pattern) {
-    case Pattern::Always: return everywhere([&](std::size_t i) { return !judged(i) || tadd.holds(property.operands[0], all.states[i]); });
+    case Pattern::Always:
+        return everywhere([&](std::size_t i) { return !judged(i) || tadd.holds(property.operands[0], all.states[i]); });
     case Pattern::Never: return everywhere([&, p = where(0)](std::size_t i) { return !p[i]; });
     case Pattern::Reachable: return !everywhere([&, p = where(0)](std::size_t i) { return !p[i]; });
     case Pattern::ExactlyOneOf:
         return everywhere([&](std::size_t i) {
-            return !judged(i) || std::ranges::count_if(property.operands, [&](Id<Expr> p) { return tadd.holds(p, all.states[i]); }) == 1;
+            return !judged(i) || std::ranges::count_if(property.operands,
+                                                       [&](Id<Expr> p) { return tadd.holds(p, all.states[i]); }) == 1;
         });
     case Pattern::Inevitable: return inevitable(all, where(0))[0];
     case Pattern::LeadsTo: {
@@ -132,7 +140,10 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
         const auto reaches = possible(all, goal, [](std::size_t, std::size_t) { return true; });
         return everywhere([&](std::size_t i) { return reaches[i]; });
     }
-    case Pattern::ReachableAllSteps: case Pattern::RawUppaal: case Pattern::RawCtl: case Pattern::RawLtl: break;
+    case Pattern::ReachableAllSteps:
+    case Pattern::RawUppaal:
+    case Pattern::RawCtl:
+    case Pattern::RawLtl: break;
     }
     return true;
 }
@@ -143,9 +154,10 @@ std::optional<std::size_t> fewest_moves(const Explored& all, const std::vector<b
     std::set<std::pair<std::size_t, bool>> seen, level = {{0, false}};
     for (std::size_t moves = 0; !level.empty(); ++moves) {
         std::vector<std::pair<std::size_t, bool>> open(level.begin(), level.end());
-        for (std::size_t i = 0; i < open.size(); ++i) {   // a delay goes on for nothing
+        for (std::size_t i = 0; i < open.size(); ++i) {  // a delay goes on for nothing
             const auto [state, waited] = open[i];
-            if (waited && all.passes[state] && level.emplace(all.later[state], true).second) open.emplace_back(all.later[state], true);
+            if (waited && all.passes[state] && level.emplace(all.later[state], true).second)
+                open.emplace_back(all.later[state], true);
         }
         std::set<std::pair<std::size_t, bool>> next;
         for (const auto& [state, waited] : level) {
@@ -160,25 +172,35 @@ std::optional<std::size_t> fewest_moves(const Explored& all, const std::vector<b
     return {};
 }
 
-bool about_all_states(Pattern pattern) { return pattern != Pattern::Reachable && pattern != Pattern::ReachableAllSteps; }
+bool about_all_states(Pattern pattern) {
+    return pattern != Pattern::Reachable && pattern != Pattern::ReachableAllSteps;
+}
 
 /// Every pattern over the network's own operands, so that each law sees every kind.
 void add_questions(Network& network, Random& random) {
     std::vector<Id<Expr>> terms;
     for (const Id<Network::Variable> id : network.variables.ids())
-        if (network.variables[id].type.boolean && !network.variables[id].scratch) terms.push_back(network.exprs.leaf(Op::Variable, id.index));
-    for (const Id<Network::Process> process : network.processes.ids()) terms.push_back(network.exprs.at(process.index, 0));
+        if (network.variables[id].type.boolean && !network.variables[id].scratch)
+            terms.push_back(network.exprs.leaf(Op::Variable, id.index));
+    for (const Id<Network::Process> process : network.processes.ids())
+        terms.push_back(network.exprs.at(process.index, 0));
     const auto term = [&] {
-        Id<Expr> one = terms[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(terms.size()) - 1))];
+        Id<Expr> one =
+            terms[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(terms.size()) - 1))];
         if (chance(random, 30)) one = network.exprs.disjunction(one, terms.front());
         return chance(random, 40) ? network.exprs.negation(one) : one;
     };
     int count = 0;
     const auto add = [&](Pattern pattern, std::vector<Id<Expr>> operands) {
         const bool stable = network.settled.valid() && chance(random, 30);
-        network.properties.add({.name = "q" + std::to_string(count++), .pattern = pattern, .operands = std::move(operands), .at_stable = stable});
+        network.properties.add({.name = "q" + std::to_string(count++),
+                                .pattern = pattern,
+                                .operands = std::move(operands),
+                                .at_stable = stable});
     };
-    for (const Pattern pattern : {Pattern::Always, Pattern::Never, Pattern::Reachable, Pattern::Inevitable, Pattern::AlwaysPossible}) add(pattern, {term()});
+    for (const Pattern pattern :
+         {Pattern::Always, Pattern::Never, Pattern::Reachable, Pattern::Inevitable, Pattern::AlwaysPossible})
+        add(pattern, {term()});
     for (int k = 0; k < 3; ++k) add(Pattern::LeadsTo, {term(), term()});
     add(Pattern::Inevitable, {term()});
     add(Pattern::ExactlyOneOf, {term(), term()});
@@ -191,7 +213,8 @@ struct Seen {
     std::map<std::string, int> outcomes = {};
 };
 
-void compare(const Network& network, const NaiveTadd& tadd, const Explored& all, const TimedResult& result, Seen& seen) {
+void compare(const Network& network, const NaiveTadd& tadd, const Explored& all, const TimedResult& result,
+             Seen& seen) {
     for (const Property& property : network.properties) {
         if (property.pattern == Pattern::ReachableAllSteps || property.pattern >= Pattern::RawUppaal) continue;
         SCOPED_TRACE("property " + property.name + ", pattern " + std::to_string(static_cast<int>(property.pattern)));
@@ -216,7 +239,8 @@ void compare_units(const Network& network, const TimedResult& result) {
         const TimedResult finer = checked(refined(network, factor), {.max_states = 200'000});
         if (!finer.complete) continue;
         for (const Verdict& given : result.verdicts) {
-            SCOPED_TRACE(given.property + " in units " + std::to_string(factor) + " times as fine: " + told(finer, given.property));
+            SCOPED_TRACE(given.property + " in units " + std::to_string(factor) +
+                         " times as fine: " + told(finer, given.property));
             if (given.outcome != Outcome::Unknown) EXPECT_EQ(told(result, given.property), told(finer, given.property));
             else EXPECT_NE(verdict(finer, given.property).outcome, Outcome::Holds);
         }
@@ -252,16 +276,19 @@ void compare_states(Network network, const Explored& all) {
     std::vector<Id<Expr>> ones;
     for (const auto& [locations, variables] : states) {
         std::vector<Id<Expr>> conjuncts;
-        for (std::uint32_t process = 0; process < locations.size(); ++process) conjuncts.push_back(network.exprs.at(process, locations[process]));
+        for (std::uint32_t process = 0; process < locations.size(); ++process)
+            conjuncts.push_back(network.exprs.at(process, locations[process]));
         for (const Id<Network::Variable> id : network.variables.ids()) {
             if (network.variables[id].scratch) continue;
             const Id<Expr> leaf = network.exprs.leaf(Op::Variable, id.index);
             const std::int64_t is = variables[id.index];
-            if (!network.variables[id].type.boolean) conjuncts.push_back(network.exprs.apply(Op::Equal, leaf, network.exprs.integer(is)));
+            if (!network.variables[id].type.boolean)
+                conjuncts.push_back(network.exprs.apply(Op::Equal, leaf, network.exprs.integer(is)));
             else conjuncts.push_back(is != 0 ? leaf : network.exprs.negation(leaf));
         }
         ones.push_back(network.exprs.conjunction(conjuncts));
-        network.properties.add({.name = "s" + std::to_string(ones.size()), .pattern = Pattern::Reachable, .operands = {ones.back()}});
+        network.properties.add(
+            {.name = "s" + std::to_string(ones.size()), .pattern = Pattern::Reachable, .operands = {ones.back()}});
     }
     network.properties.add({.name = "all", .pattern = Pattern::ExactlyOneOf, .operands = ones});
     const TimedResult result = check_timed(network);
@@ -314,9 +341,10 @@ TEST(TimedEngineLaw, RandomClosedLoopsHaveTheStatesAndVerdictsOfTheReferenceSema
         Random random(seed);
         const Model model = random_loop(random);
         try {
-            compare_all(composed_loop(model, {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased}).network, random, seen);
+            compare_all(composed_loop(model, {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased}).network, random,
+                        seen);
         } catch (const std::invalid_argument&) {
-            continue;   // a loop that compose refuses
+            continue;  // a loop that compose refuses
         }
         if (testing::Test::HasFailure()) break;
     }
@@ -336,11 +364,13 @@ Id<Expr> same_state(Network& network, const Network& other, const TaddState& sta
         if (other.variables[id].scratch || found == variables.end()) continue;
         const Id<Expr> leaf = network.exprs.leaf(Op::Variable, found->second.index);
         const std::int64_t is = state.variables[id.index];
-        if (!other.variables[id].type.boolean) conjuncts.push_back(network.exprs.apply(Op::Equal, leaf, network.exprs.integer(is)));
+        if (!other.variables[id].type.boolean)
+            conjuncts.push_back(network.exprs.apply(Op::Equal, leaf, network.exprs.integer(is)));
         else conjuncts.push_back(is != 0 ? leaf : network.exprs.negation(leaf));
     }
     for (const Id<Network::Process> id : other.processes.ids())
-        if (other.processes[id].kind != Network::ProcessKind::Controller) conjuncts.push_back(network.exprs.at(id.index, state.locations[id.index]));
+        if (other.processes[id].kind != Network::ProcessKind::Controller)
+            conjuncts.push_back(network.exprs.at(id.index, state.locations[id.index]));
     return network.exprs.conjunction(conjuncts);
 }
 
@@ -362,13 +392,14 @@ TEST(TimedEngineLaw, EverySettledStateOfGrainAtomicIsReachedInGrainPhased) {
                 if (!tadd.settled(state)) continue;
                 const Id<Expr> term = same_state(phased, atomic, state);
                 if (!asked.insert(term.index).second || asked.size() > 200) continue;
-                phased.properties.add({.name = "s" + std::to_string(asked.size()), .pattern = Pattern::Reachable, .operands = {term}});
+                phased.properties.add(
+                    {.name = "s" + std::to_string(asked.size()), .pattern = Pattern::Reachable, .operands = {term}});
             }
             const TimedResult result = check_timed(phased, {.max_states = 300'000});
             for (const Property& property : phased.properties) EXPECT_EQ(told(result, property.name), "holds");
             ++compared;
         } catch (const std::invalid_argument&) {
-            continue;   // a loop that compose refuses
+            continue;  // a loop that compose refuses
         }
         if (testing::Test::HasFailure()) break;
     }

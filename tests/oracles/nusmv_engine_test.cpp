@@ -81,8 +81,11 @@ void expect_agreement(const TransitionSystem& system, const std::string& program
         if (!ours.runs[i] || ours.verdicts[i].pattern == Pattern::AlwaysPossible) continue;
         ASSERT_TRUE(theirs.runs[i]);
         const bool about_states = !ours.runs[i]->loop;
-        if (about_states) { EXPECT_EQ(theirs.runs[i]->states.size(), ours.runs[i]->states.size()) << "both are shortest"; }
-        else if (!just) { EXPECT_TRUE(theirs.runs[i]->loop); }
+        if (about_states) {
+            EXPECT_EQ(theirs.runs[i]->states.size(), ours.runs[i]->states.size()) << "both are shortest";
+        } else if (!just) {
+            EXPECT_TRUE(theirs.runs[i]->loop);
+        }
         ++agreement.runs;
     }
 }
@@ -125,7 +128,7 @@ TEST(NusmvEngine, CounterexamplesReplayOnTheRules) {
         const Model model = random_loop(random);
         const std::vector<const Chart*> charts = charts_of(model);
         for (const TransitionSystem& system : untimed_models(model)) {
-            if (!explored(system, 300, 256)) continue;   // NuSMV may take minutes for it
+            if (!explored(system, 300, 256)) continue;  // NuSMV may take minutes for it
             SCOPED_TRACE(system.scope);
             for (const auto& run : asked_nusmv(system, program->string()).result.runs) {
                 if (!run) continue;
@@ -143,14 +146,16 @@ TEST(NusmvEngine, AgreesWithTheSymbolicEngineOnTheSamples) {
     const auto program = app::find_program("NuSMV");
     if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
     Agreement agreement;
-    for (const auto& [sample, fairness] : {std::pair("blinker/blinker.grafcet", false), {"tanks/tanks.grafcet", false},
+    for (const auto& [sample, fairness] : {std::pair("blinker/blinker.grafcet", false),
+                                           {"tanks/tanks.grafcet", false},
                                            {"assembly_station/assembly_station.grafcet", false},
                                            {"assembly_station/assembly_station.grafcet", true}})
         for (const TransitionSystem& system : untimed_models(read_sample(sample).model, fairness)) {
             SCOPED_TRACE(std::string(sample) + ": " + system.scope);
             ASSERT_NO_FATAL_FAILURE(expect_agreement(system, program->string(), agreement));
         }
-    std::cout << agreement.verdicts << " verdicts, " << agreement.runs << " runs, " << agreement.given_up << " models given up\n";
+    std::cout << agreement.verdicts << " verdicts, " << agreement.runs << " runs, " << agreement.given_up
+              << " models given up\n";
     EXPECT_GT(agreement.verdicts, 200u);
 }
 
@@ -179,7 +184,8 @@ void expect_same_as_a_user_sees(const TransitionSystem& system, const std::strin
     std::ostringstream text;
     nusmv::emit(system, text);
     std::ofstream(model) << text.str();
-    const ProgramResult said = app::run_program({program, model}, "", {.deadline = std::chrono::steady_clock::now() + patience});
+    const ProgramResult said =
+        app::run_program({program, model}, "", {.deadline = std::chrono::steady_clock::now() + patience});
     if (said.end != ProgramResult::End::Exited) {
         ++agreement.given_up;
         return;
@@ -197,8 +203,10 @@ void expect_same_as_a_user_sees(const TransitionSystem& system, const std::strin
         const auto verdict = std::ranges::find(printed, *formula, &std::pair<SpecTerm, bool>::first);
         ASSERT_NE(verdict, printed.end()) << spec->formula << "\n" << said.out << said.err;
         if (ours.verdicts[id.index].outcome == Outcome::Unknown) continue;
-        ASSERT_EQ(verdict_of_spec(*spec, system.properties[id], verdict->second), ours.verdicts[id.index].outcome == Outcome::Holds)
-            << spec->name << "\n" << text.str() << said.out;
+        ASSERT_EQ(verdict_of_spec(*spec, system.properties[id], verdict->second),
+                  ours.verdicts[id.index].outcome == Outcome::Holds)
+            << spec->name << "\n"
+            << text.str() << said.out;
         ++agreement.verdicts;
     }
 }
@@ -213,7 +221,7 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnRandomSystemsAndLoops) {
         SCOPED_TRACE("loop of seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         for (TransitionSystem& system : untimed_models(random_loop(random), chance(random, 50))) {
-            if (!explored(system, 300, 256)) continue;   // NuSMV may take minutes for it
+            if (!explored(system, 300, 256)) continue;  // NuSMV may take minutes for it
             ask_more(system, random);
             ASSERT_NO_FATAL_FAILURE(expect_same_as_a_user_sees(system, program->string(), agreement));
         }
@@ -226,7 +234,8 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnTheSamples) {
     const auto program = app::find_program("NuSMV");
     if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
     Agreement agreement;
-    for (const auto& [sample, fairness] : {std::pair("blinker/blinker.grafcet", true), {"tanks/tanks.grafcet", false},
+    for (const auto& [sample, fairness] : {std::pair("blinker/blinker.grafcet", true),
+                                           {"tanks/tanks.grafcet", false},
                                            {"assembly_station/assembly_station.grafcet", true}})
         for (const TransitionSystem& system : untimed_models(read_sample(sample).model, fairness)) {
             SCOPED_TRACE(std::string(sample) + ": " + system.scope);
@@ -241,8 +250,8 @@ TEST(NusmvEngine, AProgramThatSaysNothingGivesNoVerdict) {
     TransitionSystem system = random_system(random);
     ask_more(system, random);
     const SystemSpelling spelling = nusmv::spelling(system);
-    const NusmvResult result =
-        read_nusmv(system, spelling, {0, 1}, {ProgramResult::End::Exited, 1, "", "file model.smv: line 3: syntax error\n"});
+    const NusmvResult result = read_nusmv(
+        system, spelling, {0, 1}, {ProgramResult::End::Exited, 1, "", "file model.smv: line 3: syntax error\n"});
     ASSERT_EQ(result.verdicts.size(), 2u);
     EXPECT_EQ(result.verdicts[0].outcome, Outcome::Unknown);
     EXPECT_EQ(result.verdicts[0].obstacle, Obstacle::Failed);
@@ -253,8 +262,9 @@ TEST(NusmvEngine, AModelThatGetsStuckGivesNoVerdict) {
     Random random(3);
     TransitionSystem system = random_system(random);
     ask_more(system, random);
-    const std::string out = "grafverif: fsm\nThe transition relation is not total.\ngrafverif: states\nreachable states: 4 (2^2) out of 8\n"
-                            "grafverif: 0\n-- invariant x  is true\ngrafverif: end\n";
+    const std::string out =
+        "grafverif: fsm\nThe transition relation is not total.\ngrafverif: states\nreachable states: 4 (2^2) out of 8\n"
+        "grafverif: 0\n-- invariant x  is true\ngrafverif: end\n";
     const NusmvResult result =
         read_nusmv(system, nusmv::spelling(system), {0}, {ProgramResult::End::Exited, 0, out, ""});
     EXPECT_EQ(result.verdicts[0].outcome, Outcome::Unknown);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // NuSMV itself, where it is installed: it takes every model we write, finds it total, counts the states that we count,
 // and gives the verdicts that an explicit search of the transition system gives.
+#include "emit/nusmv/nusmv.hpp"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,7 +15,6 @@
 #include <optional>
 #include <sstream>
 
-#include "emit/nusmv/nusmv.hpp"
 #include "support/explicit_search.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
@@ -36,7 +37,8 @@ std::optional<std::string> nusmv_says(const std::string& model, const std::strin
     std::ofstream(folder / "model.smv") << model;
     std::ofstream(folder / "commands") << "read_model -i " << (folder / "model.smv").string() << "\n"
                                        << commands << "quit\n";
-    const std::string command = "timeout " + std::to_string(patience) + " NuSMV -source " + (folder / "commands").string() + " 2>&1 </dev/null";
+    const std::string command =
+        "timeout " + std::to_string(patience) + " NuSMV -source " + (folder / "commands").string() + " 2>&1 </dev/null";
     FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return {};
     std::string text;
@@ -86,7 +88,8 @@ void compare(const System& system, Compared& compared) {
     ASSERT_NE(said.find("The transition relation is total"), std::string::npos) << said << model;
     ++compared.systems;
     ASSERT_NE(said.find("reachable states: " + std::to_string(graph->states.size()) + " ("), std::string::npos)
-        << graph->states.size() << " states expected\n" << said << model;
+        << graph->states.size() << " states expected\n"
+        << said << model;
     std::vector<bool> found;
     std::istringstream lines(said);
     for (std::string line; std::getline(lines, line);)
@@ -112,7 +115,8 @@ TEST(NusmvOracle, AgreesWithAnExplicitSearchOnRandomLoopsInEveryApproachAndSched
         }
     }
     std::cout << "seeds 1 to " << cases << ": " << compared.systems << " models, " << compared.states
-              << " states counted, " << compared.verdicts << " verdicts compared, " << compared.given_up << " given up\n";
+              << " states counted, " << compared.verdicts << " verdicts compared, " << compared.given_up
+              << " given up\n";
     EXPECT_GT(compared.systems, compared.given_up);
 }
 

@@ -111,10 +111,11 @@ std::string said_about(const std::string& name, const std::string& text) {
     std::vector<LibraryEntry> library;
     for (const LibraryFile& file : library_files()) library.push_back({file.name, file.text, file.path});
     const ReadContext context{[](const std::string& path, std::string& why) {
-        auto found = content(root / "tests/rejects" / path);
-        if (!found) why = "there is no such file";
-        return found;
-    }, library};
+                                  auto found = content(root / "tests/rejects" / path);
+                                  if (!found) why = "there is no such file";
+                                  return found;
+                              },
+                              library};
     Sources sources;
     Diagnostics diagnostics;
     const auto model = read_text(sources.add({name, text}), sources, context, diagnostics);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The program as a process that has little memory, memory that is never clean, or not the time to end: every verb, on
 // samples. It ends by an exit code of its own or by the signal that was sent, and what it writes is whole.
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>
@@ -30,7 +29,7 @@ using std::chrono::steady_clock;
 #endif
 #endif
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;   // its memory is not ours to limit
+constexpr bool sanitized = true;  // its memory is not ours to limit
 #else
 constexpr bool sanitized = false;
 #endif
@@ -41,13 +40,24 @@ const std::string blinker = (root / "samples/blinker/blinker.grafcet").string();
 /// Every verb, for some seconds at most; FOLDER is one to write into.
 const std::vector<Words>& verbs() {
     static const std::vector<Words> all{
-        {"fmt", tanks}, {"import", tanks}, {"equations", tanks, "--format", "latex"}, {"components"},
-        {"uppaal", blinker}, {"nusmv", tanks}, {"nusmv", blinker, "--plant", "automata"},
-        {"build", blinker, "-o", "FOLDER/models"}, {"st", tanks}, {"analyse", tanks, "--format", "json"},
+        {"fmt", tanks},
+        {"import", tanks},
+        {"equations", tanks, "--format", "latex"},
+        {"components"},
+        {"uppaal", blinker},
+        {"nusmv", tanks},
+        {"nusmv", blinker, "--plant", "automata"},
+        {"build", blinker, "-o", "FOLDER/models"},
+        {"st", tanks},
+        {"analyse", tanks, "--format", "json"},
         {"check", blinker, "--format", "json", "--junit", "FOLDER/report.xml"},
-        {"check", tanks, "--untimed", "--format", "json"}, {"check", blinker, "--untimed", "--plant", "automata"},
-        {"automaton", tanks, "--counts"}, {"mealy", tanks, "--counts"}, {"testgen", tanks, "-o", "FOLDER/test.csv"},
-        {"simulate", blinker, "--random", "1", "--steps", "200"}, {"plc", tanks},
+        {"check", tanks, "--untimed", "--format", "json"},
+        {"check", blinker, "--untimed", "--plant", "automata"},
+        {"automaton", tanks, "--counts"},
+        {"mealy", tanks, "--counts"},
+        {"testgen", tanks, "-o", "FOLDER/test.csv"},
+        {"simulate", blinker, "--random", "1", "--steps", "200"},
+        {"plc", tanks},
         {"test", tanks, "--cover", "locations", "--against", std::string(GRAFVERIF_PROGRAM) + " plc " + tanks},
     };
     return all;
@@ -55,21 +65,26 @@ const std::vector<Words>& verbs() {
 
 Words with(Words before, const Words& words, const Folder& folder) {
     before.emplace_back(GRAFVERIF_PROGRAM);
-    for (const std::string& word : words) before.push_back(word.starts_with("FOLDER") ? folder.file(word.substr(7)) : word);
+    for (const std::string& word : words)
+        before.push_back(word.starts_with("FOLDER") ? folder.file(word.substr(7)) : word);
     return before;
 }
 
 ProgramResult ran(const Words& words) {
-    return run_program(words, "0,0,0,1,1\n1,1,0,1,1\nwait 3s\n0,0,1,0,0\n", {.deadline = steady_clock::now() + std::chrono::seconds(120)});
+    return run_program(words, "0,0,0,1,1\n1,1,0,1,1\nwait 3s\n0,0,1,0,0\n",
+                       {.deadline = steady_clock::now() + std::chrono::seconds(120)});
 }
 
 /// Without what differs from run to run: how long it took, and where it wrote.
 std::string comparable(std::string text, const Folder& folder) {
     for (const std::string& place : {folder.file("")})
-        for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place)) text.erase(at, place.size());
+        for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place))
+            text.erase(at, place.size());
     std::string result;
     for (std::size_t at = 0; at < text.size(); ++at)
-        if (std::isdigit(static_cast<unsigned char>(text[at])) == 0 && text[at] != '.' && text[at] != '-' && text[at] != 'e') result += text[at];
+        if (std::isdigit(static_cast<unsigned char>(text[at])) == 0 && text[at] != '.' && text[at] != '-' &&
+            text[at] != 'e')
+            result += text[at];
     return result;
 }
 
@@ -97,11 +112,13 @@ Words within(std::size_t kilobytes) {
 TEST(Memory, ThatIsShortEndsTheProgramByAnExitCode) {
     if (sanitized) GTEST_SKIP() << "sanitizers need more addresses than any limit leaves";
     const Folder folder;
-    std::size_t least = 8192;   // what it takes to begin at all
+    std::size_t least = 8192;  // what it takes to begin at all
     while (ran(with(within(least), {"--version"}, folder)).status != 0) least += 1024;
     const std::string large = (root / "samples/testing_station/testing_station.grafcet").string();
     std::vector<Words> runs = verbs();
-    runs.insert(runs.end(), {{"check", large}, {"check", large, "--untimed"}, {"analyse", large}, {"automaton", large, "--counts"}});
+    runs.insert(
+        runs.end(),
+        {{"check", large}, {"check", large, "--untimed"}, {"analyse", large}, {"automaton", large, "--counts"}});
     std::mt19937 random(7);
     for (int k = 0; k < law_size(1); ++k)
         for (const Words& verb : runs) {
@@ -119,13 +136,21 @@ TEST(Memory, IsUsedAsValgrindLikesIt) {
     const auto valgrind = find_program("valgrind");
     if (!valgrind) GTEST_SKIP() << "valgrind is not installed";
     const Folder folder;
-    const std::string chart = folder.write("pulse.grafcet",
-                                           "grafcet pulse { input a; output TICK; initial step 1; step 2 { TICK; }\n"
-                                           "transition t1: 1 -> 2 when 5s/X1 || a; transition t2: 2 -> 1 when true; }\n"
-                                           "closed_loop l { controller pulse; environment A = free(OUT = a); property p: reachable X2; }\n");
-    const std::vector<Words> all{{"testgen", chart}, {"check", chart, "--untimed"}, {"check", chart}, {"analyse", chart}, {"st", chart}, {"build", chart, "-o", "FOLDER/models"}, {"simulate", chart, "--random", "1"}};
+    const std::string chart =
+        folder.write("pulse.grafcet",
+                     "grafcet pulse { input a; output TICK; initial step 1; step 2 { TICK; }\n"
+                     "transition t1: 1 -> 2 when 5s/X1 || a; transition t2: 2 -> 1 when true; }\n"
+                     "closed_loop l { controller pulse; environment A = free(OUT = a); property p: reachable X2; }\n");
+    const std::vector<Words> all{{"testgen", chart},
+                                 {"check", chart, "--untimed"},
+                                 {"check", chart},
+                                 {"analyse", chart},
+                                 {"st", chart},
+                                 {"build", chart, "-o", "FOLDER/models"},
+                                 {"simulate", chart, "--random", "1"}};
     for (std::size_t k = 0; k < all.size() && static_cast<int>(k) < law_size(1); ++k) {
-        const ProgramResult result = ran(with({valgrind->string(), "-q", "--error-exitcode=99", "--max-stackframe=8000000"}, all[k], folder));
+        const ProgramResult result =
+            ran(with({valgrind->string(), "-q", "--error-exitcode=99", "--max-stackframe=8000000"}, all[k], folder));
         EXPECT_EQ(result.end, ProgramResult::End::Exited);
         EXPECT_NE(result.status, 99) << all[k][0] << '\n' << result.err;
     }
@@ -135,9 +160,11 @@ TEST(Program, CallsNothingThatReachesTheNetworkOrAShell) {
     if (sanitized) GTEST_SKIP() << "sanitizers bring calls of their own";
     const auto nm = find_program("nm");
     if (!nm) GTEST_SKIP() << "nm is not installed";
-    const ProgramResult listed = run_program({nm->string(), "-D", "--undefined-only", GRAFVERIF_PROGRAM}, "", {.deadline = steady_clock::now() + std::chrono::seconds(60)});
+    const ProgramResult listed = run_program({nm->string(), "-D", "--undefined-only", GRAFVERIF_PROGRAM}, "",
+                                             {.deadline = steady_clock::now() + std::chrono::seconds(60)});
     ASSERT_NE(listed.out.find(" U kill@"), std::string::npos) << "the list is none:\n" << listed.out << listed.err;
-    for (const char* call : {"socket", "connect", "bind", "listen", "getaddrinfo", "gethostbyname", "system", "popen", "wordexp", "dlopen"})
+    for (const char* call : {"socket", "connect", "bind", "listen", "getaddrinfo", "gethostbyname", "system", "popen",
+                             "wordexp", "dlopen"})
         EXPECT_EQ(listed.out.find(std::string(" U ") + call + "@"), std::string::npos) << call;
 }
 
@@ -151,14 +178,16 @@ std::chrono::duration<double> usual(const Words& verb) {
 
 TEST(Kill, AtAnyMomentLeavesNoTornFile) {
     const Folder folder;
-    const std::string lamps = folder.write("lamps.grafcet",
-                                           "grafcet lamps { input a; output o; initial step 1; step 2 { o; }\n"
-                                           "transition t1: 1 -> 2 when a; transition t2: 2 -> 1 when !a; }\n"
-                                           "closed_loop blinker_loop { controller lamps; environment A = free(OUT = a); }\n");
+    const std::string lamps =
+        folder.write("lamps.grafcet",
+                     "grafcet lamps { input a; output o; initial step 1; step 2 { o; }\n"
+                     "transition t1: 1 -> 2 when a; transition t2: 2 -> 1 when !a; }\n"
+                     "closed_loop blinker_loop { controller lamps; environment A = free(OUT = a); }\n");
     const Words before{"build", lamps, "-o", "FOLDER/models"}, after{"build", blinker, "-o", "FOLDER/models"};
     ran(with({}, after, folder));
     std::map<std::string, std::string> fresh, old;
-    for (const auto& entry : fs::directory_iterator(folder.file("models"))) fresh[entry.path().filename()] = folder.read("models/" + entry.path().filename().string());
+    for (const auto& entry : fs::directory_iterator(folder.file("models")))
+        fresh[entry.path().filename()] = folder.read("models/" + entry.path().filename().string());
     ASSERT_EQ(fresh.size(), 3U);
     ran(with({}, before, folder));
     for (const auto& [name, content] : fresh) old[name] = folder.read("models/" + name);
@@ -168,7 +197,8 @@ TEST(Kill, AtAnyMomentLeavesNoTornFile) {
     for (int k = 0; k < law_size(30); ++k) {
         const double moment = whole * 1.3 * static_cast<double>(random() % 1000) / 1000;
         SCOPED_TRACE(moment);
-        ran(with({"/usr/bin/timeout", "-s", "KILL", fmt::format("{:.4f}", moment + 0.0005)}, k % 2 == 0 ? after : before, folder));
+        ran(with({"/usr/bin/timeout", "-s", "KILL", fmt::format("{:.4f}", moment + 0.0005)},
+                 k % 2 == 0 ? after : before, folder));
         for (const auto& [name, content] : fresh) {
             const std::string now = folder.read("models/" + name);
             EXPECT_TRUE(now == content || now == old[name]) << name << ":\n" << now;
@@ -182,12 +212,15 @@ TEST(Signals, EndEveryVerbAtAnyMoment) {
     std::mt19937 random(13);
     for (const Words& verb : verbs()) {
         const double whole = std::min(usual(verb).count(), 5.0);
-        for (const auto& [name, number] : {std::pair("INT", SIGINT), std::pair("TERM", SIGTERM), std::pair("HUP", SIGHUP)})
+        for (const auto& [name, number] :
+             {std::pair("INT", SIGINT), std::pair("TERM", SIGTERM), std::pair("HUP", SIGHUP)})
             for (int k = 0; k < law_size(1); ++k) {
                 const double moment = whole * static_cast<double>(random() % 1000) / 1000;
                 SCOPED_TRACE(fmt::format("{} by {} after {} s", verb[0], name, moment));
                 const Folder folder;
-                const ProgramResult result = ran(with({"/usr/bin/timeout", "--preserve-status", "-k", "60", "-s", name, fmt::format("{:.4f}", moment + 0.0005)}, verb, folder));
+                const ProgramResult result = ran(with({"/usr/bin/timeout", "--preserve-status", "-k", "60", "-s", name,
+                                                       fmt::format("{:.4f}", moment + 0.0005)},
+                                                      verb, folder));
                 ASSERT_EQ(result.end, ProgramResult::End::Exited) << result.err;
                 EXPECT_TRUE(result.status <= 3 || result.status == 128 + number) << result.status << '\n' << result.err;
                 const bool json = std::ranges::find(verb, "json") != verb.end();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every chart of at most two steps, one transition, one input and one output that the language takes, those of nothing
 // at all included, through every verb: what is missing is what programs forget.
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -21,8 +20,14 @@ namespace grafverif {
 namespace {
 
 /// What a step may do, `o` being the output; the place of the condition is `{}`.
-constexpr std::array actions = {"", "o;", "o if {};", "o after 1s;", "o for 1s;", "o := true on activation;",
-                                "o := {} on deactivation;", "o := false on event rise({});"};
+constexpr std::array actions = {"",
+                                "o;",
+                                "o if {};",
+                                "o after 1s;",
+                                "o for 1s;",
+                                "o := true on activation;",
+                                "o := {} on deactivation;",
+                                "o := false on event rise({});"};
 
 /// The ways to write a condition on a chart with these parts.
 std::vector<std::string> conditions(bool input, bool output, std::size_t steps) {
@@ -42,7 +47,8 @@ std::vector<std::string> transitions(const std::vector<std::string>& conditions,
     for (const std::string& from : sets)
         for (const std::string& to : sets)
             for (const std::string& condition : conditions)
-                if (!from.empty() || !to.empty()) list.push_back(fmt::format("    transition t: {} -> {} when {};\n", from, to, condition));
+                if (!from.empty() || !to.empty())
+                    list.push_back(fmt::format("    transition t: {} -> {} when {};\n", from, to, condition));
     return list;
 }
 
@@ -54,9 +60,11 @@ std::vector<std::string> steps(std::size_t count, bool output, const std::string
         for (const std::string& before : list)
             for (const char* initial : {"initial ", ""})
                 for (const char* action : actions) {
-                    if (*action != '\0' && (!output || before.find('{') != std::string::npos)) continue;   // one action a chart
+                    if (*action != '\0' && (!output || before.find('{') != std::string::npos))
+                        continue;  // one action a chart
                     const std::string does = fmt::format(fmt::runtime(action), term);
-                    longer.push_back(before + fmt::format("    {}step {}{};\n", initial, step, does.empty() ? "" : " { " + does + " }"));
+                    longer.push_back(before + fmt::format("    {}step {}{};\n", initial, step,
+                                                          does.empty() ? "" : " { " + does + " }"));
                 }
         list = std::move(longer);
     }
@@ -70,7 +78,8 @@ std::vector<std::string> shapes() {
     for (const bool input : {false, true})
         for (const bool output : {false, true})
             for (std::size_t count = 0; count <= 2; ++count) {
-                const std::string frame = fmt::format("grafcet small {{\n{}{}", input ? "    input a;\n" : "", output ? "    output o;\n" : "");
+                const std::string frame = fmt::format("grafcet small {{\n{}{}", input ? "    input a;\n" : "",
+                                                      output ? "    output o;\n" : "");
                 for (const std::string& body : steps(count, output, input ? "a" : "X0"))
                     for (const std::string& transition : transitions(conditions(input, output, count), count))
                         list.push_back(frame + body + transition + "}\n");
@@ -86,8 +95,8 @@ std::optional<Model> read(const std::string& text) {
 
 /// The chart with a plant that may do anything.
 std::string loop_of(const std::string& chart) {
-    return "component any(output OUT) {\n    initial location on;\n    timed on -> on when true do OUT := !OUT;\n}\n" + chart +
-           "closed_loop smallest {\n    controller small;\n" +
+    return "component any(output OUT) {\n    initial location on;\n    timed on -> on when true do OUT := !OUT;\n}\n" +
+           chart + "closed_loop smallest {\n    controller small;\n" +
            (chart.find("input a") == std::string::npos ? "" : "    environment A = any(OUT = a);\n") +
            "    property p: reachable all steps;\n    property q: no deadlock;\n}\n";
 }
@@ -97,8 +106,8 @@ TEST(SmallShapes, GoThroughEveryVerb) {
     const std::span<const fuzz::VerbRun> runs = fuzz::verb_runs();
     const std::vector<std::string> all = shapes();
     const std::size_t law = static_cast<std::size_t>(law_size(1));
-    const std::size_t stride = law >= 8 ? 1 : 8 / law;   // of the charts, in turn; from GRAFVERIF_LAWS=8 all
-    const std::size_t each = (law + 7) / 8;              // of the runs, likewise
+    const std::size_t stride = law >= 8 ? 1 : 8 / law;  // of the charts, in turn; from GRAFVERIF_LAWS=8 all
+    const std::size_t each = (law + 7) / 8;             // of the runs, likewise
     std::size_t legal = 0, next = 0;
     for (const std::string& chart : all) {
         const auto alone = read(chart);
@@ -121,10 +130,12 @@ TEST(SmallShapes, GoThroughEveryVerb) {
 TEST(SmallShapes, OfNothingAreRefusedByName) {
     const app::Folder folder;
     for (const char* text : {"", "\n", "// nothing\n", "grafcet g {}\n", "closed_loop l {}\n", "component c() {}\n",
-                             "grafcet g { initial step 0; }\nclosed_loop l {}\n", "grafcet g { initial step 0; }\ngrafcet h { initial step 0; }\n"}) {
+                             "grafcet g { initial step 0; }\nclosed_loop l {}\n",
+                             "grafcet g { initial step 0; }\ngrafcet h { initial step 0; }\n"}) {
         SCOPED_TRACE(text);
         const std::string file = folder.write("nothing.grafcet", text);
-        for (const fuzz::VerbRun& run : fuzz::verb_runs()) EXPECT_EQ(fuzz::complaint(run, file, {}, folder.file("written")), "");
+        for (const fuzz::VerbRun& run : fuzz::verb_runs())
+            EXPECT_EQ(fuzz::complaint(run, file, {}, folder.file("written")), "");
     }
 }
 

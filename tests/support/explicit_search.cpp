@@ -160,7 +160,9 @@ bool explicit_verdict(const System& system, const SystemGraph& graph, const Prop
     const std::vector<StateSet> justice = justice_sets(system, graph);
     const StateSet all(graph.states.size(), true);
     switch (property.pattern) {
-    case Pattern::Always: case Pattern::Never: case Pattern::ExactlyOneOf: return is_empty(sets[0]);
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::ExactlyOneOf: return is_empty(sets[0]);
     case Pattern::Reachable: return !is_empty(sets[0]);
     case Pattern::Inevitable: {
         StateSet bad = fairly_staying(graph, complement(sets[0]), justice);
@@ -173,9 +175,12 @@ bool explicit_verdict(const System& system, const SystemGraph& graph, const Prop
         const StateSet lost = complement(leading_to(graph, all, intersection(sets[0], fair)));
         return is_empty(intersection(fair, lost));
     }
-    case Pattern::NoDeadlock: case Pattern::NoTimelock: case Pattern::ReachableAllSteps: case Pattern::RawUppaal:
-    case Pattern::RawCtl: case Pattern::RawLtl:
-        break;
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock:
+    case Pattern::ReachableAllSteps:
+    case Pattern::RawUppaal:
+    case Pattern::RawCtl:
+    case Pattern::RawLtl: break;
     }
     ADD_FAILURE() << "no pattern for an explicit search";
     return false;

@@ -15,10 +15,10 @@ namespace grafverif {
 struct SystemGraph {
     std::vector<SystemState> states = {};
     std::vector<std::vector<std::size_t>> successors = {};
-    std::size_t initial = 0;   ///< the first so many states
-    bool total = true;         ///< every state has a successor
+    std::size_t initial = 0;  ///< the first so many states
+    bool total = true;        ///< every state has a successor
 
-    std::vector<std::size_t> distances() const;   ///< per state, in steps from the initial ones
+    std::vector<std::size_t> distances() const;  ///< per state, in steps from the initial ones
 };
 
 /// Every state that can be reached; empty optional: more than `limit`, or more than `most_ways` ways to go on from one.

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "grafverif/ir/closed_loop.hpp"
-#include "syntax/language/tree.hpp"
 #include "support/trees.hpp"
+#include "syntax/language/tree.hpp"
 
 namespace grafverif {
 

@@ -13,12 +13,12 @@ namespace {
 
 bool related(std::int64_t clock, Op relation, std::int64_t bound) {
     switch (relation) {
-        case Op::Less: return clock < bound;
-        case Op::LessEqual: return clock <= bound;
-        case Op::Equal: return clock == bound;
-        case Op::GreaterEqual: return clock >= bound;
-        case Op::Greater: return clock > bound;
-        default: throw std::logic_error("not a clock relation");
+    case Op::Less: return clock < bound;
+    case Op::LessEqual: return clock <= bound;
+    case Op::Equal: return clock == bound;
+    case Op::GreaterEqual: return clock >= bound;
+    case Op::Greater: return clock > bound;
+    default: throw std::logic_error("not a clock relation");
     }
 }
 

@@ -44,8 +44,9 @@ std::vector<std::string_view> tokens(std::string_view text) {
     return result;
 }
 
-constexpr std::array<std::string_view, 13> keywords{"MODULE", "VAR",  "IVAR",    "ASSIGN",    "DEFINE", "INVAR", "TRANS",
-                                                    "JUSTICE", "SPEC", "LTLSPEC", "INVARSPEC", "NAME",   ""};
+constexpr std::array<std::string_view, 13> keywords{"MODULE",    "VAR",   "IVAR",    "ASSIGN", "DEFINE",
+                                                    "INVAR",     "TRANS", "JUSTICE", "SPEC",   "LTLSPEC",
+                                                    "INVARSPEC", "NAME",  ""};
 
 struct Reader {
     NusmvModel model = {};

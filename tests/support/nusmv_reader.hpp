@@ -18,8 +18,8 @@ struct NusmvModel {
     struct Variable {
         std::string name = {};
         Type type = {};
-        std::vector<std::string> values = {};   ///< of an enumeration
-        bool chosen = false;                    ///< IVAR
+        std::vector<std::string> values = {};  ///< of an enumeration
+        bool chosen = false;                   ///< IVAR
     };
     struct Instance {
         std::string name = {}, module = {};
@@ -27,7 +27,7 @@ struct NusmvModel {
     };
     struct Specification {
         std::string keyword = {}, name = {};
-        std::string formula = {};               ///< its tokens, one space between them
+        std::string formula = {};  ///< its tokens, one space between them
     };
     struct Module {
         std::string name = {};
@@ -42,7 +42,7 @@ struct NusmvModel {
     Exprs exprs = {};                           ///< Variable leaves index `identifiers`
     std::vector<std::string> identifiers = {};  ///< as written: `x`, `instance.x`
     std::vector<Module> modules = {};
-    std::string complaint = {};                 ///< the first thing that could not be read; empty: all was
+    std::string complaint = {};  ///< the first thing that could not be read; empty: all was
 
     Id<Expr> leaf(std::string_view identifier);
 };

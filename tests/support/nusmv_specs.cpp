@@ -26,7 +26,9 @@ public:
     }
 
 private:
-    static bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '-'; }
+    static bool in_name(char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '-';
+    }
 
     void advance() {
         while (!rest_.empty() && std::isspace(static_cast<unsigned char>(rest_.front())) != 0) rest_.remove_prefix(1);
@@ -34,7 +36,10 @@ private:
         if (!rest_.empty() && (std::isalnum(static_cast<unsigned char>(rest_[0])) != 0 || rest_[0] == '_'))
             while (length < rest_.size() && in_name(rest_[length])) ++length;
         for (const std::string_view symbol : {"<->", "->", "!=", "<=", ">="})
-            if (rest_.starts_with(symbol)) { length = symbol.size(); break; }
+            if (rest_.starts_with(symbol)) {
+                length = symbol.size();
+                break;
+            }
         token_ = rest_.substr(0, length);
         rest_.remove_prefix(length);
     }
@@ -82,9 +87,10 @@ private:
             const bool temporal = token_.size() == 2 && (token_[0] == 'A' || token_[0] == 'E');
             return {"!", {temporal ? unary() : primary()}};
         }
-        if (accept("-")) {   // NuSMV prints -1 for the number and for the operator
+        if (accept("-")) {  // NuSMV prints -1 for the number and for the operator
             SpecTerm operand = primary();
-            if (operand.operands.empty() && std::isdigit(static_cast<unsigned char>(operand.op[0])) != 0) return {"-" + operand.op, {}};
+            if (operand.operands.empty() && std::isdigit(static_cast<unsigned char>(operand.op[0])) != 0)
+                return {"-" + operand.op, {}};
             return {"neg", {operand}};
         }
         if (accept("(")) {
@@ -142,7 +148,10 @@ public:
 
 private:
     StateSet all() const { return StateSet(graph_.states.size(), true); }
-    static StateSet negated(StateSet set) { set.flip(); return set; }
+    static StateSet negated(StateSet set) {
+        set.flip();
+        return set;
+    }
     static StateSet both(StateSet left, const StateSet& right) {
         for (std::size_t i = 0; i < left.size(); ++i) left[i] = left[i] && right[i];
         return left;
@@ -213,7 +222,8 @@ private:
     template <class Op>
     static Values apply(const Values& left, const Values& right, const Op& op) {
         Values result;
-        for (std::size_t i = 0; i < left.size(); ++i) result.push_back(static_cast<std::int64_t>(op(left[i], right[i])));
+        for (std::size_t i = 0; i < left.size(); ++i)
+            result.push_back(static_cast<std::int64_t>(op(left[i], right[i])));
         return result;
     }
 
@@ -243,7 +253,8 @@ private:
     Values leaf(const std::string& name, const std::string& value_of_variable) {
         const auto constant = [&](std::int64_t value) { return Values(graph_.states.size(), value); };
         if (name == "TRUE" || name == "FALSE") return constant(name == "TRUE" ? 1 : 0);
-        if (std::isdigit(static_cast<unsigned char>(name.back())) != 0 && (name[0] == '-' || std::isdigit(static_cast<unsigned char>(name[0])) != 0))
+        if (std::isdigit(static_cast<unsigned char>(name.back())) != 0 &&
+            (name[0] == '-' || std::isdigit(static_cast<unsigned char>(name[0])) != 0))
             return constant(std::strtoll(name.c_str(), nullptr, 10));
         if (!has_symbol(system_, name)) {
             const TransitionSystem::Symbol* symbol = symbol_called(value_of_variable);
@@ -264,8 +275,10 @@ private:
             return found == module.symbols.end() ? nullptr : &*found;
         };
         if (dot == std::string_view::npos) return in(system_.modules[system_.main], path);
-        const auto instance = std::ranges::find(system_.instances, path.substr(0, dot), &TransitionSystem::Instance::name);
-        return instance == system_.instances.end() ? nullptr : in(system_.modules[instance->module], path.substr(dot + 1));
+        const auto instance =
+            std::ranges::find(system_.instances, path.substr(0, dot), &TransitionSystem::Instance::name);
+        return instance == system_.instances.end() ? nullptr
+                                                   : in(system_.modules[instance->module], path.substr(dot + 1));
     }
 
     const TransitionSystem& system_;
@@ -277,8 +290,9 @@ private:
 }  // namespace
 
 std::optional<SpecTerm> read_spec(std::string_view text) {
-    std::string whole(text);   // nusmv_reader puts a blank between all words
-    for (std::size_t at = whole.find(" . "); at != std::string::npos; at = whole.find(" . ", at)) whole.replace(at, 3, ".");
+    std::string whole(text);  // nusmv_reader puts a blank between all words
+    for (std::size_t at = whole.find(" . "); at != std::string::npos; at = whole.find(" . ", at))
+        whole.replace(at, 3, ".");
     return SpecReader(whole).formula();
 }
 

@@ -4,8 +4,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "support/overloaded.hpp"
 #include "support/model_trees.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 

@@ -61,7 +61,7 @@ private:
         for (const Component::Parameter& declared : component_.parameters) {
             const bool is_constant = declared.kind == Component::ParameterKind::Constant;
             if (last == nullptr || last->kind != declared.kind) {
-                const auto kind = is_constant                                         ? tree::VariableKind::Constant
+                const auto kind = is_constant                                        ? tree::VariableKind::Constant
                                   : declared.kind == Component::ParameterKind::Input ? tree::VariableKind::Input
                                                                                      : tree::VariableKind::Output;
                 printed.parameters.push_back({kind, {}, {}});
@@ -86,11 +86,11 @@ private:
 
     tree::Op relation(Op op) const {
         switch (op) {
-        case Op::Less:         return tree::Op::Less;
-        case Op::LessEqual:    return tree::Op::LessEqual;
-        case Op::Greater:      return tree::Op::Greater;
+        case Op::Less: return tree::Op::Less;
+        case Op::LessEqual: return tree::Op::LessEqual;
+        case Op::Greater: return tree::Op::Greater;
         case Op::GreaterEqual: return tree::Op::GreaterEqual;
-        default:               return tree::Op::Equal;
+        default: return tree::Op::Equal;
         }
     }
 

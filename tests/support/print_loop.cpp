@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "support/overloaded.hpp"
 #include "support/model_trees.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 
@@ -65,7 +65,7 @@ private:
         switch (schedule) {
         case Schedule::Interleaved: return "interleaved";
         case Schedule::Synchronous: return "synchronous";
-        case Schedule::Sequenced:   return "sequenced";
+        case Schedule::Sequenced: return "sequenced";
         }
         unreachable();
     }
@@ -91,8 +91,8 @@ private:
 
     Id<tree::Expr> constant(Component::ValueKind kind, std::int64_t value) {
         switch (kind) {
-        case Component::ValueKind::Boolean:  return trees_.node(value != 0 ? tree::Op::True : tree::Op::False, {});
-        case Component::ValueKind::Integer:  return trees_.number(value);
+        case Component::ValueKind::Boolean: return trees_.node(value != 0 ? tree::Op::True : tree::Op::False, {});
+        case Component::ValueKind::Integer: return trees_.number(value);
         case Component::ValueKind::Duration: return trees_.duration(value);
         }
         unreachable();
@@ -107,10 +107,12 @@ private:
         written.component = trees_.name(component.name);
         for (const Id<Component::Parameter> id : component.parameters.ids()) {
             const Component::Parameter& parameter = component.parameters[id];
-            const Id<tree::Expr> value = std::visit(overloaded{
-                [&](Id<ClosedLoop::Shared> shared) { return trees_.path(loop_.shared[shared].name); },
-                [&](std::int64_t number) { return constant(parameter.value, number); },
-            }, declared.arguments[id.index]);
+            const Id<tree::Expr> value =
+                std::visit(overloaded{
+                               [&](Id<ClosedLoop::Shared> shared) { return trees_.path(loop_.shared[shared].name); },
+                               [&](std::int64_t number) { return constant(parameter.value, number); },
+                           },
+                           declared.arguments[id.index]);
             written.arguments.push_back({trees_.name(parameter.name), value, {}});
         }
         if (declared.initial != component.initial)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/print_model.hpp"
 
-#include "syntax/language/format.hpp"
 #include "support/model_trees.hpp"
+#include "syntax/language/format.hpp"
 
 namespace grafverif {
 

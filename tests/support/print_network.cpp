@@ -14,57 +14,57 @@ namespace {
 
 std::string_view word(Network::Role role) {
     switch (role) {
-        case Network::Role::Input: return "input";
-        case Network::Role::Output: return "output";
-        case Network::Role::Internal: return "internal";
-        case Network::Role::Step: return "step";
-        case Network::Role::FiringCondition: return "firing condition";
-        case Network::Role::Sample: return "sample";
-        case Network::Role::Image: return "image";
-        case Network::Role::TimerEnd: return "timer end";
-        case Network::Role::TimerPending: return "timer pending";
-        case Network::Role::Previous: return "previous value";
-        case Network::Role::Watched: return "watched level";
-        case Network::Role::Flag: return "flag";
-        case Network::Role::Plant: return "plant";
+    case Network::Role::Input: return "input";
+    case Network::Role::Output: return "output";
+    case Network::Role::Internal: return "internal";
+    case Network::Role::Step: return "step";
+    case Network::Role::FiringCondition: return "firing condition";
+    case Network::Role::Sample: return "sample";
+    case Network::Role::Image: return "image";
+    case Network::Role::TimerEnd: return "timer end";
+    case Network::Role::TimerPending: return "timer pending";
+    case Network::Role::Previous: return "previous value";
+    case Network::Role::Watched: return "watched level";
+    case Network::Role::Flag: return "flag";
+    case Network::Role::Plant: return "plant";
     }
     unreachable();
 }
 
 std::string_view word(Network::ParameterKind kind) {
     switch (kind) {
-        case Network::ParameterKind::Read: return "read";
-        case Network::ParameterKind::Written: return "written";
-        case Network::ParameterKind::Constant: return "constant";
+    case Network::ParameterKind::Read: return "read";
+    case Network::ParameterKind::Written: return "written";
+    case Network::ParameterKind::Constant: return "constant";
     }
     unreachable();
 }
 
 std::string_view word(Network::ProcessKind kind) {
     switch (kind) {
-        case Network::ProcessKind::Plant: return "plant";
-        case Network::ProcessKind::Environment: return "environment";
-        case Network::ProcessKind::Controller: return "controller";
-        case Network::ProcessKind::Timer: return "timer";
+    case Network::ProcessKind::Plant: return "plant";
+    case Network::ProcessKind::Environment: return "environment";
+    case Network::ProcessKind::Controller: return "controller";
+    case Network::ProcessKind::Timer: return "timer";
     }
     unreachable();
 }
 
 std::string_view word(Pattern pattern) {
     switch (pattern) {
-        case Pattern::Always: return "always";
-        case Pattern::Never: return "never";
-        case Pattern::Reachable: return "reachable";
-        case Pattern::Inevitable: return "inevitable";
-        case Pattern::LeadsTo: return "leads to";
-        case Pattern::NoDeadlock: return "no deadlock";
-        case Pattern::NoTimelock: return "no timelock";
-        case Pattern::ReachableAllSteps: return "reachable all steps";
-        case Pattern::ExactlyOneOf: return "exactly one of";
-        case Pattern::AlwaysPossible: return "always possible";
-        case Pattern::RawUppaal: return "uppaal";
-        case Pattern::RawCtl: return "ctl";
-        case Pattern::RawLtl: return "ltl";
+    case Pattern::Always: return "always";
+    case Pattern::Never: return "never";
+    case Pattern::Reachable: return "reachable";
+    case Pattern::Inevitable: return "inevitable";
+    case Pattern::LeadsTo: return "leads to";
+    case Pattern::NoDeadlock: return "no deadlock";
+    case Pattern::NoTimelock: return "no timelock";
+    case Pattern::ReachableAllSteps: return "reachable all steps";
+    case Pattern::ExactlyOneOf: return "exactly one of";
+    case Pattern::AlwaysPossible: return "always possible";
+    case Pattern::RawUppaal: return "uppaal";
+    case Pattern::RawCtl: return "ctl";
+    case Pattern::RawLtl: return "ltl";
     }
     unreachable();
 }

@@ -21,7 +21,7 @@ struct Generator {
     Random& random;
     TimedTerms timed;
     Chart chart = {};
-    std::vector<std::int64_t> outer = {};   ///< per partial chart: the one with the step that owns it; -1: none
+    std::vector<std::int64_t> outer = {};  ///< per partial chart: the one with the step that owns it; -1: none
     std::vector<Id<Chart::Variable>> inputs = {}, continuous = {}, stored_bools = {}, stored_ints = {}, numbers = {};
 
     std::int64_t number(std::int64_t low, std::int64_t high) { return random_number(random, low, high); }
@@ -139,7 +139,7 @@ struct Generator {
 
     /// What a term may read besides inputs, steps and stored variables.
     struct Allowed {
-        std::size_t outputs = 0;   ///< the first ones of the continuous outputs
+        std::size_t outputs = 0;  ///< the first ones of the continuous outputs
         bool edges = false;
         bool times = true;
     };
@@ -150,7 +150,8 @@ struct Generator {
         static constexpr std::array relations{Op::Equal,     Op::NotEqual, Op::Less,
                                               Op::LessEqual, Op::Greater,  Op::GreaterEqual};
         if (numbers.empty() || often(15))
-            return chart.exprs.apply(often(50) ? Op::Equal : Op::NotEqual, condition(1, allowed), condition(1, allowed));
+            return chart.exprs.apply(often(50) ? Op::Equal : Op::NotEqual, condition(1, allowed),
+                                     condition(1, allowed));
         return chart.exprs.apply(relations[static_cast<std::size_t>(number(0, 5))], value(1), value(0));
     }
 
@@ -181,8 +182,7 @@ struct Generator {
 
     Id<Expr> edge(Allowed allowed) {
         allowed.edges = false;
-        const Id<Expr> operand =
-            often(60) ? chart.exprs.leaf(Op::Variable, pick(inputs).index) : condition(1, allowed);
+        const Id<Expr> operand = often(60) ? chart.exprs.leaf(Op::Variable, pick(inputs).index) : condition(1, allowed);
         return chart.exprs.apply(often(60) ? Op::Rise : Op::Fall, std::array{operand});
     }
 
@@ -262,9 +262,12 @@ struct Generator {
     void actions() {
         for (std::size_t k = 0; k < continuous.size(); ++k)
             for (std::int64_t count = number(0, 3); count > 0; --count)
-                chart.continuous.add({pick_step(), continuous[k],
+                chart.continuous.add({pick_step(),
+                                      continuous[k],
                                       often(50) ? chart.exprs.constant(true) : condition(2, Allowed{k}),
-                                      action_time(), action_time(), {}});
+                                      action_time(),
+                                      action_time(),
+                                      {}});
         for (const Id<Chart::Variable> target : stored_bools)
             for (std::int64_t count = number(0, 3); count > 0; --count)
                 store(target, often(60) ? chart.exprs.constant(often(50)) : condition(2, everything()));
@@ -298,8 +301,8 @@ struct Generator {
                         : kind < 65 ? Chart::StoredOn::Deactivation
                                     : Chart::StoredOn::Event;
         if (kind >= 85 && !chart.transitions.empty()) {
-            const Id<Chart::Transition> cleared{static_cast<std::uint32_t>(
-                number(0, static_cast<std::int64_t>(chart.transitions.size()) - 1))};
+            const Id<Chart::Transition> cleared{
+                static_cast<std::uint32_t>(number(0, static_cast<std::int64_t>(chart.transitions.size()) - 1))};
             chart.stored.add({Chart::StoredOn::Clearing, {}, cleared, target, stored, {}, {}});
             return;
         }

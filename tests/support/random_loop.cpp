@@ -212,8 +212,8 @@ struct Generator {
             if (!loop.shared[id].writer.valid() && loop.shared[id].type.boolean)
                 inputs.push_back(leaf(ClosedLoop::SharedSymbol{id}));
         if (inputs.size() < 2) return;
-        loop.constraints.add({.name = "constraint_1",
-                              .condition = loop.exprs.negation(loop.exprs.conjunction(inputs[0], inputs[1]))});
+        loop.constraints.add(
+            {.name = "constraint_1", .condition = loop.exprs.negation(loop.exprs.conjunction(inputs[0], inputs[1]))});
     }
 
     void add_observer() {
@@ -226,8 +226,8 @@ struct Generator {
     }
 
     void add_questions(int count) {
-        const std::vector<Pattern> patterns{Pattern::Always,     Pattern::Never,   Pattern::Reachable,
-                                            Pattern::Inevitable, Pattern::LeadsTo, Pattern::ExactlyOneOf,
+        const std::vector<Pattern> patterns{Pattern::Always,        Pattern::Never,   Pattern::Reachable,
+                                            Pattern::Inevitable,    Pattern::LeadsTo, Pattern::ExactlyOneOf,
                                             Pattern::AlwaysPossible};
         for (int k = 1; k <= count; ++k) {
             Property property{.name = "Q" + std::to_string(k)};

@@ -33,10 +33,10 @@ struct Terms {
     Id<Expr> boolean(int depth) {
         if (depth == 0 || chance(random, 20)) return any(booleans);
         switch (random_number(random, 0, 4)) {
-        case 0:  return exprs.conjunction(boolean(depth - 1), boolean(depth - 1));
-        case 1:  return exprs.disjunction(boolean(depth - 1), boolean(depth - 1));
-        case 2:  return exprs.negation(boolean(depth - 1));
-        case 3:  return exprs.conditional(boolean(depth - 1), boolean(depth - 1), boolean(depth - 1));
+        case 0: return exprs.conjunction(boolean(depth - 1), boolean(depth - 1));
+        case 1: return exprs.disjunction(boolean(depth - 1), boolean(depth - 1));
+        case 2: return exprs.negation(boolean(depth - 1));
+        case 3: return exprs.conditional(boolean(depth - 1), boolean(depth - 1), boolean(depth - 1));
         default: {
             const Op ops[] = {Op::Equal, Op::Less, Op::GreaterEqual};
             return exprs.apply(ops[random_number(random, 0, 2)], integer(depth - 1), integer(depth - 1));
@@ -62,7 +62,7 @@ Type random_type(Random& random) {
 
 /// State variables, choices and definitions of a module whose first symbols are there already.
 void fill(System::Module& module, Exprs& exprs, Random& random, const std::string& prefix) {
-    Terms before{exprs, random};   // what a state is made of, and the choices
+    Terms before{exprs, random};  // what a state is made of, and the choices
     std::vector<Id<System::Symbol>> states;
     for (const Id<System::Symbol> id : module.symbols.ids()) before.add(id, module.symbols[id].type);
     const auto add = [&](Type type, auto kind) {
@@ -73,8 +73,9 @@ void fill(System::Module& module, Exprs& exprs, Random& random, const std::strin
     };
     add(Type{}, System::StateSymbol{});
     if (chance(random, 50)) add(random_type(random), System::StateSymbol{});
-    for (std::int64_t i = random_number(random, 1, 3); i > 0; --i) states.push_back(add(random_type(random), System::StateSymbol{}));
-    Terms timeless = before;       // invariants, initial values and justice read no choice
+    for (std::int64_t i = random_number(random, 1, 3); i > 0; --i)
+        states.push_back(add(random_type(random), System::StateSymbol{}));
+    Terms timeless = before;  // invariants, initial values and justice read no choice
     if (chance(random, 60)) add(Type{}, System::ChoiceSymbol{});
     if (chance(random, 30)) add(integer_type(0, 2), System::ChoiceSymbol{});
     for (std::int64_t i = random_number(random, 0, 2); i > 0; --i) {
@@ -86,7 +87,8 @@ void fill(System::Module& module, Exprs& exprs, Random& random, const std::strin
         const Id<Expr> self = exprs.leaf(Op::Variable, id.index);
         System::StateSymbol state;
         if (chance(random, 70))
-            state.initial = type.boolean ? exprs.constant(chance(random, 50)) : exprs.integer(random_number(random, type.low, type.high));
+            state.initial = type.boolean ? exprs.constant(chance(random, 50))
+                                         : exprs.integer(random_number(random, type.low, type.high));
         state.next = before.value(type, self);
         module.symbols[id].kind = state;
     }
@@ -107,14 +109,14 @@ TransitionSystem random_system(Random& random) {
         System::Module part{.name = "part"};
         part.symbols.add({"p", {}, System::ParameterSymbol{}, "", {}});
         fill(part, system.exprs, random, "s");
-        part.justice.clear();   // so that main knows them all
+        part.justice.clear();  // so that main knows them all
         const Id<System::Module> module = system.modules.add(std::move(part));
         const Id<System::Instance> instance = system.instances.add({"part_1", module, {{0}}});
         const Table<System::Symbol> symbols = system.modules[module].symbols;
         for (const Id<System::Symbol> id : symbols.ids())
             if (std::holds_alternative<System::StateSymbol>(symbols[id].kind))
-                system.modules[system.main].symbols.add({"part_1." + symbols[id].name, symbols[id].type,
-                                                         System::MemberSymbol{instance, id}, "", {}});
+                system.modules[system.main].symbols.add(
+                    {"part_1." + symbols[id].name, symbols[id].type, System::MemberSymbol{instance, id}, "", {}});
     }
     Terms settled{system.exprs, random};
     for (const Id<System::Symbol> id : system.modules[system.main].symbols.ids()) {
@@ -138,7 +140,8 @@ bool offers_choices(const System::Module& module) {
 bool holds_in_states(const System& system, const System::Symbol& symbol) {
     if (const auto* member = std::get_if<System::MemberSymbol>(&symbol.kind)) {
         const System::Module& module = system.modules[system.instances[member->instance].module];
-        return std::holds_alternative<System::StateSymbol>(module.symbols[member->symbol].kind) || !offers_choices(module);
+        return std::holds_alternative<System::StateSymbol>(module.symbols[member->symbol].kind) ||
+               !offers_choices(module);
     }
     return std::holds_alternative<System::StateSymbol>(symbol.kind);
 }
@@ -155,7 +158,8 @@ void ask_more(System& system, Random& random) {
         property.name = "more_" + std::to_string(system.properties.size());
         property.pattern = pattern;
         property.operands = {terms.boolean(2)};
-        if (pattern == Pattern::LeadsTo || pattern == Pattern::ExactlyOneOf) property.operands.push_back(terms.boolean(2));
+        if (pattern == Pattern::LeadsTo || pattern == Pattern::ExactlyOneOf)
+            property.operands.push_back(terms.boolean(2));
         property.at_stable = chance(random, 30);
         system.properties.add(std::move(property));
     }

@@ -15,8 +15,8 @@ namespace grafverif {
 
 /// How long the level that a timer watches lasts; -1: it does not.
 struct EquationsTiming {
-    std::int64_t risen = -1;    ///< since it became true
-    std::int64_t fallen = -1;   ///< since it became false after it had lasted for t1
+    std::int64_t risen = -1;   ///< since it became true
+    std::int64_t fallen = -1;  ///< since it became false after it had lasted for t1
 
     auto operator<=>(const EquationsTiming&) const = default;
 };
@@ -24,8 +24,8 @@ struct EquationsTiming {
 struct EquationsState {
     std::vector<std::int64_t> values =
         {};  ///< per variable, at the end of the cycle; firing conditions 0, inputs initial
-    std::vector<std::int64_t> outputs = {};   ///< per variable: outputs as written
-    std::vector<EquationsTiming> timing = {}; ///< per timer
+    std::vector<std::int64_t> outputs = {};    ///< per variable: outputs as written
+    std::vector<EquationsTiming> timing = {};  ///< per timer
     bool started = false;
 
     auto operator<=>(const EquationsState&) const = default;
@@ -33,14 +33,14 @@ struct EquationsState {
 
 struct EquationsCycle {
     EquationsState state = {};
-    std::vector<std::vector<std::size_t>> fired = {};   ///< per evolution: indices into Equations::firings
+    std::vector<std::vector<std::size_t>> fired = {};  ///< per evolution: indices into Equations::firings
     bool stable = false;
     bool race = false;
-    bool conflict = false;   ///< of forcing orders
+    bool conflict = false;  ///< of forcing orders
     bool no_value = false;
     bool out_of_range = false;
     bool endless = false;
-    bool torn = false;   ///< a step's `activated` or `deactivated` does not fit its activity before and after
+    bool torn = false;  ///< a step's `activated` or `deactivated` does not fit its activity before and after
 };
 
 /// Whether `timer` is over.

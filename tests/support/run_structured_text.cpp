@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/run_structured_text.hpp"
 
-#include <pugixml.hpp>
-
 #include <limits>
+#include <pugixml.hpp>
 #include <sstream>
 #include <stdexcept>
 
@@ -13,9 +12,9 @@ struct SmallPlc::Instance {
     enum class Kind { Unit, OnDelay, OffDelay };
     Kind kind = Kind::Unit;
     const st::Unit* unit = nullptr;
-    std::map<std::string, std::int64_t> values = {};   ///< by names in capitals
+    std::map<std::string, std::int64_t> values = {};  ///< by names in capitals
     std::map<std::string, std::unique_ptr<Instance>> blocks = {};
-    std::int64_t since = -1;                           ///< of a timer: when it started; -1: it does not run
+    std::int64_t since = -1;  ///< of a timer: when it started; -1: it does not run
 };
 
 namespace {
@@ -41,7 +40,8 @@ std::string units_of_plcopen(const std::string& xml) {
             for (const pugi::xml_node variable : section.children("variable")) {
                 const pugi::xml_node kind = variable.child("type").first_child();
                 const std::string derived = kind.attribute("name").value();
-                text += std::string(variable.attribute("name").value()) + " : " + (derived.empty() ? kind.name() : derived);
+                text +=
+                    std::string(variable.attribute("name").value()) + " : " + (derived.empty() ? kind.name() : derived);
                 const pugi::xml_node initial = variable.child("initialValue").child("simpleValue");
                 if (initial) text += std::string(" := ") + initial.attribute("value").value();
                 text += ";\n";
@@ -57,7 +57,8 @@ SmallPlc::SmallPlc(const std::vector<std::string>& units, const std::string& uni
     for (const std::string& text : units) {
         Diagnostics diagnostics;
         const Id<Source> source = sources_.add({"unit.st", text});
-        if (parse_units({{{source, 0, static_cast<std::uint32_t>(text.size())}, false}}, file_, sources_, diagnostics)) continue;
+        if (parse_units({{{source, 0, static_cast<std::uint32_t>(text.size())}, false}}, file_, sources_, diagnostics))
+            continue;
         std::ostringstream out;
         render_text(diagnostics.all(), sources_, Colour::Plain, out);
         refuse(out.str());
@@ -86,7 +87,8 @@ std::unique_ptr<SmallPlc::Instance> SmallPlc::instance(const std::string& type) 
         const std::string called = name(variable.name.word);
         const std::string of = name(variable.type.name.word);
         const bool elementary = of == "BOOL" || of == "DINT" || of == "INT" || of == "UDINT" || of == "TIME";
-        if (made->values.contains(called) || made->blocks.contains(called)) refuse("`" + called + "` is declared twice");
+        if (made->values.contains(called) || made->blocks.contains(called))
+            refuse("`" + called + "` is declared twice");
         if (!elementary) made->blocks[called] = instance(of);
         else made->values[called] = variable.initial.valid() ? evaluate(variable.initial, *made) : 0;
     }
@@ -142,14 +144,14 @@ SmallPlc::Flow SmallPlc::execute(const st::Statement& statement, Instance& insta
         found->second = evaluate(statement.value, instance);
         return Flow::Next;
     }
-    case st::StatementKind::Call:   call(statement.value, instance); return Flow::Next;
+    case st::StatementKind::Call: call(statement.value, instance); return Flow::Next;
     case st::StatementKind::Return: return Flow::Return;
     case st::StatementKind::If:
-    case st::StatementKind::Case:   return choose(statement, instance);
+    case st::StatementKind::Case: return choose(statement, instance);
     case st::StatementKind::Repeat: return repeat(statement, instance);
     case st::StatementKind::For:
     case st::StatementKind::While:
-    case st::StatementKind::Exit:   break;
+    case st::StatementKind::Exit: break;
     }
     refuse("a statement that is never written");
 }
@@ -159,7 +161,8 @@ SmallPlc::Flow SmallPlc::choose(const st::Statement& statement, Instance& instan
     const std::int64_t selector = by_case ? evaluate(statement.value, instance) : 1;
     for (const st::Branch& branch : statement.branches) {
         bool taken = branch.conditions.empty();
-        for (const Id<st::Expr> condition : branch.conditions) taken = taken || evaluate(condition, instance) == selector;
+        for (const Id<st::Expr> condition : branch.conditions)
+            taken = taken || evaluate(condition, instance) == selector;
         if (taken) return execute(branch.body, instance);
     }
     return Flow::Next;
@@ -181,7 +184,8 @@ void SmallPlc::call(Id<st::Expr> expression, Instance& instance) {
     if (block == instance.blocks.end()) refuse("no block to call");
     for (std::size_t k = 1; k < parts.size(); ++k) {
         const auto parameter = block->second->values.find(name(file_.exprs[parts[k]].word));
-        if (file_.exprs[parts[k]].op != st::Op::Argument || parameter == block->second->values.end()) refuse("no parameter");
+        if (file_.exprs[parts[k]].op != st::Op::Argument || parameter == block->second->values.end())
+            refuse("no parameter");
         parameter->second = evaluate(file_.exprs[parts[k]].first, instance);
     }
     run(*block->second);
@@ -191,10 +195,10 @@ std::int64_t SmallPlc::evaluate(Id<st::Expr> expression, Instance& instance) con
     const st::Expr& node = file_.exprs[expression];
     const std::vector<Id<st::Expr>> parts = st::operands(file_, expression);
     switch (node.op) {
-    case st::Op::False:   return 0;
-    case st::Op::True:    return 1;
+    case st::Op::False: return 0;
+    case st::Op::True: return 1;
     case st::Op::Integer:
-    case st::Op::Time:    return node.value;
+    case st::Op::Time: return node.value;
     case st::Op::Name: {
         const auto found = instance.values.find(name(node.word));
         if (found == instance.values.end()) refuse("no variable `" + name(node.word) + "`");
@@ -210,9 +214,9 @@ std::int64_t SmallPlc::evaluate(Id<st::Expr> expression, Instance& instance) con
     case st::Op::Call:
         if (name(file_.exprs[parts.at(0)].word) != "SEL" || parts.size() != 4) refuse("no function");
         return evaluate(parts[evaluate(parts[1], instance) != 0 ? 3 : 2], instance);
-    case st::Op::Not:    return evaluate(parts.at(0), instance) == 0 ? 1 : 0;
+    case st::Op::Not: return evaluate(parts.at(0), instance) == 0 ? 1 : 0;
     case st::Op::Negate: return combine(st::Op::Minus, 0, evaluate(parts.at(0), instance));
-    default:             break;
+    default: break;
     }
     if (parts.size() < 2) refuse("an operation of one operand");
     std::int64_t value = evaluate(parts[0], instance);
@@ -228,22 +232,22 @@ std::int64_t SmallPlc::combine(st::Op op, std::int64_t left, std::int64_t right)
         return value;
     };
     switch (op) {
-    case st::Op::Times:        return within(left * right);
-    case st::Op::Plus:         return within(left + right);
-    case st::Op::Minus:        return within(left - right);
+    case st::Op::Times: return within(left * right);
+    case st::Op::Plus: return within(left + right);
+    case st::Op::Minus: return within(left - right);
     case st::Op::Divide:
     case st::Op::Modulo:
         if (right == 0) refuse("a division by zero");
         return op == st::Op::Divide ? left / right : left % right;
-    case st::Op::Less:         return left < right;
-    case st::Op::LessEqual:    return left <= right;
-    case st::Op::Greater:      return left > right;
+    case st::Op::Less: return left < right;
+    case st::Op::LessEqual: return left <= right;
+    case st::Op::Greater: return left > right;
     case st::Op::GreaterEqual: return left >= right;
-    case st::Op::Equal:        return left == right;
-    case st::Op::NotEqual:     return left != right;
-    case st::Op::And:          return (left != 0 && right != 0) ? 1 : 0;
-    case st::Op::Or:           return (left != 0 || right != 0) ? 1 : 0;
-    default:                   refuse("an operator that is never written");
+    case st::Op::Equal: return left == right;
+    case st::Op::NotEqual: return left != right;
+    case st::Op::And: return (left != 0 && right != 0) ? 1 : 0;
+    case st::Op::Or: return (left != 0 || right != 0) ? 1 : 0;
+    default: refuse("an operator that is never written");
     }
 }
 

@@ -72,8 +72,9 @@ std::int64_t& slot(SystemState& state, Site place) {
 
 Evaluator in_state(const System& system, const SystemState& state) {
     return {system, [&state](Site place) {
-        return place.instance ? state.instances[*place.instance][place.symbol.index] : state.main[place.symbol.index];
-    }};
+                return place.instance ? state.instances[*place.instance][place.symbol.index]
+                                      : state.main[place.symbol.index];
+            }};
 }
 
 /// Main, then every instance.
@@ -130,8 +131,8 @@ SystemState first_state(const System& system, const Choose& choose) {
         if (slot(known, place) != 0) return slot(state, place);
         const System::Symbol& symbol = module_at(system, place.instance).symbols[place.symbol];
         const auto& kind = std::get<System::StateSymbol>(symbol.kind);
-        const std::int64_t value = kind.initial ? evaluator.term(*kind.initial, place.instance)
-                                                : choose(path_of(system, place), symbol.type);
+        const std::int64_t value =
+            kind.initial ? evaluator.term(*kind.initial, place.instance) : choose(path_of(system, place), symbol.type);
         expect_in_range(symbol, value);
         slot(known, place) = 1;
         return slot(state, place) = value;
@@ -147,7 +148,7 @@ SystemState next_state(const System& system, const SystemState& state, const Cho
 }
 
 std::optional<SystemState> taken_step(const System& system, const SystemState& state, const Choose& choose) {
-    SystemState before = state;   // with the choices, which live in the slots of their symbols
+    SystemState before = state;  // with the choices, which live in the slots of their symbols
     each_module(system, [&](std::optional<std::size_t> instance, const System::Module& module) {
         for (const Id<System::Symbol> id : module.symbols.ids())
             if (std::holds_alternative<System::ChoiceSymbol>(module.symbols[id].kind))
@@ -156,8 +157,8 @@ std::optional<SystemState> taken_step(const System& system, const SystemState& s
     SystemState next = blank(system);
     const Evaluator evaluator = in_state(system, before);
     each_state_symbol(system, [&](Site place, const System::Symbol& symbol, const System::StateSymbol& kind) {
-        const std::int64_t value = kind.next ? evaluator.term(*kind.next, place.instance)
-                                             : choose(path_of(system, place), symbol.type);
+        const std::int64_t value =
+            kind.next ? evaluator.term(*kind.next, place.instance) : choose(path_of(system, place), symbol.type);
         slot(next, place) = value;
     });
     bool offered = true;
@@ -223,7 +224,8 @@ bool offers(const System& system, const SystemState& state, std::optional<std::s
 
 /// Every combination of choices that is on offer, main's first, as states that hold them; nothing where more than `limit`
 /// would have to be looked at at once.
-std::optional<std::vector<SystemState>> offered_choices(const System& system, const SystemState& state, std::size_t limit) {
+std::optional<std::vector<SystemState>> offered_choices(const System& system, const SystemState& state,
+                                                        std::size_t limit) {
     std::vector<SystemState> found;
     const Valuations main = choices_of(system, {});
     if (main.count() > limit) return {};
@@ -285,9 +287,8 @@ std::optional<std::vector<SystemState>> first_states(const System& system, std::
     for (std::size_t valuation = 0; valuation < free.count(); ++valuation) {
         SystemState chosen = blank(system);
         free.put(valuation, chosen);
-        const SystemState state = first_state(system, [&](std::string_view path, Type) {
-            return slot(chosen, *site_of(system, path));
-        });
+        const SystemState state =
+            first_state(system, [&](std::string_view path, Type) { return slot(chosen, *site_of(system, path)); });
         if (is_allowed(system, state)) found.push_back(state);
     }
     make_unique(found);

@@ -14,8 +14,8 @@
 namespace grafverif {
 
 struct SystemState {
-    std::vector<std::int64_t> main = {};                     ///< per symbol of main; only state symbols count
-    std::vector<std::vector<std::int64_t>> instances = {};   ///< likewise per instance
+    std::vector<std::int64_t> main = {};                    ///< per symbol of main; only state symbols count
+    std::vector<std::vector<std::int64_t>> instances = {};  ///< likewise per instance
     auto operator<=>(const SystemState&) const = default;
 };
 

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "syntax/print/dialect.hpp"
 #include "support/random_chart.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
@@ -16,13 +16,19 @@ namespace {
 /// What the copy leaves out, and the conditions that it replaces (terms of the original).
 struct Cut {
     std::vector<bool> steps = {}, transitions = {}, continuous = {}, stored = {}, forcing = {};
-    std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {}, events = {};   ///< events: where there is one
+    std::vector<Id<Expr>> conditions = {}, assignations = {}, values = {}, events = {};  ///< events: where there is one
 };
 
 Cut no_cut(const Chart& chart) {
-    Cut cut{std::vector<bool>(chart.steps.size()), std::vector<bool>(chart.transitions.size()),
-            std::vector<bool>(chart.continuous.size()), std::vector<bool>(chart.stored.size()),
-            std::vector<bool>(chart.forcing.size()), {}, {}, {}, {}};
+    Cut cut{std::vector<bool>(chart.steps.size()),
+            std::vector<bool>(chart.transitions.size()),
+            std::vector<bool>(chart.continuous.size()),
+            std::vector<bool>(chart.stored.size()),
+            std::vector<bool>(chart.forcing.size()),
+            {},
+            {},
+            {},
+            {}};
     for (const Chart::Transition& transition : chart.transitions) cut.conditions.push_back(transition.condition);
     for (const Chart::ContinuousAction& action : chart.continuous) cut.assignations.push_back(action.condition);
     for (const Chart::StoredAction& action : chart.stored) cut.values.push_back(action.value);
@@ -156,7 +162,9 @@ std::vector<Cut> term_cuts(const Chart& chart) {
         for (std::size_t k = 0; k < (none.*member).size(); ++k) {
             if (!(none.*member)[k].valid()) continue;
             const Op op = chart.exprs[(none.*member)[k]].op;
-            if (op != Op::Rise && op != Op::Fall && op != Op::Not && op != Op::And && op != Op::Or && !is_arithmetic(op)) continue;
+            if (op != Op::Rise && op != Op::Fall && op != Op::Not && op != Op::And && op != Op::Or &&
+                !is_arithmetic(op))
+                continue;
             for (const Id<Expr> operand : chart.exprs.operands((none.*member)[k])) {
                 cuts.push_back(none);
                 (cuts.back().*member)[k] = operand;

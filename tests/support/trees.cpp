@@ -23,7 +23,7 @@ Id<tree::Expr> Trees::node(tree::Op op, std::initializer_list<Id<tree::Expr>> op
 }
 
 Id<tree::Expr> Trees::number(std::int64_t value) {
-    if (value == std::numeric_limits<std::int64_t>::min())   // its digits alone would not fit
+    if (value == std::numeric_limits<std::int64_t>::min())  // its digits alone would not fit
         return node(tree::Op::Minus, {number(value + 1), number(1)});
     const Id<tree::Expr> id = node(tree::Op::Number, {});
     file_->exprs[id].value = value < 0 ? -value : value;
@@ -52,29 +52,33 @@ namespace {
 
 tree::Op tree_op(Op op) {
     switch (op) {
-    case Op::False:        return tree::Op::False;
-    case Op::True:         return tree::Op::True;
-    case Op::Integer:      return tree::Op::Number;
-    case Op::Duration:     return tree::Op::Duration;
-    case Op::Not:          return tree::Op::Not;
-    case Op::And:          return tree::Op::And;
-    case Op::Or:           return tree::Op::Or;
-    case Op::Rise:         return tree::Op::Rise;
-    case Op::Fall:         return tree::Op::Fall;
-    case Op::Equal:        return tree::Op::Equal;
-    case Op::NotEqual:     return tree::Op::NotEqual;
-    case Op::Less:         return tree::Op::Less;
-    case Op::LessEqual:    return tree::Op::LessEqual;
-    case Op::Greater:      return tree::Op::Greater;
+    case Op::False: return tree::Op::False;
+    case Op::True: return tree::Op::True;
+    case Op::Integer: return tree::Op::Number;
+    case Op::Duration: return tree::Op::Duration;
+    case Op::Not: return tree::Op::Not;
+    case Op::And: return tree::Op::And;
+    case Op::Or: return tree::Op::Or;
+    case Op::Rise: return tree::Op::Rise;
+    case Op::Fall: return tree::Op::Fall;
+    case Op::Equal: return tree::Op::Equal;
+    case Op::NotEqual: return tree::Op::NotEqual;
+    case Op::Less: return tree::Op::Less;
+    case Op::LessEqual: return tree::Op::LessEqual;
+    case Op::Greater: return tree::Op::Greater;
     case Op::GreaterEqual: return tree::Op::GreaterEqual;
-    case Op::Negate:       return tree::Op::Negate;
-    case Op::Plus:         return tree::Op::Plus;
-    case Op::Minus:        return tree::Op::Minus;
-    case Op::Times:        return tree::Op::Times;
-    case Op::Divide:       return tree::Op::Divide;
-    case Op::Modulo:       return tree::Op::Modulo;
-    case Op::Variable: case Op::Step: case Op::Timed: case Op::Parameter: case Op::At: case Op::Conditional:
-        break;   // leaves are the owner's, conditionals not in the language
+    case Op::Negate: return tree::Op::Negate;
+    case Op::Plus: return tree::Op::Plus;
+    case Op::Minus: return tree::Op::Minus;
+    case Op::Times: return tree::Op::Times;
+    case Op::Divide: return tree::Op::Divide;
+    case Op::Modulo: return tree::Op::Modulo;
+    case Op::Variable:
+    case Op::Step:
+    case Op::Timed:
+    case Op::Parameter:
+    case Op::At:
+    case Op::Conditional: break;  // leaves are the owner's, conditionals not in the language
     }
     unreachable();
 }
@@ -90,7 +94,7 @@ Id<tree::Expr> Trees::expression(const Exprs& exprs, Id<Expr> root,
     const Id<tree::Expr> id = node(tree_op(written.op), {});
     for (const Id<Expr> operand : exprs.operands(root)) {
         const Id<tree::Expr> child = expression(exprs, operand, leaf);
-        file_->exprs[child].bracketed = written.op == Op::Or;   // tells `a || (b && c)` apart
+        file_->exprs[child].bracketed = written.op == Op::Or;  // tells `a || (b && c)` apart
         tree::append(file_->exprs, id, child);
     }
     return id;

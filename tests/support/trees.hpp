@@ -24,7 +24,7 @@ public:
 
     Id<tree::Expr> number(std::int64_t value);
     Id<tree::Expr> duration(std::int64_t milliseconds);
-    Id<tree::Expr> path(std::string_view text);   ///< `a.b.c`
+    Id<tree::Expr> path(std::string_view text);  ///< `a.b.c`
     /// `root` with its leaves as `leaf` writes them.
     Id<tree::Expr> expression(const Exprs& exprs, Id<Expr> root,
                               const std::function<Id<tree::Expr>(const Expr&)>& leaf);

@@ -60,7 +60,8 @@ std::vector<TransitionSystem> untimed_models(const Model& model, bool fairness) 
     using enum PlantApproach;
     using enum Schedule;
     std::vector<Kind> kinds{{{.plant = None}}, {{.plant = Constraints}}};
-    for (const Schedule schedule : {Synchronous, Sequenced}) kinds.push_back({{.plant = Automata, .schedule = schedule}});
+    for (const Schedule schedule : {Synchronous, Sequenced})
+        kinds.push_back({{.plant = Automata, .schedule = schedule}});
     for (const Grain grain : {Grain::Atomic, Grain::Phased})
         for (const TimeModel time : {TimeModel::Abstract, TimeModel::Discrete})
             kinds.push_back({{.plant = Automata, .schedule = Interleaved, .time = time}, grain});

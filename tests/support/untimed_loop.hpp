@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "grafverif/ir/closed_loop.hpp"
-#include "grafverif/ir/transition_system.hpp"
 #include "grafverif/ir/execution.hpp"
+#include "grafverif/ir/transition_system.hpp"
 
 namespace grafverif {
 

@@ -35,11 +35,11 @@ struct Chart {
     enum class StepKind { Ordinary, Macro, Enclosing };
     struct PartialChart;
     struct Step {
-        std::string name = {};                  ///< `2` for the step variable `X2`
+        std::string name = {};  ///< `2` for the step variable `X2`
         StepKind kind = StepKind::Ordinary;
-        bool initial = false;                   ///< IEC 60848, 4.3 symbol 2
-        bool activation_link = false;           ///< activated by the enclosing step (4.5.4)
-        bool entry = false, exit = false;       ///< of an expansion (4.5.3)
+        bool initial = false;              ///< IEC 60848, 4.3 symbol 2
+        bool activation_link = false;      ///< activated by the enclosing step (4.5.4)
+        bool entry = false, exit = false;  ///< of an expansion (4.5.3)
         Id<PartialChart> chart = {};
         Span origin = {};
         bool operator==(const Step&) const = default;
@@ -50,15 +50,15 @@ struct Chart {
     struct PartialChart {
         std::string name = {};
         PartialKind kind = PartialKind::Plain;
-        Id<Step> owner = {};                    ///< the macro-step or enclosing step; else not valid
+        Id<Step> owner = {};  ///< the macro-step or enclosing step; else not valid
         Span origin = {};
         bool operator==(const PartialChart&) const = default;
     };
 
     struct Transition {
         std::string name = {};
-        std::vector<Id<Step>> from = {};        ///< empty: a source transition
-        std::vector<Id<Step>> to = {};          ///< empty: a sink transition
+        std::vector<Id<Step>> from = {};  ///< empty: a source transition
+        std::vector<Id<Step>> to = {};    ///< empty: a sink transition
         Id<Expr> condition = {};
         Id<PartialChart> chart = {};
         Span origin = {};
@@ -68,7 +68,7 @@ struct Chart {
     /// `t1/v/t2` (IEC 60848, 4.4): true `rise_ms` after v rises, until `fall_ms` after it falls.
     struct TimeCondition {
         std::int64_t rise_ms = 0;
-        Id<Expr> watched = {};                  ///< a Boolean term
+        Id<Expr> watched = {};  ///< a Boolean term
         std::int64_t fall_ms = 0;
         Span origin = {};
         bool operator==(const TimeCondition&) const = default;
@@ -78,9 +78,9 @@ struct Chart {
     struct ContinuousAction {
         Id<Step> step = {};
         Id<Variable> output = {};
-        Id<Expr> condition = {};                ///< assignation condition; the constant true where none is written
-        std::int64_t delay_ms = 0;              ///< delayed action: `after`; 0: none
-        std::int64_t limit_ms = 0;              ///< time-limited action: `for`; 0: none
+        Id<Expr> condition = {};    ///< assignation condition; the constant true where none is written
+        std::int64_t delay_ms = 0;  ///< delayed action: `after`; 0: none
+        std::int64_t limit_ms = 0;  ///< time-limited action: `for`; 0: none
         Span origin = {};
         bool operator==(const ContinuousAction&) const = default;
     };
@@ -90,21 +90,21 @@ struct Chart {
     /// the step is active, or when `transition` is cleared.
     struct StoredAction {
         StoredOn on = StoredOn::Activation;
-        Id<Step> step = {};                     ///< not valid for Clearing
-        Id<Transition> transition = {};         ///< valid for Clearing only
+        Id<Step> step = {};              ///< not valid for Clearing
+        Id<Transition> transition = {};  ///< valid for Clearing only
         Id<Variable> target = {};
         Id<Expr> value = {};
-        Id<Expr> event = {};                    ///< valid for Event only
+        Id<Expr> event = {};  ///< valid for Event only
         Span origin = {};
         bool operator==(const StoredAction&) const = default;
     };
 
-    enum class ForcedTo { Empty, Current, Initial, Steps };   ///< {} {*} {INIT} {steps} (4.7)
+    enum class ForcedTo { Empty, Current, Initial, Steps };  ///< {} {*} {INIT} {steps} (4.7)
     struct ForcingOrder {
         Id<Step> step = {};
         Id<PartialChart> forced = {};
         ForcedTo to = ForcedTo::Empty;
-        std::vector<Id<Step>> situation = {};   ///< for ForcedTo::Steps
+        std::vector<Id<Step>> situation = {};  ///< for ForcedTo::Steps
         Span origin = {};
         bool operator==(const ForcingOrder&) const = default;
     };
@@ -112,15 +112,15 @@ struct Chart {
     /// An assumption on the inputs (`constraint`): combinations outside it never occur. It restricts the inputs only
     /// where they are free; with a plant it is a claim about the plant.
     struct Constraint {
-        Id<Expr> condition = {};                ///< over inputs alone
+        Id<Expr> condition = {};  ///< over inputs alone
         Span origin = {};
         bool operator==(const Constraint&) const = default;
     };
 
     /// `accept CODE SUBJECT "reason"`: a finding about the chart that its author knows of.
     struct Acceptance {
-        std::string code = {};                  ///< see ir/finding.hpp
-        std::string subject = {};               ///< `X4`, `t3`, `LOCK`; empty: whatever it is about
+        std::string code = {};     ///< see ir/finding.hpp
+        std::string subject = {};  ///< `X4`, `t3`, `LOCK`; empty: whatever it is about
         std::string reason = {};
         Span origin = {};
         bool operator==(const Acceptance&) const = default;

@@ -21,8 +21,8 @@ namespace grafverif {
 
 struct ClosedLoop {
     struct Controller {
-        std::string name = {};                 ///< the chart's name
-        Id<Chart> chart = {};                  ///< in Model::charts
+        std::string name = {};  ///< the chart's name
+        Id<Chart> chart = {};   ///< in Model::charts
         ExecutionMode mode = ExecutionMode::StabilitySearch;
         Span origin = {};
         bool operator==(const Controller&) const = default;
@@ -31,10 +31,11 @@ struct ClosedLoop {
     /// A variable shared by instances and controllers: a controller's input or output, or one of the plant's own.
     struct Shared {
         std::string name = {};
-        Type type = {};                        ///< of a plant variable: the range its writer declares, arguments applied
-        Id<Controller> reader = {};            ///< the first controller with this input (others have one of that name); else not valid
-        Id<Controller> writer = {};            ///< the controller whose output it is; else not valid
-        Id<Chart::Variable> variable = {};     ///< in the chart of the writer, else of the reader, where one is valid
+        Type type = {};  ///< of a plant variable: the range its writer declares, arguments applied
+        Id<Controller> reader =
+            {};  ///< the first controller with this input (others have one of that name); else not valid
+        Id<Controller> writer = {};         ///< the controller whose output it is; else not valid
+        Id<Chart::Variable> variable = {};  ///< in the chart of the writer, else of the reader, where one is valid
         Span origin = {};
         bool operator==(const Shared&) const = default;
     };
@@ -78,35 +79,54 @@ struct ClosedLoop {
     /// to prove beside plant automata. Written in the loop, in the chart of a controller, or in a component whose outputs
     /// are meant.
     struct Constraint {
-        std::string name = {};                 ///< `constraint_1`, `H_Cyl_constraint_1`
+        std::string name = {};  ///< `constraint_1`, `H_Cyl_constraint_1`
         Id<Expr> condition = {};
-        Id<Controller> controller = {};        ///< whose chart says so; else not valid
-        Id<Instance> instance = {};            ///< whose component says so; else not valid
+        Id<Controller> controller = {};  ///< whose chart says so; else not valid
+        Id<Instance> instance = {};      ///< whose component says so; else not valid
         Span origin = {};
         bool operator==(const Constraint&) const = default;
     };
 
     /// What a name in a property stands for.
-    struct SharedSymbol { Id<Shared> shared = {}; bool operator==(const SharedSymbol&) const = default; };
-    struct InternalSymbol { Id<Controller> controller = {}; Id<Chart::Variable> variable = {}; bool operator==(const InternalSymbol&) const = default; };
-    struct StepSymbol { Id<Controller> controller = {}; Id<Chart::Step> step = {}; bool operator==(const StepSymbol&) const = default; };
-    struct LocationSymbol { Id<Instance> instance = {}; Id<Component::Location> location = {}; bool operator==(const LocationSymbol&) const = default; };
+    struct SharedSymbol {
+        Id<Shared> shared = {};
+        bool operator==(const SharedSymbol&) const = default;
+    };
+    struct InternalSymbol {
+        Id<Controller> controller = {};
+        Id<Chart::Variable> variable = {};
+        bool operator==(const InternalSymbol&) const = default;
+    };
+    struct StepSymbol {
+        Id<Controller> controller = {};
+        Id<Chart::Step> step = {};
+        bool operator==(const StepSymbol&) const = default;
+    };
+    struct LocationSymbol {
+        Id<Instance> instance = {};
+        Id<Component::Location> location = {};
+        bool operator==(const LocationSymbol&) const = default;
+    };
     /// An observer is at a location.
-    struct ObserverSymbol { Id<Observer> observer = {}; Id<ObserverLocation> location = {}; bool operator==(const ObserverSymbol&) const = default; };
+    struct ObserverSymbol {
+        Id<Observer> observer = {};
+        Id<ObserverLocation> location = {};
+        bool operator==(const ObserverSymbol&) const = default;
+    };
     using Symbol = std::variant<SharedSymbol, InternalSymbol, StepSymbol, LocationSymbol, ObserverSymbol>;
 
     std::string name = {};
     Grain grain = Grain::Phased;
-    std::optional<std::int64_t> time_unit_ms = {};   ///< as written; else the greatest common divisor is taken
+    std::optional<std::int64_t> time_unit_ms = {};  ///< as written; else the greatest common divisor is taken
     Table<Controller> controllers = {};
     Table<Shared> shared = {};
     Table<Instance> instances = {};
-    Exprs exprs = {};                                ///< of properties, constraints, observers; Variable leaves -> symbols
+    Exprs exprs = {};  ///< of properties, constraints, observers; Variable leaves -> symbols
     Table<Symbol> symbols = {};
     Table<Property> properties = {};
     Table<Constraint> constraints = {};
     Table<Observer> observers = {};
-    std::optional<Schedule> schedule = {};           ///< as written; else interleaved
+    std::optional<Schedule> schedule = {};  ///< as written; else interleaved
     Span time_unit_origin = {};
     Span origin = {};
 
@@ -115,7 +135,7 @@ struct ClosedLoop {
 
 struct Model {
     Table<Chart> charts = {};
-    Table<Component> components = {};    ///< those written in the input and those of the library that are used
+    Table<Component> components = {};  ///< those written in the input and those of the library that are used
     Table<ClosedLoop> loops = {};
 
     bool operator==(const Model&) const = default;

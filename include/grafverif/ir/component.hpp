@@ -25,13 +25,13 @@ namespace grafverif {
 
 struct Component {
     enum class ParameterKind { Input, Output, Constant };
-    enum class ValueKind { Boolean, Integer, Duration };   ///< Duration: constants only
+    enum class ValueKind { Boolean, Integer, Duration };  ///< Duration: constants only
     struct Parameter {
         std::string name = {};
         ParameterKind kind = ParameterKind::Input;
         ValueKind value = ValueKind::Boolean;
-        std::optional<Id<Expr>> low = {}, high = {};   ///< range of an integer output, over earlier constants
-        std::optional<Id<Expr>> initial = {};          ///< constant: default value; output: value at power-on (else 0 or `low`)
+        std::optional<Id<Expr>> low = {}, high = {};  ///< range of an integer output, over earlier constants
+        std::optional<Id<Expr>> initial = {};  ///< constant: default value; output: value at power-on (else 0 or `low`)
         Span origin = {};
         bool operator==(const Parameter&) const = default;
     };
@@ -72,7 +72,7 @@ struct Component {
     struct Location {
         std::string name = {};
         std::vector<ClockConstraint> invariant = {};
-        std::vector<Assignment> initially = {};   ///< values at power-on where the instance starts here (`with`)
+        std::vector<Assignment> initially = {};  ///< values at power-on where the instance starts here (`with`)
         Span origin = {};
         bool operator==(const Location&) const = default;
     };
@@ -81,8 +81,8 @@ struct Component {
         Id<Location> from = {}, to = {};
         bool urgent = false;
         Id<Expr> guard = {};
-        std::vector<ClockConstraint> constraint = {};   ///< a conjunction
-        std::vector<Assignment> assignments = {};       ///< in order; each sees the ones before it
+        std::vector<ClockConstraint> constraint = {};  ///< a conjunction
+        std::vector<Assignment> assignments = {};      ///< in order; each sees the ones before it
         std::vector<Id<Clock>> resets = {};
         Span origin = {};
         bool operator==(const Edge&) const = default;
@@ -96,14 +96,14 @@ struct Component {
     };
 
     std::string name = {};
-    std::string summary = {};        ///< the first line of the comment above the component
+    std::string summary = {};  ///< the first line of the comment above the component
     Exprs exprs = {};
     Table<Parameter> parameters = {};
     Table<Variable> variables = {};
     Table<Clock> clocks = {};
     Table<Location> locations = {};
     Table<Edge> edges = {};
-    Id<Location> initial = {};       ///< not valid: every instance must say `initially`
+    Id<Location> initial = {};  ///< not valid: every instance must say `initially`
     std::vector<Constraint> constraints = {};
     Span origin = {};
 

@@ -39,7 +39,7 @@ namespace grafverif {
 struct Equations {
     enum class Role { Input, Output, Internal, Step, FiringCondition, TimerEnd, Previous, Watched };
     struct Variable {
-        std::string name = {};         ///< `START`, `X_2`, `CF_T0`, `T_X2_3s_Q`, `P_START`, `V_START`
+        std::string name = {};  ///< `START`, `X_2`, `CF_T0`, `T_X2_3s_Q`, `P_START`, `V_START`
         Role role = Role::Input;
         Type type = {};
         std::int64_t initial = 0;
@@ -48,19 +48,19 @@ struct Equations {
     };
 
     struct Firing {
-        Id<Variable> variable = {};    ///< CF_t
+        Id<Variable> variable = {};  ///< CF_t
         Id<Expr> condition = {};
-        std::string transition = {};   ///< as the chart names it
+        std::string transition = {};  ///< as the chart names it
         Span origin = {};
         bool operator==(const Firing&) const = default;
     };
 
     struct StepActivity {
-        Id<Variable> variable = {};    ///< X_s
+        Id<Variable> variable = {};  ///< X_s
         Id<Expr> next = {};
-        Id<Expr> activated = {};       ///< X_s' and not X_s, over firing conditions and X_s
-        Id<Expr> deactivated = {};     ///< X_s and not X_s'
-        std::string step = {};         ///< as the chart names it, qualified: `2`, `G2.2`
+        Id<Expr> activated = {};    ///< X_s' and not X_s, over firing conditions and X_s
+        Id<Expr> deactivated = {};  ///< X_s and not X_s'
+        std::string step = {};      ///< as the chart names it, qualified: `2`, `G2.2`
         Span origin = {};
         bool operator==(const StepActivity&) const = default;
     };
@@ -76,16 +76,16 @@ struct Equations {
     struct Write {
         Id<Expr> trigger = {};
         Id<Expr> value = {};
-        bool initial = false;          ///< on activation of an initial step: runs in the first evolution too
+        bool initial = false;  ///< on activation of an initial step: runs in the first evolution too
         Span origin = {};
         bool operator==(const Write&) const = default;
     };
     struct Stored {
-        Id<Variable> variable = {};    ///< an internal, or an output with stored actions
-        Id<Expr> next = {};            ///< Conditional chain over `writes`, else the variable itself; where Boolean constants
-                                       ///< alone are stored: `set or (v and not reset)`
-        Id<Expr> race = {};            ///< two writes of different values are triggered together; the constant false: never
-        Id<Expr> first = {};           ///< the value after the first evolution
+        Id<Variable> variable = {};  ///< an internal, or an output with stored actions
+        Id<Expr> next = {};   ///< Conditional chain over `writes`, else the variable itself; where Boolean constants
+                              ///< alone are stored: `set or (v and not reset)`
+        Id<Expr> race = {};   ///< two writes of different values are triggered together; the constant false: never
+        Id<Expr> first = {};  ///< the value after the first evolution
         Id<Expr> first_race = {};
         std::vector<Write> writes = {};
         bool operator==(const Stored&) const = default;
@@ -93,23 +93,23 @@ struct Equations {
 
     /// Two forcing orders that cannot be obeyed together are active after the cycle: a fault like a race.
     struct Conflict {
-        Id<Expr> condition = {};       ///< over firing conditions and values before the cycle
-        Span origin = {};              ///< one of the orders
+        Id<Expr> condition = {};  ///< over firing conditions and values before the cycle
+        Span origin = {};         ///< one of the orders
         bool operator==(const Conflict&) const = default;
     };
 
     /// The value of a term whose edges are read, as it was in the last cycle.
     struct Previous {
-        Id<Variable> variable = {};    ///< P_e
-        Id<Expr> value = {};           ///< e, over values before the cycle; in the first evolution over initial values
+        Id<Variable> variable = {};  ///< P_e
+        Id<Expr> value = {};         ///< e, over values before the cycle; in the first evolution over initial values
         Span origin = {};
         bool operator==(const Previous&) const = default;
     };
 
     /// The level of a term that a timer watches.
     struct Watch {
-        Id<Variable> variable = {};    ///< V_e
-        Id<Expr> value = {};           ///< e, over values after the cycle
+        Id<Variable> variable = {};  ///< V_e
+        Id<Expr> value = {};         ///< e, over values after the cycle
         Span origin = {};
         bool operator==(const Watch&) const = default;
     };
@@ -117,18 +117,18 @@ struct Equations {
     /// One per distinct time condition `t1/v/t2` (IEC 60848, 4.4; CEP13 Fig. 33b). A time for which v is true, from r to
     /// f, makes `end` true from r + rise_ms on if v lasts that long, until f + fall_ms.
     struct Timer {
-        std::string name = {};         ///< `T_X2_3s`
-        Id<Variable> watched = {};     ///< X_2, or the V_e of a watch: the level of v after the last cycle
-        Id<Variable> end = {};         ///< T_X2_3s_Q
-        std::int64_t rise_ms = 0;      ///< t1; 0: none
-        std::int64_t fall_ms = 0;      ///< t2; 0: none
+        std::string name = {};      ///< `T_X2_3s`
+        Id<Variable> watched = {};  ///< X_2, or the V_e of a watch: the level of v after the last cycle
+        Id<Variable> end = {};      ///< T_X2_3s_Q
+        std::int64_t rise_ms = 0;   ///< t1; 0: none
+        std::int64_t fall_ms = 0;   ///< t2; 0: none
         Span origin = {};
         bool operator==(const Timer&) const = default;
     };
 
     /// An assumption on the inputs of the chart (`constraint`), for those who leave the inputs free.
     struct Assumption {
-        Id<Expr> condition = {};       ///< over inputs alone
+        Id<Expr> condition = {};  ///< over inputs alone
         Span origin = {};
         bool operator==(const Assumption&) const = default;
     };
@@ -143,7 +143,8 @@ struct Equations {
     std::vector<Previous> previous = {};
     std::vector<Watch> watches = {};
     std::vector<Timer> timers = {};
-    std::vector<Id<Timer>> conditions = {};   ///< per time condition of the chart: its timer; not valid: none waits for it
+    std::vector<Id<Timer>> conditions =
+        {};  ///< per time condition of the chart: its timer; not valid: none waits for it
     std::vector<Output> outputs = {};
     std::vector<Assumption> assumptions = {};
     /// One more cycle with the same inputs would change nothing: no firing condition holds, no stored variable changed,
@@ -160,8 +161,8 @@ std::vector<std::string> verify(const Equations& equations);
 struct Kept {
     Id<Equations::Variable> variable = {};
     Id<Expr> next = {};
-    Id<Expr> first = {};           ///< after the first evolution; not valid: as at power-on
-    bool after = false;            ///< both are over the values after the cycle; else over those before it
+    Id<Expr> first = {};  ///< after the first evolution; not valid: as at power-on
+    bool after = false;   ///< both are over the values after the cycle; else over those before it
 };
 /// Stored variables (`next` as a whole), previous values, step activities, watched levels, in this order.
 std::vector<Kept> kept(const Equations& equations);
@@ -174,7 +175,7 @@ std::vector<Kept> remembered(const Equations& equations);
 struct Fault {
     Id<Equations::Variable> variable = {};
     Id<Expr> condition = {};
-    Id<Expr> first = {};           ///< the same of the first evolution
+    Id<Expr> first = {};  ///< the same of the first evolution
 };
 /// Those that can happen at all, and every conflict of orders.
 std::vector<Fault> faults(const Equations& equations);

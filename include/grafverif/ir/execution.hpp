@@ -40,11 +40,11 @@ enum class PlantApproach { None, Constraints, Automata };
 enum class TimeModel { Abstract, Discrete };
 
 struct ScheduleOptions {
-    std::optional<ExecutionMode> mode = {};   ///< wins over the controllers'
+    std::optional<ExecutionMode> mode = {};  ///< wins over the controllers'
     PlantApproach plant = PlantApproach::None;
-    std::optional<Schedule> schedule = {};    ///< wins over the loop's; else interleaved
+    std::optional<Schedule> schedule = {};  ///< wins over the loop's; else interleaved
     TimeModel time = TimeModel::Abstract;
-    bool fairness = false;                    ///< every movement ends: one justice condition for each
+    bool fairness = false;  ///< every movement ends: one justice condition for each
 };
 
 }  // namespace grafverif

@@ -32,19 +32,39 @@
 namespace grafverif {
 
 enum class Op : std::uint8_t {
-    False, True, Integer, Duration,                                     // constants
-    Variable, Step, Timed, Parameter, At,                               // leaves
-    Not, And, Or,                                                       // Boolean; And and Or take two or more operands
-    Rise, Fall,                                                         // edges of a Boolean term; only in Chart
-    Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual,            // comparisons (Equal, NotEqual: of two Booleans too)
-    Negate, Plus, Minus, Times, Divide, Modulo,                         // arithmetic
-    Conditional,                                                        // operands: condition, then, otherwise
+    False,
+    True,
+    Integer,
+    Duration,  // constants
+    Variable,
+    Step,
+    Timed,
+    Parameter,
+    At,  // leaves
+    Not,
+    And,
+    Or,  // Boolean; And and Or take two or more operands
+    Rise,
+    Fall,  // edges of a Boolean term; only in Chart
+    Equal,
+    NotEqual,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,  // comparisons (Equal, NotEqual: of two Booleans too)
+    Negate,
+    Plus,
+    Minus,
+    Times,
+    Divide,
+    Modulo,       // arithmetic
+    Conditional,  // operands: condition, then, otherwise
 };
 
 struct Expr {
     Op op = Op::False;
-    std::int64_t value = 0;       ///< Integer, Duration: the number; leaves: the index; else 0
-    std::uint32_t first = 0;      ///< operands: Exprs::operands(id)
+    std::int64_t value = 0;   ///< Integer, Duration: the number; leaves: the index; else 0
+    std::uint32_t first = 0;  ///< operands: Exprs::operands(id)
     std::uint32_t count = 0;
 };
 
@@ -53,13 +73,13 @@ public:
     Id<Expr> constant(bool value);
     Id<Expr> integer(std::int64_t value);
     Id<Expr> duration(std::int64_t milliseconds);
-    Id<Expr> leaf(Op op, std::uint32_t index);                    ///< Variable, Step, Timed, Parameter
-    Id<Expr> at(std::uint32_t process, std::uint32_t location);   ///< At
+    Id<Expr> leaf(Op op, std::uint32_t index);                   ///< Variable, Step, Timed, Parameter
+    Id<Expr> at(std::uint32_t process, std::uint32_t location);  ///< At
 
-    Id<Expr> negation(Id<Expr> operand);                          ///< Not
-    Id<Expr> conjunction(std::span<const Id<Expr>> operands);     ///< And; empty: true
+    Id<Expr> negation(Id<Expr> operand);                       ///< Not
+    Id<Expr> conjunction(std::span<const Id<Expr>> operands);  ///< And; empty: true
     Id<Expr> conjunction(Id<Expr> left, Id<Expr> right);
-    Id<Expr> disjunction(std::span<const Id<Expr>> operands);     ///< Or; empty: false
+    Id<Expr> disjunction(std::span<const Id<Expr>> operands);  ///< Or; empty: false
     Id<Expr> disjunction(Id<Expr> left, Id<Expr> right);
     Id<Expr> conditional(Id<Expr> condition, Id<Expr> then, Id<Expr> otherwise);
     /// Any other operator over its operands; And, Or, Not and Conditional are passed on to the functions above.

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "grafverif/ir/chart.hpp"
-#include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/chart_run.hpp"
+#include "grafverif/ir/execution.hpp"
 #include "grafverif/support/source.hpp"
 
 namespace grafverif {
@@ -39,16 +39,16 @@ struct Finding {
         bool operator==(const Related&) const = default;
     };
 
-    std::string code = {};                    ///< `step-never-active`
+    std::string code = {};  ///< `step-never-active`
     Level level = Level::Warning;
-    std::string subject = {};                 ///< what `accept` may name: `X4`, `t3`, `LOCK`; empty: the whole chart
-    std::string message = {};                 ///< worded as a diagnostic
+    std::string subject = {};  ///< what `accept` may name: `X4`, `t3`, `LOCK`; empty: the whole chart
+    std::string message = {};  ///< worded as a diagnostic
     Span origin = {};
     std::vector<Related> related = {};
     std::optional<ChartRun> evidence = {};
-    std::string evidence_shows = {};          ///< what happens at the end of the evidence
+    std::string evidence_shows = {};  ///< what happens at the end of the evidence
     Timing timing = Timing::Untimed;
-    std::optional<std::string> accepted = {}; ///< the reason given in the source
+    std::optional<std::string> accepted = {};  ///< the reason given in the source
 
     bool operator==(const Finding&) const = default;
 };
@@ -64,10 +64,10 @@ struct Exclusion {
 
 /// What an analysis asked and did not come to decide.
 struct OpenQuestion {
-    std::string code = {};                    ///< of the finding that there may be
+    std::string code = {};  ///< of the finding that there may be
     std::string subject = {};
-    std::size_t instants = 0;                 ///< in the first so many instants nothing speaks for it
-    std::int64_t evolutions = 0;              ///< a counter: nor in so many evolutions, however they are divided; 0: not known
+    std::size_t instants = 0;     ///< in the first so many instants nothing speaks for it
+    std::int64_t evolutions = 0;  ///< a counter: nor in so many evolutions, however they are divided; 0: not known
 
     bool operator==(const OpenQuestion&) const = default;
 };
@@ -75,16 +75,17 @@ struct OpenQuestion {
 struct Analysis {
     std::string chart = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::vector<Finding> findings = {};       ///< errors first, then by code and place
-    std::vector<std::string> notes = {};      ///< what all findings rest on
-    std::size_t questions = 0;                ///< how many were asked
-    std::vector<OpenQuestion> open = {};      ///< those that were not decided; all others are: there is what was found, and no more
+    std::vector<Finding> findings = {};   ///< errors first, then by code and place
+    std::vector<std::string> notes = {};  ///< what all findings rest on
+    std::size_t questions = 0;            ///< how many were asked
+    std::vector<OpenQuestion> open =
+        {};  ///< those that were not decided; all others are: there is what was found, and no more
     /// Why questions are open; empty: none is.
     std::string obstacle = {};
-    std::size_t instants = 0;                 ///< changes of the inputs to the farthest situation looked at
+    std::size_t instants = 0;  ///< changes of the inputs to the farthest situation looked at
     double seconds = 0;
     std::uint64_t bytes = 0;
-    std::vector<std::string> failures = {};   ///< evidence that the rules do not confirm: faults of ours
+    std::vector<std::string> failures = {};  ///< evidence that the rules do not confirm: faults of ours
 
     bool operator==(const Analysis&) const = default;
 };

@@ -46,7 +46,7 @@ namespace grafverif {
 
 struct LocationAutomaton {
     struct Step {
-        std::string name = {};                 ///< as the chart names it, qualified: `2`, `G2.2`
+        std::string name = {};  ///< as the chart names it, qualified: `2`, `G2.2`
         bool operator==(const Step&) const = default;
     };
     /// What outlives a cycle besides the situation: an internal, an output with stored actions, a previous value that an
@@ -60,9 +60,9 @@ struct LocationAutomaton {
     struct Input {
         std::string name = {};
         Type type = {};
-        Id<Step> timed = {};                   ///< the end of a timer over this step
-        Id<Stored> watched = {};               ///< the end of a timer over this level; neither valid: an input proper
-        std::int64_t rise_ms = 0, fall_ms = 0; ///< t1 and t2 of `t1/v/t2` (IEC 60848, 4.4); not both 0 for a timer
+        Id<Step> timed = {};                    ///< the end of a timer over this step
+        Id<Stored> watched = {};                ///< the end of a timer over this level; neither valid: an input proper
+        std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2 of `t1/v/t2` (IEC 60848, 4.4); not both 0 for a timer
         Span origin = {};
         bool operator==(const Input&) const = default;
     };
@@ -75,19 +75,19 @@ struct LocationAutomaton {
     /// An output that is not the constant 0 in a location.
     struct Emission {
         Id<Output> output = {};
-        Id<Expr> value = {};                   ///< a constant, or a condition on the inputs: a conditional action
+        Id<Expr> value = {};  ///< a constant, or a condition on the inputs: a conditional action
         bool operator==(const Emission&) const = default;
     };
     struct Location {
         std::vector<Id<Step>> situation = {};
-        std::vector<std::int64_t> values = {}; ///< per `stored`
-        std::vector<Emission> emissions = {};  ///< by output; of INIT: the stored outputs, at their initial values
+        std::vector<std::int64_t> values = {};  ///< per `stored`
+        std::vector<Emission> emissions = {};   ///< by output; of INIT: the stored outputs, at their initial values
         bool operator==(const Location&) const = default;
     };
     struct Evolution {
         Id<Location> from = {}, to = {};
         Id<Expr> condition = {};
-        std::vector<Id<Input>> restarted = {}; ///< timers whose level holds in `to` and became true on the way
+        std::vector<Id<Input>> restarted = {};  ///< timers whose level holds in `to` and became true on the way
         /// Timers with a fall time whose level became false on the way, one with a rise time only where it had held in
         /// `from`: where the level had lasted for the rise time, the fall time starts.
         std::vector<Id<Input>> falling = {};
@@ -96,9 +96,10 @@ struct LocationAutomaton {
     struct Instability {
         Id<Location> from = {};
         Id<Expr> condition = {};
-        std::optional<std::uint64_t> combinations = {};    ///< how many of inputs and timer ends; empty: more than 64 bits can count
-        std::vector<std::int64_t> witness = {};            ///< per input: values under which it happens
-        std::vector<std::vector<Id<Step>>> cycle = {};     ///< the situations that follow each other for ever
+        std::optional<std::uint64_t> combinations =
+            {};  ///< how many of inputs and timer ends; empty: more than 64 bits can count
+        std::vector<std::int64_t> witness = {};         ///< per input: values under which it happens
+        std::vector<std::vector<Id<Step>>> cycle = {};  ///< the situations that follow each other for ever
         bool operator==(const Instability&) const = default;
     };
 
@@ -113,8 +114,8 @@ struct LocationAutomaton {
     Id<Location> init = {};
     std::vector<Evolution> evolutions = {};
     std::vector<Instability> instabilities = {};
-    bool complete = true;         ///< else there may be more locations and evolutions than those found
-    std::size_t looked_at = 0;    ///< of how many locations all evolutions are known; the first so many
+    bool complete = true;       ///< else there may be more locations and evolutions than those found
+    std::size_t looked_at = 0;  ///< of how many locations all evolutions are known; the first so many
     Id<Expr> assumed = {};
     Span origin = {};
 

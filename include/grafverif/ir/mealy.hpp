@@ -37,19 +37,19 @@ struct MealyMachine {
         bool operator==(const Variable&) const = default;
     };
     struct State {
-        std::string situation = {};               ///< `{2,5}`; of merged states all: `{1} or {3}`
-        std::string detail = {};                  ///< stored values and running timers: `LOCK=1, T_X2_3s 1s`; or empty
+        std::string situation = {};  ///< `{2,5}`; of merged states all: `{1} or {3}`
+        std::string detail = {};     ///< stored values and running timers: `LOCK=1, T_X2_3s 1s`; or empty
         bool operator==(const State&) const = default;
     };
     struct Answer {
-        std::vector<std::int64_t> values = {};    ///< per output
+        std::vector<std::int64_t> values = {};  ///< per output
         bool operator==(const Answer&) const = default;
     };
     struct Transition {
         Id<State> from = {}, to = {};
-        Id<Expr> condition = {};                  ///< on the inputs
+        Id<Expr> condition = {};  ///< on the inputs
         Id<Answer> answer = {};
-        std::int64_t wait_ms = 0;                 ///< 0: the inputs are applied; else they are held so long
+        std::int64_t wait_ms = 0;  ///< 0: the inputs are applied; else they are held so long
         bool operator==(const Transition&) const = default;
     };
     /// Inputs under which the machine never answers again.
@@ -74,10 +74,10 @@ struct MealyMachine {
     Id<State> initial = {};
     std::vector<Transition> transitions = {};
     std::vector<Unstable> unstable = {};
-    std::vector<Activation> activation = {};      ///< empty: the first cycle is one like any other
+    std::vector<Activation> activation = {};  ///< empty: the first cycle is one like any other
     Id<Expr> assumed = {};
-    std::optional<std::uint64_t> combinations = 1;     ///< of inputs, as assumed; empty: more than 64 bits can count
-    std::optional<std::uint64_t> unstable_pairs = 0;   ///< states with a combination under which they are unstable
+    std::optional<std::uint64_t> combinations = 1;    ///< of inputs, as assumed; empty: more than 64 bits can count
+    std::optional<std::uint64_t> unstable_pairs = 0;  ///< states with a combination under which they are unstable
 
     bool operator==(const MealyMachine&) const = default;
 };

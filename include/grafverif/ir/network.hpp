@@ -34,12 +34,19 @@ namespace grafverif {
 
 struct Network {
     enum class Role {
-        Input, Output, Internal, Step,       ///< of a controller
-        FiringCondition, Sample, Image,      ///< within its cycle: stored firing conditions, sampled inputs, outputs not yet written
-        TimerEnd, TimerPending,              ///< of its timers
-        Previous, Watched,                   ///< values that edges compare with, levels that timers watch
-        Flag,                                ///< EVOL_PL, EVOL_TI, stable, race
-        Plant,                               ///< shared by instances only
+        Input,
+        Output,
+        Internal,
+        Step,  ///< of a controller
+        FiringCondition,
+        Sample,
+        Image,  ///< within its cycle: stored firing conditions, sampled inputs, outputs not yet written
+        TimerEnd,
+        TimerPending,  ///< of its timers
+        Previous,
+        Watched,  ///< values that edges compare with, levels that timers watch
+        Flag,     ///< EVOL_PL, EVOL_TI, stable, race
+        Plant,    ///< shared by instances only
     };
     struct Variable {
         std::string name = {};
@@ -51,11 +58,11 @@ struct Network {
         bool operator==(const Variable&) const = default;
     };
 
-    enum class ParameterKind { Read, Written, Constant };   ///< Read and Written: a variable by reference
+    enum class ParameterKind { Read, Written, Constant };  ///< Read and Written: a variable by reference
     struct Parameter {
         std::string name = {};
         ParameterKind kind = ParameterKind::Read;
-        Type type = {};                      ///< Constant: Booleans 0 and 1; durations are integers, in time units
+        Type type = {};  ///< Constant: Booleans 0 and 1; durations are integers, in time units
         bool operator==(const Parameter&) const = default;
     };
 
@@ -65,8 +72,8 @@ struct Network {
     };
     struct ClockConstraint {
         Id<Clock> clock = {};
-        Op relation = Op::LessEqual;         ///< Less, LessEqual, Equal, GreaterEqual, Greater
-        Id<Expr> bound = {};                 ///< over constants and Constant parameters; in time units
+        Op relation = Op::LessEqual;  ///< Less, LessEqual, Equal, GreaterEqual, Greater
+        Id<Expr> bound = {};          ///< over constants and Constant parameters; in time units
         bool operator==(const ClockConstraint&) const = default;
     };
 
@@ -78,7 +85,7 @@ struct Network {
     };
 
     struct Assignment {
-        Id<Expr> target = {};                ///< a Variable leaf, or a Parameter leaf of kind Written
+        Id<Expr> target = {};  ///< a Variable leaf, or a Parameter leaf of kind Written
         Id<Expr> value = {};
         bool operator==(const Assignment&) const = default;
     };
@@ -106,7 +113,7 @@ struct Network {
         Table<Parameter> parameters = {};
         Table<Clock> clocks = {};
         Table<Location> locations = {};
-        Id<Location> initial = {};           ///< where a process says nothing else
+        Id<Location> initial = {};  ///< where a process says nothing else
         Table<Procedure> procedures = {};
         Table<Edge> edges = {};
         Span origin = {};
@@ -119,7 +126,7 @@ struct Network {
         std::string name = {};
         Id<Template> automaton = {};
         std::vector<Argument> arguments = {};
-        Id<Location> initial = {};           ///< in the template's locations
+        Id<Location> initial = {};  ///< in the template's locations
         ProcessKind kind = ProcessKind::Plant;
         Span origin = {};
         bool operator==(const Process&) const = default;
@@ -135,8 +142,8 @@ struct Network {
     };
     struct Controller {
         ControllerWords<Variable> words = {};
-        Id<Process> process = {};            ///< the PLC
-        Id<Location> waiting = {};           ///< W, in its template
+        Id<Process> process = {};   ///< the PLC
+        Id<Location> waiting = {};  ///< W, in its template
         Id<Variable> stable = {};
         std::vector<Timer> timers = {};            ///< those of `words`
         std::vector<Id<Variable>> variables = {};  ///< per variable of its equations, as the plant and others see it

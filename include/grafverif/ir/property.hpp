@@ -22,16 +22,18 @@ enum class Pattern {
     ReachableAllSteps,  ///< every step of every chart is active in some reachable state
     ExactlyOneOf,       ///< in every reachable state exactly one of the operands holds
     AlwaysPossible,     ///< from every reachable state a state with p can be reached
-    RawUppaal, RawCtl, RawLtl,   ///< `raw`, passed through to the target that speaks it
+    RawUppaal,
+    RawCtl,
+    RawLtl,  ///< `raw`, passed through to the target that speaks it
 };
 
 struct Property {
     std::string name = {};
-    std::string text = {};               ///< the sentence in quotes, or empty
+    std::string text = {};  ///< the sentence in quotes, or empty
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
-    bool at_stable = false;              ///< judged in settled states only
+    bool at_stable = false;  ///< judged in settled states only
     bool expected_violated = false;
     Span origin = {};
 

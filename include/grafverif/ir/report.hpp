@@ -48,7 +48,8 @@ struct Report {
     Basis basis = {};
     std::vector<Answer> answers = {};
     std::vector<Breakdown> breakdowns = {};
-    std::vector<std::string> failures = {};  ///< faults of ours: runs that the rules do not confirm; none of them is told
+    std::vector<std::string> failures =
+        {};  ///< faults of ours: runs that the rules do not confirm; none of them is told
 
     bool operator==(const Report&) const = default;
 };

@@ -31,9 +31,9 @@
 namespace grafverif {
 
 enum class TestCover {
-    Transitions,   ///< every transition of the Mealy machine: every combination of inputs in every state
-    Evolutions,    ///< every evolution of the location automaton, each under one combination of inputs
-    Locations,     ///< every location
+    Transitions,  ///< every transition of the Mealy machine: every combination of inputs in every state
+    Evolutions,   ///< every evolution of the location automaton, each under one combination of inputs
+    Locations,    ///< every location
 };
 
 struct TestSequence {
@@ -43,12 +43,12 @@ struct TestSequence {
         bool operator==(const Variable&) const = default;
     };
     struct Situation {
-        std::string text = {};                     ///< `{2,5}`, after the step; where several are alike `{1} or {3}`
+        std::string text = {};  ///< `{2,5}`, after the step; where several are alike `{1} or {3}`
         bool operator==(const Situation&) const = default;
     };
     struct Step {
-        std::vector<std::int64_t> inputs = {};     ///< per input; Booleans 0 and 1
-        std::vector<std::int64_t> outputs = {};    ///< per output: expected in every scan of the step
+        std::vector<std::int64_t> inputs = {};   ///< per input; Booleans 0 and 1
+        std::vector<std::int64_t> outputs = {};  ///< per output: expected in every scan of the step
         std::uint32_t cycles = 1;
         std::int64_t wait_ms = 0;
         Id<Situation> situation = {};
@@ -64,13 +64,13 @@ struct TestSequence {
     std::string chart = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
     TestCover cover = TestCover::Transitions;
-    bool one_cycle_each = false;                   ///< `--hold one`
+    bool one_cycle_each = false;  ///< `--hold one`
     std::vector<Variable> inputs = {}, outputs = {};
     Table<Situation> situations = {};
     std::vector<Sequence> sequences = {};
-    std::uint64_t covered = 0;                     ///< transitions, evolutions or locations, as `cover` says
-    std::uint64_t to_cover = 0;                    ///< how many of them there are that can be reached
-    std::uint64_t lower_bound = 0;                 ///< no sequences that cover as much have fewer steps in all
+    std::uint64_t covered = 0;      ///< transitions, evolutions or locations, as `cover` says
+    std::uint64_t to_cover = 0;     ///< how many of them there are that can be reached
+    std::uint64_t lower_bound = 0;  ///< no sequences that cover as much have fewer steps in all
     bool proven_least = false;
 
     bool operator==(const TestSequence&) const = default;

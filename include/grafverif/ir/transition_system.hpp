@@ -38,23 +38,34 @@ struct TransitionSystem {
     struct Instance;
     struct Symbol;
 
-    struct ParameterSymbol { bool operator==(const ParameterSymbol&) const = default; };
+    struct ParameterSymbol {
+        bool operator==(const ParameterSymbol&) const = default;
+    };
     struct StateSymbol {
         std::optional<Id<Expr>> initial = {};
         std::optional<Id<Expr>> next = {};
         bool operator==(const StateSymbol&) const = default;
     };
     /// Chosen anew in each step.
-    struct ChoiceSymbol { bool operator==(const ChoiceSymbol&) const = default; };
-    struct DefineSymbol { Id<Expr> value = {}; bool operator==(const DefineSymbol&) const = default; };
+    struct ChoiceSymbol {
+        bool operator==(const ChoiceSymbol&) const = default;
+    };
+    struct DefineSymbol {
+        Id<Expr> value = {};
+        bool operator==(const DefineSymbol&) const = default;
+    };
     /// `instance.symbol`, as main sees it.
-    struct MemberSymbol { Id<Instance> instance = {}; Id<Symbol> symbol = {}; bool operator==(const MemberSymbol&) const = default; };
+    struct MemberSymbol {
+        Id<Instance> instance = {};
+        Id<Symbol> symbol = {};
+        bool operator==(const MemberSymbol&) const = default;
+    };
 
     struct Symbol {
         std::string name = {};
         Type type = {};
         std::variant<ParameterSymbol, StateSymbol, ChoiceSymbol, DefineSymbol, MemberSymbol> kind = ParameterSymbol{};
-        std::string comment = {};          ///< the section it is listed under: `inputs`, `steps`, ...
+        std::string comment = {};  ///< the section it is listed under: `inputs`, `steps`, ...
         Span origin = {};
         /// The names of its values, from `type.low` to `type.high`, where they are no numbers: `still`, `going_out`.
         std::vector<std::string> values = {};
@@ -63,25 +74,25 @@ struct TransitionSystem {
 
     struct Module {
         std::string name = {};
-        Table<Symbol> symbols = {};        ///< parameters first, in order of the arguments
+        Table<Symbol> symbols = {};  ///< parameters first, in order of the arguments
         std::vector<Id<Expr>> invariants = {};
-        std::vector<Id<Expr>> transitions = {};   ///< hold in every step: which choices a state offers
-        std::vector<Id<Expr>> justice = {};       ///< each holds infinitely often
+        std::vector<Id<Expr>> transitions = {};  ///< hold in every step: which choices a state offers
+        std::vector<Id<Expr>> justice = {};      ///< each holds infinitely often
         bool operator==(const Module&) const = default;
     };
 
     struct Instance {
         std::string name = {};
         Id<Module> module = {};
-        std::vector<Id<Symbol>> arguments = {};   ///< symbols of main
+        std::vector<Id<Symbol>> arguments = {};  ///< symbols of main
         bool operator==(const Instance&) const = default;
     };
 
     /// A property that cannot be said of this system, and why.
     struct Omitted {
-        Property property = {};            ///< without operands
+        Property property = {};  ///< without operands
         std::string reason = {};
-        std::size_t before = 0;            ///< its place: before the property of this index
+        std::size_t before = 0;  ///< its place: before the property of this index
         bool operator==(const Omitted&) const = default;
     };
 
@@ -91,11 +102,11 @@ struct TransitionSystem {
     /// Of each condition below: it holds in a state and the choices with which a step leaves it. Not valid: as said.
     struct Controller {
         ControllerWords<Symbol> words =
-            {};  ///< a transition is cleared by a step that `evolves` leaves a state where it holds
-        Id<Expr> starts = {};                  ///< the first evolution; none: it shows in nothing
-        Id<Expr> samples = {};                 ///< inputs and timer ends are read; none: where it evolves
-        Id<Expr> evolves = {};                 ///< one evolution; none: in every step
-        Id<Expr> writes = {};                  ///< outputs are written; none: where it evolves and its mode asks for it
+            {};                 ///< a transition is cleared by a step that `evolves` leaves a state where it holds
+        Id<Expr> starts = {};   ///< the first evolution; none: it shows in nothing
+        Id<Expr> samples = {};  ///< inputs and timer ends are read; none: where it evolves
+        Id<Expr> evolves = {};  ///< one evolution; none: in every step
+        Id<Expr> writes = {};   ///< outputs are written; none: where it evolves and its mode asks for it
         bool operator==(const Controller&) const = default;
     };
     /// What moves beside the controllers: an instance of the loop, a timer.
@@ -103,27 +114,27 @@ struct TransitionSystem {
         enum class Kind { Plant, Environment, Timer };
         std::string name = {};
         Kind kind = Kind::Plant;
-        Id<Symbol> location = {};              ///< its values are named; not valid: it has one location only
-        std::vector<Named> variables = {};     ///< those of its variables that no controller reads or writes
-        std::vector<Named> inputs = {};        ///< the inputs of controllers that it writes
+        Id<Symbol> location = {};           ///< its values are named; not valid: it has one location only
+        std::vector<Named> variables = {};  ///< those of its variables that no controller reads or writes
+        std::vector<Named> inputs = {};     ///< the inputs of controllers that it writes
         bool operator==(const Component&) const = default;
     };
 
     std::string name = {};
-    std::string scope = {};                ///< what verdicts about this system say of the timed plant; one paragraph for headers
+    std::string scope = {};  ///< what verdicts about this system say of the timed plant; one paragraph for headers
     Exprs exprs = {};
     Table<Module> modules = {};
     Id<Module> main = {};
-    Table<Instance> instances = {};        ///< in main
-    std::vector<Id<Instance>> observers = {};   ///< those that watch: what they see are the steps of this very system
-    Table<Property> properties = {};       ///< over symbols of main
+    Table<Instance> instances = {};            ///< in main
+    std::vector<Id<Instance>> observers = {};  ///< those that watch: what they see are the steps of this very system
+    Table<Property> properties = {};           ///< over symbols of main
     /// Settled: every controller stable and its outputs up to date, so that one more cycle with the same inputs would
     /// change nothing. Over symbols of main; what `at stable` means here.
     Id<Expr> settled = {};
     std::vector<Omitted> omitted = {};
     std::vector<Controller> controllers = {};
     std::vector<Component> components = {};
-    Id<Expr> ticks = {};                   ///< likewise: time passes by `tick_ms`; not valid: the system knows no time
+    Id<Expr> ticks = {};  ///< likewise: time passes by `tick_ms`; not valid: the system knows no time
     std::int64_t tick_ms = 0;
 
     bool operator==(const TransitionSystem&) const = default;

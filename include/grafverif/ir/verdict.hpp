@@ -22,20 +22,20 @@ namespace grafverif {
 
 /// Time passes.
 struct Delay {
-    std::int64_t units = 1;   ///< of the network's time unit
+    std::int64_t units = 1;  ///< of the network's time unit
     bool operator==(const Delay&) const = default;
 };
 /// One edge of one process fires.
 struct Fire {
     Id<Network::Process> process = {};
-    Id<Network::Edge> edge = {};   ///< in the template of the process
+    Id<Network::Edge> edge = {};  ///< in the template of the process
     bool operator==(const Fire&) const = default;
 };
 using Move = std::variant<Delay, Fire>;
 
 struct Run {
     std::vector<Move> moves = {};
-    std::optional<std::size_t> loop = {};   ///< the moves from here on lead back to the state before them
+    std::optional<std::size_t> loop = {};  ///< the moves from here on lead back to the state before them
 
     bool operator==(const Run&) const = default;
 };
@@ -45,32 +45,32 @@ enum class Outcome { Holds, Violated, Unknown };
 /// Why a verdict is unknown.
 enum class Obstacle {
     None,
-    Bound,         ///< the number of states allowed is used up
-    Memory,        ///< the memory allowed is used up
-    Stopped,       ///< the user or the deadline ended the search
-    Inexact,       ///< integer time does not decide it for dense time
-    Unsupported,   ///< this engine does not take the property
-    Faulty,        ///< the model breaks off somewhere: see ModelError
-    Failed,        ///< the external program gave no verdict
-    Disagrees,     ///< the external program gave one that its own words, our model or the rules contradict
+    Bound,        ///< the number of states allowed is used up
+    Memory,       ///< the memory allowed is used up
+    Stopped,      ///< the user or the deadline ended the search
+    Inexact,      ///< integer time does not decide it for dense time
+    Unsupported,  ///< this engine does not take the property
+    Faulty,       ///< the model breaks off somewhere: see ModelError
+    Failed,       ///< the external program gave no verdict
+    Disagrees,    ///< the external program gave one that its own words, our model or the rules contradict
 };
 
 struct Verdict {
-    Id<Property> about = {};            ///< of the model checked; not valid: the model does not ask (see `declared`)
-    std::string property = {};          ///< its name; of one that expands: `S.X7`
+    Id<Property> about = {};    ///< of the model checked; not valid: the model does not ask (see `declared`)
+    std::string property = {};  ///< its name; of one that expands: `S.X7`
     Pattern pattern = Pattern::Always;
     Outcome outcome = Outcome::Unknown;
     Obstacle obstacle = Obstacle::None;
-    std::string reason = {};            ///< of an unknown verdict, in words
-    bool vacuous = false;               ///< holds for want of anything to judge; a note says why
+    std::string reason = {};  ///< of an unknown verdict, in words
+    bool vacuous = false;     ///< holds for want of anything to judge; a note says why
     std::vector<std::string> notes = {};
-    bool declared = true;               ///< false: decided though the model does not ask (`no timelock`)
+    bool declared = true;  ///< false: decided though the model does not ask (`no timelock`)
     bool expected_violated = false;
-    std::string states = {};            ///< of the whole search, in decimal, however many; empty: not known
+    std::string states = {};  ///< of the whole search, in decimal, however many; empty: not known
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
-    std::optional<Run> run = {};        ///< counterexample; of a `reachable` that holds: witness
-    Span origin = {};                   ///< of the property
+    std::optional<Run> run = {};  ///< counterexample; of a `reachable` that holds: witness
+    Span origin = {};             ///< of the property
 
     bool operator==(const Verdict&) const = default;
 };
@@ -79,13 +79,13 @@ struct Verdict {
 /// with the race.
 struct ModelError {
     enum class Kind {
-        OutOfRange,   ///< `edge` assigns `variable` a value outside its range
-        ActionRace,   ///< two stored actions write different values in one evolution: the flag `variable` is set
-        NoValue,      ///< the guard or an assignment of `edge` divides by zero
+        OutOfRange,  ///< `edge` assigns `variable` a value outside its range
+        ActionRace,  ///< two stored actions write different values in one evolution: the flag `variable` is set
+        NoValue,     ///< the guard or an assignment of `edge` divides by zero
     };
     Kind kind = Kind::OutOfRange;
     Id<Network::Variable> variable = {};
-    Id<Network::Process> process = {};   ///< whose edge it is; for a race not valid
+    Id<Network::Process> process = {};  ///< whose edge it is; for a race not valid
     Id<Network::Edge> edge = {};
     Run run = {};
 

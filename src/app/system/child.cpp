@@ -17,8 +17,8 @@
 #include <set>
 #include <string_view>
 
-#include "pipeline/descriptor.hpp"
 #include "app/system/interrupt.hpp"
+#include "pipeline/descriptor.hpp"
 
 extern char** environ;
 
@@ -63,17 +63,20 @@ std::set<pid_t> our_children() {
     siginfo_t info = {};
     if (::waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) != 0 && errno == ECHILD) return found;
     std::error_code failure;
-    for (auto entry = fs::directory_iterator("/proc", failure); !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
+    for (auto entry = fs::directory_iterator("/proc", failure); !failure && entry != fs::directory_iterator();
+         entry.increment(failure)) {
         const std::string name = entry->path().filename().string();
         pid_t pid = 0;
         const auto [end, problem] = std::from_chars(name.data(), name.data() + name.size(), pid);
-        if (problem == std::errc() && end == name.data() + name.size() && parent_of(name) == ::getpid()) found.insert(pid);
+        if (problem == std::errc() && end == name.data() + name.size() && parent_of(name) == ::getpid())
+            found.insert(pid);
     }
     return found;
 }
 
 void reap(pid_t pid) {
-    while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {}
+    while (::waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
+    }
 }
 
 /// What all programs that run now have in common: us.
@@ -166,7 +169,8 @@ Child::Child(const std::vector<std::string>& arguments, const ChildStreams& stre
 
 std::optional<ChildEnd> Child::ended() {
     siginfo_t info = {};
-    if (!over_ && !ended_ && ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid_)
+    if (!over_ && !ended_ && ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+        info.si_pid == pid_)
         ended_ = ChildEnd{info.si_code != CLD_EXITED, info.si_status};
     return ended_;
 }
@@ -178,7 +182,7 @@ void Child::send(int signal) const {
 /// Its id is nobody else's before it is reaped, and then no signal is sent to it any more.
 void Child::end() {
     if (over_) return;
-    const Uninterrupted whole;   // who is ended halfway leaves somebody behind
+    const Uninterrupted whole;  // who is ended halfway leaves somebody behind
     ::kill(-pid_, SIGKILL);
     strike_out(pid_);
     reap(pid_);

@@ -14,20 +14,21 @@
 namespace grafverif::app {
 
 struct ChildStreams {
-    int input = 0, output = 1, error = 2;   ///< descriptors that become its standard streams
+    int input = 0, output = 1, error = 2;  ///< descriptors that become its standard streams
 };
 
 /// How a program ended.
 struct ChildEnd {
     bool by_signal = false;
-    int status = 0;   ///< the signal, or the exit code
+    int status = 0;  ///< the signal, or the exit code
 };
 
 class Child {
 public:
     /// Starts the program at the path `arguments[0]` in `folder` (empty: in ours), in a process group named by its id,
     /// with no signal blocked or ignored that we block or ignore. Throws std::system_error.
-    Child(const std::vector<std::string>& arguments, const ChildStreams& streams, const std::filesystem::path& folder = {});
+    Child(const std::vector<std::string>& arguments, const ChildStreams& streams,
+          const std::filesystem::path& folder = {});
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
     /// Ends what is still running, at once.

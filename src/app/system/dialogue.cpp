@@ -22,7 +22,6 @@ namespace grafverif::app {
 
 namespace {
 
-
 /// Reads what is there, but no more than `most` bytes; closes at the end.
 std::string taken(Descriptor& from, std::size_t most) {
     std::string text(most, '\0');
@@ -33,13 +32,13 @@ std::string taken(Descriptor& from, std::size_t most) {
     return text;
 }
 
-constexpr std::size_t bytes_at_once = 65'536;   ///< bytes read at once
+constexpr std::size_t bytes_at_once = 65'536;  ///< bytes read at once
 constexpr int shell_found_nothing = 127, shell_could_not_run = 126;
 
 }  // namespace
 
 Dialogue::Dialogue(const std::string& command, const DialogueLimits& limits) : limits_(limits) {
-    const MemoryUnbounded unbounded;   // the bound of our memory is none of the program's
+    const MemoryUnbounded unbounded;  // the bound of our memory is none of the program's
     Pipe in = make_pipe(), out = make_pipe(), err = make_pipe();
     program_.emplace(std::vector<std::string>{"/bin/sh", "-c", command},
                      ChildStreams{in.read.number(), out.write.number(), err.write.number()});
@@ -47,7 +46,7 @@ Dialogue::Dialogue(const std::string& command, const DialogueLimits& limits) : l
     from_ = std::move(out.read);
     errors_ = std::move(err.read);
     for (const Descriptor* ours : {&to_, &from_, &errors_}) set_nonblocking(*ours);
-    pipe_signal_before_ = std::signal(SIGPIPE, SIG_IGN);   // who has ended does not read
+    pipe_signal_before_ = std::signal(SIGPIPE, SIG_IGN);  // who has ended does not read
 }
 
 Dialogue::~Dialogue() {
@@ -59,7 +58,7 @@ Dialogue::~Dialogue() {
         wait_for_end(std::chrono::milliseconds(200));
     }
     program_->end();
-    if (stopped()) work_is_done();   // what is known is told from here on
+    if (stopped()) work_is_done();  // what is known is told from here on
     std::signal(SIGPIPE, pipe_signal_before_);
 }
 
@@ -71,7 +70,7 @@ Reply Dialogue::ask(const std::string& line) {
 
 Reply Dialogue::answer_to(const std::string& line) {
     receive();
-    if (const std::size_t end = heard_.find('\n'); end != std::string::npos)   // a line that nobody asked for
+    if (const std::size_t end = heard_.find('\n'); end != std::string::npos)  // a line that nobody asked for
         return {Reply::Kind::Flood, heard_.substr(0, end)};
     tell(line);
     const Steady::time_point deadline = Steady::now() + limits_.patience;
@@ -147,7 +146,7 @@ std::string Dialogue::end_text() {
     listen();
     std::string_view last = said_;
     while (last.ends_with('\n')) last.remove_suffix(1);
-    last.remove_prefix(last.rfind('\n') + 1);   // npos + 1 is 0
+    last.remove_prefix(last.rfind('\n') + 1);  // npos + 1 is 0
     if (!last.empty()) text += fmt::format("; it said: {}", shown_line(last));
     return text;
 }

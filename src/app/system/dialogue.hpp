@@ -15,18 +15,18 @@
 namespace grafverif::app {
 
 struct DialogueLimits {
-    std::chrono::milliseconds patience{10'000};      ///< for one answer
+    std::chrono::milliseconds patience{10'000};         ///< for one answer
     std::size_t longest_line = std::size_t{64} << 10U;  ///< bytes; a longer answer is a flood
-    const std::atomic<bool>* stop = nullptr;         ///< set by somebody else: stop waiting
+    const std::atomic<bool>* stop = nullptr;            ///< set by somebody else: stop waiting
 };
 
 struct Reply {
     enum class Kind {
-        Line,      ///< `text` is the line, without its end
-        Silent,    ///< none came in time
-        Ended,     ///< the program ended, or closed its output, before it had answered
-        Flood,     ///< more than one line, or one without end; `text` is its beginning
-        Stopped,   ///< we were asked to stop waiting
+        Line,     ///< `text` is the line, without its end
+        Silent,   ///< none came in time
+        Ended,    ///< the program ended, or closed its output, before it had answered
+        Flood,    ///< more than one line, or one without end; `text` is its beginning
+        Stopped,  ///< we were asked to stop waiting
     };
     Kind kind = Kind::Line;
     std::string text = {};
@@ -67,10 +67,10 @@ private:
     DialogueLimits limits_;
     Descriptor to_, from_, errors_;
     std::optional<Child> program_ = {};
-    bool over_ = false;         ///< the last answer was no line: its end need not be waited for
-    std::string unsent_ = {};   ///< on its way to the program
-    std::string heard_ = {};    ///< of the answer, so far
-    std::string said_ = {};     ///< the last of its standard error
+    bool over_ = false;        ///< the last answer was no line: its end need not be waited for
+    std::string unsent_ = {};  ///< on its way to the program
+    std::string heard_ = {};   ///< of the answer, so far
+    std::string said_ = {};    ///< the last of its standard error
     void (*pipe_signal_before_)(int) = nullptr;
 };
 

@@ -19,8 +19,8 @@
 #include <string_view>
 #include <utility>
 
-#include "app/system/child.hpp"
 #include "app/program.hpp"
+#include "app/system/child.hpp"
 
 namespace grafverif::app {
 
@@ -34,12 +34,12 @@ constexpr bool sanitized = true;
 constexpr bool sanitized = false;
 #endif
 
-constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;   ///< of the program itself: code, library, buffers
-constexpr std::size_t kept_back = std::size_t{2} << 20U;         ///< to tell with that there is no more
+constexpr std::uint64_t own_memory = std::uint64_t{32} << 20U;  ///< of the program itself: code, library, buffers
+constexpr std::size_t kept_back = std::size_t{2} << 20U;        ///< to tell with that there is no more
 constexpr auto patience_with_programs = 3s;
 constexpr auto grace = 400ms, longest_grace = 60'000ms, look_every = 25ms;
 
-std::atomic<std::int64_t> telling = 0;   ///< since when, on the steady clock; 0: not yet
+std::atomic<std::int64_t> telling = 0;  ///< since when, on the steady clock; 0: not yet
 std::atomic<char*> reserve = nullptr;
 
 void write_whole(std::string_view text) {
@@ -69,7 +69,8 @@ std::uint64_t number_in(const char* file) {
 /// What the machine, or the container, has for us; 0: unknown.
 std::uint64_t memory_of_machine() {
     const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
-    const std::uint64_t machine = pages > 0 && page > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page) : 0;
+    const std::uint64_t machine =
+        pages > 0 && page > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page) : 0;
     const std::uint64_t container = number_in("/sys/fs/cgroup/memory.max");
     return container != 0 && (machine == 0 || container < machine) ? container : machine;
 }
@@ -81,7 +82,7 @@ std::uint64_t resident() {
     if (descriptor < 0) return 0;
     const ssize_t count = ::read(descriptor, text.data(), text.size() - 1);
     ::close(descriptor);
-    std::array<std::uint64_t, 3> pages = {};   // size, resident, shared
+    std::array<std::uint64_t, 3> pages = {};  // size, resident, shared
     const char* at = text.data();
     const char* const end = text.data() + std::max<ssize_t>(count, 0);
     for (std::uint64_t& each : pages) {
@@ -129,7 +130,9 @@ void grow_stack() {
 
 }  // namespace
 
-void work_is_done() { telling = std::max<std::int64_t>(1, std::chrono::steady_clock::now().time_since_epoch().count()); }
+void work_is_done() {
+    telling = std::max<std::int64_t>(1, std::chrono::steady_clock::now().time_since_epoch().count());
+}
 
 void expect_memory_to_end() {
     grow_stack();
@@ -153,13 +156,14 @@ MemoryUnbounded::~MemoryUnbounded() {
 Guard::Guard(GuardOrders orders) : orders_(std::move(orders)) {
     telling = 0;
     if (orders_.timeout)
-        last_moment_ = Steady::now() + *orders_.timeout + grace + std::min<std::chrono::milliseconds>(*orders_.timeout / 10, longest_grace);
+        last_moment_ = Steady::now() + *orders_.timeout + grace +
+                       std::min<std::chrono::milliseconds>(*orders_.timeout / 10, longest_grace);
     if (orders_.max_memory) allow_memory(with_margin(*orders_.max_memory));
     else allow_memory(memory_of_machine() / 10 * 9);
 
     sigset_t all, before;
     ::sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &before);   // signals are for the run
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);  // signals are for the run
     pthread_attr_t attributes;
     ::pthread_attr_init(&attributes);
     ::pthread_attr_setstacksize(&attributes, std::size_t{256} << 10U);
@@ -171,7 +175,7 @@ Guard::Guard(GuardOrders orders) : orders_(std::move(orders)) {
 
 Guard::~Guard() {
     {
-        const std::lock_guard lock(mutex_);   // whoever ends the run keeps it
+        const std::lock_guard lock(mutex_);  // whoever ends the run keeps it
         done_ = true;
     }
     over_.notify_one();
@@ -192,7 +196,7 @@ void Guard::watch() {
 const std::string* Guard::reason() {
     const Steady::time_point now = Steady::now();
     if (!interrupted_ && interrupt_.asked()) interrupted_ = now;
-    const Steady::time_point told(Steady::duration(telling.load()));   // what is known may still be told
+    const Steady::time_point told(Steady::duration(telling.load()));  // what is known may still be told
     if (interrupted_ && now - std::max(*interrupted_, told) >= grace) return &orders_.interrupted;
     if (last_moment_ && now >= *last_moment_ && telling == 0) return &orders_.timed_out;
     constexpr std::uint64_t times = sanitized ? 4 : 1;

@@ -28,7 +28,7 @@ namespace grafverif::app {
 /// What a run was promised, and what is written to standard error when the guard ends it: whole lines.
 struct GuardOrders {
     std::optional<std::chrono::milliseconds> timeout = {};
-    std::optional<std::uint64_t> max_memory = {};   ///< bytes
+    std::optional<std::uint64_t> max_memory = {};  ///< bytes
     std::string timed_out = {}, interrupted = {}, out_of_memory = {};
 };
 

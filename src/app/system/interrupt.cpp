@@ -17,10 +17,10 @@ constexpr std::array signals = {SIGINT, SIGTERM, SIGHUP};
 
 // A signal handler reaches nothing else.
 std::atomic<bool> interrupted = false;
-std::atomic<int> listeners = 0;   ///< Interrupts
-std::atomic<int> guards = 0;      ///< Uninterrupteds
-std::atomic<int> put_off = 0;     ///< the signal that ends us behind the last guard
-std::array<struct sigaction, signals.size()> before = {};   ///< written while no handler of ours is set
+std::atomic<int> listeners = 0;                            ///< Interrupts
+std::atomic<int> guards = 0;                               ///< Uninterrupteds
+std::atomic<int> put_off = 0;                              ///< the signal that ends us behind the last guard
+std::array<struct sigaction, signals.size()> before = {};  ///< written while no handler of ours is set
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 /// For who comes and goes; no handler holds it.
@@ -88,7 +88,7 @@ Uninterrupted::Uninterrupted() {
 
 bool Uninterrupted::none_from_now_on() {
     if (!door().try_lock()) return false;
-    if (guards == 0) return true;   // the door stays shut
+    if (guards == 0) return true;  // the door stays shut
     door().unlock();
     return false;
 }

@@ -66,7 +66,7 @@ struct Stream {
 
 void wait_for_output(const Stream& out, const Stream& err, int milliseconds) {
     std::array<pollfd, 2> waited = {pollfd{out.from.number(), POLLIN, 0}, pollfd{err.from.number(), POLLIN, 0}};
-    ::poll(waited.data(), waited.size(), milliseconds);   // a closed descriptor is negative: poll leaves it out
+    ::poll(waited.data(), waited.size(), milliseconds);  // a closed descriptor is negative: poll leaves it out
 }
 
 }  // namespace
@@ -81,12 +81,14 @@ std::optional<fs::path> find_program(const std::string& name) {
     for (std::string_view rest = path == nullptr ? "" : path; !rest.empty() && !name.empty();) {
         const std::string_view folder = rest.substr(0, rest.find(':'));
         rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
-        if (const fs::path file = fs::path(folder) / name; !folder.empty() && executable(file)) return fs::absolute(file);
+        if (const fs::path file = fs::path(folder) / name; !folder.empty() && executable(file))
+            return fs::absolute(file);
     }
     return {};
 }
 
-ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& input, const ProgramLimits& limits) {
+ProgramResult run_program(const std::vector<std::string>& arguments, const std::string& input,
+                          const ProgramLimits& limits) {
     const Descriptor stdin_file = file_of(input);
     Pipe out_pipe = make_pipe(), err_pipe = make_pipe();
     set_nonblocking(out_pipe.read);
@@ -101,9 +103,11 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
     for (;;) {
         out.take(limits.max_output);
         err.take(limits.max_output);
-        if (out.text.size() > limits.max_output || err.text.size() > limits.max_output) result.end = ProgramResult::End::TooMuchOutput;
+        if (out.text.size() > limits.max_output || err.text.size() > limits.max_output)
+            result.end = ProgramResult::End::TooMuchOutput;
         else if (limits.stop != nullptr && limits.stop->load()) result.end = ProgramResult::End::Stopped;
-        else if (limits.deadline && std::chrono::steady_clock::now() >= *limits.deadline) result.end = ProgramResult::End::TimedOut;
+        else if (limits.deadline && std::chrono::steady_clock::now() >= *limits.deadline)
+            result.end = ProgramResult::End::TimedOut;
         else if (!(end = child.ended())) {
             wait_for_output(out, err, out.from.open() || err.from.open() ? 10 : 1);
             continue;
@@ -113,7 +117,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const std::
     {
         const Uninterrupted whole;
         child.end();
-        if (result.end == ProgramResult::End::Stopped) work_is_done();   // what is known is told from here on
+        if (result.end == ProgramResult::End::Stopped) work_is_done();  // what is known is told from here on
     }
     out.take(limits.max_output);
     err.take(limits.max_output);
@@ -141,12 +145,14 @@ Descriptor locked_folder(const fs::path& path) {
 /// The folders that killed runs of the same user left in `where`.
 void remove_litter(const fs::path& where) {
     std::error_code failure;
-    for (auto entry = fs::directory_iterator(where, failure); !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
+    for (auto entry = fs::directory_iterator(where, failure); !failure && entry != fs::directory_iterator();
+         entry.increment(failure)) {
         const std::string name = entry->path().filename().string();
         if (!name.starts_with(folder_name) || name.size() != folder_name.size() + random_part.size()) continue;
         const Descriptor folder = locked_folder(entry->path());
         struct stat mark = {};
-        const bool ours = folder.open() && ::fstatat(folder.number(), lock_mark, &mark, AT_SYMLINK_NOFOLLOW) == 0 && mark.st_uid == ::geteuid();
+        const bool ours = folder.open() && ::fstatat(folder.number(), lock_mark, &mark, AT_SYMLINK_NOFOLLOW) == 0 &&
+                          mark.st_uid == ::geteuid();
         std::error_code ignored;
         if (ours) fs::remove_all(entry->path(), ignored);
     }
@@ -158,7 +164,8 @@ TemporaryFolder::TemporaryFolder() {
     const fs::path where = fs::absolute(fs::temp_directory_path());
     remove_litter(where);
     std::string pattern = (where / folder_name).string() + std::string(random_part);
-    if (::mkdtemp(pattern.data()) == nullptr) fail(errno, fmt::format("cannot make a temporary folder in `{}`", where.string()));
+    if (::mkdtemp(pattern.data()) == nullptr)
+        fail(errno, fmt::format("cannot make a temporary folder in `{}`", where.string()));
     path_ = pattern;
     lock_ = locked_folder(path_);
     if (lock_.open()) write(lock_mark, "");
@@ -170,7 +177,8 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 void TemporaryFolder::write(const std::string& name, const std::string& content) const {
-    const Descriptor file(::open((path_ / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR));
+    const Descriptor file(
+        ::open((path_ / name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR));
     if (!file.open()) fail(errno, "cannot make a temporary file");
     write_all(file, content);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Drafts and backups live for no longer than the lock on their folder is held: whoever holds it and finds one has found
 // what a killed run left behind.
+#include "app/system/write_files.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -18,10 +20,9 @@
 #include <thread>
 #include <tuple>
 
+#include "app/system/interrupt.hpp"
 #include "pipeline/descriptor.hpp"
 #include "pipeline/files.hpp"
-#include "app/system/write_files.hpp"
-#include "app/system/interrupt.hpp"
 
 namespace grafverif::app {
 
@@ -43,7 +44,8 @@ void write_all(const Descriptor& to, std::string_view text, const fs::path& path
 
 /// To the disk, where what is open can be flushed at all.
 void flush(const Descriptor& file, const fs::path& path) {
-    if (::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS && errno != EBADF) cannot_write(path);
+    if (::fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS && errno != EBADF)
+        cannot_write(path);
 }
 
 // -- the names of drafts ---------------------------------------------------------------------------------------------
@@ -60,7 +62,8 @@ std::string draft_name() {
 bool is_draft_name(std::string_view name) {
     if (!name.starts_with(draft_begin) || !name.ends_with(draft_end)) return false;
     if (name.size() != draft_begin.size() + random_digits + draft_end.size()) return false;
-    return name.substr(draft_begin.size(), random_digits).find_first_not_of("0123456789abcdef") == std::string_view::npos;
+    return name.substr(draft_begin.size(), random_digits).find_first_not_of("0123456789abcdef") ==
+           std::string_view::npos;
 }
 
 // -- folders ---------------------------------------------------------------------------------------------------------
@@ -87,10 +90,12 @@ Folder opened(const fs::path& path, const fs::path& file) {
 
 void remove_litter(const Folder& folder) {
     std::error_code failure;
-    for (auto entry = fs::directory_iterator(folder.path, failure); !failure && entry != fs::directory_iterator(); entry.increment(failure)) {
+    for (auto entry = fs::directory_iterator(folder.path, failure); !failure && entry != fs::directory_iterator();
+         entry.increment(failure)) {
         const std::string name = entry->path().filename().string();
         struct stat status = {};
-        if (is_draft_name(name) && ::fstatat(folder.open.number(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(status.st_mode))
+        if (is_draft_name(name) && ::fstatat(folder.open.number(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+            S_ISREG(status.st_mode))
             ::unlinkat(folder.open.number(), name.c_str(), 0);
     }
 }
@@ -99,9 +104,11 @@ void remove_litter(const Folder& folder) {
 void lock(const Folder& folder) {
     constexpr std::chrono::seconds patience{60};
     constexpr std::chrono::milliseconds nap{3};
-    for (const auto end = std::chrono::steady_clock::now() + patience; ::flock(folder.open.number(), LOCK_EX | LOCK_NB) != 0;) {
-        if (errno != EWOULDBLOCK && errno != EINTR) return;   // no such locks here
-        if (std::chrono::steady_clock::now() > end) fail(ETIMEDOUT, fmt::format("another program holds the lock of the folder `{}`", folder.path.string()));
+    for (const auto end = std::chrono::steady_clock::now() + patience;
+         ::flock(folder.open.number(), LOCK_EX | LOCK_NB) != 0;) {
+        if (errno != EWOULDBLOCK && errno != EINTR) return;  // no such locks here
+        if (std::chrono::steady_clock::now() > end)
+            fail(ETIMEDOUT, fmt::format("another program holds the lock of the folder `{}`", folder.path.string()));
         std::this_thread::sleep_for(nap);
     }
     remove_litter(folder);
@@ -135,11 +142,13 @@ public:
     void add(const OutputFile& file) {
         make_folder(file.path.parent_path());
         const fs::path place = followed(file.path);
-        if (!place.has_filename() || place.filename() == "." || place.filename() == "..") cannot_write(file.path, EISDIR);
+        if (!place.has_filename() || place.filename() == "." || place.filename() == "..")
+            cannot_write(file.path, EISDIR);
         files_.push_back({&file, folder_of(place, file.path), place.filename().string(), {}, {}, false});
         const One& added = files_.back();
         for (const One& other : files_)
-            if (&other != &added && other.folder == added.folder && other.name == added.name) cannot_write(file.path, EEXIST);
+            if (&other != &added && other.folder == added.folder && other.name == added.name)
+                cannot_write(file.path, EEXIST);
     }
 
     /// Waits for its turn at every folder, in an order that is the same for every run: no two wait for each other.
@@ -172,7 +181,7 @@ private:
         const OutputFile* file = nullptr;
         const Folder* folder = nullptr;
         std::string name = {};
-        std::string draft = {}, backup = {};   ///< names in the folder while they are there
+        std::string draft = {}, backup = {};  ///< names in the folder while they are there
         bool renamed = false;
     };
 
@@ -196,7 +205,8 @@ private:
         constexpr int attempts = 8;
         for (int k = 0; k < attempts; ++k) {
             const std::string tried = draft_name();
-            Descriptor file(::openat(one.folder->open.number(), tried.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+            Descriptor file(::openat(one.folder->open.number(), tried.c_str(),
+                                     O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
             if (file.open()) return name = tried, std::move(file);
             if (errno != EEXIST) break;
         }
@@ -214,10 +224,11 @@ private:
         struct stat old = {};
         const bool replaces = is_there(one, old);
         if (replaces && S_ISDIR(old.st_mode)) cannot_write(one.file->path, EISDIR);
-        if (replaces && ::faccessat(one.folder->open.number(), one.name.c_str(), W_OK, AT_EACCESS) != 0) cannot_write(one.file->path);
+        if (replaces && ::faccessat(one.folder->open.number(), one.name.c_str(), W_OK, AT_EACCESS) != 0)
+            cannot_write(one.file->path);
         const Descriptor file = created(one, replaces ? S_IRUSR | S_IWUSR : 0666, one.draft);
         if (replaces) {
-            [[maybe_unused]] const int may_fail = ::fchown(file.number(), old.st_uid, old.st_gid);   // as root alone
+            [[maybe_unused]] const int may_fail = ::fchown(file.number(), old.st_uid, old.st_gid);  // as root alone
             if (::fchmod(file.number(), old.st_mode & 0777U) != 0) cannot_write(one.file->path);
         }
         write_all(file, one.file->content, one.file->path);
@@ -258,7 +269,7 @@ private:
         else if (!one.backup.empty()) ::unlinkat(folder, one.backup.c_str(), 0);
     }
 
-    std::deque<Folder> folders_ = {};   // its elements do not move
+    std::deque<Folder> folders_ = {};  // its elements do not move
     std::deque<One> files_ = {};
     std::vector<fs::path> made_ = {};
 };

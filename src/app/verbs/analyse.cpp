@@ -3,8 +3,8 @@
 #include <ostream>
 #include <sstream>
 
-#include "app/system/guard.hpp"
 #include "app/stop_words.hpp"
+#include "app/system/guard.hpp"
 #include "app/verbs.hpp"
 #include "pipeline/check.hpp"
 #include "read/exclusions.hpp"
@@ -18,12 +18,14 @@ std::string printed(const Analysis& analysis, const Job& job) {
     std::ostringstream out;
     const bool coloured = job.options.colour == ColourChoice::Always;
     switch (job.options.format) {
-    case Format::Json:  print_findings_json(analysis, job.sources, out); break;
+    case Format::Json: print_findings_json(analysis, job.sources, out); break;
     case Format::Sarif: print_findings_sarif(analysis, job.sources, GRAFVERIF_VERSION, out); break;
     case Format::Text:
     case Format::Latex:
-    case Format::Xml: case Format::Dot: case Format::Svg: case Format::Csv:
-        print_findings(analysis, job.sources, coloured ? Colour::Ansi : Colour::Plain, out); break;
+    case Format::Xml:
+    case Format::Dot:
+    case Format::Svg:
+    case Format::Csv: print_findings(analysis, job.sources, coloured ? Colour::Ansi : Colour::Plain, out); break;
     }
     return std::move(out).str();
 }
@@ -65,28 +67,34 @@ ExitCode analyse(Job& job, const Streams& streams) {
     const std::string text = printed(analysis, job);
     work_is_done();
     if (job.options.output) deliver(text, job, streams);
-    else streams.out << text;   // clean, but for our colours
-    for (const std::string& failure : analysis.failures) streams.err << "grafverif: internal failure: " << failure << '\n';
+    else streams.out << text;  // clean, but for our colours
+    for (const std::string& failure : analysis.failures)
+        streams.err << "grafverif: internal failure: " << failure << '\n';
     return exit_code(analysis);
 }
 
 Verb analyse_usage() {
-    return {"analyse",
-            "FILE",
-            1,
-            1,
-            "find what can go wrong in a chart, and what never happens in it",
-            "Searches all sequences of inputs of a chart at once and tells, each with a shortest sequence of inputs that\n"
-            "shows it: total instability, races and conflicts of stored actions, branches cleared together, steps activated\n"
-            "while active, partial charts forced twice or forced while enclosed; steps that are never active, transitions\n"
-            "never or always cleared, outputs never set, inputs never read. `constraint` in the chart and a table of pairs\n"
-            "of inputs that are never true together (`variable1,variable2,reason`) rule out impossible inputs;\n"
-            "`accept CODE \"reason\";` in the chart accepts findings. Exit code 1: a finding that nobody accepted; 3: none, and\n"
-            "something is not decided (--timeout, --max-memory, Ctrl-C); what is known is told, and how far the rest was looked into.",
-            {"grafverif analyse samples/oven_door/oven_door.grafcet",
-             "grafverif analyse station.grafcet --chart press --exclusions wiring.csv",
-             "grafverif analyse station.grafcet --format sarif -o findings.sarif"},
-            {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::Analysis}};
+    return {
+        "analyse",
+        "FILE",
+        1,
+        1,
+        "find what can go wrong in a chart, and what never happens in it",
+        "Searches all sequences of inputs of a chart at once and tells, each with a shortest sequence of inputs that\n"
+        "shows it: total instability, races and conflicts of stored actions, branches cleared together, steps "
+        "activated\n"
+        "while active, partial charts forced twice or forced while enclosed; steps that are never active, transitions\n"
+        "never or always cleared, outputs never set, inputs never read. `constraint` in the chart and a table of "
+        "pairs\n"
+        "of inputs that are never true together (`variable1,variable2,reason`) rule out impossible inputs;\n"
+        "`accept CODE \"reason\";` in the chart accepts findings. Exit code 1: a finding that nobody accepted; 3: "
+        "none, and\n"
+        "something is not decided (--timeout, --max-memory, Ctrl-C); what is known is told, and how far the rest was "
+        "looked into.",
+        {"grafverif analyse samples/oven_door/oven_door.grafcet",
+         "grafverif analyse station.grafcet --chart press --exclusions wiring.csv",
+         "grafverif analyse station.grafcet --format sarif -o findings.sarif"},
+        {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::Analysis}};
 }
 
 }  // namespace grafverif::app

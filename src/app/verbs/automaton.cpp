@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `automaton` and `mealy`: what a controller does, as a location automaton and as a Mealy machine.
+#include "syntax/print/automaton.hpp"
+
 #include <fmt/format.h>
 
 #include <ostream>
@@ -8,7 +10,6 @@
 #include "app/verbs.hpp"
 #include "emit/layout/diagram.hpp"
 #include "support/messages.hpp"
-#include "syntax/print/automaton.hpp"
 
 namespace grafverif::app {
 
@@ -29,7 +30,9 @@ bool draw(const Diagram& drawn, Job& job, const Streams& streams) {
         job.diagnostics.add(messages::too_many_nodes(drawn.nodes.size(), largest_drawing));
         return false;
     }
-    print_to_output(job, streams, [&](std::ostream& out) { job.options.format == Format::Svg ? emit_svg(drawn, out) : emit_dot(drawn, out); });
+    print_to_output(job, streams, [&](std::ostream& out) {
+        job.options.format == Format::Svg ? emit_svg(drawn, out) : emit_dot(drawn, out);
+    });
     return true;
 }
 
@@ -57,7 +60,8 @@ ExitCode mealy(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
     const Bounds bounds(job.options, streams);
-    const auto found = chart ? mealy_of(*model, *chart, conform_options(job.options, bounds.limits()), job.diagnostics) : std::nullopt;
+    const auto found =
+        chart ? mealy_of(*model, *chart, conform_options(job.options, bounds.limits()), job.diagnostics) : std::nullopt;
     if (!found) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (is_drawing(job.options.format)) return draw(diagram(*found), job, streams) ? ExitCode::Done : ExitCode::Input;
     print_to_output(job, streams, [&](std::ostream& out) {
@@ -68,9 +72,15 @@ ExitCode mealy(Job& job, const Streams& streams) {
 }
 
 Verb automaton_usage() {
-    return {"automaton", "FILE", 1, 1, "print the location automaton of a chart",
-            "Prints what a controller that executes the chart does: a location per situation and values of stored variables, an\n"
-            "evolution per set of inputs, and the inputs that never stabilise. Constraints of the chart restrict the inputs. Without\n"
+    return {"automaton",
+            "FILE",
+            1,
+            1,
+            "print the location automaton of a chart",
+            "Prints what a controller that executes the chart does: a location per situation and values of stored "
+            "variables, an\n"
+            "evolution per set of inputs, and the inputs that never stabilise. Constraints of the chart restrict the "
+            "inputs. Without\n"
             "--mode the mode is that of the closed loop that has the chart, else stability-search.\n"
             "Formats: text, JSON, DOT (Graphviz), SVG.",
             {"grafverif automaton samples/tanks/tanks.grafcet --mode every-cycle",
@@ -80,13 +90,21 @@ Verb automaton_usage() {
 }
 
 Verb mealy_usage() {
-    return {"mealy", "FILE", 1, 1, "print the Mealy machine of a chart",
-            "Prints the machine that answers every combination of inputs in every state: the location automaton with INIT merged into\n"
-            "the location of the initial situation. Sets of inputs are conditions, not lists. A chart with timers gets transitions\n"
-            "that wait.\n"
-            "Formats: text, JSON, DOT (Graphviz), SVG.",
-            {"grafverif mealy samples/tanks/tanks.grafcet", "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},
-            {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::FormatDiagram, Accepts::Minimise, Accepts::Limits}};
+    return {
+        "mealy",
+        "FILE",
+        1,
+        1,
+        "print the Mealy machine of a chart",
+        "Prints the machine that answers every combination of inputs in every state: the location automaton with INIT "
+        "merged into\n"
+        "the location of the initial situation. Sets of inputs are conditions, not lists. A chart with timers gets "
+        "transitions\n"
+        "that wait.\n"
+        "Formats: text, JSON, DOT (Graphviz), SVG.",
+        {"grafverif mealy samples/tanks/tanks.grafcet",
+         "grafverif mealy samples/tanks/tanks.grafcet --minimise --format json"},
+        {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::FormatDiagram, Accepts::Minimise, Accepts::Limits}};
 }
 
 }  // namespace grafverif::app

@@ -16,7 +16,7 @@ namespace {
 
 struct Product {
     OutputFile file = {};
-    std::string use = {};   ///< what to do with it
+    std::string use = {};  ///< what to do with it
 };
 
 std::vector<Product> products(const Model& model, Id<ClosedLoop> loop, Job& job) {
@@ -45,11 +45,13 @@ std::string listed(const std::vector<Product>& made, Format format) {
     if (format == Format::Json) {
         nlohmann::ordered_json files = nlohmann::ordered_json::array();
         for (const Product& product : made)
-            files.push_back({{"path", product.file.path.string()}, {"bytes", product.file.content.size()}, {"use", product.use}});
+            files.push_back(
+                {{"path", product.file.path.string()}, {"bytes", product.file.content.size()}, {"use", product.use}});
         return json_text(nlohmann::ordered_json{{"files", files}}) + "\n";
     }
     std::string text = "wrote\n";
-    for (const Product& product : made) text += fmt::format("  {}\n      {}\n", printable(product.file.path.string()), product.use);
+    for (const Product& product : made)
+        text += fmt::format("  {}\n      {}\n", printable(product.file.path.string()), product.use);
     return text;
 }
 
@@ -71,12 +73,18 @@ ExitCode build(Job& job, const Streams& streams) {
 }
 
 Verb build_usage() {
-    return {"build", "FILE", 1, 1, "write the UPPAAL project and the NuSMV model of a closed loop",
+    return {"build",
+            "FILE",
+            1,
+            1,
+            "write the UPPAAL project and the NuSMV model of a closed loop",
             "Reads FILE (.grafcet) and writes, for its closed loop NAME,\n"
             "  NAME.xml  the UPPAAL project of the timed closed loop, with its queries\n"
             "  NAME.q    the same queries alone\n"
-            "  NAME.smv  the NuSMV model of the controller, inputs and timer ends free, or with --plant automata of the loop\n"
-            "What cannot be translated exactly is refused with its line, and nothing is written. After an error or a signal all\n"
+            "  NAME.smv  the NuSMV model of the controller, inputs and timer ends free, or with --plant automata of "
+            "the loop\n"
+            "What cannot be translated exactly is refused with its line, and nothing is written. After an error or a "
+            "signal all\n"
             "files are written or none has changed; docs/files.md tells what is promised.",
             {"grafverif build samples/testing_station/testing_station.grafcet",
              "grafverif build station.grafcet -o models --grain atomic --target uppaal"},

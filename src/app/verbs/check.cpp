@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "app/engines.hpp"
-#include "app/system/guard.hpp"
 #include "app/outputs.hpp"
 #include "app/stop_words.hpp"
+#include "app/system/guard.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
 #include "pipeline/models.hpp"
@@ -34,11 +34,14 @@ std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& j
     const auto network = network_of(model, id, job);
     if (!network || !all_known(options.properties, property_names(*network), job.diagnostics)) return {};
     const LoopToCheck loop{*network, charts_of(model, model.loops[id]), !job.options.cures_left_out.empty()};
-    return job.options.engine == Engine::Verifyta ? check_by_verifyta(loop, options, job.diagnostics) : check(loop, options);
+    return job.options.engine == Engine::Verifyta ? check_by_verifyta(loop, options, job.diagnostics)
+                                                  : check(loop, options);
 }
 
 /// The program on the PATH that the options ask of untimed models; empty: the embedded engine.
-std::string program_of(Engine engine) { return engine == Engine::Nusmv ? "NuSMV" : engine == Engine::Nuxmv ? "nuXmv" : ""; }
+std::string program_of(Engine engine) {
+    return engine == Engine::Nusmv ? "NuSMV" : engine == Engine::Nuxmv ? "nuXmv" : "";
+}
 
 std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
     const ModelOptions how = model_options(job.options);
@@ -47,7 +50,8 @@ std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job&
     const auto system = transition_system_of(model, id, job);
     if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
     const ClosedLoop& loop = model.loops[id];
-    return check_by_nusmv({*system, charts_of(model, loop), abstraction_of(how, &loop)}, program, options, job.diagnostics);
+    return check_by_nusmv({*system, charts_of(model, loop), abstraction_of(how, &loop)}, program, options,
+                          job.diagnostics);
 }
 
 std::optional<Report> chart_report(const Model& model, Id<Chart> chart, Job& job, const CheckOptions& options) {
@@ -57,7 +61,8 @@ std::optional<Report> chart_report(const Model& model, Id<Chart> chart, Job& job
     auto system = grafverif::transition_system_of(model, chart, how, job.diagnostics);
     if (system) ask_for_steps(*system);
     if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
-    return check_by_nusmv({*system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, program, options, job.diagnostics);
+    return check_by_nusmv({*system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, program, options,
+                          job.diagnostics);
 }
 
 /// The trace that goes to files: of the first place where the model breaks off, of the first verdict against
@@ -82,7 +87,8 @@ void write_reports(const Report& report, Job& job, const Streams& streams) {
     std::vector<OutputFile> files;
     const Chosen chosen = first_trace(report);
     if (chosen.trace) files = trace_files(*chosen.trace, chosen.title, options);
-    else if ((options.trace_vcd || options.trace_svg) && !options.quiet) streams.err << "note: no verdict has a trace; none was written\n";
+    else if ((options.trace_vcd || options.trace_svg) && !options.quiet)
+        streams.err << "note: no verdict has a trace; none was written\n";
     if (options.junit) {
         std::ostringstream text;
         print_junit(report, text);
@@ -100,9 +106,10 @@ void say_who_stopped(Report& report, bool by_user, const Options& options) {
 /// What a loop expects may be about the schedule that it names, which timed models do not have.
 void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& streams) {
     if (!loop.schedule || job.options.quiet) return;
-    streams.err << fmt::format("note: `{}` names a `schedule`, which untimed models alone obey; `grafverif check {} --untimed "
-                               "--plant automata` checks that one\n",
-                               loop.name, printable(job.options.operands[0]));
+    streams.err << fmt::format(
+        "note: `{}` names a `schedule`, which untimed models alone obey; `grafverif check {} --untimed "
+        "--plant automata` checks that one\n",
+        loop.name, printable(job.options.operands[0]));
 }
 
 ExitCode exit_code(const Report& report, bool stopped) {
@@ -150,26 +157,27 @@ ExitCode check(Job& job, const Streams& streams) {
 }
 
 Verb check_usage() {
-    return {"check",
-            "FILE",
-            1,
-            1,
-            "prove the properties of a closed loop, with counterexamples in the chart's words",
-            "Decides every property of FILE's closed loop with the embedded timed engine, and whether time can stop. "
-            "Each verdict\n"
-            "says what it rests on; a violated property comes with a trace, replayed on the rules of IEC 60848 first.\n"
-            "`--engine verifyta` asks the model checker of UPPAAL instead, where it is on the PATH: verdicts, no traces.\n"
-            "With --untimed the model without time is checked, by the embedded symbolic engine or by NuSMV or nuXmv from\n"
-            "the PATH; so is a chart that belongs to no loop, with free inputs. What that says of the real plant stands\n"
-            "under each verdict.\n"
-            "Formats: text, JSON (--format json), JUnit XML (--junit); traces also as VCD and SVG.",
-            {"grafverif check samples/testing_station/testing_station.grafcet",
-             "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
-             "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G",
-             "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
-             "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata"},
-            {Accepts::Search, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed, Accepts::Format,
-             Accepts::Traces, Accepts::Verbose, Accepts::Ablations}};
+    return {
+        "check",
+        "FILE",
+        1,
+        1,
+        "prove the properties of a closed loop, with counterexamples in the chart's words",
+        "Decides every property of FILE's closed loop with the embedded timed engine, and whether time can stop. "
+        "Each verdict\n"
+        "says what it rests on; a violated property comes with a trace, replayed on the rules of IEC 60848 first.\n"
+        "`--engine verifyta` asks the model checker of UPPAAL instead, where it is on the PATH: verdicts, no traces.\n"
+        "With --untimed the model without time is checked, by the embedded symbolic engine or by NuSMV or nuXmv from\n"
+        "the PATH; so is a chart that belongs to no loop, with free inputs. What that says of the real plant stands\n"
+        "under each verdict.\n"
+        "Formats: text, JSON (--format json), JUnit XML (--junit); traces also as VCD and SVG.",
+        {"grafverif check samples/testing_station/testing_station.grafcet",
+         "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
+         "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G",
+         "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
+         "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata"},
+        {Accepts::Search, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed,
+         Accepts::Format, Accepts::Traces, Accepts::Verbose, Accepts::Ablations}};
 }
 
 }  // namespace grafverif::app

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // `components`: what the library holds, and the text of one component.
+#include "pipeline/components.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "pipeline/components.hpp"
 #include "app/verbs.hpp"
+#include "support/json_text.hpp"
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/nearest.hpp"
-#include "support/json_text.hpp"
 
 namespace grafverif::app {
 
@@ -22,14 +23,15 @@ Component component_of(const LibraryEntry& entry) {
     Diagnostics diagnostics;
     const Id<Source> file = sources.add({std::string(entry.path), std::string(entry.text)});
     const auto model = read_text(file, sources, {}, diagnostics);
-    if (!model || model->components.empty()) throw std::logic_error(fmt::format("library component {} is broken", entry.name));
+    if (!model || model->components.empty())
+        throw std::logic_error(fmt::format("library component {} is broken", entry.name));
     return *model->components.begin();
 }
 
 std::string_view word(Component::ParameterKind kind) {
     switch (kind) {
-    case Component::ParameterKind::Input:    return "input";
-    case Component::ParameterKind::Output:   return "output";
+    case Component::ParameterKind::Input: return "input";
+    case Component::ParameterKind::Output: return "output";
     case Component::ParameterKind::Constant: return "constant";
     }
     unreachable();
@@ -37,8 +39,8 @@ std::string_view word(Component::ParameterKind kind) {
 
 std::string_view word(Component::ValueKind kind) {
     switch (kind) {
-    case Component::ValueKind::Boolean:  return "bool";
-    case Component::ValueKind::Integer:  return "int";
+    case Component::ValueKind::Boolean: return "bool";
+    case Component::ValueKind::Integer: return "int";
     case Component::ValueKind::Duration: return "duration";
     }
     unreachable();
@@ -48,8 +50,11 @@ nlohmann::ordered_json as_json(const LibraryEntry& entry) {
     const Component component = component_of(entry);
     nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
     for (const Component::Parameter& parameter : component.parameters)
-        parameters.push_back({{"name", parameter.name}, {"kind", word(parameter.kind)}, {"type", word(parameter.value)},
-                              {"optional", parameter.kind == Component::ParameterKind::Constant && parameter.initial.has_value()}});
+        parameters.push_back(
+            {{"name", parameter.name},
+             {"kind", word(parameter.kind)},
+             {"type", word(parameter.value)},
+             {"optional", parameter.kind == Component::ParameterKind::Constant && parameter.initial.has_value()}});
     return {{"name", component.name}, {"summary", component.summary}, {"parameters", parameters}};
 }
 
@@ -92,8 +97,13 @@ ExitCode components(Job& job, const Streams& streams) {
 }
 
 Verb components_usage() {
-    return {"components", "[NAME]", 0, 1, "list the component library, or show one component",
-            "Without NAME, lists the components of the library, a line each. With NAME, shows that component: its interface\n"
+    return {"components",
+            "[NAME]",
+            0,
+            1,
+            "list the component library, or show one component",
+            "Without NAME, lists the components of the library, a line each. With NAME, shows that component: its "
+            "interface\n"
             "with units, its behaviour and where it comes from.",
             {"grafverif components", "grafverif components cylinder_5_3"},
             {Accepts::Output, Accepts::Format}};

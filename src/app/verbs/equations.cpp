@@ -14,10 +14,14 @@ namespace {
 std::string printed(const Equations& equations, Format format) {
     std::ostringstream out;
     switch (format) {
-    case Format::Text:  print_equations(out, equations); break;
+    case Format::Text: print_equations(out, equations); break;
     case Format::Latex: print_equations_latex(out, equations); break;
-    case Format::Json:  print_equations_json(out, equations); break;
-    case Format::Xml: case Format::Sarif: case Format::Dot: case Format::Svg: case Format::Csv: break;   // not offered
+    case Format::Json: print_equations_json(out, equations); break;
+    case Format::Xml:
+    case Format::Sarif:
+    case Format::Dot:
+    case Format::Svg:
+    case Format::Csv: break;  // not offered
     }
     return out.str();
 }
@@ -34,8 +38,13 @@ ExitCode equations(Job& job, const Streams& streams) {
 }
 
 Verb equations_usage() {
-    return {"equations", "FILE", 1, 1, "print the equations of a chart",
-            "Prints the meaning of a chart as equations: (a) firing conditions, (b) step activities, (c) outputs and timers;\n"
+    return {"equations",
+            "FILE",
+            1,
+            1,
+            "print the equations of a chart",
+            "Prints the meaning of a chart as equations: (a) firing conditions, (b) step activities, (c) outputs and "
+            "timers;\n"
             "stored actions, where there are any, between (b) and (c).",
             {"grafverif equations samples/testing_station/testing_station.grafcet",
              "grafverif equations samples/oven_door/oven_door.grafcet --format latex -o oven_door.tex"},

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // `fmt`: canonical text.
-#include "app/system/write_files.hpp"
 #include "app/system/guard.hpp"
+#include "app/system/write_files.hpp"
 #include "app/verbs.hpp"
+#include "support/printable.hpp"
 #include "syntax/language/format.hpp"
 #include "syntax/language/parse.hpp"
-#include "support/printable.hpp"
 
 namespace grafverif::app {
 
@@ -18,7 +18,8 @@ ExitCode fmt(Job& job, const Streams& streams) {
     const std::string text = formatted(file);
     const bool canonical = text == job.sources[*source].text;
     if (job.options.check) {
-        if (!canonical && !job.options.quiet) streams.err << printable(path) << ": not in canonical form; `grafverif fmt -i` rewrites it\n";
+        if (!canonical && !job.options.quiet)
+            streams.err << printable(path) << ": not in canonical form; `grafverif fmt -i` rewrites it\n";
         return canonical ? ExitCode::Done : ExitCode::Verdict;
     }
     if (!job.options.in_place || path == "-") deliver(text, job, streams);
@@ -30,10 +31,16 @@ ExitCode fmt(Job& job, const Streams& streams) {
 }
 
 Verb fmt_usage() {
-    return {"fmt", "FILE", 1, 1, "print a file in canonical form",
-            "Prints FILE as canonical text: one declaration a line, comments kept. Formatting canonical text changes nothing.",
-            {"grafverif fmt station.grafcet", "grafverif fmt -i station.grafcet", "grafverif fmt --check station.grafcet"},
-            {Accepts::Output, Accepts::InPlace}};
+    return {
+        "fmt",
+        "FILE",
+        1,
+        1,
+        "print a file in canonical form",
+        "Prints FILE as canonical text: one declaration a line, comments kept. Formatting canonical text changes "
+        "nothing.",
+        {"grafverif fmt station.grafcet", "grafverif fmt -i station.grafcet", "grafverif fmt --check station.grafcet"},
+        {Accepts::Output, Accepts::InPlace}};
 }
 
 }  // namespace grafverif::app

@@ -17,7 +17,8 @@ ExitCode import_chart(Job& job, const Streams& streams) {
     const std::string_view text = job.sources[*source].text;
     if (format_of(text) == FileFormat::Grafcet) job.diagnostics.add(messages::ours_already({*source, 0, 0}));
     if (format_of(text) == FileFormat::Unknown)
-        job.diagnostics.add(is_utf16(text) ? messages::utf16({*source, 0, 0}) : messages::unknown_format({*source, 0, 0}, ""));
+        job.diagnostics.add(is_utf16(text) ? messages::utf16({*source, 0, 0})
+                                           : messages::unknown_format({*source, 0, 0}, ""));
     if (job.diagnostics.has_errors()) return ExitCode::Input;
     tree::File file = read_any(*source, job.sources, {job.options.lossy}, job.diagnostics);
     // What is written, every verb reads: what they would refuse of the text is refused here, with its place in the file.
@@ -30,11 +31,19 @@ ExitCode import_chart(Job& job, const Streams& streams) {
 }
 
 Verb import_usage() {
-    return {"import", "FILE", 1, 1, "write a chart of another format in our language",
-            "Writes the charts of FILE as .grafcet text, its comments kept. FILE is AGRAFE GRAFCET (XMI), PLCopen TC6 XML 1.01, 2.0\n"
-            "or 2.01 with the dialect of CODESYS, or the textual form of Sequential Function Charts (IEC 61131-3); which of them is\n"
-            "told from what is written. Every other verb takes such files directly. What cannot be taken over is an error with its\n"
-            "place in FILE; with --lossy it is left out, with a warning, and named at the head of the text. docs/import.md tells\n"
+    return {"import",
+            "FILE",
+            1,
+            1,
+            "write a chart of another format in our language",
+            "Writes the charts of FILE as .grafcet text, its comments kept. FILE is AGRAFE GRAFCET (XMI), PLCopen TC6 "
+            "XML 1.01, 2.0\n"
+            "or 2.01 with the dialect of CODESYS, or the textual form of Sequential Function Charts (IEC 61131-3); "
+            "which of them is\n"
+            "told from what is written. Every other verb takes such files directly. What cannot be taken over is an "
+            "error with its\n"
+            "place in FILE; with --lossy it is left out, with a warning, and named at the head of the text. "
+            "docs/import.md tells\n"
             "what of each format works.",
             {"grafverif import plant.xml -o plant.grafcet", "grafverif import --lossy --diagnostics json press.xml"},
             {Accepts::Output}};

@@ -49,7 +49,8 @@ std::string problem_in(const Chart& chart, const Cycle& cycle) {
     if (cycle.fault && cycle.fault->kind == RunFault::Kind::ForcedApart)
         return "two forcing orders that cannot be obeyed together are active [action-race]";
     if (cycle.fault) return "a condition or a stored value cannot be computed [no-value]";
-    if (cycle.gave_up) return fmt::format("no stable situation within {} evolutions [total-instability]", evolution_limit);
+    if (cycle.gave_up)
+        return fmt::format("no stable situation within {} evolutions [total-instability]", evolution_limit);
     if (!cycle.endless.empty()) return instability_text(chart, cycle.endless) + " [total-instability]";
     return {};
 }
@@ -137,7 +138,8 @@ private:
         const Command command = command_of(line);
         const WaitCommand* const wait = std::get_if<WaitCommand>(&command);
         if (clock_ == Clock::Real) refuse("`wait` is for `--clock simulated`; time passes by itself here");
-        else if (wait == nullptr || !wait->milliseconds) refuse("`wait` takes a duration such as `3s`, `250ms` or `2min`");
+        else if (wait == nullptr || !wait->milliseconds)
+            refuse("`wait` takes a duration such as `3s`, `250ms` or `2min`");
         else plc_.wait(*wait->milliseconds);
     }
 
@@ -175,20 +177,22 @@ ExitCode plc(Job& job, const Streams& streams) {
 }
 
 Verb plc_usage() {
-    return {"plc",
-            "FILE",
-            1,
-            1,
-            "run a chart as a PLC would, on standard input and output",
-            "Runs a chart of FILE as a PLC does: each line of standard input holds the inputs of one scan, in the order\n"
-            "of their declaration; the answer is one line with the outputs, likewise. Booleans are 0 and 1.\n"
-            "  1,0,0,1,1          a scan with these inputs (commas or blanks)\n"
-            "  wait 5s            time passes before the next scan; no answer\n"
-            "A line that is not understood is answered by `error: ...`, and is no scan. A chart that never becomes stable,\n"
-            "a race or a value out of range is answered likewise and ends the program with exit code 1.",
-            {"grafverif plc station.grafcet --chart testing_station --mode every-cycle < inputs.csv",
-             "printf '0,0,0,1,1\\n1,1,0,1,1\\n' | grafverif plc samples/tanks/tanks.grafcet"},
-            {Accepts::Chart, Accepts::Mode, Accepts::Clock}};
+    return {
+        "plc",
+        "FILE",
+        1,
+        1,
+        "run a chart as a PLC would, on standard input and output",
+        "Runs a chart of FILE as a PLC does: each line of standard input holds the inputs of one scan, in the order\n"
+        "of their declaration; the answer is one line with the outputs, likewise. Booleans are 0 and 1.\n"
+        "  1,0,0,1,1          a scan with these inputs (commas or blanks)\n"
+        "  wait 5s            time passes before the next scan; no answer\n"
+        "A line that is not understood is answered by `error: ...`, and is no scan. A chart that never becomes "
+        "stable,\n"
+        "a race or a value out of range is answered likewise and ends the program with exit code 1.",
+        {"grafverif plc station.grafcet --chart testing_station --mode every-cycle < inputs.csv",
+         "printf '0,0,0,1,1\\n1,1,0,1,1\\n' | grafverif plc samples/tanks/tanks.grafcet"},
+        {Accepts::Chart, Accepts::Mode, Accepts::Clock}};
 }
 
 }  // namespace grafverif::app

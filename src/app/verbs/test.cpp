@@ -12,12 +12,12 @@
 #include <string>
 #include <thread>
 
-#include "app/system/dialogue.hpp"
-#include "app/system/guard.hpp"
-#include "app/system/interrupt.hpp"
 #include "app/options.hpp"
 #include "app/outputs.hpp"
 #include "app/progress_line.hpp"
+#include "app/system/dialogue.hpp"
+#include "app/system/guard.hpp"
+#include "app/system/interrupt.hpp"
 #include "app/verbs.hpp"
 #include "report/test_report.hpp"
 #include "run/replay_test.hpp"
@@ -34,7 +34,7 @@ namespace {
 // (JESA13 section 6). Each sequence starts the controller anew, which is its power-on.
 
 struct BenchOptions {
-    std::string controller = {};                     ///< the command that runs it, for the shell
+    std::string controller = {};  ///< the command that runs it, for the shell
     Clock clock = Clock::Simulated;
     bool go_on = false;                              ///< after a failure, as far as that is possible
     std::chrono::milliseconds patience{10'000};      ///< for one answer
@@ -112,7 +112,8 @@ private:
         if (options_.clock == Clock::Simulated) return dialogue.tell("wait " + duration_text(wait_ms));
         constexpr std::chrono::milliseconds margin{20}, nap{50};
         const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(wait_ms) + margin;
-        for (auto now = std::chrono::steady_clock::now(); now < end && !stopped(); now = std::chrono::steady_clock::now())
+        for (auto now = std::chrono::steady_clock::now(); now < end && !stopped();
+             now = std::chrono::steady_clock::now())
             std::this_thread::sleep_for(std::min<std::chrono::nanoseconds>(end - now, nap));
     }
 
@@ -131,7 +132,8 @@ private:
             break;
         case Reply::Kind::Flood:
             failure.cause = Cause::Flood;
-            failure.message = fmt::format("more than one line for one scan, or one without end: `{}`", shown_line(answer.text));
+            failure.message =
+                fmt::format("more than one line for one scan, or one without end: `{}`", shown_line(answer.text));
             break;
         }
         return failure;
@@ -198,7 +200,8 @@ ExitCode test(Job& job, const Streams& streams) {
     const auto sequence = chart ? sequence_to_run(*model, *chart, job, bounds.limits()) : std::nullopt;
     if (!sequence) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (const auto wrong = job.options.sequence ? std::nullopt : disagreement(model->charts[*chart], *sequence)) {
-        streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong << '\n';
+        streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong
+                    << '\n';
         return ExitCode::Failure;
     }
     const auto report = bench_report(*sequence, job.options, bounds.limits());
@@ -217,15 +220,18 @@ Verb test_usage() {
             1,
             1,
             "test an implementation against a chart, scan by scan",
-            "Runs the controller PROGRAM through a test sequence and compares its outputs with those of the chart in every\n"
-            "scan. PROGRAM is a command for the shell; it reads one line of inputs and answers by one line of outputs for each\n"
+            "Runs the controller PROGRAM through a test sequence and compares its outputs with those of the chart in "
+            "every\n"
+            "scan. PROGRAM is a command for the shell; it reads one line of inputs and answers by one line of outputs "
+            "for each\n"
             "scan (docs/conformance.md). Without --sequence the test is the one that `testgen` makes of the chart.\n"
             "Exit code 1: the controller does not conform. Formats: text, JSON, JUnit XML (--junit).",
             {"grafverif test tanks.grafcet --against ./my_controller",
              "grafverif test tanks.grafcet --against ./my_controller --cover evolutions --go-on --junit report.xml",
-             "grafverif test tanks.grafcet --sequence table2.csv --against \"grafverif plc tanks.grafcet --mode every-cycle\""},
-            {Accepts::Bench, Accepts::Sequence, Accepts::Chart, Accepts::Mode, Accepts::Clock, Accepts::Format, Accepts::Cover,
-             Accepts::Minimise}};
+             "grafverif test tanks.grafcet --sequence table2.csv --against \"grafverif plc tanks.grafcet --mode "
+             "every-cycle\""},
+            {Accepts::Bench, Accepts::Sequence, Accepts::Chart, Accepts::Mode, Accepts::Clock, Accepts::Format,
+             Accepts::Cover, Accepts::Minimise}};
 }
 
 }  // namespace grafverif::app

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "app/verbs.hpp"
-#include "pipeline/models.hpp"
 #include "conform/test_sequence.hpp"
+#include "pipeline/models.hpp"
 #include "run/replay_test.hpp"
 #include "syntax/print/automaton.hpp"
 #include "syntax/print/test_csv.hpp"
@@ -17,7 +17,8 @@ namespace grafverif::app {
 namespace {
 
 std::string written(const TestSequence& test, const Job& job) {
-    if (job.options.format == Format::Text || job.options.format == Format::Xml) return structured_text_test(test, structured_text_form(job.options));
+    if (job.options.format == Format::Text || job.options.format == Format::Xml)
+        return structured_text_test(test, structured_text_form(job.options));
     std::ostringstream out;
     if (job.options.format == Format::Json) print_test_json(out, test);
     else print_test_csv(out, test);
@@ -30,10 +31,12 @@ ExitCode testgen(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
     const Bounds bounds(job.options, streams);
-    const auto test = chart ? test_of(*model, *chart, conform_options(job.options, bounds.limits()), job.diagnostics) : std::nullopt;
+    const auto test =
+        chart ? test_of(*model, *chart, conform_options(job.options, bounds.limits()), job.diagnostics) : std::nullopt;
     if (!test) return bounds.interrupted() ? ExitCode::Unknown : ExitCode::Input;
     if (const auto wrong = disagreement(model->charts[*chart], *test)) {
-        streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong << '\n';
+        streams.err << "grafverif: internal failure: the test does not pass on the rules of IEC 60848: " << *wrong
+                    << '\n';
         return ExitCode::Failure;
     }
     deliver(written(*test, job), job, streams);
@@ -42,14 +45,22 @@ ExitCode testgen(Job& job, const Streams& streams) {
 }
 
 Verb testgen_usage() {
-    return {"testgen", "FILE", 1, 1, "make a test sequence for the program of a PLC",
-            "Writes inputs to apply and outputs to expect, step by step from power-on, and says on standard error how many steps there\n"
-            "are and whether fewer would do. Each step lasts `cycles` scans of the controller. Constraints of the chart restrict the\n"
+    return {"testgen",
+            "FILE",
+            1,
+            1,
+            "make a test sequence for the program of a PLC",
+            "Writes inputs to apply and outputs to expect, step by step from power-on, and says on standard error how "
+            "many steps there\n"
+            "are and whether fewer would do. Each step lasts `cycles` scans of the controller. Constraints of the "
+            "chart restrict the\n"
             "inputs. The test is run on the rules of IEC 60848 before it is written.\n"
             "Formats: CSV, JSON, Structured Text (IEC 61131-3) alone or in PLCopen XML.",
-            {"grafverif testgen samples/tanks/tanks.grafcet -o tanks.csv", "grafverif testgen samples/tanks/tanks.grafcet --cover evolutions",
+            {"grafverif testgen samples/tanks/tanks.grafcet -o tanks.csv",
+             "grafverif testgen samples/tanks/tanks.grafcet --cover evolutions",
              "grafverif testgen samples/tanks/tanks.grafcet --mode every-cycle --hold one --format json"},
-            {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::FormatTest, Accepts::Cover, Accepts::Minimise, Accepts::Limits}};
+            {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::FormatTest, Accepts::Cover, Accepts::Minimise,
+             Accepts::Limits}};
 }
 
 }  // namespace grafverif::app

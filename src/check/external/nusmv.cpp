@@ -23,7 +23,7 @@ std::unordered_map<std::string, std::vector<std::string_view>> sections(std::str
     for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
         const std::size_t line_end = std::min(text.find('\n', at), text.size());
         std::string_view name = text.substr(at + mark.size(), line_end - at - mark.size());
-        name = name.substr(0, name.find_last_not_of(" \r") + 1);   // `echo` adds a blank
+        name = name.substr(0, name.find_last_not_of(" \r") + 1);  // `echo` adds a blank
         const std::size_t next = text.find(mark, line_end);
         if (next == std::string_view::npos) break;
         found[std::string(name)].push_back(text.substr(line_end, next - line_end));
@@ -99,7 +99,7 @@ private:
 
     bool assign(std::string_view name, std::string_view value) {
         const auto place = places_.find(std::string(name));
-        if (place == places_.end()) return true;   // a definition
+        if (place == places_.end()) return true;  // a definition
         const auto number = value_of(place->second, value);
         if (number) now_[place->second.index] = *number;
         return number.has_value();
@@ -121,7 +121,7 @@ private:
         ToldRun run{std::move(states_), {}};
         if (repeats && loop_ && *loop_ + 1 < run.states.size()) {
             run.loop = loop_;
-            run.states.pop_back();   // it is the state where the loop began
+            run.states.pop_back();  // it is the state where the loop began
         }
         return run;
     }
@@ -205,8 +205,8 @@ struct Question {
 };
 
 /// Fills in what the program answers, if it bears looking at, and returns the run that shows it.
-std::optional<SystemRun> judged(Verdict& verdict, const Answers& answers, const std::string& name, const Question& question,
-                                const ProgramResult& said) {
+std::optional<SystemRun> judged(Verdict& verdict, const Answers& answers, const std::string& name,
+                                const Question& question, const ProgramResult& said) {
     const std::vector<bool> truths = answers.truths_of(name);
     if (truths.size() != 1) {
         if (truths.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
@@ -217,8 +217,8 @@ std::optional<SystemRun> judged(Verdict& verdict, const Answers& answers, const 
     const bool reachable = pattern == Pattern::Reachable;
     verdict.outcome = truths.front() != reachable ? Outcome::Holds : Outcome::Violated;
     if (truths.front()) return {};
-    const bool about_paths = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::RawLtl ||
-                             pattern == Pattern::RawCtl;
+    const bool about_paths = pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo ||
+                             pattern == Pattern::RawLtl || pattern == Pattern::RawCtl;
     const auto told = TraceReader(question.flat, question.spelling).read(answers.section(name), about_paths);
     const std::string why = !told ? "the program shows no run for its verdict"
                                   : doubt(question.system, question.flat, question.property, *told);
@@ -227,7 +227,8 @@ std::optional<SystemRun> judged(Verdict& verdict, const Answers& answers, const 
         return {};
     }
     SystemRun run{{}, told->loop};
-    for (const std::vector<std::int64_t>& state : told->states) run.states.push_back(symbol_values(question.flat, state));
+    for (const std::vector<std::int64_t>& state : told->states)
+        run.states.push_back(symbol_values(question.flat, state));
     return run;
 }
 
@@ -258,7 +259,8 @@ NusmvResult read_nusmv(const TransitionSystem& system, const SystemSpelling& spe
         Verdict verdict = verdict_on({static_cast<std::uint32_t>(index)}, property);
         verdict.states = result.states;
         std::optional<SystemRun> run;
-        if (!totality.empty() && !result.total) undecided(verdict, Obstacle::Faulty, "some reachable state has no step");
+        if (!totality.empty() && !result.total)
+            undecided(verdict, Obstacle::Faulty, "some reachable state has no step");
         else if (totality.empty()) undecided(verdict, obstacle_of(said), failure_of(said));
         else run = judged(verdict, answers, std::to_string(index), {system, flat, spelling, property}, said);
         result.verdicts.push_back(std::move(verdict));

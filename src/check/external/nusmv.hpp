@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "ir/flat_system.hpp"
 #include "grafverif/ir/verdict.hpp"
+#include "ir/flat_system.hpp"
 #include "support/program.hpp"
 
 namespace grafverif {
@@ -22,10 +22,10 @@ std::string nusmv_commands(const std::string& model, const SystemSpelling& spell
                            const std::vector<std::size_t>& properties);
 
 struct NusmvResult {
-    std::vector<Verdict> verdicts = {};                  ///< in the order of `properties`
-    std::vector<std::optional<SystemRun>> runs = {};     ///< per verdict
-    std::string states = {};                             ///< in decimal, where NuSMV says it exactly
-    bool total = false;                                  ///< NuSMV found no reachable state without a step
+    std::vector<Verdict> verdicts = {};               ///< in the order of `properties`
+    std::vector<std::optional<SystemRun>> runs = {};  ///< per verdict
+    std::string states = {};                          ///< in decimal, where NuSMV says it exactly
+    bool total = false;                               ///< NuSMV found no reachable state without a step
 };
 
 /// What the run of those commands says of the properties of `system`. A verdict is unknown (`failed`) where the program

@@ -20,7 +20,7 @@ std::string marked(std::string_view text) {
         result += text[i];
         if (text[i] != escape) continue;
         if (i + 1 == text.size() || text[i + 1] != '[') continue;
-        for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;   // to its final byte
+        for (i += 2; i < text.size() && (text[i] < '@' || text[i] > '~');) ++i;  // to its final byte
     }
     return result;
 }
@@ -47,15 +47,18 @@ std::string first_line(std::string text) {
     return text.substr(begin, std::min(text.find_first_of("\r\n", begin) - begin, longest));
 }
 
-ExternalAnswer undecided(Obstacle obstacle, std::string reason) { return {Outcome::Unknown, obstacle, std::move(reason)}; }
+ExternalAnswer undecided(Obstacle obstacle, std::string reason) {
+    return {Outcome::Unknown, obstacle, std::move(reason)};
+}
 
 /// What a program that did not come to its end has to say.
 std::optional<ExternalAnswer> ended_early(const ProgramResult& result) {
     switch (result.end) {
-    case ProgramResult::End::Exited:        return {};
-    case ProgramResult::End::Signalled:     return undecided(Obstacle::Failed, "verifyta was ended by signal " + std::to_string(result.status));
-    case ProgramResult::End::TimedOut:      return undecided(Obstacle::Stopped, "verifyta was stopped at the time limit");
-    case ProgramResult::End::Stopped:       return undecided(Obstacle::Stopped, "verifyta was stopped");
+    case ProgramResult::End::Exited: return {};
+    case ProgramResult::End::Signalled:
+        return undecided(Obstacle::Failed, "verifyta was ended by signal " + std::to_string(result.status));
+    case ProgramResult::End::TimedOut: return undecided(Obstacle::Stopped, "verifyta was stopped at the time limit");
+    case ProgramResult::End::Stopped: return undecided(Obstacle::Stopped, "verifyta was stopped");
     case ProgramResult::End::TooMuchOutput: return undecided(Obstacle::Failed, "verifyta printed more than is read");
     }
     unreachable();
@@ -105,9 +108,12 @@ void take_back(Verdict& verdict) {
 ExternalAnswer read_verifyta(const ProgramResult& result) {
     if (auto answer = ended_early(result)) return *answer;
     const std::string text = marked(result.out);
-    const std::size_t satisfied = lines(text, "-- Formula is satisfied."), refuted = lines(text, "-- Formula is NOT satisfied.");
-    const std::size_t open = lines(text, "-- Formula MAY be satisfied.") + lines(text, "-- Formula MAY NOT be satisfied.");
-    if (satisfied + refuted + open > 1) return undecided(Obstacle::Disagrees, "engine-disagrees: verifyta gave more than one verdict on one formula");
+    const std::size_t satisfied = lines(text, "-- Formula is satisfied."),
+                      refuted = lines(text, "-- Formula is NOT satisfied.");
+    const std::size_t open =
+        lines(text, "-- Formula MAY be satisfied.") + lines(text, "-- Formula MAY NOT be satisfied.");
+    if (satisfied + refuted + open > 1)
+        return undecided(Obstacle::Disagrees, "engine-disagrees: verifyta gave more than one verdict on one formula");
     if (open == 1) return undecided(Obstacle::Inexact, "verifyta says that the formula may or may not be satisfied");
     if (satisfied + refuted == 1) return {satisfied == 1 ? Outcome::Holds : Outcome::Violated, Obstacle::None, {}};
     std::string said = first_line(marked(result.err));
@@ -115,18 +121,21 @@ ExternalAnswer read_verifyta(const ProgramResult& result) {
     return undecided(Obstacle::Failed, "verifyta gave no verdict: " + said);
 }
 
-std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuestion> questions, const ExternalOptions& options) {
+std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuestion> questions,
+                                    const ExternalOptions& options) {
     const auto asked = [&](const Property& property) {
-        return options.properties.empty() || std::ranges::find(options.properties, property.name) != options.properties.end();
+        return options.properties.empty() ||
+               std::ranges::find(options.properties, property.name) != options.properties.end();
     };
     std::vector<Verdict> verdicts;
-    std::optional<std::size_t> race;   // the verdict on it
+    std::optional<std::size_t> race;  // the verdict on it
     bool stopped = false;
     for (const ExternalQuestion& question : questions) {
         const Property& property = network.properties[question.property];
         if (asks_for_race(network, question)) race = verdicts.size();
         else if (!asked(property)) continue;
-        verdicts.push_back(stopped ? unasked(verdict_on(network, question)) : ask(verdict_on(network, question), question, options));
+        verdicts.push_back(stopped ? unasked(verdict_on(network, question))
+                                   : ask(verdict_on(network, question), question, options));
         stopped = stopped || verdicts.back().obstacle == Obstacle::Stopped;
     }
     if (network.race.valid() && (!race || verdicts[*race].outcome != Outcome::Holds))

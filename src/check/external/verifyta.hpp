@@ -23,20 +23,20 @@ namespace grafverif {
 /// A formula for the program, and whose it is.
 struct ExternalQuestion {
     Id<Property> property = {};
-    std::string name = {};       ///< of the verdict: the property's, or `S.X7` of one that expands
-    std::string formula = {};    ///< empty: the language of the program cannot say it
-    std::string reason = {};     ///< why it cannot
+    std::string name = {};     ///< of the verdict: the property's, or `S.X7` of one that expands
+    std::string formula = {};  ///< empty: the language of the program cannot say it
+    std::string reason = {};   ///< why it cannot
 };
 
 struct ExternalOptions {
-    std::vector<std::string> properties = {};   ///< names; empty: all
+    std::vector<std::string> properties = {};  ///< names; empty: all
     /// Runs the program on the model and this formula.
     std::function<ProgramResult(const std::string& formula)> run = {};
 };
 
 /// The answer in what verifyta printed about one formula.
 struct ExternalAnswer {
-    Outcome outcome = Outcome::Unknown;   ///< Holds: satisfied
+    Outcome outcome = Outcome::Unknown;  ///< Holds: satisfied
     Obstacle obstacle = Obstacle::None;
     std::string reason = {};
     bool operator==(const ExternalAnswer&) const = default;
@@ -46,6 +46,7 @@ ExternalAnswer read_verifyta(const ProgramResult& result);
 /// A verdict per question, in order, without runs; `no timelock`, which no formula of UPPAAL says, as an unknown one at
 /// the end where the model does not declare it. Where stored actions may race, nothing that verifyta proves is taken
 /// for proven unless it proves `no_race` too.
-std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuestion> questions, const ExternalOptions& options);
+std::vector<Verdict> check_verifyta(const Network& network, std::span<const ExternalQuestion> questions,
+                                    const ExternalOptions& options);
 
 }  // namespace grafverif

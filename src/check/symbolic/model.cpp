@@ -51,8 +51,8 @@ private:
             open.pop_back();
             const Expr& node = flat_.exprs[term];
             if (is_constant(node.op) || vertex_[term.index] != none) continue;
-            vertex_[term.index] =
-                node.op == Op::Variable ? static_cast<std::uint32_t>(node.value) : static_cast<std::uint32_t>(vertices_++);
+            vertex_[term.index] = node.op == Op::Variable ? static_cast<std::uint32_t>(node.value)
+                                                          : static_cast<std::uint32_t>(vertices_++);
             for (const Id<Expr> operand : flat_.exprs.operands(term)) open.push_back(operand);
             if (node.op != Op::Variable) operators_.push_back(term);
         }
@@ -67,7 +67,7 @@ private:
     const FlatSystem& flat_;
     std::size_t variables_ = 0;
     std::size_t vertices_ = variables_;
-    std::vector<std::uint32_t> vertex_ = {};   ///< per term
+    std::vector<std::uint32_t> vertex_ = {};  ///< per term
     std::vector<Id<Expr>> operators_ = {};
     std::vector<ForceEdge> edges_ = {};
 };
@@ -77,7 +77,7 @@ std::vector<Id<FlatSystem::Variable>> variable_order(const FlatSystem& flat) { r
 
 using Variable = FlatSystem::Variable;
 
-Bdd together(std::vector<Bdd> operands) {   // in pairs, so that no operand is much larger than its partner
+Bdd together(std::vector<Bdd> operands) {  // in pairs, so that no operand is much larger than its partner
     if (operands.empty()) return Bdd::constant(true);
     for (; operands.size() > 1; operands.resize((operands.size() + 1) / 2))
         for (std::size_t i = 0; i < operands.size(); i += 2)
@@ -95,7 +95,8 @@ StateSpace::StateSpace(const FlatSystem& flat, BddSpace& space) : flat_(flat), s
 }
 
 BddTerms StateSpace::terms() const {
-    return {flat_.exprs, [this](const Expr& leaf) { return term_of(space_, words_[static_cast<std::size_t>(leaf.value)]); }};
+    return {flat_.exprs,
+            [this](const Expr& leaf) { return term_of(space_, words_[static_cast<std::size_t>(leaf.value)]); }};
 }
 
 void StateSpace::add_words() {
@@ -145,7 +146,8 @@ void StateSpace::add_steps(BddTerms& terms) {
         const Bdd leak = ~within(next, variable.type.low, variable.type.high);
         if (!leak.is_false()) leaks_.push_back({id, leak});
         const std::vector<Bdd> bits = word_bits(next, variable.type);
-        for (std::size_t place = 0; place < bits.size(); ++place) next_bits.push_back({words_[id.index].bits[place], bits[place]});
+        for (std::size_t place = 0; place < bits.size(); ++place)
+            next_bits.push_back({words_[id.index].bits[place], bits[place]});
     }
     relation_.emplace(space_, std::move(next_bits), offered_);
     std::vector<std::uint32_t> gone = state_bits_;

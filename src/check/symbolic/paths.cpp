@@ -18,15 +18,15 @@ bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const B
 std::vector<State> shortest_path(const StateSpace& model, const bdd::Rings& rings, const Bdd& goal) {
     const std::optional<std::size_t> nearest = rings.nearest(goal);
     if (!nearest) return {};
-    return bdd::path_back(*nearest, model.pick(rings.each[*nearest] & goal, {}), [&](std::size_t ring, const State& next) {
-        return model.pick(model.preimage(model.only(next)) & rings.each[ring], next);
-    });
+    return bdd::path_back(*nearest, model.pick(rings.each[*nearest] & goal, {}),
+                          [&](std::size_t ring, const State& next) {
+                              return model.pick(model.preimage(model.only(next)) & rings.each[ring], next);
+                          });
 }
 
 Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal) {
     Bdd result = within & goal;
-    for (Bdd latest = result; !latest.is_false(); result |= latest)
-        latest = model.preimage(latest) & within & ~result;
+    for (Bdd latest = result; !latest.is_false(); result |= latest) latest = model.preimage(latest) & within & ~result;
     return result;
 }
 
@@ -35,8 +35,7 @@ Bdd can_stay(const StateSpace& model, const Bdd& within, const std::vector<Bdd>&
     for (;;) {
         const Bdd before = result;
         result &= model.preimage(result);
-        for (const Bdd& each : justice)
-            result &= model.preimage(can_reach(model, result, each));
+        for (const Bdd& each : justice) result &= model.preimage(can_reach(model, result, each));
         if (result == before) return result;
     }
 }
@@ -64,7 +63,9 @@ Path stay(const StateSpace& model, const State& first, const Bdd& staying, const
     for (;;) {
         const std::size_t start = path.states.size() - 1;
         const State origin = path.states.back();
-        const auto around_last = [&](const Bdd& goal) { return rings_to(model, model.image(model.only(path.states.back())), staying, goal); };
+        const auto around_last = [&](const Bdd& goal) {
+            return rings_to(model, model.image(model.only(path.states.back())), staying, goal);
+        };
         for (const Bdd& each : justice) {
             const bool met = std::any_of(path.states.begin() + static_cast<std::ptrdiff_t>(start), path.states.end(),
                                          [&](const State& state) { return evaluate(each, state); });

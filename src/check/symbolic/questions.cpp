@@ -22,13 +22,17 @@ std::string refusal(Pattern pattern) {
     switch (pattern) {
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock: return "an untimed model has no deadlock and no time to lock";
-    case Pattern::RawUppaal:  return "UPPAAL's formulas are decided by UPPAAL only";
-    case Pattern::RawCtl:     return "CTL formulas of NuSMV are decided by NuSMV and nuXmv only";
-    case Pattern::RawLtl:     return "LTL formulas of NuSMV are decided by NuSMV and nuXmv only";
+    case Pattern::RawUppaal: return "UPPAAL's formulas are decided by UPPAAL only";
+    case Pattern::RawCtl: return "CTL formulas of NuSMV are decided by NuSMV and nuXmv only";
+    case Pattern::RawLtl: return "LTL formulas of NuSMV are decided by NuSMV and nuXmv only";
     case Pattern::ReachableAllSteps: return "it is asked step by step";
-    case Pattern::Always: case Pattern::Never: case Pattern::Reachable: case Pattern::Inevitable: case Pattern::LeadsTo:
-    case Pattern::ExactlyOneOf: case Pattern::AlwaysPossible:
-        return {};
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::Reachable:
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo:
+    case Pattern::ExactlyOneOf:
+    case Pattern::AlwaysPossible: return {};
     }
     unreachable();
 }
@@ -72,17 +76,19 @@ void Questions::ask(Id<Property> about) {
 
 std::vector<Found> Questions::answers(const StateSpace* model, const Search& search, const SymbolicOptions& options) {
     std::vector<Found> all;
-    Obstacle obstacle = model == nullptr ? search.obstacle : Obstacle::None;   // met by every question to come
+    Obstacle obstacle = model == nullptr ? search.obstacle : Obstacle::None;  // met by every question to come
     std::string reason = search.reason;
     for (const Question& question : questions_) {
         Found found{verdict_on(question.about, of(question)), {}};
         const auto exhausted = [&](Obstacle what, std::string why) {
             unknown(found.verdict, what, why);
-            if (what != Obstacle::Stopped) return;   // with less to do, the memory may do
+            if (what != Obstacle::Stopped) return;  // with less to do, the memory may do
             obstacle = what;
             reason = std::move(why);
         };
-        const auto no_memory = [&] { return "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up"; };
+        const auto no_memory = [&] {
+            return "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up";
+        };
         try {
             if (obstacle == Obstacle::None) found = answer(question, *model, search);
             else unknown(found.verdict, obstacle, reason);
@@ -183,7 +189,10 @@ Path Questions::lasso(const StateSpace& model, const Search& search, const Bdd& 
 void Questions::mark_vacuous(Verdict& verdict, const Question& question, const Sets& sets, const StateSpace& model,
                              const Search& search) {
     const Property& property = of(question);
-    const auto vacuous = [&](const char* why) { verdict.vacuous = true; verdict.notes.emplace_back(why); };
+    const auto vacuous = [&](const char* why) {
+        verdict.vacuous = true;
+        verdict.notes.emplace_back(why);
+    };
     const bool universal = property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
                            property.pattern == Pattern::ExactlyOneOf;
     if (universal && property.at_stable) {

@@ -13,7 +13,7 @@ namespace grafverif::symbolic {
 /// What a search of the reachable states came to.
 struct Search {
     bdd::Rings rings = {};
-    Obstacle obstacle = Obstacle::None;   ///< None: all are reached
+    Obstacle obstacle = Obstacle::None;  ///< None: all are reached
     std::string reason = {};
 };
 
@@ -35,20 +35,22 @@ public:
 private:
     struct Question {
         Id<Property> about = {};
-        std::vector<Id<Expr>> operands = {};   ///< over the variables of the flat system, `at stable` resolved
+        std::vector<Id<Expr>> operands = {};  ///< over the variables of the flat system, `at stable` resolved
     };
     /// The sets of states that a question is about.
     struct Sets {
         std::vector<Bdd> operands = {};
-        bool undefined = false;   ///< some operand has no value in some reachable state
+        bool undefined = false;  ///< some operand has no value in some reachable state
     };
 
     const Property& of(const Question& question) const { return system_.properties[question.about]; }
     Id<Expr> settled_and(const Property& property, Id<Expr> operand);
     Id<Expr> exactly_one(const std::vector<Id<Expr>>& operands);
     Found answer(const Question& question, const StateSpace& model, const Search& search);
-    void answer_state(Found& found, const Question& question, const Sets& sets, const StateSpace& model, const Search& search);
-    void answer_paths(Found& found, const Question& question, const Sets& sets, const StateSpace& model, const Search& search);
+    void answer_state(Found& found, const Question& question, const Sets& sets, const StateSpace& model,
+                      const Search& search);
+    void answer_paths(Found& found, const Question& question, const Sets& sets, const StateSpace& model,
+                      const Search& search);
     Sets sets(const Question& question, const StateSpace& model, const Search& search) const;
     Path lasso(const StateSpace& model, const Search& search, const Bdd& from, const Bdd& staying) const;
     void mark_vacuous(Verdict& verdict, const Question& question, const Sets& sets, const StateSpace& model,
@@ -61,7 +63,7 @@ private:
     std::vector<Question> questions_ = {};
     bool prepared_ = false;
     std::vector<Bdd> justice_ = {};
-    Bdd fair_ = {};   ///< reachable states from which a fair run starts
+    Bdd fair_ = {};  ///< reachable states from which a fair run starts
 };
 
 }  // namespace grafverif::symbolic

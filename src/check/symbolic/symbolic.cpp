@@ -68,7 +68,7 @@ private:
     void count_states(const StateSpace& model) {
         try {
             result_.states = count(search_.rings.reached, model.state_bits());
-        } catch (const BddExhausted&) {   // then nobody knows
+        } catch (const BddExhausted&) {  // then nobody knows
         }
     }
 

@@ -22,32 +22,32 @@
 #include <string>
 #include <vector>
 
-#include "ir/flat_system.hpp"
 #include "grafverif/ir/verdict.hpp"
+#include "ir/flat_system.hpp"
 
 namespace grafverif {
 
 struct SymbolicProgress {
-    std::size_t depth = 0;       ///< steps from the initial states so far
+    std::size_t depth = 0;  ///< steps from the initial states so far
     std::uint64_t bytes = 0;
     double seconds = 0;
 };
 
 struct SymbolicOptions {
-    std::vector<std::string> properties = {};             ///< names; empty: all
-    std::uint64_t max_memory = std::uint64_t{2} << 30U;   ///< bytes, for decision diagrams
+    std::vector<std::string> properties = {};            ///< names; empty: all
+    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes, for decision diagrams
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;              ///< set by somebody else: end with what is known
-    std::function<void(const SymbolicProgress&)> progress = {};   ///< called after every step of the search
+    const std::atomic<bool>* stop = nullptr;                     ///< set by somebody else: end with what is known
+    std::function<void(const SymbolicProgress&)> progress = {};  ///< called after every step of the search
 };
 
 struct SymbolicResult {
-    std::vector<Verdict> verdicts = {};                     ///< in the order of the properties
-    std::vector<std::optional<SystemRun>> runs = {};        ///< per verdict: counterexample, or witness of `reachable`
+    std::vector<Verdict> verdicts = {};               ///< in the order of the properties
+    std::vector<std::optional<SystemRun>> runs = {};  ///< per verdict: counterexample, or witness of `reachable`
     std::optional<SystemFault> fault = {};
-    std::string states = {};     ///< the number of reachable states, exactly, in decimal; empty: not all were reached
-    std::size_t depth = 0;       ///< steps from the initial states to the farthest
-    std::uint64_t bytes = 0;     ///< most memory held at once
+    std::string states = {};  ///< the number of reachable states, exactly, in decimal; empty: not all were reached
+    std::size_t depth = 0;    ///< steps from the initial states to the farthest
+    std::uint64_t bytes = 0;  ///< most memory held at once
     double seconds = 0;
 };
 

@@ -27,7 +27,8 @@ std::string text_of(Obstacle ended, const Graph& graph, const Limits& limits) {
     const std::string states = std::to_string(graph.states()) + " states";
     if (ended == Obstacle::Bound) return "the bound is reached: " + states;
     if (ended == Obstacle::Memory && !limits.allowed_used()) return "there is no more memory after " + states;
-    if (ended == Obstacle::Memory) return "the memory allowed, " + std::to_string(limits.max_memory() >> 20U) + " MiB, is used up after " + states;
+    if (ended == Obstacle::Memory)
+        return "the memory allowed, " + std::to_string(limits.max_memory() >> 20U) + " MiB, is used up after " + states;
     return "stopped after " + states;
 }
 
@@ -36,7 +37,8 @@ std::string text_of(const ModelError& error, const Network& network) {
     const Network::Process& process = network.processes[error.process];
     const Network::Template& automaton = network.templates[process.automaton];
     const Network::Edge& edge = automaton.edges[error.edge];
-    const std::string place = "edge `" + automaton.locations[edge.from].name + " -> " + automaton.locations[edge.to].name + "` of `" + process.name + "`";
+    const std::string place = "edge `" + automaton.locations[edge.from].name + " -> " +
+                              automaton.locations[edge.to].name + "` of `" + process.name + "`";
     if (error.kind == ModelError::Kind::NoValue) return place + " divides by zero";
     return place + " takes `" + network.variables[error.variable].name + "` out of its range";
 }
@@ -60,15 +62,18 @@ Lasso without_time(Graph& graph, std::uint32_t state) {
 
 }  // namespace
 
-std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors, const Limits& limits) {
-    if (ended == Obstacle::Unsupported) outcomes_ = {ended, "a state of this model takes more memory than the timed engine can address"};
+std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors,
+                                        const Limits& limits) {
+    if (ended == Obstacle::Unsupported)
+        outcomes_ = {ended, "a state of this model takes more memory than the timed engine can address"};
     else if (ended != Obstacle::None) outcomes_ = {ended, text_of(ended, graph, limits)};
     else if (!errors.empty()) outcomes_ = {Obstacle::Faulty, text_of(errors.front(), network_)};
     else if (inexact_) outcomes_ = {Obstacle::Inexact, inexact_reason()};
     std::vector<Verdict> verdicts;
     for (Question& question : questions_) {
         try {
-            if (question.verdict.obstacle == Obstacle::None && graph.states() == 0) unknown(question.verdict, ended, outcomes_.reason);
+            if (question.verdict.obstacle == Obstacle::None && graph.states() == 0)
+                unknown(question.verdict, ended, outcomes_.reason);
             if (question.verdict.obstacle == Obstacle::None) answer(question, graph, limits);
         } catch (const Limits::Stop&) {
             unknown(question.verdict, Obstacle::Stopped, "stopped");
@@ -85,13 +90,19 @@ std::string Questions::inexact_reason() const { return "integer time is not exac
 
 void Questions::answer(Question& question, Graph& graph, const Limits& limits) {
     switch (question.property->pattern) {
-    case Pattern::Always: case Pattern::Never: case Pattern::ExactlyOneOf:
-    case Pattern::Reachable: case Pattern::ReachableAllSteps: return answer_state(question, graph);
-    case Pattern::Inevitable: case Pattern::LeadsTo: return answer_liveness(question, graph, limits);
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::ExactlyOneOf:
+    case Pattern::Reachable:
+    case Pattern::ReachableAllSteps: return answer_state(question, graph);
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo: return answer_liveness(question, graph, limits);
     case Pattern::NoDeadlock: return answer_deadlock(question, graph, limits);
     case Pattern::NoTimelock: return answer_timelock(question, graph, limits);
     case Pattern::AlwaysPossible: return answer_possible(question, graph, limits);
-    case Pattern::RawUppaal: case Pattern::RawCtl: case Pattern::RawLtl: break;
+    case Pattern::RawUppaal:
+    case Pattern::RawCtl:
+    case Pattern::RawLtl: break;
     }
     unreachable();
 }
@@ -110,13 +121,15 @@ void Questions::answer_state(Question& question, Graph& graph) const {
         if (wanted) question.verdict.outcome = Outcome::Holds;
         return;
     }
-    if (watch_.broken(question.watch)) return unknown(question.verdict, Obstacle::Faulty, "an operand divides by zero in some state");
+    if (watch_.broken(question.watch))
+        return unknown(question.verdict, Obstacle::Faulty, "an operand divides by zero in some state");
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (wanted && question.verdict.outcome == Outcome::Holds) question.verdict.outcome = Outcome::Violated;
 }
 
 /// The states where `predicate` holds; nothing, and the verdict unknown, where it has no value in some state.
-std::optional<StateSet> Questions::states_where(Question& question, Graph& graph, std::uint32_t predicate, const Limits& limits) const {
+std::optional<StateSet> Questions::states_where(Question& question, Graph& graph, std::uint32_t predicate,
+                                                const Limits& limits) const {
     StateSet set(graph.states());
     for (std::uint32_t state = 0; state < graph.states(); ++state) {
         limits.poll();
@@ -185,7 +198,8 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
     const auto restless = out_of_reach(graph, calm, Transitions::UrgentActions, limits);
     if (!restless) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (!restless->empty())
-        unknown(question.verdict, Obstacle::Inexact, "in some state no urgent edges lead to one where time may pass; only edges that wait do");
+        unknown(question.verdict, Obstacle::Inexact,
+                "in some state no urgent edges lead to one where time may pass; only edges that wait do");
 }
 
 void Questions::answer_possible(Question& question, Graph& graph, const Limits& limits) {
@@ -198,12 +212,16 @@ void Questions::answer_possible(Question& question, Graph& graph, const Limits& 
     if (!lost->empty()) return violated(question.verdict, graph.run_to(lost->front()));
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (question.verdict.outcome == Outcome::Holds && machine_.timed())
-        unknown(question.verdict, Obstacle::Inexact, "integer time says nothing of the states between two ticks; `--untimed` decides it of a model without time");
+        unknown(question.verdict, Obstacle::Inexact,
+                "integer time says nothing of the states between two ticks; `--untimed` decides it of a model without "
+                "time");
 }
 
 void Questions::holds_if_dense(Question& question, Graph& graph, const std::optional<UncoveredAt>& bound) const {
-    if (outcomes_.obstacle != Obstacle::None || !bound) return holds_unless(question, outcomes_.obstacle, outcomes_.reason);
-    unknown(question.verdict, Obstacle::Inexact, "a time-lock may hide between the ticks at " + place_of(graph, *bound));
+    if (outcomes_.obstacle != Obstacle::None || !bound)
+        return holds_unless(question, outcomes_.obstacle, outcomes_.reason);
+    unknown(question.verdict, Obstacle::Inexact,
+            "a time-lock may hide between the ticks at " + place_of(graph, *bound));
 }
 
 std::string Questions::place_of(Graph& graph, const UncoveredAt& at) const {
@@ -213,19 +231,25 @@ std::string Questions::place_of(Graph& graph, const UncoveredAt& at) const {
     const Network::Location& place = automaton.locations[{static_cast<std::uint32_t>(location)}];
     const Network::ClockConstraint& bound = place.invariant[at.bound.bound];
     const std::string clock = automaton.clocks[bound.clock].name;
-    return "`" + process.name + "." + place.name + "`: no edge that waits for `" + clock + "` alone can end the stay at `" + clock +
-           " == " + std::to_string(admitted(network_, bound).high) + "`";
+    return "`" + process.name + "." + place.name + "`: no edge that waits for `" + clock +
+           "` alone can end the stay at `" + clock + " == " + std::to_string(admitted(network_, bound).high) + "`";
 }
 
 void Questions::mark_vacuous(Question& question, const Graph& graph) const {
     Verdict& verdict = question.verdict;
     const Pattern pattern = question.property->pattern;
-    const auto vacuous = [&](const char* why) { verdict.vacuous = true; verdict.notes.emplace_back(why); };
-    if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps || pattern == Pattern::NoTimelock) return;
+    const auto vacuous = [&](const char* why) {
+        verdict.vacuous = true;
+        verdict.notes.emplace_back(why);
+    };
+    if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps || pattern == Pattern::NoTimelock)
+        return;
     if (!graph.time_passes) vacuous("time stands still in this model");
-    if (pattern == Pattern::LeadsTo && watch_.found(question.watch) == Watch::none) vacuous("the left side never holds");
+    if (pattern == Pattern::LeadsTo && watch_.found(question.watch) == Watch::none)
+        vacuous("the left side never holds");
     const bool universal = pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
-    if (universal && question.at_stable && watch_.found(settled_watch_) == Watch::none) vacuous("no state is ever settled");
+    if (universal && question.at_stable && watch_.found(settled_watch_) == Watch::none)
+        vacuous("no state is ever settled");
 }
 
 }  // namespace grafverif::timed

@@ -20,7 +20,7 @@ constexpr std::uint32_t none = Store::none;
 /// The states reached outside `met`, in the order of the walk, and where each was reached from (a root: from itself).
 struct Walk {
     Column<std::uint32_t> order = {};
-    Column<std::uint32_t> from = {};   // per state of the graph; none: not reached
+    Column<std::uint32_t> from = {};  // per state of the graph; none: not reached
 
     bool has(std::uint32_t state) const { return from[state] != none; }
 };
@@ -43,7 +43,8 @@ Walk walk(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& r
             });
         }
         const std::uint32_t end = depth + 1 < graph.levels.size() ? graph.levels[depth + 1] : none;
-        for (; next_root < roots.size() && roots[next_root] < end; ++next_root) reach(roots[next_root], roots[next_root]);
+        for (; next_root < roots.size() && roots[next_root] < end; ++next_root)
+            reach(roots[next_root], roots[next_root]);
     }
     return walk;
 }
@@ -65,8 +66,8 @@ private:
     struct Frame {
         std::uint32_t state = 0;
         std::uint32_t low = 0;
-        std::uint32_t first = 0;   // in successors_, where its own end at the top
-        bool loops = false;        // an edge to itself
+        std::uint32_t first = 0;  // in successors_, where its own end at the top
+        bool loops = false;       // an edge to itself
     };
 
     void enter(std::uint32_t state) {

@@ -12,8 +12,8 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::uint32_t largest_tree = 4096;   // above it a term is evaluated in its shared form
-constexpr double largest_value = 4.0e18;       // bounds above it may overflow
+constexpr std::uint32_t largest_tree = 4096;  // above it a term is evaluated in its shared form
+constexpr double largest_value = 4.0e18;      // bounds above it may overflow
 
 Id<Network::Variable> variable_of(const Expr& node) { return {static_cast<std::uint32_t>(node.value)}; }
 
@@ -29,20 +29,23 @@ std::optional<Shifted> shifted(const Exprs& exprs, Id<Expr> term) {
     if (node.op != Op::Plus && node.op != Op::Minus) return {};
     const Expr& left = exprs[exprs.operands(term)[0]];
     const Expr& right = exprs[exprs.operands(term)[1]];
-    const auto small = [](const Expr& number) { return number.op == Op::Integer && std::abs(number.value) < (std::int64_t{1} << 40); };
+    const auto small = [](const Expr& number) {
+        return number.op == Op::Integer && std::abs(number.value) < (std::int64_t{1} << 40);
+    };
     if (left.op == Op::Variable && small(right))
         return Shifted{variable_of(left).index, node.op == Op::Plus ? right.value : -right.value};
-    if (node.op == Op::Plus && small(left) && right.op == Op::Variable) return Shifted{variable_of(right).index, left.value};
+    if (node.op == Op::Plus && small(left) && right.op == Op::Variable)
+        return Shifted{variable_of(right).index, left.value};
     return {};
 }
 
 Op mirrored(Op op) {
     switch (op) {
-    case Op::Less:         return Op::Greater;
-    case Op::LessEqual:    return Op::GreaterEqual;
-    case Op::Greater:      return Op::Less;
+    case Op::Less: return Op::Greater;
+    case Op::LessEqual: return Op::GreaterEqual;
+    case Op::Greater: return Op::Less;
     case Op::GreaterEqual: return Op::LessEqual;
-    default:               return op;
+    default: return op;
     }
 }
 
@@ -80,21 +83,37 @@ Compiler::Facts Compiler::facts_of(Id<Expr> term) const {
     case Op::Plus: bound(in[0].low + in[1].low, in[0].high + in[1].high); break;
     case Op::Minus: bound(in[0].low - in[1].high, in[0].high - in[1].low); break;
     case Op::Times: {
-        const auto [least, most] = std::minmax({in[0].low * in[1].low, in[0].low * in[1].high, in[0].high * in[1].low, in[0].high * in[1].high});
+        const auto [least, most] = std::minmax(
+            {in[0].low * in[1].low, in[0].low * in[1].high, in[0].high * in[1].low, in[0].high * in[1].high});
         bound(least, most);
         break;
     }
-    case Op::Divide: case Op::Modulo: {
+    case Op::Divide:
+    case Op::Modulo: {
         const double most = std::max(std::abs(in[0].low), std::abs(in[0].high));
         bound(-most, most);
         facts.fallible = facts.fallible || (in[1].low <= 0 && in[1].high >= 0);
         break;
     }
     case Op::Conditional: bound(std::min(in[1].low, in[2].low), std::max(in[1].high, in[2].high)); break;
-    case Op::False: case Op::True: case Op::Duration: case Op::Step: case Op::Timed: case Op::Parameter: case Op::At:
-    case Op::Not: case Op::And: case Op::Or: case Op::Rise: case Op::Fall:
-    case Op::Equal: case Op::NotEqual: case Op::Less: case Op::LessEqual: case Op::Greater: case Op::GreaterEqual:
-        break;
+    case Op::False:
+    case Op::True:
+    case Op::Duration:
+    case Op::Step:
+    case Op::Timed:
+    case Op::Parameter:
+    case Op::At:
+    case Op::Not:
+    case Op::And:
+    case Op::Or:
+    case Op::Rise:
+    case Op::Fall:
+    case Op::Equal:
+    case Op::NotEqual:
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Greater:
+    case Op::GreaterEqual: break;
     }
     return facts;
 }
@@ -108,7 +127,9 @@ void Compiler::reserve(std::uint32_t reg) { program_.registers = std::max<std::s
 
 std::optional<Compiler::Literal> Compiler::literal(Id<Expr> term) const {
     const Expr& node = network_.exprs[term];
-    const auto of = [](const Field& field, std::int64_t value) { return Literal{field.word, field.mask(), field.width == 0 ? 0 : field.placed(value)}; };
+    const auto of = [](const Field& field, std::int64_t value) {
+        return Literal{field.word, field.mask(), field.width == 0 ? 0 : field.placed(value)};
+    };
     if (node.op == Op::Variable && network_.variables[variable_of(node)].type == Type{})
         return of(layout_.variables[variable_of(node).index], 1);
     if (node.op == Op::At) return of(layout_.locations[at_process(node)], at_location(node));
@@ -129,13 +150,19 @@ std::optional<Compiler::Literal> Compiler::literal(Id<Expr> term) const {
 }
 
 std::uint32_t Compiler::test(const Literal& literal, std::uint32_t yes, std::uint32_t no) {
-    return emit({.mask = literal.mask, .value = literal.value, .yes = yes, .no = no, .word = literal.word, .op = Do::Test});
+    return emit(
+        {.mask = literal.mask, .value = literal.value, .yes = yes, .no = no, .word = literal.word, .op = Do::Test});
 }
 
 std::uint32_t Compiler::load(const Field& field, std::uint32_t to, std::uint32_t next) {
     reserve(to);
-    return emit({.mask = field.mask(), .value = static_cast<Word>(field.low), .yes = next, .to = to, .word = field.word,
-                 .shift = field.shift, .op = Do::Load});
+    return emit({.mask = field.mask(),
+                 .value = static_cast<Word>(field.low),
+                 .yes = next,
+                 .to = to,
+                 .word = field.word,
+                 .shift = field.shift,
+                 .op = Do::Load});
 }
 
 std::uint32_t Compiler::condition(Id<Expr> term, std::uint32_t yes, std::uint32_t no) {
@@ -152,15 +179,23 @@ std::uint32_t Compiler::assignment(Id<Network::Variable> target, Id<Expr> value,
     const Type& type = network_.variables[target].type;
     const Op op = network_.exprs[value].op;
     if (type == Type{} && facts_[value.index].tree <= largest_tree) {
-        const std::uint32_t set = emit({.mask = ~Word{0}, .value = field.mask(), .yes = next, .word = field.word, .op = Do::Patch});
+        const std::uint32_t set =
+            emit({.mask = ~Word{0}, .value = field.mask(), .yes = next, .word = field.word, .op = Do::Patch});
         const std::uint32_t clear = emit({.mask = ~field.mask(), .yes = next, .word = field.word, .op = Do::Patch});
         return boolean(value, set, clear, 0);
     }
     const std::int64_t constant = network_.exprs[value].value;
     if (op == Op::Integer && type.low <= constant && constant <= type.high && field.width != 0)
-        return emit({.mask = ~field.mask(), .value = field.placed(constant), .yes = next, .word = field.word, .op = Do::Patch});
-    const std::uint32_t store = emit({.mask = field.mask(), .value = static_cast<Word>(type.low), .span = static_cast<Word>(type.high - type.low),
-                                      .yes = next, .to = target.index, .word = field.word, .shift = field.shift, .op = Do::Store});
+        return emit(
+            {.mask = ~field.mask(), .value = field.placed(constant), .yes = next, .word = field.word, .op = Do::Patch});
+    const std::uint32_t store = emit({.mask = field.mask(),
+                                      .value = static_cast<Word>(type.low),
+                                      .span = static_cast<Word>(type.high - type.low),
+                                      .yes = next,
+                                      .to = target.index,
+                                      .word = field.word,
+                                      .shift = field.shift,
+                                      .op = Do::Store});
     if (facts_[value.index].tree <= largest_tree && !type.boolean) return integer(value, 0, store);
     std::uint32_t result = 0;
     const std::uint32_t start = eager(value, store, result);
@@ -173,22 +208,41 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     const auto operands = network_.exprs.operands(term);
     if (const auto bits = literal(term)) return test(*bits, yes, no);
     switch (node.op) {
-    case Op::True:  return yes;
+    case Op::True: return yes;
     case Op::False: return no;
-    case Op::Not:   return boolean(operands[0], no, yes, base);
-    case Op::And: case Op::Or: return junction(term, yes, no, base);
+    case Op::Not: return boolean(operands[0], no, yes, base);
+    case Op::And:
+    case Op::Or: return junction(term, yes, no, base);
     case Op::Conditional: {
         const std::uint32_t then = boolean(operands[1], yes, no, base);
         return boolean(operands[0], then, boolean(operands[2], yes, no, base), base);
     }
-    case Op::Equal: case Op::NotEqual: case Op::Less: case Op::LessEqual: case Op::Greater: case Op::GreaterEqual:
-        return comparison(term, yes, no, base);
-    case Op::Variable:   // a Boolean whose type is no plain one
-        return emit({.mask = layout_.variables[variable_of(node).index].mask(), .yes = no, .no = yes,
-                     .word = layout_.variables[variable_of(node).index].word, .op = Do::Test});
-    case Op::Integer: case Op::Duration: case Op::Step: case Op::Timed: case Op::Parameter: case Op::At: case Op::Rise:
-    case Op::Fall: case Op::Negate: case Op::Plus: case Op::Minus: case Op::Times: case Op::Divide: case Op::Modulo:
-        break;
+    case Op::Equal:
+    case Op::NotEqual:
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Greater:
+    case Op::GreaterEqual: return comparison(term, yes, no, base);
+    case Op::Variable:  // a Boolean whose type is no plain one
+        return emit({.mask = layout_.variables[variable_of(node).index].mask(),
+                     .yes = no,
+                     .no = yes,
+                     .word = layout_.variables[variable_of(node).index].word,
+                     .op = Do::Test});
+    case Op::Integer:
+    case Op::Duration:
+    case Op::Step:
+    case Op::Timed:
+    case Op::Parameter:
+    case Op::At:
+    case Op::Rise:
+    case Op::Fall:
+    case Op::Negate:
+    case Op::Plus:
+    case Op::Minus:
+    case Op::Times:
+    case Op::Divide:
+    case Op::Modulo: break;
     }
     unreachable();
 }
@@ -203,10 +257,16 @@ std::uint32_t Compiler::junction(Id<Expr> term, std::uint32_t yes, std::uint32_t
     for (const Id<Expr> operand : operands) {
         auto bits = fallible(term) ? std::nullopt : literal(operand);
         const bool usable = bits && (conjunction || std::has_single_bit(bits->mask));
-        if (!usable) { others.push_back(operand); continue; }
+        if (!usable) {
+            others.push_back(operand);
+            continue;
+        }
         if (!conjunction) bits->value ^= bits->mask;
         const auto same = std::ranges::find(words, bits->word, &Literal::word);
-        if (same == words.end()) { words.push_back(*bits); continue; }
+        if (same == words.end()) {
+            words.push_back(*bits);
+            continue;
+        }
         contradiction = contradiction || ((same->value ^ bits->value) & same->mask & bits->mask) != 0;
         same->mask |= bits->mask;
         same->value |= bits->value;
@@ -229,15 +289,23 @@ std::uint32_t Compiler::comparison(Id<Expr> term, std::uint32_t yes, std::uint32
     const auto is_boolean = [&](Id<Expr> id) {
         while (exprs[id].op == Op::Conditional) id = exprs.operands(id)[1];
         const Op kind = exprs[id].op;
-        return kind == Op::Variable ? network_.variables[variable_of(exprs[id])].type.boolean : kind != Op::Integer && !is_arithmetic(kind);
+        return kind == Op::Variable ? network_.variables[variable_of(exprs[id])].type.boolean
+                                    : kind != Op::Integer && !is_arithmetic(kind);
     };
-    if (op == Op::NotEqual) { op = Op::Equal; std::swap(yes, no); }
+    if (op == Op::NotEqual) {
+        op = Op::Equal;
+        std::swap(yes, no);
+    }
     if (op == Op::Equal && is_boolean(left) && is_boolean(right)) {
         const std::uint32_t same = boolean(right, yes, no, base);
         return boolean(left, same, boolean(right, no, yes, base), base);
     }
-    if (exprs[left].op == Op::Integer) { std::swap(left, right); op = mirrored(op); }
-    if (const auto side = shifted(exprs, left); side && exprs[right].op == Op::Integer && std::abs(exprs[right].value) < (std::int64_t{1} << 40)) {
+    if (exprs[left].op == Op::Integer) {
+        std::swap(left, right);
+        op = mirrored(op);
+    }
+    if (const auto side = shifted(exprs, left);
+        side && exprs[right].op == Op::Integer && std::abs(exprs[right].value) < (std::int64_t{1} << 40)) {
         const Field& field = layout_.variables[side->variable];
         const Type& type = network_.variables[{side->variable}].type;
         const std::int64_t bound = exprs[right].value - side->add;
@@ -248,10 +316,19 @@ std::uint32_t Compiler::comparison(Id<Expr> term, std::uint32_t yes, std::uint32
         if (op == Op::Greater) low = std::max(low, bound + 1);
         if (low > high) return no;
         if (low == type.low && high == type.high) return yes;
-        return emit({.mask = field.mask(), .value = static_cast<Word>(low - field.low), .span = static_cast<Word>(high - low), .yes = yes,
-                     .no = no, .word = field.word, .shift = field.shift, .op = Do::Within});
+        return emit({.mask = field.mask(),
+                     .value = static_cast<Word>(low - field.low),
+                     .span = static_cast<Word>(high - low),
+                     .yes = yes,
+                     .no = no,
+                     .word = field.word,
+                     .shift = field.shift,
+                     .op = Do::Within});
     }
-    if (op == Op::Greater || op == Op::GreaterEqual) { std::swap(left, right); op = mirrored(op); }
+    if (op == Op::Greater || op == Op::GreaterEqual) {
+        std::swap(left, right);
+        op = mirrored(op);
+    }
     const Do how = op == Op::Equal ? Do::Equal : op == Op::Less ? Do::Less : Do::LessEqual;
     reserve(base + 1);
     const std::uint32_t compare = emit({.yes = yes, .no = no, .a = base, .b = base + 1, .op = how});
@@ -270,19 +347,33 @@ std::uint32_t Compiler::integer(Id<Expr> term, std::uint32_t to, std::uint32_t n
     case Op::Integer: return emit({.value = static_cast<Word>(node.value), .yes = next, .to = to, .op = Do::Constant});
     case Op::Variable: return load(layout_.variables[variable_of(node).index], to, next);
     case Op::Negate: return integer(operands[0], to, emit({.yes = next, .to = to, .a = to, .b = to, .op = Do::Negate}));
-    case Op::Plus:   return binary(Do::Add);
-    case Op::Minus:  return binary(Do::Subtract);
-    case Op::Times:  return binary(Do::Multiply);
+    case Op::Plus: return binary(Do::Add);
+    case Op::Minus: return binary(Do::Subtract);
+    case Op::Times: return binary(Do::Multiply);
     case Op::Divide: return binary(Do::Divide);
     case Op::Modulo: return binary(Do::Modulo);
     case Op::Conditional: {
         const std::uint32_t then = integer(operands[1], to, next);
         return boolean(operands[0], then, integer(operands[2], to, next), to);
     }
-    case Op::False: case Op::True: case Op::Duration: case Op::Step: case Op::Timed: case Op::Parameter: case Op::At:
-    case Op::Not: case Op::And: case Op::Or: case Op::Rise: case Op::Fall:
-    case Op::Equal: case Op::NotEqual: case Op::Less: case Op::LessEqual: case Op::Greater: case Op::GreaterEqual:
-        break;
+    case Op::False:
+    case Op::True:
+    case Op::Duration:
+    case Op::Step:
+    case Op::Timed:
+    case Op::Parameter:
+    case Op::At:
+    case Op::Not:
+    case Op::And:
+    case Op::Or:
+    case Op::Rise:
+    case Op::Fall:
+    case Op::Equal:
+    case Op::NotEqual:
+    case Op::Less:
+    case Op::LessEqual:
+    case Op::Greater:
+    case Op::GreaterEqual: break;
     }
     unreachable();
 }

@@ -23,23 +23,33 @@ std::vector<Id<Expr>> subterms(const Exprs& exprs, Id<Expr> root) {
 
 Do operation(Op op) {
     switch (op) {
-    case Op::Not:      return Do::EagerNot;
-    case Op::And:      return Do::EagerAnd;
-    case Op::Or:       return Do::EagerOr;
-    case Op::Equal:    return Do::EagerEqual;
+    case Op::Not: return Do::EagerNot;
+    case Op::And: return Do::EagerAnd;
+    case Op::Or: return Do::EagerOr;
+    case Op::Equal: return Do::EagerEqual;
     case Op::NotEqual: return Do::EagerUnequal;
-    case Op::Less: case Op::Greater:           return Do::EagerLess;        // with operands exchanged
-    case Op::LessEqual: case Op::GreaterEqual: return Do::EagerLessEqual;
-    case Op::Negate:   return Do::Negate;
-    case Op::Plus:     return Do::Add;
-    case Op::Minus:    return Do::Subtract;
-    case Op::Times:    return Do::Multiply;
-    case Op::Divide:   return Do::Divide;
-    case Op::Modulo:   return Do::Modulo;
+    case Op::Less:
+    case Op::Greater: return Do::EagerLess;  // with operands exchanged
+    case Op::LessEqual:
+    case Op::GreaterEqual: return Do::EagerLessEqual;
+    case Op::Negate: return Do::Negate;
+    case Op::Plus: return Do::Add;
+    case Op::Minus: return Do::Subtract;
+    case Op::Times: return Do::Multiply;
+    case Op::Divide: return Do::Divide;
+    case Op::Modulo: return Do::Modulo;
     case Op::Conditional: return Do::EagerChoice;
-    case Op::False: case Op::True: case Op::Integer: case Op::Duration: case Op::Variable: case Op::Step: case Op::Timed:
-    case Op::Parameter: case Op::At: case Op::Rise: case Op::Fall:
-        break;
+    case Op::False:
+    case Op::True:
+    case Op::Integer:
+    case Op::Duration:
+    case Op::Variable:
+    case Op::Step:
+    case Op::Timed:
+    case Op::Parameter:
+    case Op::At:
+    case Op::Rise:
+    case Op::Fall: break;
     }
     unreachable();
 }
@@ -59,7 +69,9 @@ std::uint32_t Compiler::eager(Id<Expr> term, std::uint32_t next, std::uint32_t& 
         const auto operands = exprs.operands(*walk);
         const std::uint32_t to = home.at(walk->index);
         const auto in = [&](std::size_t i) { return home.at(operands[i].index); };
-        const auto constant = [&](Word value) { return emit({.value = value, .yes = start, .to = to, .op = Do::Constant}); };
+        const auto constant = [&](Word value) {
+            return emit({.value = value, .yes = start, .to = to, .op = Do::Constant});
+        };
         if (const auto bits = literal(*walk); bits && is_leaf(node.op)) {
             const std::uint32_t truth = constant(1);
             start = test(*bits, truth, constant(0));
@@ -74,7 +86,12 @@ std::uint32_t Compiler::eager(Id<Expr> term, std::uint32_t next, std::uint32_t& 
             const bool exchanged = node.op == Op::Greater || node.op == Op::GreaterEqual;
             const std::uint32_t a = in(exchanged ? 1 : 0);
             const std::uint32_t b = operands.size() > 1 ? in(exchanged ? 0 : 1) : a;
-            start = emit({.yes = start, .to = to, .a = a, .b = b, .c = operands.size() > 2 ? in(2) : a, .op = operation(node.op)});
+            start = emit({.yes = start,
+                          .to = to,
+                          .a = a,
+                          .b = b,
+                          .c = operands.size() > 2 ? in(2) : a,
+                          .op = operation(node.op)});
         }
     }
     return start;

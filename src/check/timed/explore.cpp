@@ -15,7 +15,9 @@
 
 namespace grafverif::timed {
 
-double Limits::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+double Limits::seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
 
 bool Limits::stopped() const {
     if (options_.stop && options_.stop->load(std::memory_order_relaxed)) return true;
@@ -56,7 +58,8 @@ public:
             if (limits.too_many(graph_.states())) return Obstacle::Bound;
             if (state % judge_every == 0 || computed_words_ > judge_after) {
                 computed_words_ = 0;
-                if (const Obstacle obstacle = limits.judge(graph_, state, held()); obstacle != Obstacle::None) return obstacle;
+                if (const Obstacle obstacle = limits.judge(graph_, state, held()); obstacle != Obstacle::None)
+                    return obstacle;
             }
             if (state == level_end_ || state == 0) {
                 graph_.levels.push_back(state);
@@ -100,7 +103,10 @@ private:
         for (; computed_ < end; ++computed_) {
             Moves& moves = ring_[computed_ % ahead];
             const Word* const words = graph_.load(computed_);
-            if (races(words)) { moves.successors.clear(); continue; }
+            if (races(words)) {
+                moves.successors.clear();
+                continue;
+            }
             graph_.machine.expand(words, moves);
             const std::size_t computed = moves.successors.size() * graph_.machine.layout().words;
             computed_words_ += computed;
@@ -118,7 +124,7 @@ private:
             graph_.set_kind(state, StateKind::Open, state);
             return;
         }
-        std::uint32_t onward = 0;   // where an urgent edge leads; a late state, since those lead on
+        std::uint32_t onward = 0;  // where an urgent edge leads; a late state, since those lead on
         for (std::size_t i = 0; i < moves.successors.size(); ++i) {
             const std::uint32_t next = discover(moves.words.data() + i * words, moves.successors[i].hash, state);
             if (graph_.linked) graph_.links.add(next);
@@ -129,7 +135,8 @@ private:
         const bool acts = !moves.successors.empty();
         if (moves.urgent) graph_.set_kind(state, StateKind::Urgent, onward);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
-        if (acts && graph_.kind(state) == StateKind::Passes) graph_.set_kind(state, StateKind::PassesOrActs, graph_.target(state));
+        if (acts && graph_.kind(state) == StateKind::Passes)
+            graph_.set_kind(state, StateKind::PassesOrActs, graph_.target(state));
         if (acts && graph_.kind(state) == StateKind::Stuck) graph_.set_kind(state, StateKind::Acts, state);
         if (moves.fault) graph_.set_kind(state, StateKind::Open, state);
     }
@@ -140,7 +147,10 @@ private:
         time_.resize(machine.layout().words);
         graph_.store.load(state, time_.data());
         for (std::uint32_t now = state; graph_.kind(now) == StateKind::Unknown;) {
-            if (!machine.delay(time_.data())) { graph_.set_kind(now, StateKind::Stuck, now); return; }
+            if (!machine.delay(time_.data())) {
+                graph_.set_kind(now, StateKind::Stuck, now);
+                return;
+            }
             const std::uint32_t next = discover(time_.data(), machine.hash(time_.data()), now);
             graph_.set_kind(now, StateKind::Passes, next);
             ++graph_.transitions;
@@ -164,7 +174,8 @@ private:
         if (!moves.fault) return;
         const Fault& fault = *moves.fault;
         const bool known = std::ranges::any_of(graph_.faults, [&](const FaultAt& other) {
-            return other.fault.edge == fault.edge && other.fault.kind == fault.kind && other.fault.variable == fault.variable;
+            return other.fault.edge == fault.edge && other.fault.kind == fault.kind &&
+                   other.fault.variable == fault.variable;
         });
         if (!known) graph_.faults.push_back({state, fault});
     }
@@ -173,9 +184,9 @@ private:
     Watch& watch_;
     const std::vector<Field>& races_;
     std::array<Moves, ahead> ring_ = {};
-    std::uint32_t depth_ = ahead;          // of the look ahead
-    std::size_t computed_words_ = 0;       // since the last look at the limits
-    std::uint32_t computed_ = 0;    // the states below have their moves in the ring, or are done
+    std::uint32_t depth_ = ahead;     // of the look ahead
+    std::size_t computed_words_ = 0;  // since the last look at the limits
+    std::uint32_t computed_ = 0;      // the states below have their moves in the ring, or are done
     std::uint32_t level_end_ = 0;
     std::vector<Word> time_ = {};
 };
@@ -186,7 +197,7 @@ Obstacle explore(Graph& graph, Watch& watch, const std::vector<Field>& races, Li
     try {
         return Search(graph, watch, races).run(limits);
     } catch (const std::bad_alloc&) {
-        return Obstacle::Memory;   // the states found are whole, those looked at have their links
+        return Obstacle::Memory;  // the states found are whole, those looked at have their links
     }
 }
 
@@ -209,7 +220,10 @@ std::size_t Watch::add_bit(const Field& bit, std::uint32_t settled) {
 void Watch::look_closely(Machine& machine, std::uint32_t state, const Word* words) {
     for (std::size_t i = 0; i < predicates_.size();) {
         const End end = machine.holds(predicates_[i].code, words);
-        if (end == End::No) { ++i; continue; }
+        if (end == End::No) {
+            ++i;
+            continue;
+        }
         Result& result = results_[predicates_[i].watch];
         if (end == End::Yes) result.state = state;
         else result.broken = true;

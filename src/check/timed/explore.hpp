@@ -34,10 +34,19 @@ public:
     bool broken(std::size_t watch) const { return results_[watch].broken; }
 
 private:
-    struct Result { std::uint32_t state = none; bool broken = false; };
-    struct Predicate { std::uint32_t code = 0; std::size_t watch = 0; };
-    struct Bit { Word mask = 0; std::size_t watch = 0; };
-    struct Bits {                       // of one word, under one condition
+    struct Result {
+        std::uint32_t state = none;
+        bool broken = false;
+    };
+    struct Predicate {
+        std::uint32_t code = 0;
+        std::size_t watch = 0;
+    };
+    struct Bit {
+        Word mask = 0;
+        std::size_t watch = 0;
+    };
+    struct Bits {  // of one word, under one condition
         std::uint16_t word = 0;
         std::uint32_t settled = 0;
         Word missing = 0;

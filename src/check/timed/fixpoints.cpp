@@ -10,7 +10,8 @@ namespace {
 /// Sweeps over `open`, alternating in direction, until a sweep decides less than one state in `stall` (none, for 0).
 /// `decided(state)` tells whether the state joins. False: stopped.
 template <class Decided>
-bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, const Limits& limits, const Decided& decided) {
+bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, const Limits& limits,
+           const Decided& decided) {
     std::ranges::reverse(open);
     for (std::size_t before = open.size() + 1; !open.empty();) {
         if (limits.stopped()) return false;
@@ -45,9 +46,12 @@ std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set) {
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by, const Limits& limits) {
+std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
+                                                       const Limits& limits) {
     std::vector<std::uint32_t> open = undecided(graph, goal);
-    const auto urgent_leads = [&](std::uint32_t state) { return graph.kind(state) == StateKind::Urgent && goal.has(graph.target(state)); };
+    const auto urgent_leads = [&](std::uint32_t state) {
+        return graph.kind(state) == StateKind::Urgent && goal.has(graph.target(state));
+    };
     if (!sweep(open, goal, 0, limits, urgent_leads)) return {};
     std::vector<std::uint32_t> successors;
     const auto leads = [&](std::uint32_t state) {
@@ -64,7 +68,8 @@ std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& g
     return open;
 }
 
-std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits) {
+std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots,
+                                const Limits& limits) {
     const auto all_lead = [&](std::uint32_t state) {
         if (graph.kind(state) == StateKind::Stuck) return false;
         bool all = true;
@@ -106,16 +111,19 @@ std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<s
     return true;
 }
 
-std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged, const Limits& limits) {
+std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged,
+                                            const Limits& limits) {
     StateSet alive(graph.states());
     const auto goes_on = [&](std::uint32_t state) {
-        return !graph.open(state) && !alive.has(state) && graph.kind(state) == StateKind::Passes && graph.target(state) != state;
+        return !graph.open(state) && !alive.has(state) && graph.kind(state) == StateKind::Passes &&
+               graph.target(state) != state;
     };
     for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
         limits.poll();
         std::uint32_t end = state;
         while (goes_on(end)) end = graph.target(end);
-        const bool dead = !graph.open(end) && !alive.has(end) && (graph.kind(end) == StateKind::Stuck || graph.kind(end) == StateKind::Passes);
+        const bool dead = !graph.open(end) && !alive.has(end) &&
+                          (graph.kind(end) == StateKind::Stuck || graph.kind(end) == StateKind::Passes);
         if (dead && judged(state)) return state;
         if (dead) continue;
         for (std::uint32_t now = state; now != end; now = graph.target(now)) alive.add(now);

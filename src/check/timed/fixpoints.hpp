@@ -8,8 +8,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "check/timed/explore.hpp"
@@ -20,17 +20,19 @@ namespace grafverif::timed {
 /// The states looked at from which no state of `goal` can be reached by these transitions; `goal` grows to its
 /// complement. Empty optional: stopped.
 enum class Transitions { All, Actions, UrgentActions };
-std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by, const Limits& limits);
+std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
+                                                       const Limits& limits);
 
 /// Grows `met` to the states from which every maximal run meets it, as far as needed to decide this for `roots`.
 /// True: it does from all of them. Empty optional: stopped.
-std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits);
+std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots,
+                                const Limits& limits);
 
 /// A maximal run that avoids `met` from one of `roots` on (in order of discovery), where there is one: a path of states
 /// from the initial one, short, and the place in it where its loop begins. With `endless`, runs that end do not count, and
 /// there may be none: an empty path.
 struct Lasso {
-    std::vector<std::uint32_t> path = {};   ///< a loop is closed: its first state comes again at the end
+    std::vector<std::uint32_t> path = {};  ///< a loop is closed: its first state comes again at the end
     std::optional<std::size_t> loop = {};
 };
 Lasso avoiding(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots, bool endless);

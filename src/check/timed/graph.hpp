@@ -19,13 +19,13 @@ namespace grafverif::timed {
 
 /// What a state can do besides its edges.
 enum class StateKind : std::uint32_t {
-    Unknown,        ///< not looked at
-    Passes,         ///< time passes, no edge can fire
-    PassesOrActs,   ///< time passes, or an edge fires
-    Urgent,         ///< an urgent edge stops time; the target is the state it leads to
-    Stuck,          ///< an invariant stops time, no edge can fire
-    Acts,           ///< an invariant stops time, an edge can fire
-    Open,           ///< the model breaks off here: nothing is concluded from this state
+    Unknown,       ///< not looked at
+    Passes,        ///< time passes, no edge can fire
+    PassesOrActs,  ///< time passes, or an edge fires
+    Urgent,        ///< an urgent edge stops time; the target is the state it leads to
+    Stuck,         ///< an invariant stops time, no edge can fire
+    Acts,          ///< an invariant stops time, an edge can fire
+    Open,          ///< the model breaks off here: nothing is concluded from this state
 };
 
 /// Lists of states, one per state, in few bytes.
@@ -63,11 +63,14 @@ public:
 
     std::size_t list_bytes() const { return bytes_.size(); }
     std::size_t bytes() const { return bytes_.bytes() + ends_.bytes(); }
-    void clear() { bytes_.clear(); ends_.clear(); }
+    void clear() {
+        bytes_.clear();
+        ends_.clear();
+    }
 
 private:
     Column<std::uint8_t> bytes_ = {};
-    Column<std::uint32_t> ends_ = {};   // where the list of each state begins
+    Column<std::uint32_t> ends_ = {};  // where the list of each state begins
     std::uint32_t last_ = 0;
 };
 
@@ -83,8 +86,14 @@ private:
     std::vector<std::uint64_t> bits_;
 };
 
-struct UncoveredAt { std::uint32_t state = 0; UncoveredBound bound = {}; };
-struct FaultAt { std::uint32_t state = 0; Fault fault = {}; };
+struct UncoveredAt {
+    std::uint32_t state = 0;
+    UncoveredBound bound = {};
+};
+struct FaultAt {
+    std::uint32_t state = 0;
+    Fault fault = {};
+};
 
 class Graph {
 public:
@@ -95,8 +104,8 @@ public:
     Machine& machine;
     Store store;
     Column<std::uint32_t> parent = {};
-    Column<std::uint32_t> kinds = {};       // with targets
-    Links links = {};                        // per state looked at
+    Column<std::uint32_t> kinds = {};  // with targets
+    Links links = {};                  // per state looked at
     bool linked = true;
     std::uint32_t looked_at = 0;             // the states below have their kinds and links
     std::vector<std::uint32_t> levels = {};  // the first state of each depth
@@ -110,7 +119,9 @@ public:
     StateKind kind(std::uint32_t state) const { return static_cast<StateKind>(kinds[state] >> kind_shift); }
     /// Where a unit of time leads, or the urgent edge.
     std::uint32_t target(std::uint32_t state) const { return kinds[state] & target_mask; }
-    bool passes(std::uint32_t state) const { return kind(state) == StateKind::Passes || kind(state) == StateKind::PassesOrActs; }
+    bool passes(std::uint32_t state) const {
+        return kind(state) == StateKind::Passes || kind(state) == StateKind::PassesOrActs;
+    }
     bool open(std::uint32_t state) const { return state >= looked_at || kind(state) == StateKind::Open; }
     void set_kind(std::uint32_t state, StateKind kind, std::uint32_t target) {
         kinds[state] = (static_cast<std::uint32_t>(kind) << kind_shift) | (target & target_mask);

@@ -16,7 +16,8 @@ public:
         std::size_t word = first_;
         while (word < used_.size() && used_[word] + width > 64) ++word;
         if (word == used_.size()) used_.push_back(0);
-        const Field field{static_cast<std::uint16_t>(base_ + word), static_cast<std::uint8_t>(used_[word] % 64), width, low};
+        const Field field{static_cast<std::uint16_t>(base_ + word), static_cast<std::uint8_t>(used_[word] % 64), width,
+                          low};
         used_[word] += width;
         return field;
     }
@@ -33,8 +34,8 @@ public:
 
 private:
     std::size_t base_ = 0;
-    std::size_t first_ = 0;             // every word before it is full
-    std::vector<unsigned> used_ = {};   // bits taken of each open word
+    std::size_t first_ = 0;            // every word before it is full
+    std::vector<unsigned> used_ = {};  // bits taken of each open word
 };
 
 std::uint64_t values_of(const Type& type) { return static_cast<std::uint64_t>(type.high - type.low) + 1; }
@@ -45,7 +46,8 @@ Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clock
     Layout layout;
     Bits bits;
     for (const Id<Network::Process> process : network.processes.ids()) {
-        layout.locations.push_back(bits.take(network.templates[network.processes[process].automaton].locations.size(), 0));
+        layout.locations.push_back(
+            bits.take(network.templates[network.processes[process].automaton].locations.size(), 0));
         layout.clocks.emplace_back();
         for (const std::int64_t greatest : clocks[process.index].greatest)
             layout.clocks.back().push_back(bits.take(static_cast<std::uint64_t>(greatest) + 1, 0));
@@ -89,12 +91,15 @@ std::optional<std::string> inexact_place(const Network& network) {
         for (const Network::Location& location : automaton.locations)
             for (const Network::ClockConstraint& bound : location.invariant)
                 if (strict(bound))
-                    return "the strict bound on clock `" + automaton.clocks[bound.clock].name + "` at `" + process.name + "." + location.name + "`";
+                    return "the strict bound on clock `" + automaton.clocks[bound.clock].name + "` at `" +
+                           process.name + "." + location.name + "`";
         for (const Network::Edge& edge : automaton.edges) {
             const std::string place = "`" + process.name + "`, edge `" + automaton.locations[edge.from].name + " -> " +
                                       automaton.locations[edge.to].name + "`";
             for (const Network::ClockConstraint& constraint : edge.constraint)
-                if (strict(constraint)) return "the strict constraint on clock `" + automaton.clocks[constraint.clock].name + "` of " + place;
+                if (strict(constraint))
+                    return "the strict constraint on clock `" + automaton.clocks[constraint.clock].name + "` of " +
+                           place;
             if (edge.urgent && !keeps_target_invariant(network, process, edge))
                 return "the urgent edge that time may switch off, of " + place;
         }

@@ -31,27 +31,30 @@ using Word = std::uint64_t;
 struct Field {
     std::uint16_t word = 0;
     std::uint8_t shift = 0;
-    std::uint8_t width = 0;   ///< 0: always `low`
-    std::int64_t low = 0;     ///< the value of the raw bits 0
+    std::uint8_t width = 0;  ///< 0: always `low`
+    std::int64_t low = 0;    ///< the value of the raw bits 0
 
     Word mask() const { return width == 0 ? 0 : (~Word{0} >> (64U - width)) << shift; }
     Word raw(const Word* words) const { return width == 0 ? 0 : (words[word] & mask()) >> shift; }
     std::int64_t get(const Word* words) const { return low + static_cast<std::int64_t>(raw(words)); }
     /// `value` placed in the word, every other bit 0.
     Word placed(std::int64_t value) const { return static_cast<Word>(value - low) << shift; }
-    void set(Word* words, std::int64_t value) const { words[word] = (words[word] & ~mask()) | (width == 0 ? 0 : placed(value)); }
+    void set(Word* words, std::int64_t value) const {
+        words[word] = (words[word] & ~mask()) | (width == 0 ? 0 : placed(value));
+    }
 };
 
 struct Layout {
-    static constexpr std::size_t most_words = std::size_t{1} << 16U;   ///< that a field can name; for more, `fits` is false
+    static constexpr std::size_t most_words = std::size_t{1}
+                                              << 16U;  ///< that a field can name; for more, `fits` is false
     bool fits() const { return words <= most_words; }
 
-    std::vector<Field> locations = {};             ///< per process
-    std::vector<Field> variables = {};             ///< per variable
-    std::vector<std::vector<Field>> clocks = {};   ///< per process and clock
-    std::size_t stored = 1;                        ///< words of a state
-    std::size_t words = 1;                         ///< the same with scratch variables
-    std::size_t halves = 1;                        ///< 32-bit units that hold every stored bit
+    std::vector<Field> locations = {};            ///< per process
+    std::vector<Field> variables = {};            ///< per variable
+    std::vector<std::vector<Field>> clocks = {};  ///< per process and clock
+    std::size_t stored = 1;                       ///< words of a state
+    std::size_t words = 1;                        ///< the same with scratch variables
+    std::size_t halves = 1;                       ///< 32-bit units that hold every stored bit
 };
 
 /// `network` is expanded.

@@ -22,12 +22,14 @@ void Machine::expand(const Word* words, Moves& moves) {
         for (std::uint32_t edge = row.first; edge != row.last; ++edge) {
             const Edge& at = edges_[edge];
             if ((words[at.word] & at.mask) != at.value) continue;
-            const End guard = at.guard == Program::yes ? End::Yes : test(program_, at.guard, words, registers_.data()).end;
+            const End guard =
+                at.guard == Program::yes ? End::Yes : test(program_, at.guard, words, registers_.data()).end;
             if (guard == End::No) continue;
             covered |= at.covers;
             freed |= at.frees;
             always = always || at.always;
-            if (at.clocks != Program::yes && test(program_, at.clocks, words, registers_.data()).end != End::Yes) continue;
+            if (at.clocks != Program::yes && test(program_, at.clocks, words, registers_.data()).end != End::Yes)
+                continue;
             if (guard == End::Yes) fire(edge, words, moves);
             else if (!moves.fault) moves.fault = Fault{End::NoValue, edge, 0};
         }
@@ -41,11 +43,12 @@ void Machine::expand(const Word* words, Moves& moves) {
 }
 
 void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) {
-    if (const std::size_t room = (moves.successors.size() + 1) * layout_.words; moves.words.size() < room) moves.words.resize(2 * room);
+    if (const std::size_t room = (moves.successors.size() + 1) * layout_.words; moves.words.size() < room)
+        moves.words.resize(2 * room);
     Word* const next = moves.words.data() + moves.successors.size() * layout_.words;
     for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
     const Ran ran = run(program_, edges_[edge].effect, next, registers_.data());
-    moves.urgent = moves.urgent || edges_[edge].urgent;   // also where it breaks off
+    moves.urgent = moves.urgent || edges_[edge].urgent;  // also where it breaks off
     if (ran.end == End::Yes) {
         moves.successors.push_back({hash(next), edge});
     } else if (!moves.fault) {

@@ -22,30 +22,30 @@ namespace grafverif::timed {
 /// A state that an edge leads to.
 struct Successor {
     std::uint64_t hash = 0;
-    std::uint32_t edge = 0;   ///< in Machine::edges
+    std::uint32_t edge = 0;  ///< in Machine::edges
 };
 
 /// A place where the model breaks off.
 struct Fault {
     End kind = End::OutOfRange;
-    std::uint32_t edge = 0;       ///< in Machine::edges
-    std::uint32_t variable = 0;   ///< for OutOfRange
+    std::uint32_t edge = 0;      ///< in Machine::edges
+    std::uint32_t variable = 0;  ///< for OutOfRange
 };
 
 /// A bound in force that no edge covers.
 struct UncoveredBound {
     std::uint32_t process = 0;
-    std::uint32_t bound = 0;   ///< in the invariant of its location
+    std::uint32_t bound = 0;  ///< in the invariant of its location
 };
 
 /// The moves of one state; reused, so that the search does not allocate.
 struct Moves {
-    std::vector<Successor> successors = {};   ///< in the order of processes and edges
-    std::vector<Word> words = {};             ///< the states, Machine::layout.words apart
-    bool urgent = false;                      ///< some urgent edge can fire: time stands
+    std::vector<Successor> successors = {};  ///< in the order of processes and edges
+    std::vector<Word> words = {};            ///< the states, Machine::layout.words apart
+    bool urgent = false;                     ///< some urgent edge can fire: time stands
     std::optional<Fault> fault = {};
-    std::optional<UncoveredBound> stuck_bound = {};        ///< a run may end here between the ticks
-    std::optional<UncoveredBound> locked_bound = {};         ///< time may be locked here between the ticks
+    std::optional<UncoveredBound> stuck_bound = {};   ///< a run may end here between the ticks
+    std::optional<UncoveredBound> locked_bound = {};  ///< time may be locked here between the ticks
 };
 
 class Machine {
@@ -74,27 +74,27 @@ public:
 
 private:
     struct Edge {
-        Word mask = 0, value = 0;           // a first test
-        std::uint32_t guard = Program::yes; // what else the guard says
+        Word mask = 0, value = 0;            // a first test
+        std::uint32_t guard = Program::yes;  // what else the guard says
         std::uint32_t clocks = Program::yes;
         std::uint32_t effect = Program::yes;
         std::uint32_t process = 0, index = 0;
-        Word covers = 0, frees = 0;         // bounds of the source's invariant: see UncoveredBound
+        Word covers = 0, frees = 0;  // bounds of the source's invariant: see UncoveredBound
         std::uint16_t word = 0;
         bool urgent = false;
-        bool always = false;                // no clock has a say: it covers every bound of every process
+        bool always = false;  // no clock has a say: it covers every bound of every process
     };
     struct Tick {
         Word mask = 0;
-        Word greatest = 0;                  // time passes below it
+        Word greatest = 0;  // time passes below it
         Word cap = 0;
         std::uint16_t word = 0;
         std::uint8_t shift = 0;
     };
-    struct Row {                            // one location of one process
-        std::uint32_t first = 0, last = 0;              // edges_
-        std::uint32_t first_tick = 0, last_tick = 0;    // ticks_
-        Word bounds = 0, late = 0;                      // its bounds, and those of at least one unit
+    struct Row {                                      // one location of one process
+        std::uint32_t first = 0, last = 0;            // edges_
+        std::uint32_t first_tick = 0, last_tick = 0;  // ticks_
+        Word bounds = 0, late = 0;                    // its bounds, and those of at least one unit
     };
     struct Place {
         Word mask = 0;

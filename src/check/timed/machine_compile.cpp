@@ -9,13 +9,20 @@ namespace grafverif::timed {
 namespace {
 
 /// The tests of a clock interval as code; clocks are compared as capped at `cap`.
-std::uint32_t within(Compiler& compiler, const Field& field, const Interval& wanted, std::int64_t cap, std::uint32_t yes, std::uint32_t no) {
+std::uint32_t within(Compiler& compiler, const Field& field, const Interval& wanted, std::int64_t cap,
+                     std::uint32_t yes, std::uint32_t no) {
     const std::int64_t low = std::max<std::int64_t>(wanted.low, 0);
     const std::int64_t high = std::min(wanted.high, std::max<std::int64_t>(cap, 0));
     if (low > high) return no;
     if (low == 0 && high >= cap) return yes;
-    return compiler.emit({.mask = field.mask(), .value = static_cast<Word>(low), .span = static_cast<Word>(high - low), .yes = yes,
-                          .no = no, .word = field.word, .shift = field.shift, .op = Do::Within});
+    return compiler.emit({.mask = field.mask(),
+                          .value = static_cast<Word>(low),
+                          .span = static_cast<Word>(high - low),
+                          .yes = yes,
+                          .no = no,
+                          .word = field.word,
+                          .shift = field.shift,
+                          .op = Do::Within});
 }
 
 bool resets(const Network::Edge& edge, std::uint32_t clock) {
@@ -25,7 +32,10 @@ bool resets(const Network::Edge& edge, std::uint32_t clock) {
 }  // namespace
 
 Machine::Machine(const Network& network)
-    : network_(network), clocks_(analyse_clocks(network)), layout_(layout_of(network, clocks_)), compiler_(network_, layout_, program_) {
+    : network_(network),
+      clocks_(analyse_clocks(network)),
+      layout_(layout_of(network, clocks_)),
+      compiler_(network_, layout_, program_) {
     for (const Id<Network::Process> process : network.processes.ids()) compile(process);
     registers_.resize(program_.registers);
 }
@@ -35,7 +45,8 @@ void Machine::compile(Id<Network::Process> process) {
     const Field& field = layout_.locations[process.index];
     places_.push_back({field.mask(), static_cast<std::uint32_t>(rows_.size()), field.word, field.shift});
     std::vector<std::vector<Id<Network::Edge>>> leaving(automaton.locations.size());
-    for (const Id<Network::Edge> edge : automaton.edges.ids()) leaving[automaton.edges[edge].from.index].push_back(edge);
+    for (const Id<Network::Edge> edge : automaton.edges.ids())
+        leaving[automaton.edges[edge].from.index].push_back(edge);
     for (const Id<Network::Location> location : automaton.locations.ids()) {
         Row row;
         compile_ticks(process, location, row);
@@ -57,7 +68,9 @@ void Machine::compile_ticks(Id<Network::Process> process, Id<Network::Location> 
         if (cap == ProcessClocks::dead) continue;
         timed_ = true;
         const Field& field = layout_.clocks[process.index][clock];
-        const std::int64_t greatest = allowed[clock].high >= Interval::unbounded ? Interval::unbounded : std::max<std::int64_t>(allowed[clock].high, 0);
+        const std::int64_t greatest = allowed[clock].high >= Interval::unbounded
+                                          ? Interval::unbounded
+                                          : std::max<std::int64_t>(allowed[clock].high, 0);
         ticks_.push_back({field.mask(), static_cast<Word>(greatest), static_cast<Word>(cap), field.word, field.shift});
     }
     row.last_tick = static_cast<std::uint32_t>(ticks_.size());
@@ -77,13 +90,15 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     compile_guard(edge.guard, compiled);
     // The target's invariant after the resets: it reads clocks only, so it can be tested before anything happens.
     const std::vector<Interval> wanted = admitted(network_, edge.constraint, automaton.clocks.size());
-    const std::vector<Interval> after = admitted(network_, automaton.locations[edge.to].invariant, automaton.clocks.size());
+    const std::vector<Interval> after =
+        admitted(network_, automaton.locations[edge.to].invariant, automaton.clocks.size());
     for (std::uint32_t clock = 0; clock < automaton.clocks.size(); ++clock) {
         const bool reset = resets(edge, clock);
         if (reset && !after[clock].contains(0)) compiled.clocks = Program::no;
-        const Interval both{wanted[clock].low, reset ? wanted[clock].high : std::min(wanted[clock].high, after[clock].high)};
-        compiled.clocks = within(compiler_, layout_.clocks[process.index][clock], both, clocks_[process.index].cap[edge.from.index][clock],
-                                 compiled.clocks, Program::no);
+        const Interval both{wanted[clock].low,
+                            reset ? wanted[clock].high : std::min(wanted[clock].high, after[clock].high)};
+        compiled.clocks = within(compiler_, layout_.clocks[process.index][clock], both,
+                                 clocks_[process.index].cap[edge.from.index][clock], compiled.clocks, Program::no);
     }
     compiled.effect = compile_effect(process, edge);
     judge_bounds(process, edge, compiled);
@@ -94,7 +109,11 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
 void Machine::compile_guard(Id<Expr> guard, Edge& compiled) {
     const auto alone = [&](Id<Expr> term) {
         const auto bits = compiler_.literal(term);
-        if (bits) { compiled.word = bits->word; compiled.mask = bits->mask; compiled.value = bits->value; }
+        if (bits) {
+            compiled.word = bits->word;
+            compiled.mask = bits->mask;
+            compiled.value = bits->value;
+        }
         return bits.has_value();
     };
     if (is_true(network_.exprs, guard) || alone(guard)) return;
@@ -115,7 +134,8 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
     const auto patch = [&](const Field& field, std::int64_t value) {
         if (field.width == 0) return;
         auto known = std::ranges::find(patches, field.word, &Instruction::word);
-        if (known == patches.end()) known = patches.insert(known, {.mask = ~Word{0}, .word = field.word, .op = Do::Patch});
+        if (known == patches.end())
+            known = patches.insert(known, {.mask = ~Word{0}, .word = field.word, .op = Do::Patch});
         known->mask &= ~field.mask();
         known->value |= field.placed(value);
     };
@@ -127,7 +147,12 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
         if (source == ProcessClocks::dead) continue;
         if (resets(edge, clock) || target == ProcessClocks::dead) patch(field, 0);
         else if (target < source)
-            next = compiler_.emit({.mask = field.mask(), .value = static_cast<Word>(target), .yes = next, .word = field.word, .shift = field.shift, .op = Do::Cap});
+            next = compiler_.emit({.mask = field.mask(),
+                                   .value = static_cast<Word>(target),
+                                   .yes = next,
+                                   .word = field.word,
+                                   .shift = field.shift,
+                                   .op = Do::Cap});
     }
     for (Instruction& instruction : patches) {
         instruction.yes = next;
@@ -135,9 +160,11 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
     }
     const auto assign = [&](const std::vector<Network::Assignment>& assignments) {
         for (auto walk = assignments.rbegin(); walk != assignments.rend(); ++walk)
-            next = compiler_.assignment({static_cast<std::uint32_t>(network_.exprs[walk->target].value)}, walk->value, next);
+            next = compiler_.assignment({static_cast<std::uint32_t>(network_.exprs[walk->target].value)}, walk->value,
+                                        next);
     };
-    for (auto call = edge.calls.rbegin(); call != edge.calls.rend(); ++call) assign(automaton.procedures[*call].assignments);
+    for (auto call = edge.calls.rbegin(); call != edge.calls.rend(); ++call)
+        assign(automaton.procedures[*call].assignments);
     assign(edge.assignments);
     return next;
 }
@@ -152,7 +179,7 @@ void Machine::judge_bounds(Id<Network::Process> process, const Network::Edge& ed
     const std::vector<Interval> wanted = admitted(network_, edge.constraint, clocks);
     const std::vector<Interval> given = admitted(network_, invariant, clocks);
     const std::vector<Interval> after = admitted(network_, automaton.locations[edge.to].invariant, clocks);
-    const auto free = [&](std::uint32_t clock) {   // the clock has no say, at whatever values the source allows
+    const auto free = [&](std::uint32_t clock) {  // the clock has no say, at whatever values the source allows
         if (wanted[clock].low > 0 || wanted[clock].high < given[clock].high) return false;
         return resets(edge, clock) ? after[clock].high >= 0 : given[clock].high <= after[clock].high;
     };
@@ -160,7 +187,8 @@ void Machine::judge_bounds(Id<Network::Process> process, const Network::Edge& ed
     for (std::uint32_t clock = 0; clock < clocks; ++clock)
         if (!free(clock)) speaking.push_back(clock);
     compiled.always = speaking.empty();
-    for (std::size_t bound = 0; bound < std::min<std::size_t>(invariant.size(), 63); ++bound) {   // further ones stay open
+    for (std::size_t bound = 0; bound < std::min<std::size_t>(invariant.size(), 63);
+         ++bound) {  // further ones stay open
         const std::uint32_t clock = invariant[bound].clock.index;
         const std::int64_t value = admitted(network_, invariant[bound]).high;
         const bool reset = resets(edge, clock);

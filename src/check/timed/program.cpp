@@ -13,13 +13,13 @@ std::int64_t arithmetic(Do op, std::int64_t left, std::int64_t right) {
     std::int64_t result = 0;
     bool overflow = false;
     switch (op) {
-    case Do::Add:      overflow = __builtin_add_overflow(left, right, &result); break;
+    case Do::Add: overflow = __builtin_add_overflow(left, right, &result); break;
     case Do::Subtract: overflow = __builtin_sub_overflow(left, right, &result); break;
     case Do::Multiply: overflow = __builtin_mul_overflow(left, right, &result); break;
-    case Do::Divide:   return right == 0 ? undefined : left / right;
-    case Do::Modulo:   return right == 0 ? undefined : left % right;
-    case Do::Negate:   return -left;
-    default:           unreachable();
+    case Do::Divide: return right == 0 ? undefined : left / right;
+    case Do::Modulo: return right == 0 ? undefined : left % right;
+    case Do::Negate: return -left;
+    default: unreachable();
     }
     return overflow ? undefined : result;
 }
@@ -35,11 +35,11 @@ std::int64_t eager_value(const Instruction& at, const std::int64_t* registers) {
     if (at.op == Do::EagerChoice) return left != 0 ? right : registers[at.c];
     if (right == undefined) return undefined;
     switch (at.op) {
-    case Do::EagerEqual:     return left == right;
-    case Do::EagerUnequal:   return left != right;
-    case Do::EagerLess:      return left < right;
+    case Do::EagerEqual: return left == right;
+    case Do::EagerUnequal: return left != right;
+    case Do::EagerLess: return left < right;
     case Do::EagerLessEqual: return left <= right;
-    default:                 unreachable();
+    default: unreachable();
     }
 }
 
@@ -52,7 +52,7 @@ Ran run(const Program& program, std::uint32_t start, Word* words, std::int64_t* 
         const Instruction& at = code[place];
         switch (at.op) {
         case Do::Yes: return {End::Yes, place};
-        case Do::No:  return {End::No, place};
+        case Do::No: return {End::No, place};
         case Do::Test: place = (words[at.word] & at.mask) == at.value ? at.yes : at.no; break;
         case Do::Within: place = ((words[at.word] & at.mask) >> at.shift) - at.value <= at.span ? at.yes : at.no; break;
         case Do::Patch:
@@ -73,11 +73,18 @@ Ran run(const Program& program, std::uint32_t start, Word* words, std::int64_t* 
             registers[at.to] = static_cast<std::int64_t>(at.value);
             place = at.yes;
             break;
-        case Do::Add: case Do::Subtract: case Do::Multiply: case Do::Divide: case Do::Modulo: case Do::Negate:
+        case Do::Add:
+        case Do::Subtract:
+        case Do::Multiply:
+        case Do::Divide:
+        case Do::Modulo:
+        case Do::Negate:
             registers[at.to] = arithmetic(at.op, registers[at.a], registers[at.b]);
             place = at.yes;
             break;
-        case Do::Equal: case Do::Less: case Do::LessEqual: {
+        case Do::Equal:
+        case Do::Less:
+        case Do::LessEqual: {
             const std::int64_t left = registers[at.a];
             const std::int64_t right = registers[at.b];
             if (left == undefined || right == undefined) return {End::NoValue, place};
@@ -89,8 +96,14 @@ Ran run(const Program& program, std::uint32_t start, Word* words, std::int64_t* 
             if (registers[at.a] == undefined) return {End::NoValue, place};
             place = registers[at.a] != 0 ? at.yes : at.no;
             break;
-        case Do::EagerNot: case Do::EagerAnd: case Do::EagerOr: case Do::EagerEqual: case Do::EagerUnequal:
-        case Do::EagerLess: case Do::EagerLessEqual: case Do::EagerChoice:
+        case Do::EagerNot:
+        case Do::EagerAnd:
+        case Do::EagerOr:
+        case Do::EagerEqual:
+        case Do::EagerUnequal:
+        case Do::EagerLess:
+        case Do::EagerLessEqual:
+        case Do::EagerChoice:
             registers[at.to] = eager_value(at, registers);
             place = at.yes;
             break;

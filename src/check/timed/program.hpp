@@ -18,26 +18,42 @@
 namespace grafverif::timed {
 
 enum class Do : std::uint8_t {
-    Yes, No,                                          // the end
-    Test,                                             // (word & mask) == value ?
-    Within,                                           // low <= raw field <= low + span ?
-    Load, Constant,                                   // register `to` := field, constant
-    Add, Subtract, Multiply, Divide, Modulo, Negate,  // register `to` := a op b; no value: `undefined`
-    Equal, Less, LessEqual,                           // registers a, b ?
-    Truth,                                            // register a not 0 ?
-    EagerNot, EagerAnd, EagerOr, EagerEqual, EagerUnequal, EagerLess, EagerLessEqual, EagerChoice,   // into register `to`
-    Patch,                                            // word := (word & mask) | value
-    Store,                                            // field := register a, in range; else a fault
-    Cap,                                              // raw field := the smaller of it and `value`
+    Yes,
+    No,      // the end
+    Test,    // (word & mask) == value ?
+    Within,  // low <= raw field <= low + span ?
+    Load,
+    Constant,  // register `to` := field, constant
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Modulo,
+    Negate,  // register `to` := a op b; no value: `undefined`
+    Equal,
+    Less,
+    LessEqual,  // registers a, b ?
+    Truth,      // register a not 0 ?
+    EagerNot,
+    EagerAnd,
+    EagerOr,
+    EagerEqual,
+    EagerUnequal,
+    EagerLess,
+    EagerLessEqual,
+    EagerChoice,  // into register `to`
+    Patch,        // word := (word & mask) | value
+    Store,        // field := register a, in range; else a fault
+    Cap,          // raw field := the smaller of it and `value`
 };
 
 struct Instruction {
-    Word mask = 0;            ///< Load, Within, Store, Cap: of the field, in place
-    Word value = 0;           ///< Test, Patch: bits; Load, Constant, Store: the least value; Within: low; Cap: the cap
-    Word span = 0;            ///< Within, Store: values above the least
-    std::uint32_t yes = 0;    ///< the next instruction
+    Word mask = 0;          ///< Load, Within, Store, Cap: of the field, in place
+    Word value = 0;         ///< Test, Patch: bits; Load, Constant, Store: the least value; Within: low; Cap: the cap
+    Word span = 0;          ///< Within, Store: values above the least
+    std::uint32_t yes = 0;  ///< the next instruction
     std::uint32_t no = 0;
-    std::uint32_t to = 0, a = 0, b = 0, c = 0;   ///< registers; Store: `to` is the variable
+    std::uint32_t to = 0, a = 0, b = 0, c = 0;  ///< registers; Store: `to` is the variable
     std::uint16_t word = 0;
     std::uint8_t shift = 0;
     Do op = Do::Yes;
@@ -47,7 +63,7 @@ struct Instruction {
 inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min();
 
 struct Program {
-    static constexpr std::uint32_t yes = 0, no = 1;   ///< the two ends stand first
+    static constexpr std::uint32_t yes = 0, no = 1;  ///< the two ends stand first
     std::vector<Instruction> code = {Instruction{}, Instruction{.op = Do::No}};
     std::size_t registers = 1;
 };
@@ -77,7 +93,10 @@ public:
     std::uint32_t emit(const Instruction& instruction);
 
     /// A test of bits that is the whole of a term, or part of a conjunction: (word & mask) == value.
-    struct Literal { std::uint16_t word = 0; Word mask = 0, value = 0; };
+    struct Literal {
+        std::uint16_t word = 0;
+        Word mask = 0, value = 0;
+    };
     /// The term as one such test, if it is one.
     std::optional<Literal> literal(Id<Expr> term) const;
     bool fallible(Id<Expr> term) const { return facts_[term.index].fallible; }
@@ -85,9 +104,9 @@ public:
 private:
     /// What is known of a term without its context.
     struct Facts {
-        std::uint32_t tree = 1;   // nodes, were nothing shared; saturates
-        bool fallible = false;    // may have no value
-        double low = 0, high = 1; // bounds of the value
+        std::uint32_t tree = 1;    // nodes, were nothing shared; saturates
+        bool fallible = false;     // may have no value
+        double low = 0, high = 1;  // bounds of the value
     };
     Facts facts_of(Id<Expr> term) const;
     std::uint32_t boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t no, std::uint32_t base);

@@ -46,7 +46,8 @@ std::uint32_t Questions::not_exactly_one(const Property& property) {
 
 void Questions::ask_steps(const Property& property, const Question& prototype) {
     std::vector<Id<Network::Variable>> steps;
-    for (const Id<Expr> operand : property.operands) steps.push_back({static_cast<std::uint32_t>(network_.exprs[operand].value)});
+    for (const Id<Expr> operand : property.operands)
+        steps.push_back({static_cast<std::uint32_t>(network_.exprs[operand].value)});
     if (steps.empty())
         for (const Id<Network::Variable> variable : network_.variables.ids())
             if (network_.variables[variable].role == Network::Role::Step) steps.push_back(variable);
@@ -92,7 +93,8 @@ void Questions::compile(Question& question) {
     case Pattern::AlwaysPossible: question.p = settled_and(property, property.operands[0]); return;
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock:
-        question.p = property.at_stable ? machine_.compiler().condition(network_.settled, Program::yes, Program::no) : Program::yes;
+        question.p = property.at_stable ? machine_.compiler().condition(network_.settled, Program::yes, Program::no)
+                                        : Program::yes;
         return;
     case Pattern::ReachableAllSteps: return;
     case Pattern::RawUppaal:

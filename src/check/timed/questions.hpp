@@ -18,7 +18,8 @@ public:
 
     void ask(Id<Property> about, const Property& property);
     /// The verdicts, after a search that `ended`.
-    std::vector<Verdict> answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors, const Limits& limits);
+    std::vector<Verdict> answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors,
+                                 const Limits& limits);
 
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -27,7 +28,7 @@ private:
     struct Question {
         Verdict verdict = {};
         const Property* property = nullptr;
-        std::size_t watch = none;                    // the state that decides it, or that keeps it from being vacuous
+        std::size_t watch = none;  // the state that decides it, or that keeps it from being vacuous
         std::uint32_t p = Program::no, q = Program::no;
         bool at_stable = false;
     };
@@ -40,7 +41,7 @@ private:
 
     /// What is the same for all verdicts of one search.
     struct Outcomes {
-        Obstacle obstacle = Obstacle::None;   // against `holds` of what is about all states
+        Obstacle obstacle = Obstacle::None;  // against `holds` of what is about all states
         std::string reason = {};
     };
     void answer(Question& question, Graph& graph, const Limits& limits);
@@ -52,7 +53,8 @@ private:
     void holds_unless(Question& question, Obstacle obstacle, const std::string& reason) const;
     void holds_if_dense(Question& question, Graph& graph, const std::optional<UncoveredAt>& bound) const;
     void mark_vacuous(Question& question, const Graph& graph) const;
-    std::optional<StateSet> states_where(Question& question, Graph& graph, std::uint32_t predicate, const Limits& limits) const;
+    std::optional<StateSet> states_where(Question& question, Graph& graph, std::uint32_t predicate,
+                                         const Limits& limits) const;
     std::string place_of(Graph& graph, const UncoveredAt& at) const;
     std::string inexact_reason() const;
 

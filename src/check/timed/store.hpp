@@ -28,7 +28,8 @@ public:
     }
     /// The next `push_back` needs no memory.
     void make_room() {
-        if ((size_ & (chunk - 1)) == 0 && (size_ >> shift) == chunks_.size()) chunks_.push_back(std::make_unique_for_overwrite<T[]>(chunk));
+        if ((size_ & (chunk - 1)) == 0 && (size_ >> shift) == chunks_.size())
+            chunks_.push_back(std::make_unique_for_overwrite<T[]>(chunk));
     }
     void pop_back() { --size_; }
     T& back() { return (*this)[size_ - 1]; }
@@ -39,7 +40,10 @@ public:
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
     std::size_t bytes() const { return chunks_.size() * chunk * sizeof(T); }
-    void clear() { chunks_.clear(); size_ = 0; }
+    void clear() {
+        chunks_.clear();
+        size_ = 0;
+    }
 
 private:
     std::vector<std::unique_ptr<T[]>> chunks_ = {};
@@ -49,11 +53,14 @@ private:
 class Store {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
-    static constexpr std::uint32_t most = (1U << 29U) - 2;   ///< states that can be numbered (see Graph)
+    static constexpr std::uint32_t most = (1U << 29U) - 2;  ///< states that can be numbered (see Graph)
 
     explicit Store(const Layout& layout);
 
-    struct Interned { std::uint32_t state = none; bool fresh = false; };
+    struct Interned {
+        std::uint32_t state = none;
+        bool fresh = false;
+    };
     /// The number of the state in `words`; a new one if it is not there.
     Interned intern(const Word* words, std::uint64_t hash);
     /// The number of the state, or none.
@@ -74,14 +81,21 @@ public:
 private:
     static constexpr std::size_t shift = 12, chunk = std::size_t{1} << shift;
     static constexpr unsigned shard_bits = 6;
-    struct Slot { std::uint32_t print = 0; std::uint32_t state = 0; };   // state + 1; 0: free
+    struct Slot {
+        std::uint32_t print = 0;
+        std::uint32_t state = 0;
+    };  // state + 1; 0: free
     struct Shard {
         std::vector<Slot> slots = {};
         std::size_t used = 0;
     };
 
-    const std::uint32_t* at(std::uint32_t state) const { return chunks_[state >> shift].get() + (state & (chunk - 1)) * halves_; }
-    static std::size_t home(std::uint32_t print, std::size_t slots) { return static_cast<std::size_t>((std::uint64_t{print} * slots) >> 32U); }
+    const std::uint32_t* at(std::uint32_t state) const {
+        return chunks_[state >> shift].get() + (state & (chunk - 1)) * halves_;
+    }
+    static std::size_t home(std::uint32_t print, std::size_t slots) {
+        return static_cast<std::size_t>((std::uint64_t{print} * slots) >> 32U);
+    }
     void grow(Shard& shard);
     std::uint32_t append(const Word* words);
 

@@ -25,7 +25,9 @@ std::vector<ModelError> errors_of(timed::Graph& graph) {
     std::vector<ModelError> errors;
     for (const timed::FaultAt& at : graph.faults) errors.push_back(error_of(graph, at));
     if (!graph.race) return errors;
-    errors.push_back({.kind = ModelError::Kind::ActionRace, .variable = graph.machine.network().race, .run = graph.run_to(*graph.race)});
+    errors.push_back({.kind = ModelError::Kind::ActionRace,
+                      .variable = graph.machine.network().race,
+                      .run = graph.run_to(*graph.race)});
     return errors;
 }
 
@@ -66,7 +68,8 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     graph.linked = options.keep_links;
     std::vector<timed::Field> races;
     if (flat.race.valid()) races.push_back(machine.layout().variables[flat.race.index]);
-    const Obstacle ended = machine.layout().fits() ? timed::explore(graph, watch, races, limits) : Obstacle::Unsupported;
+    const Obstacle ended =
+        machine.layout().fits() ? timed::explore(graph, watch, races, limits) : Obstacle::Unsupported;
 
     TimedResult result;
     result.bytes = graph.bytes();

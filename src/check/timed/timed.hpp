@@ -30,31 +30,31 @@ namespace grafverif {
 struct TimedProgress {
     std::uint64_t states = 0;
     std::uint64_t transitions = 0;
-    std::uint64_t queue = 0;     ///< states found, their moves not yet looked at
+    std::uint64_t queue = 0;  ///< states found, their moves not yet looked at
     std::uint64_t bytes = 0;
     double seconds = 0;
 };
 
 struct TimedOptions {
-    std::vector<std::string> properties = {};       ///< names; empty: all. `no timelock` is always decided
+    std::vector<std::string> properties = {};  ///< names; empty: all. `no timelock` is always decided
     std::uint64_t max_states = 500'000'000;
-    std::uint64_t max_memory = std::uint64_t{4} << 30U;   ///< bytes
+    std::uint64_t max_memory = std::uint64_t{4} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;        ///< set by somebody else: end with what is known
-    bool keep_links = true;                         ///< false: less memory, several times the work for liveness
-    std::function<void(const TimedProgress&)> progress = {};   ///< called a few times per second
+    const std::atomic<bool>* stop = nullptr;  ///< set by somebody else: end with what is known
+    bool keep_links = true;                   ///< false: less memory, several times the work for liveness
+    std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
 };
 
 struct TimedResult {
-    std::vector<Verdict> verdicts = {};        ///< in the order of the properties, `no timelock` last if undeclared
-    std::vector<ModelError> errors = {};       ///< at most one per kind, edge and variable
+    std::vector<Verdict> verdicts = {};   ///< in the order of the properties, `no timelock` last if undeclared
+    std::vector<ModelError> errors = {};  ///< at most one per kind, edge and variable
     std::uint64_t states = 0;
-    std::uint64_t transitions = 0;             ///< edges and delays of one unit
-    std::uint64_t bytes = 0;                   ///< most memory held at once
-    std::uint64_t state_bytes = 0;             ///< one state, packed
+    std::uint64_t transitions = 0;  ///< edges and delays of one unit
+    std::uint64_t bytes = 0;        ///< most memory held at once
+    std::uint64_t state_bytes = 0;  ///< one state, packed
     double seconds = 0;
-    bool complete = true;                      ///< every reachable state was looked at
-    bool time_passes = false;                  ///< in some reachable state
+    bool complete = true;      ///< every reachable state was looked at
+    bool time_passes = false;  ///< in some reachable state
 };
 
 /// Requires verify(network).empty().

@@ -6,8 +6,8 @@
 #include <ostream>
 #include <utility>
 
-#include "syntax/print/dialect.hpp"
 #include "syntax/print/automaton.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
@@ -49,7 +49,8 @@ Diagram diagram(const LocationAutomaton& automaton) {
     Arrows arrows;
     for (const Id<LocationAutomaton::Location> id : automaton.locations.ids()) {
         const LocationAutomaton::Location& location = automaton.locations[id];
-        Diagram::Node node{{(id == automaton.init ? "INIT " : "") + situation_text(automaton, location.situation)}, id == automaton.init};
+        Diagram::Node node{{(id == automaton.init ? "INIT " : "") + situation_text(automaton, location.situation)},
+                           id == automaton.init};
         for (const Id<LocationAutomaton::Stored> stored : automaton.stored.ids())
             node.lines.push_back(automaton.stored[stored].name + " = " + std::to_string(location.values[stored.index]));
         std::string outputs;
@@ -77,18 +78,21 @@ Diagram diagram(const MealyMachine& machine) {
     }
     for (const MealyMachine::Transition& one : machine.transitions)
         arrows.add(one.from.index, one.to.index,
-                   (one.wait_ms != 0 ? "wait " + duration_text(one.wait_ms) + ", " : "") + condition_text(machine, one.condition) + " / " +
-                       answer_text(machine, one.answer, "-"));
-    for (const MealyMachine::Unstable& one : machine.unstable) arrows.add_unstable(one.from.index, condition_text(machine, one.condition));
+                   (one.wait_ms != 0 ? "wait " + duration_text(one.wait_ms) + ", " : "") +
+                       condition_text(machine, one.condition) + " / " + answer_text(machine, one.answer, "-"));
+    for (const MealyMachine::Unstable& one : machine.unstable)
+        arrows.add_unstable(one.from.index, condition_text(machine, one.condition));
     result.arrows = arrows.take();
     return result;
 }
 
 void emit_dot(const Diagram& diagram, std::ostream& out) {
-    out << "digraph " << dot_label({diagram.name}) << " {\n    node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
+    out << "digraph " << dot_label({diagram.name})
+        << " {\n    node [shape=box, style=rounded, fontname=\"sans-serif\"];\n"
         << "    edge [fontname=\"sans-serif\", fontsize=10];\n";
     for (std::size_t k = 0; k < diagram.nodes.size(); ++k)
-        out << "    " << k << " [label=" << dot_label(diagram.nodes[k].lines) << (diagram.nodes[k].initial ? ", peripheries=2" : "") << "];\n";
+        out << "    " << k << " [label=" << dot_label(diagram.nodes[k].lines)
+            << (diagram.nodes[k].initial ? ", peripheries=2" : "") << "];\n";
     for (std::size_t k = 0; k < diagram.arrows.size(); ++k) {
         const Diagram::Arrow& arrow = diagram.arrows[k];
         if (arrow.dashed) out << "    unstable" << k << " [label=\"never stable\", shape=plaintext];\n";

@@ -25,7 +25,7 @@ struct Diagram {
     struct Arrow {
         std::size_t from = 0, to = 0;
         std::vector<std::string> lines = {};
-        bool dashed = false;             ///< total instability; `to` is `from`
+        bool dashed = false;  ///< total instability; `to` is `from`
         bool operator==(const Arrow&) const = default;
     };
     std::string name = {};

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <ostream>
 
-#include "emit/layout/layout.hpp"
 #include "emit/layout/diagram.hpp"
+#include "emit/layout/layout.hpp"
 #include "support/xml_text.hpp"
 
 namespace grafverif {
@@ -30,7 +30,8 @@ public:
     SvgWriter(const Diagram& diagram, std::ostream& out) : diagram_(diagram), out_(out) {
         layout::Graph graph;
         for (const Diagram::Node& node : diagram.nodes) graph.nodes.push_back(label_size(node.lines));
-        for (const Diagram::Arrow& arrow : diagram.arrows) graph.links.push_back({arrow.from, arrow.to, label_size(arrow.lines)});
+        for (const Diagram::Arrow& arrow : diagram.arrows)
+            graph.links.push_back({arrow.from, arrow.to, label_size(arrow.lines)});
         drawing_ = layout::draw(graph);
     }
 
@@ -64,31 +65,36 @@ private:
             reach(drawing_.links[k].label, label_size(diagram_.arrows[k].lines));
         }
         const int width = high_.x - low_.x + 2 * drawing_margin, height = high_.y - low_.y + 2 * drawing_margin;
-        out_ << fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"{2} {3} {0} {1}\" "
-                            "font-family=\"sans-serif\" font-size=\"12\">\n",
-                            width, height, low_.x - drawing_margin, low_.y - drawing_margin)
-             << fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"white\"/>\n", low_.x - drawing_margin,
-                            low_.y - drawing_margin, width, height)
-             << "<defs><marker id=\"tip\" viewBox=\"0 0 10 10\" refX=\"9\" refY=\"5\" markerWidth=\"8\" markerHeight=\"8\" orient=\"auto\">"
-                "<path d=\"M0 0 L10 5 L0 10 z\" fill=\"#444\"/></marker></defs>\n";
+        out_
+            << fmt::format(
+                   "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"{2} {3} {0} {1}\" "
+                   "font-family=\"sans-serif\" font-size=\"12\">\n",
+                   width, height, low_.x - drawing_margin, low_.y - drawing_margin)
+            << fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"white\"/>\n",
+                           low_.x - drawing_margin, low_.y - drawing_margin, width, height)
+            << "<defs><marker id=\"tip\" viewBox=\"0 0 10 10\" refX=\"9\" refY=\"5\" markerWidth=\"8\" "
+               "markerHeight=\"8\" orient=\"auto\">"
+               "<path d=\"M0 0 L10 5 L0 10 z\" fill=\"#444\"/></marker></defs>\n";
     }
 
     void text(const std::vector<std::string>& lines, Point at, const char* style) {
         for (std::size_t k = 0; k < lines.size(); ++k) {
             std::string escaped;
             escape_xml(lines[k], escaped);
-            out_ << fmt::format("<text x=\"{}\" y=\"{}\" {}>{}</text>\n", at.x, at.y + line_height * static_cast<int>(k + 1) - 4, style, escaped);
+            out_ << fmt::format("<text x=\"{}\" y=\"{}\" {}>{}</text>\n", at.x,
+                                at.y + line_height * static_cast<int>(k + 1) - 4, style, escaped);
         }
     }
 
     void node(std::size_t number, const layout::Drawing::Node& place) {
         const Diagram::Node& node = diagram_.nodes[number];
         if (node.initial)
-            out_ << fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"white\" stroke=\"black\"/>\n", place.centre.x, place.centre.y,
-                                layout::node_radius);
-        out_ << fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"#eef\" stroke=\"black\"/>\n", place.centre.x, place.centre.y,
-                            layout::node_radius - (node.initial ? 3 : 0))
-             << fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", place.centre.x, place.centre.y + 4, number);
+            out_ << fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"white\" stroke=\"black\"/>\n",
+                                place.centre.x, place.centre.y, layout::node_radius);
+        out_ << fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"#eef\" stroke=\"black\"/>\n", place.centre.x,
+                            place.centre.y, layout::node_radius - (node.initial ? 3 : 0))
+             << fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", place.centre.x,
+                            place.centre.y + 4, number);
         text(node.lines, place.label, "font-weight=\"bold\"");
     }
 
@@ -101,7 +107,8 @@ private:
             points.front() = rim(points.front(), points[1]);
             points.back() = rim(points.back(), points[points.size() - 2]);
         }
-        out_ << "<polyline fill=\"none\" stroke=\"#444\" marker-end=\"url(#tip)\"" << (arrow.dashed ? " stroke-dasharray=\"4 3\"" : "") << " points=\"";
+        out_ << "<polyline fill=\"none\" stroke=\"#444\" marker-end=\"url(#tip)\""
+             << (arrow.dashed ? " stroke-dasharray=\"4 3\"" : "") << " points=\"";
         for (const Point point : points) out_ << point.x << ',' << point.y << ' ';
         out_ << "\"/>\n";
         text(arrow.lines, place.label, arrow.dashed ? "fill=\"#a00\"" : "fill=\"#225\"");

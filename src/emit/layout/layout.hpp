@@ -16,7 +16,7 @@
 namespace grafverif::layout {
 
 struct Point {
-    int x = 0, y = 0;      ///< pixels; y grows downwards
+    int x = 0, y = 0;  ///< pixels; y grows downwards
     bool operator==(const Point&) const = default;
 };
 
@@ -26,7 +26,7 @@ struct Size {
 };
 
 struct Box {
-    Point at = {};         ///< its upper left corner
+    Point at = {};  ///< its upper left corner
     Size size = {};
 };
 
@@ -38,7 +38,7 @@ struct Graph {
         std::size_t from = 0, to = 0;
         Size label = {};
     };
-    std::vector<Size> nodes = {};   ///< the label of each node
+    std::vector<Size> nodes = {};  ///< the label of each node
     std::vector<Link> links = {};
 };
 

@@ -11,10 +11,10 @@ namespace grafverif::layout {
 
 /// How the nodes are arranged, whatever the scale.
 struct Arrangement {
-    bool line = false;                      ///< on a horizontal line; else on an ellipse, clockwise
-    std::vector<std::size_t> order = {};    ///< the nodes on it, first to last
+    bool line = false;                    ///< on a horizontal line; else on an ellipse, clockwise
+    std::vector<std::size_t> order = {};  ///< the nodes on it, first to last
     struct Pendant {
-        std::size_t node = 0, beside = 0;   ///< linked with one node only: stands outside, beside it
+        std::size_t node = 0, beside = 0;  ///< linked with one node only: stands outside, beside it
     };
     std::vector<Pendant> pendants = {};
 };
@@ -23,13 +23,13 @@ Arrangement arrangement(const Graph& graph);
 
 struct Route {
     std::vector<Vector> nails = {};
-    Segment middle = {};                    ///< the part that carries the label; of a loop: its tip, twice
-    Vector outward = {};                    ///< from the middle to where the label should stand, of length 1
+    Segment middle = {};  ///< the part that carries the label; of a loop: its tip, twice
+    Vector outward = {};  ///< from the middle to where the label should stand, of length 1
 };
 
 struct Skeleton {
     std::vector<Vector> nodes = {};
-    std::vector<Route> routes = {};         ///< beside Graph::links
+    std::vector<Route> routes = {};  ///< beside Graph::links
 };
 
 Skeleton skeleton(const Graph& graph, const Arrangement& arrangement, double scale);

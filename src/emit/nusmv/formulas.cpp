@@ -8,8 +8,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "emit/nusmv/text.hpp"
 #include "emit/nusmv/nusmv.hpp"
+#include "emit/nusmv/text.hpp"
 #include "syntax/print/formula.hpp"
 
 namespace grafverif::nusmv {
@@ -55,7 +55,8 @@ private:
         const System::Symbol& here = symbol(place);
         if (std::holds_alternative<System::ParameterSymbol>(here.kind))
             return type_of({{}, system_.instances[place.first].arguments[place.second.index]});
-        if (const auto* member = std::get_if<System::MemberSymbol>(&here.kind)) return type_of({member->instance, member->symbol});
+        if (const auto* member = std::get_if<System::MemberSymbol>(&here.kind))
+            return type_of({member->instance, member->symbol});
         if (!here.values.empty()) return Type::Value;
         return here.type.boolean ? Type::Boolean : Type::Number;
     }

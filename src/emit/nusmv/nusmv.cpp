@@ -123,7 +123,8 @@ void print_choices(const ModulePrinter& printer) {
 /// Under which heading main lists each of its instances.
 std::vector<std::string_view> headings(const System& system) {
     const char* of_charts = system.controllers.size() > 1 ? "the controllers" : "the controller";
-    std::vector<std::string_view> found(system.instances.size(), system.controllers.empty() ? of_charts : "the observers");
+    std::vector<std::string_view> found(system.instances.size(),
+                                        system.controllers.empty() ? of_charts : "the observers");
     const auto& symbols = system.modules[system.main].symbols;
     const auto note = [&](Id<System::Symbol> symbol, std::string_view heading) {
         if (!symbol.valid()) return;
@@ -221,9 +222,11 @@ void print_header(std::ostream& out, const System& system, const Names& names) {
     }
     if (std::ranges::find(system.properties, Pattern::Reachable, &Property::pattern) != system.properties.end()) {
         out << "--\n";
-        print_comment(out, "A property P that says reachable is asked as its opposite: P holds where never_P is false, and is "
-                           "violated where never_P is true. (EF would ask for a way from every initial state and, where "
-                           "there are conditions of JUSTICE, for a fair one.)");
+        print_comment(
+            out,
+            "A property P that says reachable is asked as its opposite: P holds where never_P is false, and is "
+            "violated where never_P is true. (EF would ask for a way from every initial state and, where "
+            "there are conditions of JUSTICE, for a fair one.)");
     }
     if (names.changed.empty()) return;
     out << "--\n-- names that NuSMV does not take as they are\n";

@@ -62,17 +62,19 @@ struct Specification {
 Specification specification(const Printer& printer, const Property& property) {
     const auto operand = [&](std::size_t k) { return printer.judged(property, property.operands[k]); };
     switch (property.pattern) {
-    case Pattern::Always:         return {"INVARSPEC", printer.invariant(property, printer.text(property.operands[0]))};
+    case Pattern::Always: return {"INVARSPEC", printer.invariant(property, printer.text(property.operands[0]))};
     case Pattern::Never:
-    case Pattern::Reachable:      return {"INVARSPEC", printer.invariant(property, printer.negated(property.operands[0]))};
-    case Pattern::ExactlyOneOf:   return {"INVARSPEC", printer.invariant(property, printer.exactly_one(property))};
-    case Pattern::Inevitable:     return {"SPEC", "AF " + operand(0)};
-    case Pattern::LeadsTo:        return {"SPEC", "AG (" + operand(0) + " -> AF " + operand(1) + ')'};
+    case Pattern::Reachable: return {"INVARSPEC", printer.invariant(property, printer.negated(property.operands[0]))};
+    case Pattern::ExactlyOneOf: return {"INVARSPEC", printer.invariant(property, printer.exactly_one(property))};
+    case Pattern::Inevitable: return {"SPEC", "AF " + operand(0)};
+    case Pattern::LeadsTo: return {"SPEC", "AG (" + operand(0) + " -> AF " + operand(1) + ')'};
     case Pattern::AlwaysPossible: return {"SPEC", "AG EF " + operand(0)};
-    case Pattern::RawCtl:         return {"SPEC", property.raw};
-    case Pattern::RawLtl:         return {"LTLSPEC", property.raw};
-    case Pattern::NoDeadlock: case Pattern::NoTimelock: case Pattern::ReachableAllSteps: case Pattern::RawUppaal:
-        break;   // never in a TransitionSystem (verify)
+    case Pattern::RawCtl: return {"SPEC", property.raw};
+    case Pattern::RawLtl: return {"LTLSPEC", property.raw};
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock:
+    case Pattern::ReachableAllSteps:
+    case Pattern::RawUppaal: break;  // never in a TransitionSystem (verify)
     }
     unreachable();
 }

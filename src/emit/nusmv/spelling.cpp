@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How the model that `emit` writes spells what a flat system has in its tables: the way back from NuSMV's traces.
-#include "emit/nusmv/text.hpp"
 #include "emit/nusmv/nusmv.hpp"
+#include "emit/nusmv/text.hpp"
 
 namespace grafverif::nusmv {
 

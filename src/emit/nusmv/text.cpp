@@ -90,7 +90,7 @@ Id<Expr> NamedValues::named(Id<System::Module> module, Id<Expr> term, Id<System:
     if (names_.values.empty()) return term;
     const auto [known, fresh] = known_.try_emplace(Key{module, term, symbol});
     if (fresh) {
-        const Id<Expr> made = rewritten(module, term, symbol);   // may add to `known_`
+        const Id<Expr> made = rewritten(module, term, symbol);  // may add to `known_`
         known_[Key{module, term, symbol}] = made;
         return made;
     }
@@ -116,7 +116,8 @@ Id<Expr> NamedValues::rewritten(Id<System::Module> module, Id<Expr> term, Id<Sys
         }
     if (node.op == Op::Conditional) compared = symbol;
     for (std::size_t i = 0; i < operands.size(); ++i)
-        operands[i] = named(module, operands[i], node.op == Op::Conditional && i == 0 ? Id<System::Symbol>{} : compared);
+        operands[i] =
+            named(module, operands[i], node.op == Op::Conditional && i == 0 ? Id<System::Symbol>{} : compared);
     return exprs_.apply(node.op, operands);
 }
 

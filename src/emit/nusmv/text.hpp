@@ -18,9 +18,9 @@ namespace grafverif::nusmv {
 
 struct Names {
     std::vector<std::string> modules = {};
-    std::vector<std::vector<std::string>> symbols = {};   ///< per module; a member's is `instance.symbol`
+    std::vector<std::vector<std::string>> symbols = {};  ///< per module; a member's is `instance.symbol`
     std::vector<std::string> instances = {};
-    std::vector<std::string> properties = {};             ///< of their specifications; `never_P` of a `reachable` P
+    std::vector<std::string> properties = {};  ///< of their specifications; `never_P` of a `reachable` P
     /// Named values, which NuSMV takes for constants of the whole model: their names, and where each stands there.
     std::vector<std::string> values = {};
     std::unordered_map<std::string, std::size_t> value_places = {};

@@ -33,7 +33,9 @@ public:
     Writer(const Equations& equations, const Names& names, const Options& options)
         : equations_(equations), names_(names), options_(options) {
         result_.waits.resize(equations.variables.size());
-        leaf_ = [this](std::ostream& out, const Expr& leaf) { out << names_.storage[static_cast<std::size_t>(leaf.value)]; };
+        leaf_ = [this](std::ostream& out, const Expr& leaf) {
+            out << names_.storage[static_cast<std::size_t>(leaf.value)];
+        };
     }
 
     Body write() {
@@ -66,10 +68,10 @@ private:
         const Equations::Timer& times = equations_.timers[k];
         const TimerNames& timer = names_.timers[k];
         const std::string& end = stored_in(equations_.timers[k].end);
-        if (!timer.on.empty()) line("{}(IN := {}, PT := {});", timer.on, stored_in(times.watched), time_literal(times.rise_ms));
+        if (!timer.on.empty())
+            line("{}(IN := {}, PT := {});", timer.on, stored_in(times.watched), time_literal(times.rise_ms));
         if (!timer.lasted.empty()) line("{} := {}.Q;", timer.lasted, timer.on);
-        if (!timer.off.empty())
-            line("{}(IN := {}, PT := {});", timer.off, lasted(k), time_literal(times.fall_ms));
+        if (!timer.off.empty()) line("{}(IN := {}, PT := {});", timer.off, lasted(k), time_literal(times.fall_ms));
         line("{} := {}.Q;", end, timer.off.empty() ? timer.on : timer.off);
     }
 
@@ -90,7 +92,8 @@ private:
     void tell(std::size_t k) {
         const Equations::Timer& times = equations_.timers[k];
         const TimerNames& timer = names_.timers[k];
-        if (!timer.on.empty()) line("{}(IN := {}, PT := {});", timer.on, stored_in(times.watched), time_literal(times.rise_ms));
+        if (!timer.on.empty())
+            line("{}(IN := {}, PT := {});", timer.on, stored_in(times.watched), time_literal(times.rise_ms));
         if (!timer.lasted.empty()) line("{} := {} AND {};", timer.lasted, timer.lasted, stored_in(times.watched));
         if (!timer.off.empty()) line("{}(IN := {}, PT := {});", timer.off, lasted(k), time_literal(times.fall_ms));
     }
@@ -156,7 +159,8 @@ private:
 
     /// Sets the fault where `condition` holds.
     void refuse(Id<Expr> condition, int fault) {
-        if (!is_false(equations_.exprs, condition)) line("IF {} THEN {} := {}; END_IF;", text(condition), names_.fault, fault);
+        if (!is_false(equations_.exprs, condition))
+            line("IF {} THEN {} := {}; END_IF;", text(condition), names_.fault, fault);
     }
 
     /// All values are taken before any is changed: where one that comes later reads a target, its new value waits.
@@ -188,7 +192,8 @@ private:
         if (exprs[value].op != Op::Conditional) return line("{} := {};", target, text(value));
         const char* keyword = "IF";
         for (; exprs[value].op == Op::Conditional; value = exprs.operands(value)[2]) {
-            line("{} {} THEN {} := {};", keyword, text(exprs.operands(value)[0]), target, text(exprs.operands(value)[1]));
+            line("{} {} THEN {} := {};", keyword, text(exprs.operands(value)[0]), target,
+                 text(exprs.operands(value)[1]));
             keyword = "ELSIF";
         }
         line("ELSE {} := {};", target, text(value));

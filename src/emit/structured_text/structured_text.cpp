@@ -21,9 +21,12 @@ using Role = Equations::Role;
 
 std::string comment_of(const Equations& equations, const Names& names, const Options& options) {
     const bool search = options.mode == ExecutionMode::StabilitySearch;
-    std::string text = fmt::format("{}: controller written by grafverif from the equations of the chart\n", equations.name);
-    text += "One call is one PLC cycle: call it once per cycle of its task, with inputs that do not change meanwhile.\n";
-    text += search ? "With stability search: evolutions follow each other until the situation is stable, then outputs are written.\n"
+    std::string text =
+        fmt::format("{}: controller written by grafverif from the equations of the chart\n", equations.name);
+    text +=
+        "One call is one PLC cycle: call it once per cycle of its task, with inputs that do not change meanwhile.\n";
+    text += search ? "With stability search: evolutions follow each other until the situation is stable, then outputs "
+                     "are written.\n"
                    : "Without stability search: one evolution per call, outputs are written in every cycle.\n";
     text += fmt::format("{}: {}2 race of stored actions, 3 value outside its range{}; outputs then stay as they are.\n",
                         names.fault, search ? "1 no stable situation, " : "",
@@ -59,7 +62,8 @@ public:
         made_.push_back({Section::Output, names_.fault, "INT", false, "0", "what stopped the controller; 0: nothing"});
         made_.push_back({Section::Local, names_.started, "BOOL", false, "FALSE", "the first evolution has been made"});
         if (options.mode == ExecutionMode::EveryCycle) return std::move(made_);
-        made_.push_back({Section::Local, names_.stable, "BOOL", false, "FALSE", "one more evolution would change nothing"});
+        made_.push_back(
+            {Section::Local, names_.stable, "BOOL", false, "FALSE", "one more evolution would change nothing"});
         made_.push_back({Section::Local, names_.evolutions, "UDINT", false, "0", "of this cycle"});
         made_.push_back({Section::Constant, names_.limit, "UDINT", false, std::to_string(options.max_evolutions),
                          "of one cycle; more of them are total instability"});
@@ -79,7 +83,8 @@ private:
         if (kept != name)
             made_.push_back({Section::Local, kept, type_word(variable.type), false, initial, "image of " + name});
         if (body_.waits[id.index])
-            made_.push_back({Section::Local, names_.fresh[id.index], type_word(variable.type), false, "", "next value of " + kept});
+            made_.push_back(
+                {Section::Local, names_.fresh[id.index], type_word(variable.type), false, "", "next value of " + kept});
     }
 
     const Equations& equations_;

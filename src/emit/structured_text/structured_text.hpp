@@ -29,11 +29,11 @@
 
 namespace grafverif::structured_text {
 
-enum class Form { Text, PlcopenXml };   ///< a textual unit, or a project of PLCopen TC6 XML 2.01
+enum class Form { Text, PlcopenXml };  ///< a textual unit, or a project of PLCopen TC6 XML 2.01
 
 struct Options {
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::uint32_t max_evolutions = 1000;   ///< of one cycle, under stability search
+    std::uint32_t max_evolutions = 1000;  ///< of one cycle, under stability search
     Form form = Form::PlcopenXml;
 };
 

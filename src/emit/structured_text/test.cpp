@@ -11,8 +11,8 @@
 
 #include "emit/structured_text/body.hpp"
 #include "emit/structured_text/names.hpp"
-#include "emit/structured_text/unit.hpp"
 #include "emit/structured_text/structured_text.hpp"
+#include "emit/structured_text/unit.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif::structured_text {
@@ -30,9 +30,9 @@ std::string value_text(const TestSequence::Variable& variable, std::int64_t valu
 struct TestNames {
     InterfaceNames interface = {};
     std::vector<std::string> inputs = {}, expected = {};
-    std::vector<std::string> controllers = {};   ///< an instance per sequence
-    std::string program = {}, row = {}, scan = {}, scans = {}, sequence = {}, pause = {}, wait = {}, done = {}, passed = {},
-        failed_row = {}, failures = {}, wrong = {};
+    std::vector<std::string> controllers = {};  ///< an instance per sequence
+    std::string program = {}, row = {}, scan = {}, scans = {}, sequence = {}, pause = {}, wait = {}, done = {},
+                passed = {}, failed_row = {}, failures = {}, wrong = {};
 };
 
 TestNames test_names(const TestSequence& test) {
@@ -44,10 +44,11 @@ TestNames test_names(const TestSequence& test) {
     for (const std::string& input : inputs) wishes.push_back("I_" + input);
     for (const std::string& output : outputs) wishes.push_back("E_" + output);
     for (std::size_t k = 0; k < test.sequences.size(); ++k) wishes.push_back(fmt::format("controller_{}", k + 1));
-    std::string* const own[] = {&names.program, &names.row,    &names.scan,   &names.scans,      &names.sequence, &names.pause,
-                                &names.wait,    &names.done,   &names.passed, &names.failed_row, &names.failures, &names.wrong};
-    for (const char* wish : {"test", "row", "scan", "scans", "sequence", "pause", "wait", "done", "passed", "failed_row",
-                             "failures", "wrong"})
+    std::string* const own[] = {&names.program,  &names.row,        &names.scan,     &names.scans,
+                                &names.sequence, &names.pause,      &names.wait,     &names.done,
+                                &names.passed,   &names.failed_row, &names.failures, &names.wrong};
+    for (const char* wish : {"test", "row", "scan", "scans", "sequence", "pause", "wait", "done", "passed",
+                             "failed_row", "failures", "wrong"})
         wishes.push_back(*wish == 't' ? "test_" + test.chart : std::string(wish));
     std::vector<std::string> made = legal_names(Target::StructuredText, wishes, {names.interface.block});
     auto next = made.begin();
@@ -103,8 +104,8 @@ private:
         for (std::size_t k = 0; k < test_.outputs.size(); ++k)
             text += fmt::format(" {} := {};", names_.expected[k], value_text(test_.outputs[k], step.outputs[k]));
         const std::string situation = comment_text(printable(test_.situations[step.situation].text));
-        line("(* {}step {}{}{} *)", test_.sequences.size() > 1 ? fmt::format("sequence {}, ", sequence + 1) : "", number,
-             situation.empty() ? "" : ": ", situation);
+        line("(* {}step {}{}{} *)", test_.sequences.size() > 1 ? fmt::format("sequence {}, ", sequence + 1) : "",
+             number, situation.empty() ? "" : ": ", situation);
         line("{}", text);
     }
 
@@ -154,7 +155,8 @@ private:
             "{}: conformance test of the function block {} written by grafverif\n"
             "Call it in every cycle of a task until {} is TRUE. {}: no output was wrong in any of {} rows.\n"
             "{}: the first row with a wrong output; {}: scans with one.\n",
-            test_.chart, names_.interface.block, names_.done, names_.passed, count_, names_.failed_row, names_.failures);
+            test_.chart, names_.interface.block, names_.done, names_.passed, count_, names_.failed_row,
+            names_.failures);
     }
 
     std::vector<UnitVariable> variables() const {
@@ -176,7 +178,8 @@ private:
         }
         for (const std::string& controller : names_.controllers)
             made.push_back({Section::Local, controller, names_.interface.block, true, "", "the controller under test"});
-        const auto declare = [&](const std::vector<TestSequence::Variable>& variables, const std::vector<std::string>& names) {
+        const auto declare = [&](const std::vector<TestSequence::Variable>& variables,
+                                 const std::vector<std::string>& names) {
             for (std::size_t k = 0; k < variables.size(); ++k)
                 made.push_back({Section::Local, names[k], variables[k].type.boolean ? "BOOL" : "DINT", false, "", ""});
         };

@@ -67,8 +67,10 @@ void print_variable(const UnitVariable& variable, std::ostream& out) {
     else out << '<' << variable.type << "/>";
     out << "</type>\n";
     if (!variable.initial.empty())
-        out << "              <initialValue><simpleValue value=\"" << attribute_xml(variable.initial) << "\"/></initialValue>\n";
-    if (!variable.comment.empty()) out << "              <documentation>" << xhtml(variable.comment) << "</documentation>\n";
+        out << "              <initialValue><simpleValue value=\"" << attribute_xml(variable.initial)
+            << "\"/></initialValue>\n";
+    if (!variable.comment.empty())
+        out << "              <documentation>" << xhtml(variable.comment) << "</documentation>\n";
     out << "            </variable>\n";
 }
 
@@ -93,11 +95,13 @@ void print_plcopen(const Unit& unit, std::ostream& out) {
            "<project xmlns=\"http://www.plcopen.org/xml/tc6_0201\">\n"
            "  <fileHeader companyName=\"\" productName=\"grafverif\" productVersion=\"1\" "
            "creationDateTime=\"2000-01-01T00:00:00\"/>\n"
-           "  <contentHeader name=\"" << name << "\">\n    <coordinateInfo>\n";
+           "  <contentHeader name=\""
+        << name << "\">\n    <coordinateInfo>\n";
     for (const char* language : {"fbd", "ld", "sfc"})
         out << "      <" << language << "><scaling x=\"1\" y=\"1\"/></" << language << ">\n";
     out << "    </coordinateInfo>\n  </contentHeader>\n  <types>\n    <dataTypes/>\n    <pous>\n"
-        << "      <pou name=\"" << name << "\" pouType=\"" << (unit.is_program ? "program" : "functionBlock") << "\">\n";
+        << "      <pou name=\"" << name << "\" pouType=\"" << (unit.is_program ? "program" : "functionBlock")
+        << "\">\n";
     print_interface(unit, out);
     out << "        <body>\n          <ST>" << xhtml("\n" + unit.body) << "</ST>\n        </body>\n      </pou>\n"
         << "    </pous>\n  </types>\n  <instances><configurations/></instances>\n</project>\n";
@@ -107,7 +111,8 @@ void print_plcopen(const Unit& unit, std::ostream& out) {
 
 std::string comment_text(std::string text) {
     for (const std::string_view mark : {"(*", "*)"})
-        for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at)) text.insert(at + 1, " ");
+        for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
+            text.insert(at + 1, " ");
     return text;
 }
 

@@ -15,16 +15,16 @@ enum class Section { Input, Output, Local, Constant };
 struct UnitVariable {
     Section section = Section::Local;
     std::string name = {};
-    std::string type = {};      ///< `BOOL`, `DINT`, `INT`, `UDINT`, `TON`, `TOF`, or the name of a block
-    bool derived = false;       ///< the type is a function block
-    std::string initial = {};   ///< a literal, or empty
+    std::string type = {};     ///< `BOOL`, `DINT`, `INT`, `UDINT`, `TON`, `TOF`, or the name of a block
+    bool derived = false;      ///< the type is a function block
+    std::string initial = {};  ///< a literal, or empty
     std::string comment = {};
 };
 
 struct Unit {
-    bool is_program = false;    ///< else a function block
+    bool is_program = false;  ///< else a function block
     std::string name = {};
-    std::string comment = {};   ///< lines
+    std::string comment = {};  ///< lines
     std::vector<UnitVariable> variables = {};
     std::string body = {};
 };

@@ -15,35 +15,35 @@ namespace {
 using Kind = Network::ParameterKind;
 using Role = Network::Role;
 
-constexpr std::array roles = {Role::Input, Role::Output, Role::Internal, Role::Step,
-                              Role::FiringCondition, Role::Sample, Role::Image, Role::TimerEnd,
-                              Role::TimerPending, Role::Previous, Role::Watched, Role::Flag, Role::Plant};
+constexpr std::array roles = {Role::Input,   Role::Output, Role::Internal, Role::Step,         Role::FiringCondition,
+                              Role::Sample,  Role::Image,  Role::TimerEnd, Role::TimerPending, Role::Previous,
+                              Role::Watched, Role::Flag,   Role::Plant};
 
 std::string_view title(Role role) {
     switch (role) {
-    case Role::Input:           return "inputs of the controller";
-    case Role::Output:          return "outputs of the controller";
-    case Role::Internal:        return "internal variables";
-    case Role::Step:            return "step activities";
+    case Role::Input: return "inputs of the controller";
+    case Role::Output: return "outputs of the controller";
+    case Role::Internal: return "internal variables";
+    case Role::Step: return "step activities";
     case Role::FiringCondition: return "firing conditions";
-    case Role::Sample:          return "inputs as sampled in this cycle";
-    case Role::Image:           return "outputs not yet written";
-    case Role::TimerEnd:        return "ends of timers";
-    case Role::TimerPending:    return "timers to start or stop";
-    case Role::Previous:        return "previous values, for edges";
-    case Role::Watched:         return "levels that timers watch";
-    case Role::Flag:            return "flags between controller, timers and plant";
-    case Role::Plant:           return "variables of the plant";
+    case Role::Sample: return "inputs as sampled in this cycle";
+    case Role::Image: return "outputs not yet written";
+    case Role::TimerEnd: return "ends of timers";
+    case Role::TimerPending: return "timers to start or stop";
+    case Role::Previous: return "previous values, for edges";
+    case Role::Watched: return "levels that timers watch";
+    case Role::Flag: return "flags between controller, timers and plant";
+    case Role::Plant: return "variables of the plant";
     }
     unreachable();
 }
 
 std::string_view title(Network::ProcessKind kind) {
     switch (kind) {
-    case Network::ProcessKind::Plant:       return "plant";
+    case Network::ProcessKind::Plant: return "plant";
     case Network::ProcessKind::Environment: return "environment";
-    case Network::ProcessKind::Controller:  return "controller";
-    case Network::ProcessKind::Timer:       return "timers";
+    case Network::ProcessKind::Controller: return "controller";
+    case Network::ProcessKind::Timer: return "timers";
     }
     unreachable();
 }
@@ -59,7 +59,7 @@ std::string_view grain_text(Grain grain) {
 std::string_view mode_text(ExecutionMode mode) {
     switch (mode) {
     case ExecutionMode::StabilitySearch: return "with stability search (outputs are written in stable situations)";
-    case ExecutionMode::EveryCycle:      return "without stability search (outputs are written in every cycle)";
+    case ExecutionMode::EveryCycle: return "without stability search (outputs are written in every cycle)";
     }
     unreachable();
 }
@@ -141,9 +141,10 @@ std::string parameters_of_kind(const Network::Template& automaton, const LocalNa
 
 std::string argument_text(const Names& names, const Type& type, const Network::Argument& argument) {
     return std::visit(overloaded{
-        [&](Id<Network::Variable> variable) { return names.variables[variable.index]; },
-        [&](std::int64_t value) { return value_text(type, value); },
-    }, argument);
+                          [&](Id<Network::Variable> variable) { return names.variables[variable.index]; },
+                          [&](std::int64_t value) { return value_text(type, value); },
+                      },
+                      argument);
 }
 
 /// Per process, the controller whose timer it is, where there are several controllers; else nothing.

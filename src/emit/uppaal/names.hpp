@@ -19,14 +19,14 @@ inline constexpr std::string_view guard_prefix = "guard_";
 
 struct LocalNames {
     std::vector<std::string> parameters = {}, clocks = {}, locations = {}, procedures = {};
-    std::unordered_set<std::string> taken = {};   ///< all of these, and what else a name added here must not be
+    std::unordered_set<std::string> taken = {};  ///< all of these, and what else a name added here must not be
 };
 
 struct Names {
     std::vector<std::string> variables = {}, processes = {}, templates = {};
-    std::string channel = {};                     ///< every urgent edge emits on it
-    std::vector<LocalNames> locals = {};          ///< per template
-    std::vector<Renaming> changed = {};           ///< those that differ from the network's; locals as `template.name`
+    std::string channel = {};             ///< every urgent edge emits on it
+    std::vector<LocalNames> locals = {};  ///< per template
+    std::vector<Renaming> changed = {};   ///< those that differ from the network's; locals as `template.name`
 };
 
 Names names(const Network& network);

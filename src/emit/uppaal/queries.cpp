@@ -9,8 +9,8 @@
 #include "emit/uppaal/uppaal.hpp"
 #include "ir/step_names.hpp"
 #include "support/overloaded.hpp"
-#include "syntax/print/formula.hpp"
 #include "support/printable.hpp"
+#include "syntax/print/formula.hpp"
 
 namespace grafverif::uppaal {
 namespace {
@@ -26,11 +26,11 @@ std::string_view reason(Pattern pattern) {
     case Pattern::NoDeadlock:
     case Pattern::ReachableAllSteps:
     case Pattern::ExactlyOneOf:
-    case Pattern::RawUppaal:      return {};
-    case Pattern::NoTimelock:     return "UPPAAL has no query for `no timelock`";
+    case Pattern::RawUppaal: return {};
+    case Pattern::NoTimelock: return "UPPAAL has no query for `no timelock`";
     case Pattern::AlwaysPossible: return "UPPAAL has no query for `always possible` (AG EF)";
-    case Pattern::RawCtl:         return "UPPAAL reads no CTL beyond its own queries";
-    case Pattern::RawLtl:         return "UPPAAL reads no LTL";
+    case Pattern::RawCtl: return "UPPAAL reads no CTL beyond its own queries";
+    case Pattern::RawLtl: return "UPPAAL reads no LTL";
     }
     unreachable();
 }
@@ -92,7 +92,8 @@ private:
         const std::string outcome = satisfied ? "expected: satisfied" : "expected of one step at least: not satisfied";
         for (const Id<Network::Variable> step : steps(property)) {
             const std::string name = property.name + '.' + step_variable_name(network_, step);
-            list.push_back({id, name, "E<> " + (property.at_stable ? settled() + " && " : "") + names_.variables[step.index],
+            list.push_back({id, name,
+                            "E<> " + (property.at_stable ? settled() + " && " : "") + names_.variables[step.index],
                             headline(property, name) + "\nevery step; " + std::string(remark(property)) + outcome,
                             satisfied ? std::optional(true) : std::nullopt});
         }
@@ -112,19 +113,19 @@ private:
     std::string formula(const Property& property) {
         const auto& operands = property.operands;
         switch (property.pattern) {
-        case Pattern::Always:       return "A[] " + whenever(property, operands[0]);
-        case Pattern::Never:        return "A[] " + guarded(property, "not " + terms_.bracketed(operands[0]));
-        case Pattern::Reachable:    return "E<> " + also(property, operands[0]);
-        case Pattern::Inevitable:   return "A<> " + also(property, operands[0]);
-        case Pattern::LeadsTo:      return also(property, operands[0]) + " --> " + also(property, operands[1]);
-        case Pattern::NoDeadlock:   return "A[] " + guarded(property, "not deadlock");
+        case Pattern::Always: return "A[] " + whenever(property, operands[0]);
+        case Pattern::Never: return "A[] " + guarded(property, "not " + terms_.bracketed(operands[0]));
+        case Pattern::Reachable: return "E<> " + also(property, operands[0]);
+        case Pattern::Inevitable: return "A<> " + also(property, operands[0]);
+        case Pattern::LeadsTo: return also(property, operands[0]) + " --> " + also(property, operands[1]);
+        case Pattern::NoDeadlock: return "A[] " + guarded(property, "not deadlock");
         case Pattern::ExactlyOneOf: return "A[] " + guarded(property, sum(operands) + " == 1");
-        case Pattern::RawUppaal:    return property.raw;
+        case Pattern::RawUppaal: return property.raw;
         case Pattern::ReachableAllSteps:
         case Pattern::NoTimelock:
         case Pattern::AlwaysPossible:
         case Pattern::RawCtl:
-        case Pattern::RawLtl:       break;
+        case Pattern::RawLtl: break;
         }
         unreachable();
     }
@@ -159,7 +160,7 @@ private:
     const Network& network_;
     Terms terms_;
     const Names& names_;
-    std::unordered_set<std::string> known_ = {};   ///< what formulas may name; made when one asks
+    std::unordered_set<std::string> known_ = {};  ///< what formulas may name; made when one asks
 };
 
 }  // namespace

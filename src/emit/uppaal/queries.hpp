@@ -13,11 +13,11 @@ namespace grafverif::uppaal {
 
 struct Query {
     Id<Property> property = {};
-    std::string name = {};                 ///< the property's, or `S.X7` of one that expands
-    std::string formula = {};              ///< empty: cannot be said; the comment says why
-    std::string comment = {};              ///< begins with the property's name
-    std::optional<bool> satisfied = {};    ///< expected; nothing where no single query is told what to expect
-    std::string reason = {};               ///< why it cannot be said
+    std::string name = {};               ///< the property's, or `S.X7` of one that expands
+    std::string formula = {};            ///< empty: cannot be said; the comment says why
+    std::string comment = {};            ///< begins with the property's name
+    std::optional<bool> satisfied = {};  ///< expected; nothing where no single query is told what to expect
+    std::string reason = {};             ///< why it cannot be said
 };
 
 /// In the order of the properties.

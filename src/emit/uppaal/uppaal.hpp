@@ -45,8 +45,8 @@ std::vector<Inexpressible> inexpressible(const Network& network);
 /// One query without its comment: what a program is asked that reads no others.
 struct Formula {
     Id<Property> property = {};
-    std::string name = {};   ///< the property's; `S.X7` of one that asks for each step
-    std::string text = {};   ///< one line; empty: inexpressible
+    std::string name = {};  ///< the property's; `S.X7` of one that asks for each step
+    std::string text = {};  ///< one line; empty: inexpressible
     bool operator==(const Formula&) const = default;
 };
 /// In the order of emit_queries. Requires what emit does.

@@ -2,8 +2,8 @@
 // The actions of an AGRAFE document, by the steps that they are linked to.
 #include <string>
 
-#include "support/messages.hpp"
 #include "read/agrafe/reader.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
@@ -24,9 +24,9 @@ tree::Name target(AgrafeReader& reader, pugi::xml_node action) {
     const auto found = reader.reference(variable, "variableDeclaration", "variable declaration", is_declaration);
     if (!found) return {};
     if (value(reader.index[*found].node, "variableDeclarationType") == "step") {
-        reader.diagnostics().add(messages::bad_value(reader.xml.where(variable, "variableDeclaration"), "variable of this action",
-                                                     value(reader.index[*found].node, "name"),
-                                                     "an output or an internal variable, not a step variable"));
+        reader.diagnostics().add(messages::bad_value(
+            reader.xml.where(variable, "variableDeclaration"), "variable of this action",
+            value(reader.index[*found].node, "name"), "an output or an internal variable, not a step variable"));
         return {};
     }
     return reader.draft.name(reader.index[*found].name, reader.xml.where(variable, "variableDeclaration"));
@@ -54,14 +54,17 @@ std::optional<tree::Action> continuous(AgrafeReader& reader, pugi::xml_node acti
         return {};
     }
     if (conditional) made.condition = agrafe_term(reader, term);
-    else
-        has_stray_condition(reader, action, "say `continuousActionType=\"assignationCondition\"`, or remove the term");
+    else has_stray_condition(reader, action, "say `continuousActionType=\"assignationCondition\"`, or remove the term");
     const auto length = [&] { return reader.draft.duration(time.rise_ms, reader.xml.where(action, "delayTime")); };
     switch (time.kind) {
-    case AgrafeTime::Kind::None:      break;
+    case AgrafeTime::Kind::None: break;
     case AgrafeTime::Kind::Dependent: made.condition = timed(reader, time, made.condition, made.where); break;
-    case AgrafeTime::Kind::Delayed:   if (time.rise_ms > 0) made.delay = length(); break;
-    case AgrafeTime::Kind::Limited:   if (time.rise_ms > 0) made.limit = length(); break;
+    case AgrafeTime::Kind::Delayed:
+        if (time.rise_ms > 0) made.delay = length();
+        break;
+    case AgrafeTime::Kind::Limited:
+        if (time.rise_ms > 0) made.limit = length();
+        break;
     }
     if (conditional && !made.condition.valid()) return {};
     return made;
@@ -89,7 +92,8 @@ std::optional<tree::Action> stored(AgrafeReader& reader, pugi::xml_node action) 
         else reader.diagnostics().add(messages::missing_part(made.where, "this stored action", "`term` for its event"));
         if (!made.event.valid()) return {};
     } else {
-        reader.diagnostics().add(messages::bad_value(reader.xml.where(action, "storedActionType"), "type of this action", type,
+        reader.diagnostics().add(messages::bad_value(reader.xml.where(action, "storedActionType"),
+                                                     "type of this action", type,
                                                      "`activation`, `deactivation` or `event`"));
         return {};
     }
@@ -109,9 +113,9 @@ std::optional<tree::Action> forcing(AgrafeReader& reader, pugi::xml_node action)
     else if (type == "initialSituation") made.to = tree::ForcedTo::Initial;
     else if (type == "explicitSituation") made.to = tree::ForcedTo::Steps;
     else
-        reader.diagnostics().add(messages::bad_value(
-            reader.xml.where(action, "forcingOrderType"), "type of this forcing order", type,
-            "`currentSituation`, `emptySituation`, `initialSituation` or `explicitSituation`"));
+        reader.diagnostics().add(
+            messages::bad_value(reader.xml.where(action, "forcingOrderType"), "type of this forcing order", type,
+                                "`currentSituation`, `emptySituation`, `initialSituation` or `explicitSituation`"));
     if (made.to != tree::ForcedTo::Steps) return made;
     for (const std::size_t step : reader.references(action, "forcedSteps", "step", is_step)) {
         if (reader.index[step].partial != *forced)
@@ -129,7 +133,8 @@ std::optional<tree::Action> action_of(AgrafeReader& reader, pugi::xml_node actio
     if (type == "ContinuousAction") return continuous(reader, action);
     if (type == "StoredAction") return stored(reader, action);
     if (type == "ForcingOrder") return forcing(reader, action);
-    if (type.empty()) reader.diagnostics().add(messages::missing_part(reader.xml.where(action), "this action", "`xsi:type`"));
+    if (type.empty())
+        reader.diagnostics().add(messages::missing_part(reader.xml.where(action), "this action", "`xsi:type`"));
     else
         reader.diagnostics().add(messages::bad_value(reader.xml.where(action, "type"), "type of this action", type,
                                                      "`ContinuousAction`, `StoredAction` or `ForcingOrder`"));
@@ -160,8 +165,8 @@ std::vector<std::vector<tree::Action>> agrafe_actions(AgrafeReader& reader) {
     }
     for (std::size_t i = 0; i < actions.size(); ++i)
         if (reader.index[i].kind == Kind::Action && !linked[i])
-            reader.diagnostics().add(messages::without_effect(reader.xml.where(reader.index[i].node),
-                                                              "an action without a step", "link it to one, or remove it"));
+            reader.diagnostics().add(messages::without_effect(
+                reader.xml.where(reader.index[i].node), "an action without a step", "link it to one, or remove it"));
     return actions;
 }
 

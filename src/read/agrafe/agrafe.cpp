@@ -7,16 +7,16 @@
 #include <unordered_set>
 
 #include "grafverif/ir/type.hpp"
-#include "support/messages.hpp"
 #include "read/agrafe/reader.hpp"
 #include "read/mixed_actions.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
 using Kind = AgrafeEntity::Kind;
 
-std::optional<std::size_t> AgrafeReader::reference(pugi::xml_node node, std::string_view attribute, std::string_view what,
-                                                   bool (*accepts)(Kind)) {
+std::optional<std::size_t> AgrafeReader::reference(pugi::xml_node node, std::string_view attribute,
+                                                   std::string_view what, bool (*accepts)(Kind)) {
     const std::string path = value(node, attribute);
     if (path.empty()) {
         diagnostics().add(messages::missing_part(xml.where(node), '`' + std::string(local_name(node.name())) + '`',
@@ -29,8 +29,8 @@ std::optional<std::size_t> AgrafeReader::reference(pugi::xml_node node, std::str
     return {};
 }
 
-std::vector<std::size_t> AgrafeReader::references(pugi::xml_node node, std::string_view attribute, std::string_view what,
-                                                  bool (*accepts)(Kind)) {
+std::vector<std::size_t> AgrafeReader::references(pugi::xml_node node, std::string_view attribute,
+                                                  std::string_view what, bool (*accepts)(Kind)) {
     std::vector<std::size_t> all;
     const std::string paths = value(node, attribute);
     for (std::size_t at = 0; at < paths.size();) {
@@ -52,7 +52,8 @@ std::int64_t AgrafeReader::number(pugi::xml_node node, std::string_view attribut
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), result);
     constexpr std::int64_t bound = std::int64_t{1} << 31U;
     if (failure == std::errc() && end == text.data() + text.size() && result >= -bound && result < bound) return result;
-    diagnostics().add(messages::bad_value(xml.where(node, attribute), '`' + std::string(attribute) + '`', text, "a whole number"));
+    diagnostics().add(
+        messages::bad_value(xml.where(node, attribute), '`' + std::string(attribute) + '`', text, "a whole number"));
     return otherwise;
 }
 
@@ -70,8 +71,8 @@ std::string wish_for(const AgrafeEntity& step) {
     switch (step.kind) {
     case Kind::Macro: return 'M' + id;
     case Kind::Entry: return 'E' + id;
-    case Kind::Exit:  return 'S' + id;
-    default:          return id;
+    case Kind::Exit: return 'S' + id;
+    default: return id;
     }
 }
 
@@ -96,9 +97,11 @@ void name_steps(AgrafeReader& reader) {
         const std::string wish = wish_for(step);
         const auto [first, fresh] = taken[step.partial].try_emplace(wish, i);
         if (!fresh)
-            reader.diagnostics().add(messages::duplicate_name(reader.xml.where(step.node, "id"), "step", wish,
-                                                              reader.xml.where(reader.index[first->second].node, "id")));
-        step.name = fresh ? names[step.partial].make(wish, reader.xml.where(step.node, "id")) : names[step.partial].invent(wish);
+            reader.diagnostics().add(
+                messages::duplicate_name(reader.xml.where(step.node, "id"), "step", wish,
+                                         reader.xml.where(reader.index[first->second].node, "id")));
+        step.name = fresh ? names[step.partial].make(wish, reader.xml.where(step.node, "id"))
+                          : names[step.partial].invent(wish);
         ++reader.namesakes[step.name];
     }
 }
@@ -142,8 +145,9 @@ std::vector<tree::ChartItem> declarations(AgrafeReader& reader) {
         if (!attribute(one.node, "name"))
             reader.diagnostics().add(messages::missing_part(where, "this variable declaration", "`name`"));
         if (type != "Bool" && type != "Integer")
-            reader.diagnostics().add(sort ? messages::bad_value(reader.xml.where(sort, "type"), "sort", type, "`Bool` or `Integer`")
-                                          : messages::missing_part(where, "this variable declaration", "`sort`"));
+            reader.diagnostics().add(
+                sort ? messages::bad_value(reader.xml.where(sort, "type"), "sort", type, "`Bool` or `Integer`")
+                     : messages::missing_part(where, "this variable declaration", "`sort`"));
         one.name = names.make(value(one.node, "name"), where);
         tree::Variables written{kind_of(reader, one.node), {}, reader.xml.where(one.node)};
         tree::Variable variable;
@@ -152,7 +156,8 @@ std::vector<tree::ChartItem> declarations(AgrafeReader& reader) {
         if (!attribute(one.node, "variableDeclarationType")) reader.without_kind.insert(variable.name.word);
         if (type == "Integer") {
             variable.type = tree::TypeWord::Int;
-            reader.integers.push_back({variable.name.word, written.kind == tree::VariableKind::Input, 0, least_integer, greatest_integer});
+            reader.integers.push_back(
+                {variable.name.word, written.kind == tree::VariableKind::Input, 0, least_integer, greatest_integer});
         }
         written.variables.push_back(std::move(variable));
         items.emplace_back(std::move(written));
@@ -202,15 +207,16 @@ std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t 
     for (const std::size_t step : linked_steps(reader, entity, false))
         transition.to.push_back(reader.draft.name(reader.index[step].name, transition.where));
     if (transition.from.empty() && transition.to.empty()) {
-        reader.diagnostics().add(messages::without_effect(transition.where, "a transition without steps",
-                                                          "link it to steps, or remove it"));
+        reader.diagnostics().add(
+            messages::without_effect(transition.where, "a transition without steps", "link it to steps, or remove it"));
         return {};
     }
     const pugi::xml_node term = child(one.node, "term");
     const AgrafeTime time = agrafe_time(reader, one.node);
     if (!term) {
-        reader.diagnostics().add(messages::missing_part(transition.where, "this transition", "`term` for its condition"));
-        transition.condition = reader.draft.constant(false, transition.where);   // reported: no second error
+        reader.diagnostics().add(
+            messages::missing_part(transition.where, "this transition", "`term` for its condition"));
+        transition.condition = reader.draft.constant(false, transition.where);  // reported: no second error
         return transition;
     }
     const std::size_t errors = reader.diagnostics().errors();
@@ -221,7 +227,7 @@ std::optional<tree::Transition> transition_of(AgrafeReader& reader, std::size_t 
     else if (time.kind != AgrafeTime::Kind::None && transition.condition.valid())
         transition.condition = timed(reader, time, transition.condition, reader.xml.where(one.node, "delayTime"));
     if (!transition.condition.valid() && reader.diagnostics().errors() != errors)
-        transition.condition = reader.draft.constant(false, transition.where);   // reported: no second error
+        transition.condition = reader.draft.constant(false, transition.where);  // reported: no second error
     return transition;
 }
 
@@ -233,9 +239,9 @@ void check_enclosure(AgrafeReader& reader, std::size_t entity) {
     if (!step) return;
     const auto enclosed = reader.references(reader.index[*step].node, "partialGrafcets", "partial grafcet", is_plain);
     if (std::ranges::find(enclosed, entity) == enclosed.end())
-        reader.diagnostics().add(messages::misplaced_link(
-            reader.xml.where(partial.node, "enclosingStep"), "this step does not enclose the partial grafcet that says so",
-            "list it in `partialGrafcets` of the step"));
+        reader.diagnostics().add(messages::misplaced_link(reader.xml.where(partial.node, "enclosingStep"),
+                                                          "this step does not enclose the partial grafcet that says so",
+                                                          "list it in `partialGrafcets` of the step"));
 }
 
 // -- the chart ----------------------------------------------------------------------------------------------------------
@@ -269,11 +275,13 @@ void drive_outputs(AgrafeReader& reader, const tree::File& file, tree::Chart& ch
     for (tree::ChartItem& item : chart.items) {
         auto& variables = std::get<tree::Variables>(item);
         const tree::Variable& variable = variables.variables.front();
-        const bool open = variables.kind == tree::VariableKind::Internal || reader.without_kind.contains(variable.name.word);
+        const bool open =
+            variables.kind == tree::VariableKind::Internal || reader.without_kind.contains(variable.name.word);
         if (!open || variable.type != tree::TypeWord::None || !driven.contains(variable.name.word)) continue;
         variables.kind = tree::VariableKind::Output;
-        reader.diagnostics().add(messages::chosen_kind(variable.where, file.text(variable.name), "output",
-                                                       "continuous actions drive it, and conditions read the steps that do"));
+        reader.diagnostics().add(
+            messages::chosen_kind(variable.where, file.text(variable.name), "output",
+                                  "continuous actions drive it, and conditions read the steps that do"));
     }
 }
 
@@ -287,14 +295,17 @@ void fill_ranges(AgrafeReader& reader, const tree::File& file, tree::Chart& char
         if (variable.type != tree::TypeWord::Int) continue;
         const FoundRange range = found[next++];
         if (!range.exact)
-            reader.diagnostics().add(messages::chosen_range(variable.where, file.text(variable.name), range.low, range.high,
-                                                            "the meta-model leaves it open, and the chart computes with it"));
+            reader.diagnostics().add(
+                messages::chosen_range(variable.where, file.text(variable.name), range.low, range.high,
+                                       "the meta-model leaves it open, and the chart computes with it"));
         if (variables->kind == tree::VariableKind::Output && range.low < 0) {
             variables->kind = tree::VariableKind::Internal;
-            reader.diagnostics().add(messages::chosen_kind(variable.where, file.text(variable.name), "internal variable",
-                                                           "an output would begin at the least value of its range, not at 0"));
+            reader.diagnostics().add(
+                messages::chosen_kind(variable.where, file.text(variable.name), "internal variable",
+                                      "an output would begin at the least value of its range, not at 0"));
         }
-        variable.range = tree::Range{reader.draft.number(range.low, variable.where), reader.draft.number(range.high, variable.where)};
+        variable.range = tree::Range{reader.draft.number(range.low, variable.where),
+                                     reader.draft.number(range.high, variable.where)};
         if (variables->kind == tree::VariableKind::Internal) variable.value = reader.draft.number(0, variable.where);
     }
 }
@@ -327,13 +338,15 @@ tree::File read_agrafe(const Xml& xml, std::string_view name, bool lossy, Diagno
     }
     for (std::size_t i = 0; i < actions.size(); ++i)
         if (reader.index[i].kind == Kind::Transition)
-            if (auto transition = transition_of(reader, i)) contents[reader.index[i].partial].emplace_back(std::move(*transition));
+            if (auto transition = transition_of(reader, i))
+                contents[reader.index[i].partial].emplace_back(std::move(*transition));
     for (std::size_t i = 0; i < actions.size(); ++i) {
         const AgrafeEntity& one = reader.index[i];
         if (one.kind == Kind::Main) std::ranges::move(contents[i], std::back_inserter(chart.items));
         if (one.kind != Kind::Partial && one.kind != Kind::Expansion) continue;
-        chart.items.emplace_back(tree::Partial{one.kind == Kind::Expansion ? tree::PartialKind::Expansion : tree::PartialKind::Partial,
-                                               draft.name(one.name, xml.where(one.node, "name")), std::move(contents[i]), xml.where(one.node)});
+        chart.items.emplace_back(tree::Partial{
+            one.kind == Kind::Expansion ? tree::PartialKind::Expansion : tree::PartialKind::Partial,
+            draft.name(one.name, xml.where(one.node, "name")), std::move(contents[i]), xml.where(one.node)});
     }
     fill_ranges(reader, draft.file(), chart);
     split_mixed_actions(draft, chart);

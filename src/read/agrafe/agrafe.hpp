@@ -7,8 +7,8 @@
 #pragma once
 
 #include "grafverif/support/diagnostic.hpp"
-#include "syntax/language/tree.hpp"
 #include "read/xml.hpp"
+#include "syntax/language/tree.hpp"
 
 namespace grafverif {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "read/agrafe/reader.hpp"
-
 #include <utility>
+
+#include "read/agrafe/reader.hpp"
 
 namespace grafverif {
 
@@ -33,7 +33,8 @@ bool is_single(std::string_view feature) {
 }  // namespace
 
 bool is_step(Kind kind) {
-    return kind == Kind::Step || kind == Kind::Enclosing || kind == Kind::Macro || kind == Kind::Entry || kind == Kind::Exit;
+    return kind == Kind::Step || kind == Kind::Enclosing || kind == Kind::Macro || kind == Kind::Entry ||
+           kind == Kind::Exit;
 }
 
 bool is_partial(Kind kind) { return kind == Kind::Main || kind == Kind::Partial || kind == Kind::Expansion; }

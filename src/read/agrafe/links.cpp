@@ -4,8 +4,8 @@
 #include <string>
 #include <unordered_set>
 
-#include "support/messages.hpp"
 #include "read/agrafe/reader.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
@@ -72,10 +72,11 @@ void check_synchronization(AgrafeReader& reader, std::size_t entity) {
     const std::vector<std::size_t> before = beyond(reader, entity, true), after = beyond(reader, entity, false);
     for (const bool steps : {true, false}) {
         if (!has(before, steps) || !has(after, steps)) continue;
-        reader.diagnostics().add(messages::misplaced_link(
-            reader.xml.where(synchronization.node),
-            steps ? "this synchronization leads from steps to steps" : "this synchronization leads from transitions to transitions",
-            steps ? "put a transition behind or before it" : "put steps behind or before it"));
+        reader.diagnostics().add(
+            messages::misplaced_link(reader.xml.where(synchronization.node),
+                                     steps ? "this synchronization leads from steps to steps"
+                                           : "this synchronization leads from transitions to transitions",
+                                     steps ? "put a transition behind or before it" : "put steps behind or before it"));
     }
 }
 

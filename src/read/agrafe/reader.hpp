@@ -18,12 +18,25 @@ namespace grafverif {
 // What an AGRAFE document consists of, and what its references name.
 
 struct AgrafeEntity {
-    enum class Kind { Main, Partial, Expansion, Step, Enclosing, Macro, Entry, Exit, Transition, Synchronization, Action, Declaration };
+    enum class Kind {
+        Main,
+        Partial,
+        Expansion,
+        Step,
+        Enclosing,
+        Macro,
+        Entry,
+        Exit,
+        Transition,
+        Synchronization,
+        Action,
+        Declaration
+    };
     Kind kind = Kind::Main;
     pugi::xml_node node = {};
-    std::size_t partial = 0;      ///< the partial chart it belongs to; of a partial chart: itself
-    std::string name = {};        ///< in our language; set by the reader
-    std::vector<std::size_t> in = {}, out = {};   ///< arcs: entities before and after it
+    std::size_t partial = 0;                     ///< the partial chart it belongs to; of a partial chart: itself
+    std::string name = {};                       ///< in our language; set by the reader
+    std::vector<std::size_t> in = {}, out = {};  ///< arcs: entities before and after it
 };
 
 class AgrafeIndex {
@@ -54,9 +67,9 @@ struct AgrafeReader {
     AgrafeIndex index;
     Draft& draft;
     std::string chart = {};
-    std::unordered_map<std::string, std::size_t> namesakes = {};   ///< steps of a name, over all partial charts
+    std::unordered_map<std::string, std::size_t> namesakes = {};  ///< steps of a name, over all partial charts
     std::vector<OpenInteger> integers = {};
-    std::unordered_set<Id<tree::Word>> without_kind = {};   ///< variables of no declared kind: inputs by default
+    std::unordered_set<Id<tree::Word>> without_kind = {};  ///< variables of no declared kind: inputs by default
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
 

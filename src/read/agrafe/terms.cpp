@@ -2,8 +2,8 @@
 // The terms and times of an AGRAFE document.
 #include <string>
 
-#include "support/messages.hpp"
 #include "read/agrafe/reader.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
@@ -18,11 +18,16 @@ struct Operator {
 };
 constexpr std::size_t any = 1'000'000'000;
 constexpr Operator operators[] = {
-    {"And", tree::Op::And, 1, any},           {"Or", tree::Op::Or, 1, any},
-    {"Not", tree::Op::Not, 1, 1},             {"RisingEdge", tree::Op::Rise, 1, 1},
-    {"FallingEdge", tree::Op::Fall, 1, 1},    {"Equality", tree::Op::Equal, 2, 2},
-    {"GreaterThan", tree::Op::Greater, 2, 2}, {"LessThan", tree::Op::Less, 2, 2},
-    {"Addition", tree::Op::Plus, 2, 2},       {"Substraction", tree::Op::Minus, 2, 2},
+    {"And", tree::Op::And, 1, any},
+    {"Or", tree::Op::Or, 1, any},
+    {"Not", tree::Op::Not, 1, 1},
+    {"RisingEdge", tree::Op::Rise, 1, 1},
+    {"FallingEdge", tree::Op::Fall, 1, 1},
+    {"Equality", tree::Op::Equal, 2, 2},
+    {"GreaterThan", tree::Op::Greater, 2, 2},
+    {"LessThan", tree::Op::Less, 2, 2},
+    {"Addition", tree::Op::Plus, 2, 2},
+    {"Substraction", tree::Op::Minus, 2, 2},
     {"Subtraction", tree::Op::Minus, 2, 2},
 };
 
@@ -39,7 +44,8 @@ Id<tree::Expr> variable(AgrafeReader& reader, pugi::xml_node term) {
     if (!found) return {};
     const AgrafeEntity& declaration = reader.index[*found];
     const Span where = reader.xml.where(term, "variableDeclaration");
-    if (value(declaration.node, "variableDeclarationType") != "step") return reader.draft.variable(declaration.name, where);
+    if (value(declaration.node, "variableDeclarationType") != "step")
+        return reader.draft.variable(declaration.name, where);
     const auto step = reader.reference(declaration.node, "step", "step", is_step);
     return step ? step_variable(reader, reader.index[*step], where) : Id<tree::Expr>{};
 }
@@ -65,11 +71,14 @@ Id<tree::Expr> applied(AgrafeReader& reader, const Operator& known, pugi::xml_no
 Id<tree::Expr> agrafe_term(AgrafeReader& reader, pugi::xml_node term) {
     const std::string_view type = local_name(attribute(term, "type").value());
     if (type == "Variable") return variable(reader, term);
-    if (type == "BooleanConstant") return reader.draft.constant(reader.flag(term, "value"), reader.xml.where(term, "value"));
-    if (type == "IntegerConstant") return reader.draft.number(reader.number(term, "value", 0), reader.xml.where(term, "value"));
+    if (type == "BooleanConstant")
+        return reader.draft.constant(reader.flag(term, "value"), reader.xml.where(term, "value"));
+    if (type == "IntegerConstant")
+        return reader.draft.number(reader.number(term, "value", 0), reader.xml.where(term, "value"));
     for (const Operator& known : operators)
         if (known.type == type) return applied(reader, known, term);
-    if (type.empty()) reader.diagnostics().add(messages::missing_part(reader.xml.where(term), "this term", "`xsi:type`"));
+    if (type.empty())
+        reader.diagnostics().add(messages::missing_part(reader.xml.where(term), "this term", "`xsi:type`"));
     else
         reader.diagnostics().add(messages::bad_value(reader.xml.where(term, "type"), "type of this term", type,
                                                      "a class of the meta-model `terms`"));
@@ -91,12 +100,13 @@ AgrafeTime agrafe_time(AgrafeReader& reader, pugi::xml_node node) {
     else if (type == "timeDelayed") time.kind = AgrafeTime::Kind::Delayed;
     else if (type == "timeLimited") time.kind = AgrafeTime::Kind::Limited;
     else
-        reader.diagnostics().add(messages::bad_value(reader.xml.where(node, "timeConditionType"), "type of this time", type,
-                                                     "`timeDependent`, `timeDelayed` or `timeLimited`"));
+        reader.diagnostics().add(messages::bad_value(reader.xml.where(node, "timeConditionType"), "type of this time",
+                                                     type, "`timeDependent`, `timeDelayed` or `timeLimited`"));
     if (!unit.empty() && unit != "s" && unit != "second" && unit != "ms" && unit != "millisecond")
         reader.diagnostics().add(messages::bad_value(reader.xml.where(node, "unit"), "unit", unit, "`s` or `ms`"));
     const std::int64_t factor = unit == "ms" || unit == "millisecond" ? 1 : 1000;
-    for (const auto& [attribute, length] : {std::pair<std::string_view, std::int64_t>("delayTime", delay), {"resetTime", reset}})
+    for (const auto& [attribute, length] :
+         {std::pair<std::string_view, std::int64_t>("delayTime", delay), {"resetTime", reset}})
         if (length < 0)
             reader.diagnostics().add(messages::bad_value(reader.xml.where(node, attribute), std::string(attribute),
                                                          value(node, attribute), "a time that is not negative"));

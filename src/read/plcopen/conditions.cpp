@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "support/messages.hpp"
 #include "read/plcopen/network.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
@@ -17,11 +17,20 @@ struct Function {
     std::string_view name = {};
     st::Op op = st::Op::And;
 };
-constexpr std::array<Function, 14> functions = {{
-    {"AND", st::Op::And}, {"OR", st::Op::Or}, {"XOR", st::Op::Xor}, {"ADD", st::Op::Plus}, {"SUB", st::Op::Minus},
-    {"MUL", st::Op::Times}, {"DIV", st::Op::Divide}, {"MOD", st::Op::Modulo}, {"GT", st::Op::Greater},
-    {"GE", st::Op::GreaterEqual}, {"EQ", st::Op::Equal}, {"NE", st::Op::NotEqual}, {"LE", st::Op::LessEqual},
-    {"LT", st::Op::Less}}};
+constexpr std::array<Function, 14> functions = {{{"AND", st::Op::And},
+                                                 {"OR", st::Op::Or},
+                                                 {"XOR", st::Op::Xor},
+                                                 {"ADD", st::Op::Plus},
+                                                 {"SUB", st::Op::Minus},
+                                                 {"MUL", st::Op::Times},
+                                                 {"DIV", st::Op::Divide},
+                                                 {"MOD", st::Op::Modulo},
+                                                 {"GT", st::Op::Greater},
+                                                 {"GE", st::Op::GreaterEqual},
+                                                 {"EQ", st::Op::Equal},
+                                                 {"NE", st::Op::NotEqual},
+                                                 {"LE", st::Op::LessEqual},
+                                                 {"LT", st::Op::Less}}};
 
 class Connected {
 public:
@@ -48,7 +57,8 @@ private:
     Id<st::Expr> of(pugi::xml_node node, std::size_t depth) {
         const Span where = reader_.xml.where(node);
         if (depth > deepest_network) {
-            reader_.draft.refuse(where, "a network that leads back to itself, or is deeper than 200 elements", "simplify it");
+            reader_.draft.refuse(where, "a network that leads back to itself, or is deeper than 200 elements",
+                                 "simplify it");
             return {};
         }
         if (is(node, "inVariable")) return variable(node, "negated");
@@ -73,9 +83,10 @@ private:
             const std::string how = value(node, mark);
             if (how.empty() || how == "none") continue;
             const bool edge = mark.starts_with("edge");
-            reader_.draft.refuse(reader_.xml.where(node, mark),
-                                 edge ? "an edge in the network of a condition" : "a value stored in the network of a condition",
-                                 edge ? "keep the value before in a variable of the chart" : "store it in an action");
+            reader_.draft.refuse(
+                reader_.xml.where(node, mark),
+                edge ? "an edge in the network of a condition" : "a value stored in the network of a condition",
+                edge ? "keep the value before in a variable of the chart" : "store it in an action");
             return false;
         }
         return true;
@@ -84,7 +95,8 @@ private:
     Id<st::Expr> variable(pugi::xml_node node, std::string_view mark) {
         if (!passes_on(node)) return {};
         if (!sources_of(reader_, network_, node).empty()) {
-            reader_.draft.refuse(reader_.xml.where(node), "a variable that a condition assigns", "assign it in an action");
+            reader_.draft.refuse(reader_.xml.where(node), "a variable that a condition assigns",
+                                 "assign it in an action");
             return {};
         }
         return negated(node, reader_.expression(reader_.xml.text(child(node, "expression"))), mark);
@@ -131,8 +143,11 @@ private:
         const std::size_t wanted = type == "NOT" ? 1 : 2;
         const Span where = reader_.xml.where(node, "typeName");
         if (inputs.size() < wanted || (inputs.size() > wanted && !any_number)) {
-            reader_.diagnostics().add(messages::bad_value(where, "number of inputs of this block", std::to_string(inputs.size()),
-                                                          wanted == 1 ? "one" : any_number ? "at least two" : "two"));
+            reader_.diagnostics().add(messages::bad_value(where, "number of inputs of this block",
+                                                          std::to_string(inputs.size()),
+                                                          wanted == 1  ? "one"
+                                                          : any_number ? "at least two"
+                                                                       : "two"));
             return {};
         }
         const Id<st::Expr> found = reader_.make(type == "NOT" ? st::Op::Not : function->op, inputs, where);
@@ -175,7 +190,8 @@ Id<st::Expr> body_condition(PlcopenReader& reader, pugi::xml_node body, Span whe
 
 }  // namespace
 
-Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenNetwork& network, pugi::xml_node transition) {
+Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenNetwork& network,
+                          pugi::xml_node transition) {
     const pugi::xml_node condition = child(transition, "condition");
     const Span where = reader.xml.where(condition ? condition : transition);
     const std::size_t errors = reader.diagnostics().errors();
@@ -194,7 +210,7 @@ Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit&, const PlcopenN
         found = body_condition(reader, inner, reader.xml.where(inner));
     } else if (child(condition, "connectionPointIn")) {
         found = Connected(reader, network).at(condition);
-    } else if (!children(condition, "connection").empty()) {   // 1.01
+    } else if (!children(condition, "connection").empty()) {  // 1.01
         for (const pugi::xml_node& connection : children(condition, "connection")) {
             const pugi::xml_node source = network.find(value(connection, "refLocalId"));
             if (!source)

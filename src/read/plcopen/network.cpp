@@ -24,16 +24,18 @@ std::vector<pugi::xml_node> upstream(PlcopenReader& reader, const PlcopenNetwork
     std::unordered_set<std::size_t> seen = {start.hash_value()};
     for (std::size_t i = 0; i < work.size(); ++i) {
         for (const pugi::xml_node& source : sources_of(reader, network, work[i])) {
-            const bool over = is(source, "jumpStep");   // CODESYS draws lines on from where a branch jumps away
+            const bool over = is(source, "jumpStep");  // CODESYS draws lines on from where a branch jumps away
             if (over || !seen.insert(source.hash_value()).second) continue;
             const std::string_view kind = local_name(source.name());
-            const bool on_the_way = is(start, "transition") ? kind == "selectionDivergence" || kind == "simultaneousConvergence"
-                                                            : kind == "simultaneousDivergence" || kind == "selectionConvergence";
+            const bool on_the_way = is(start, "transition")
+                                        ? kind == "selectionDivergence" || kind == "simultaneousConvergence"
+                                        : kind == "simultaneousDivergence" || kind == "selectionConvergence";
             if (on_the_way || kind == "connector" || kind == "continuation") work.push_back(source);
             else if (wanted(source)) found.push_back(source);
             else
                 reader.diagnostics().add(messages::misplaced_link(
-                    reader.xml.where(start), "a `" + std::string(kind) + "` leads to this `" + std::string(local_name(start.name())) + '`',
+                    reader.xml.where(start),
+                    "a `" + std::string(kind) + "` leads to this `" + std::string(local_name(start.name())) + '`',
                     hint));
         }
     }
@@ -52,7 +54,8 @@ struct Step {
 st::Association association(PlcopenReader& reader, pugi::xml_node action) {
     st::Association made;
     made.where = reader.xml.where(action);
-    if (attribute(action, "qualifier")) made.qualifier = st::capitals(value(action, "qualifier"));   // N where none is written
+    if (attribute(action, "qualifier"))
+        made.qualifier = st::capitals(value(action, "qualifier"));  // N where none is written
     if (const std::string duration = value(action, "duration"); !duration.empty())
         made.time = reader.expression(reader.xml.text(action, "duration"));
     if (const pugi::xml_node reference = child(action, "reference")) {
@@ -100,7 +103,8 @@ void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step)
                     made.action = {written.word, written.where};
                     step.actions.push_back(std::move(made));
                 } else {
-                    reader.draft.refuse(written.where, "the action `" + reader.xml.content(entry) + "` of another block",
+                    reader.draft.refuse(written.where,
+                                        "the action `" + reader.xml.content(entry) + "` of another block",
                                         "move it into the block of the chart");
                 }
             }
@@ -111,11 +115,12 @@ void codesys_actions(PlcopenReader& reader, pugi::xml_node node, st::Step& step)
 /// What the negation of a step or an action block means is said nowhere.
 void refuse_negation(PlcopenReader& reader, pugi::xml_node element) {
     if (reader.flag(element, "negated"))
-        reader.draft.refuse(reader.xml.where(element, "negated"), "a negated `" + std::string(local_name(element.name())) + '`',
-                            "negate conditions");
+        reader.draft.refuse(reader.xml.where(element, "negated"),
+                            "a negated `" + std::string(local_name(element.name())) + '`', "negate conditions");
 }
 
-void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const std::vector<Step>& steps, st::Network& made) {
+void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const std::vector<Step>& steps,
+                  st::Network& made) {
     std::unordered_map<std::size_t, std::size_t> index;
     for (std::size_t i = 0; i < steps.size(); ++i) index.emplace(steps[i].node.hash_value(), i);
     for (const pugi::xml_node& element : network.elements) {
@@ -124,8 +129,8 @@ void read_actions(PlcopenReader& reader, const PlcopenNetwork& network, const st
         for (const pugi::xml_node& source : sources_of(reader, network, element)) {
             const auto step = index.find(source.hash_value());
             if (step == index.end()) {
-                reader.diagnostics().add(messages::misplaced_link(reader.xml.where(element), "this action block hangs on no step",
-                                                                  "connect it to a step"));
+                reader.diagnostics().add(messages::misplaced_link(
+                    reader.xml.where(element), "this action block hangs on no step", "connect it to a step"));
                 continue;
             }
             for (const pugi::xml_node& action : children(element, "action")) {
@@ -143,7 +148,8 @@ std::vector<pugi::xml_node> from_left(const PlcopenNetwork& network, std::string
     std::vector<pugi::xml_node> found;
     for (const pugi::xml_node& element : network.elements)
         if (is(element, name)) found.push_back(element);
-    std::ranges::stable_sort(found, {}, [](pugi::xml_node node) { return attribute(child(node, "position"), "x").as_double(); });
+    std::ranges::stable_sort(found, {},
+                             [](pugi::xml_node node) { return attribute(child(node, "position"), "x").as_double(); });
     return found;
 }
 
@@ -177,7 +183,7 @@ PlcopenNetwork network_of(PlcopenReader& reader, pugi::xml_node body) {
 
 std::vector<pugi::xml_node> sources_of(PlcopenReader& reader, const PlcopenNetwork& network, pugi::xml_node point) {
     std::vector<pugi::xml_node> sources;
-    if (is(point, "continuation")) {   // goes on where the connector of its name ends
+    if (is(point, "continuation")) {  // goes on where the connector of its name ends
         for (const pugi::xml_node& element : network.elements)
             if (is(element, "connector") && value(element, "name") == value(point, "name")) sources.push_back(element);
         return sources;
@@ -204,8 +210,10 @@ st::Transition transition_of(PlcopenReader& reader, const st::Unit& unit, const 
     made.where = reader.xml.where(element);
     made.comment = documentation(reader, element);
     const std::string priority = value(element, "priority");
-    if (std::from_chars(priority.data(), priority.data() + priority.size(), made.priority).ec != std::errc() && !priority.empty())
-        reader.diagnostics().add(messages::bad_value(reader.xml.where(element, "priority"), "`priority`", priority, "a whole number"));
+    if (std::from_chars(priority.data(), priority.data() + priority.size(), made.priority).ec != std::errc() &&
+        !priority.empty())
+        reader.diagnostics().add(
+            messages::bad_value(reader.xml.where(element, "priority"), "`priority`", priority, "a whole number"));
     for (const pugi::xml_node& from : upstream(reader, network, element, is_step, "put a step between them"))
         for (const Step& step : steps)
             if (step.node == from) made.from.push_back({step.name.word, made.where});
@@ -256,12 +264,15 @@ void read_network(PlcopenReader& reader, st::Unit& unit, pugi::xml_node body, st
             if (!jump && !is_step(element)) continue;
             const std::string_view named = jump ? "targetName" : "name";
             const st::Name target = reader.name(value(element, named), reader.xml.where(element, named));
-            const bool known = std::ranges::any_of(steps, [&](const Step& step) { return step.name.word == target.word; });
+            const bool known =
+                std::ranges::any_of(steps, [&](const Step& step) { return step.name.word == target.word; });
             if (!known) {
-                reader.diagnostics().add(messages::dangling_reference(reader.xml.where(element, named), value(element, named), "step"));
+                reader.diagnostics().add(
+                    messages::dangling_reference(reader.xml.where(element, named), value(element, named), "step"));
                 continue;
             }
-            for (const pugi::xml_node& from : upstream(reader, network, element, is_transition, "put a transition between them"))
+            for (const pugi::xml_node& from :
+                 upstream(reader, network, element, is_transition, "put a transition between them"))
                 made.transitions[transitions.at(from.hash_value())].to.push_back(target);
         }
         read_actions(reader, network, steps, made);

@@ -6,9 +6,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "syntax/st/st_tree.hpp"
 #include "read/draft.hpp"
 #include "read/xml.hpp"
+#include "syntax/st/st_tree.hpp"
 
 namespace grafverif {
 
@@ -30,9 +30,9 @@ struct PlcopenReader {
 };
 
 struct PlcopenNetwork {
-    pugi::xml_node body = {};                                       ///< `SFC`
-    std::vector<pugi::xml_node> elements = {};                      ///< in order
-    std::unordered_map<std::string, pugi::xml_node> by_id = {};     ///< by `localId`
+    pugi::xml_node body = {};                                    ///< `SFC`
+    std::vector<pugi::xml_node> elements = {};                   ///< in order
+    std::unordered_map<std::string, pugi::xml_node> by_id = {};  ///< by `localId`
 
     pugi::xml_node find(const std::string& id) const;
 };
@@ -48,6 +48,7 @@ void read_network(PlcopenReader& reader, st::Unit& unit, pugi::xml_node body, st
 
 // -- plcopen_conditions.cpp
 /// The condition of a transition; not valid after an error, or where it is left out.
-Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit& unit, const PlcopenNetwork& network, pugi::xml_node transition);
+Id<st::Expr> condition_of(PlcopenReader& reader, const st::Unit& unit, const PlcopenNetwork& network,
+                          pugi::xml_node transition);
 
 }  // namespace grafverif

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "support/messages.hpp"
 #include "read/plcopen/network.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
@@ -68,8 +68,10 @@ void read_variables(PlcopenReader& reader, pugi::xml_node list, std::vector<st::
         if (const pugi::xml_node text = child(node, "documentation")) variable.comment = reader.xml.content(text);
         const pugi::xml_node initial = child(child(node, "initialValue"), "simpleValue");
         const std::string type = st::capitals(reader.file.text(variable.type.name));
-        const bool simple = type == "BOOL" || type == "TIME" || type.ends_with("INT") || type.ends_with("BYTE") || type.ends_with("WORD");
-        if (initial && simple && !variable.type.composite) variable.initial = reader.expression(reader.xml.text(initial, "value"));
+        const bool simple = type == "BOOL" || type == "TIME" || type.ends_with("INT") || type.ends_with("BYTE") ||
+                            type.ends_with("WORD");
+        if (initial && simple && !variable.type.composite)
+            variable.initial = reader.expression(reader.xml.text(initial, "value"));
         variables.push_back(std::move(variable));
     }
 }
@@ -90,7 +92,8 @@ void read_actions(PlcopenReader& reader, pugi::xml_node pou, st::Unit& unit) {
 /// Comments of the drawing and of XML stand before the chart.
 std::string remarks(PlcopenReader& reader, pugi::xml_node pou) {
     std::string text;
-    if (const pugi::xml_node documentation = child(pou, "documentation")) text = reader.xml.content(documentation) + '\n';
+    if (const pugi::xml_node documentation = child(pou, "documentation"))
+        text = reader.xml.content(documentation) + '\n';
     const pugi::xml_node chart = child(child(pou, "body"), "SFC");
     for (const pugi::xml_node& node : chart.children()) {
         if (is(node, "comment")) text += reader.xml.content(child(node, "content")) + '\n';
@@ -123,7 +126,8 @@ st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
         unit.where = xml.where(pou);
         unit.comment = remarks(reader, pou);
         for (const pugi::xml_node& list : child(pou, "interface").children())
-            if (list.type() == pugi::node_element && local_name(list.name()).ends_with("Vars")) read_variables(reader, list, unit.variables);
+            if (list.type() == pugi::node_element && local_name(list.name()).ends_with("Vars"))
+                read_variables(reader, list, unit.variables);
         read_actions(reader, pou, unit);
         read_network(reader, unit, child(child(pou, "body"), "SFC"), {});
         reader.file.units.push_back(std::move(unit));

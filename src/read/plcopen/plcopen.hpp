@@ -7,9 +7,9 @@
 // step stand as names in `addData`, under attributes that are known by their GUIDs.
 #pragma once
 
-#include "syntax/st/st_tree.hpp"
 #include "read/draft.hpp"
 #include "read/xml.hpp"
+#include "syntax/st/st_tree.hpp"
 
 namespace grafverif {
 

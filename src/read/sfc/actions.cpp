@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "support/messages.hpp"
 #include "read/sfc/sfc.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
@@ -23,7 +23,7 @@ namespace {
 struct Act {
     std::string step = {}, output = {}, qualifier = {};
     Span where = {};
-    std::int64_t milliseconds = 0;   ///< of a qualifier with a time
+    std::int64_t milliseconds = 0;  ///< of a qualifier with a time
 };
 
 /// What an action block becomes.
@@ -35,7 +35,8 @@ bool is_one_of(std::string_view qualifier, std::initializer_list<std::string_vie
     return std::ranges::find(some, qualifier) != some.end();
 }
 
-tree::StoredAction stored(Draft& draft, const std::string& target, Id<tree::Expr> value, tree::StoredWhen when, Span where) {
+tree::StoredAction stored(Draft& draft, const std::string& target, Id<tree::Expr> value, tree::StoredWhen when,
+                          Span where) {
     return {{draft.name(target, where), value, where}, when, {}, where};
 }
 
@@ -66,11 +67,14 @@ public:
     std::vector<std::string> differences(Span where, const std::string& target, const std::set<std::string>& reads) {
         std::vector<std::string> found;
         if (elsewhere(target, where) && told_.insert(target).second)
-            found.push_back("several actions assign `" + target + "`: where two do so in one scan the later one wins, here that is a race");
+            found.push_back("several actions assign `" + target +
+                            "`: where two do so in one scan the later one wins, here that is a race");
         writers_.try_emplace(target, where.begin);
         for (const std::string& read : reads)
             if (elsewhere(read, where) && told_.insert(read + "?").second)
-                found.push_back("`" + read + "` is read by one action and assigned by another: in one scan they run one after the other, here both see the value before");
+                found.push_back("`" + read +
+                                "` is read by one action and assigned by another: in one scan they run one after the "
+                                "other, here both see the value before");
         return found;
     }
 
@@ -81,7 +85,7 @@ private:
         return writer != writers_.end() && writer->second != where.begin;
     }
 
-    std::unordered_map<std::string, std::uint32_t> writers_ = {};   ///< where each variable is assigned first
+    std::unordered_map<std::string, std::uint32_t> writers_ = {};  ///< where each variable is assigned first
     std::unordered_set<std::string> told_ = {};
 };
 
@@ -111,7 +115,8 @@ private:
     /// A Boolean variable under a qualifier is added to `acts`.
     Made block(const std::string& step, const st::Association& one, std::vector<Act>& acts) {
         if (!one.action.valid()) return statements(one, one.body);
-        const auto body = std::ranges::find(sfc_.unit.actions, one.action.word, [](const st::Action& action) { return action.name.word; });
+        const auto body = std::ranges::find(sfc_.unit.actions, one.action.word,
+                                            [](const st::Action& action) { return action.name.word; });
         if (body == sfc_.unit.actions.end()) {
             const std::optional<Act> act = act_of(step, one);
             if (!act) return {};
@@ -119,7 +124,9 @@ private:
             return made_of(*act);
         }
         if (!body->opaque) return statements(one, body->body);
-        refuse(one.where, "the action `" + std::string(sfc_.file.text(one.action)) + "`, which is not in Structured Text,", "write it in Structured Text");
+        refuse(one.where,
+               "the action `" + std::string(sfc_.file.text(one.action)) + "`, which is not in Structured Text,",
+               "write it in Structured Text");
         return {};
     }
 
@@ -131,15 +138,18 @@ private:
             refuse(one.where, what, hint);
             return std::nullopt;
         };
-        if (path.find('.') != std::string::npos) return refused("the action `" + path + "` of another block", "move it into the block of the chart");
+        if (path.find('.') != std::string::npos)
+            return refused("the action `" + path + "` of another block", "move it into the block of the chart");
         const SfcVariable& target = variable_of(sfc_, path, one.action.where, SfcKind::Boolean, true);
         if (target.kind != SfcKind::Boolean || target.constant)
             return refused("an action on `" + path + "`, which is no Boolean variable,", "act on a BOOL");
-        if (target.role == tree::VariableKind::Input) return refused("an action on the input `" + path + '`', "act on an output");
+        if (target.role == tree::VariableKind::Input)
+            return refused("an action on the input `" + path + '`', "act on an output");
         Act act{step, target.name, one.qualifier.empty() ? "N" : one.qualifier, one.where};
         if (is_one_of(act.qualifier, {"N", "S", "R", "P", "P1", "P0"})) return act;
         if (!is_one_of(act.qualifier, {"D", "L", "SD", "DS", "SL"})) {
-            sfc_.diagnostics().add(messages::bad_value(one.where, "qualifier", one.qualifier, "one of N S R P P0 P1 D L SD DS SL"));
+            sfc_.diagnostics().add(
+                messages::bad_value(one.where, "qualifier", one.qualifier, "one of N S R P P0 P1 D L SD DS SL"));
             act.qualifier = {};
             return act;
         }
@@ -151,11 +161,13 @@ private:
     /// The time of a qualifier that wants one.
     std::optional<std::int64_t> time(const st::Association& one) {
         if (!one.time.valid()) {
-            sfc_.diagnostics().add(messages::missing_part(one.where, "the qualifier `" + one.qualifier + '`', "duration"));
+            sfc_.diagnostics().add(
+                messages::missing_part(one.where, "the qualifier `" + one.qualifier + '`', "duration"));
             return {};
         }
         const auto found = duration_of(sfc_, {}, one.time);
-        if (found && *found == 0) sfc_.diagnostics().add(messages::bad_value(one.where, "duration", "0", "a time longer than that"));
+        if (found && *found == 0)
+            sfc_.diagnostics().add(messages::bad_value(one.where, "duration", "0", "a time longer than that"));
         return found;
     }
 
@@ -167,10 +179,13 @@ private:
         if (is_one_of(q, {"P", "P1", "P0"})) return pulse(act);
         if (q == "SD" || q == "SL") return outlasting(act);
         if (q == "DS") {
-            sfc_.differs(where, "DS: where the time is over in the scan that leaves the step, the output is set here and not in a Sequential Function Chart");
-            return {{on_rise(draft_, act.output, true, timed(draft_, act.milliseconds, 'X' + act.step, where), where)}, {}};
+            sfc_.differs(where,
+                         "DS: where the time is over in the scan that leaves the step, the output is set here and not "
+                         "in a Sequential Function Chart");
+            return {{on_rise(draft_, act.output, true, timed(draft_, act.milliseconds, 'X' + act.step, where), where)},
+                    {}};
         }
-        if (q.empty()) return {};   // refused
+        if (q.empty()) return {};  // refused
         tree::ContinuousAction action = continuous(draft_, act.output, {}, where);
         (q == "D" ? action.delay : action.limit) = draft_.duration(act.milliseconds, where);
         return {{action}, {}};
@@ -198,14 +213,16 @@ private:
         const bool delayed = act.qualifier == "SD";
         const std::string state = latch(act.output, delayed ? "_delayed" : "_limited").first;
         const Id<tree::Expr> over = timed(draft_, act.milliseconds, state, act.where);
-        const Id<tree::Expr> condition = delayed ? over : both(draft_, draft_.variable(state, act.where), opposite(draft_, over));
-        return {{on_activation(draft_, state, true, act.where)}, {continuous(draft_, act.output, condition, act.where)}};
+        const Id<tree::Expr> condition =
+            delayed ? over : both(draft_, draft_.variable(state, act.where), opposite(draft_, over));
+        return {{on_activation(draft_, state, true, act.where)},
+                {continuous(draft_, act.output, condition, act.where)}};
     }
 
     /// R ends SD and SL of its output too: by step, what resets their latches. What else acts on the output while the
     /// step of R is active goes on here.
     std::vector<std::pair<std::string, tree::StoredAction>> ended_by_resets(const std::vector<Act>& acts) {
-        std::unordered_set<std::string> driven;   // outputs that something else may act on while the step of R is active
+        std::unordered_set<std::string> driven;  // outputs that something else may act on while the step of R is active
         const bool parallel = has_parallel_steps();
         for (const Act& act : acts)
             if (act.qualifier == "P0" || (parallel && act.qualifier != "R")) driven.insert(act.output);
@@ -224,7 +241,8 @@ private:
 
     bool has_parallel_steps() const {
         return std::ranges::any_of(sfc_.unit.networks, [](const st::Network& network) {
-            return std::ranges::any_of(network.transitions, [](const st::Transition& one) { return one.to.size() > 1; }) ||
+            return std::ranges::any_of(network.transitions,
+                                       [](const st::Transition& one) { return one.to.size() > 1; }) ||
                    std::ranges::count_if(network.steps, &st::Step::initial) > 1;
         });
     }
@@ -236,23 +254,29 @@ private:
         const bool repeated = q.empty() || q == "N";
         Made made;
         if (!repeated && !is_one_of(q, {"P", "P1", "P0"})) {
-            refuse(one.where, "a list of statements under the qualifier " + q, "use N, P1 or P0, or a Boolean variable");
+            refuse(one.where, "a list of statements under the qualifier " + q,
+                   "use N, P1 or P0, or a Boolean variable");
             return made;
         }
         const std::optional<SfcBody> body = body_of(sfc_, block);
         if (!body) return made;
         for (const auto& [target, effect] : body->effects) {
-            for (const std::string& difference : order_.differences(one.where, target, body->reads)) sfc_.differs(one.where, difference);
+            for (const std::string& difference : order_.differences(one.where, target, body->reads))
+                sfc_.differs(one.where, difference);
             const auto when = q == "P0" ? tree::StoredWhen::Deactivation : tree::StoredWhen::Activation;
-            std::ranges::move(repeated ? every_scan(one.where, target, effect, *body) : once(one.where, target, effect, when),
-                              std::back_inserter(made.of_step));
+            std::ranges::move(
+                repeated ? every_scan(one.where, target, effect, *body) : once(one.where, target, effect, when),
+                std::back_inserter(made.of_step));
         }
         return made;
     }
 
-    std::vector<tree::Action> once(Span where, const std::string& target, const SfcEffect& effect, tree::StoredWhen when) {
-        const Id<tree::Expr> value = effect.value.valid() ? draft_.copy(effect.value)
-                                                          : either(draft_, draft_.copy(effect.set), both(draft_, draft_.copy(effect.keep), draft_.variable(target, where)));
+    std::vector<tree::Action> once(Span where, const std::string& target, const SfcEffect& effect,
+                                   tree::StoredWhen when) {
+        const Id<tree::Expr> value =
+            effect.value.valid() ? draft_.copy(effect.value)
+                                 : either(draft_, draft_.copy(effect.set),
+                                          both(draft_, draft_.copy(effect.keep), draft_.variable(target, where)));
         if (!value.valid()) return {};
         return {stored(draft_, target, value, when, where)};
     }
@@ -264,26 +288,31 @@ private:
     }
 
     /// Assigned anew in every scan while the step is active.
-    std::vector<tree::Action> every_scan(Span where, const std::string& target, const SfcEffect& effect, const SfcBody& body) {
+    std::vector<tree::Action> every_scan(Span where, const std::string& target, const SfcEffect& effect,
+                                         const SfcBody& body) {
         const bool boolean = !effect.value.valid();
         if (boolean ? is_constant(effect.set) && is_constant(effect.keep) : is_constant(effect.value))
             return once(where, target, effect, tree::StoredWhen::Activation);
         for (const auto& [name, other] : body.effects)
             if (body.reads.contains(name) && depends_on(effect, name)) {
-                refuse(where, "`" + name + "`, which every scan computes from the scan before,", "use P1 where it is meant once");
+                refuse(where, "`" + name + "`, which every scan computes from the scan before,",
+                       "use P1 where it is meant once");
                 return {};
             }
         if (!boolean) {
-            refuse(where, "the integer `" + target + "`, which follows others in every scan,", "use P1 where it is meant once");
+            refuse(where, "the integer `" + target + "`, which follows others in every scan,",
+                   "use P1 where it is meant once");
             return {};
         }
         std::vector<tree::Action> actions = once(where, target, effect, tree::StoredWhen::Activation);
         const Id<tree::Expr> set = draft_.copy(effect.set);
-        const Id<tree::Expr> clear = opposite(draft_, either(draft_, draft_.copy(effect.set), draft_.copy(effect.keep)));
+        const Id<tree::Expr> clear =
+            opposite(draft_, either(draft_, draft_.copy(effect.set), draft_.copy(effect.keep)));
         for (const bool value : {true, false})
             if (const Id<tree::Expr> when = value ? set : clear; when.valid() && !is_constant(when))
                 actions.emplace_back(on_rise(draft_, target, value, when, where));
-        sfc_.differs(where, "N: the statements run in every scan; here `" + target + "` follows its term while the step is active, last in the scan that leaves it");
+        sfc_.differs(where, "N: the statements run in every scan; here `" + target +
+                                "` follows its term while the step is active, last in the scan that leaves it");
         return actions;
     }
 
@@ -303,8 +332,8 @@ private:
     Sfc& sfc_;
     Draft& draft_;
     Order order_ = {};
-    std::unordered_map<std::string, std::string> latch_of_ = {};   ///< by output and suffix
-    std::vector<std::string> latches_ = {};                        ///< in the order of their invention
+    std::unordered_map<std::string, std::string> latch_of_ = {};  ///< by output and suffix
+    std::vector<std::string> latches_ = {};                       ///< in the order of their invention
 };
 
 }  // namespace

@@ -2,14 +2,14 @@
 // What a list of statements assigns, as terms over the values before it: the statements are executed on terms.
 #include <algorithm>
 
-#include "support/messages.hpp"
 #include "read/sfc/sfc.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
 namespace {
 
-constexpr std::size_t most_terms = 200'000;   ///< made by one body: bounds what IF can blow up
+constexpr std::size_t most_terms = 200'000;  ///< made by one body: bounds what IF can blow up
 constexpr int deepest_call = 20;
 
 class Execution {
@@ -33,7 +33,9 @@ private:
     }
 
     bool too_large() const { return sfc_.draft.file().exprs.size() - first_term_ > most_terms; }
-    std::nullopt_t refuse_size(Span where) { return refuse(where, "a body with so many cases", "split it into several actions"); }
+    std::nullopt_t refuse_size(Span where) {
+        return refuse(where, "a body with so many cases", "split it into several actions");
+    }
 
     SfcTerm term(Id<st::Expr> expr, const SfcEffects& state, SfcKind expected) {
         return term_of(sfc_, {{}, &state, &reads_}, expr, expected);
@@ -44,12 +46,13 @@ private:
         switch (statement.kind) {
         case st::StatementKind::Assign: return assign(statement, std::move(state));
         case st::StatementKind::If:
-        case st::StatementKind::Case:   return choose(statement, state, calls);
-        case st::StatementKind::Call:   return call(statement, std::move(state), calls);
-        case st::StatementKind::For: case st::StatementKind::While: case st::StatementKind::Repeat:
-            return refuse(statement.where, "a loop", "write out its passes");
-        case st::StatementKind::Return: case st::StatementKind::Exit:
-            return refuse(statement.where, "a jump out of the statements", "use `IF`");
+        case st::StatementKind::Case: return choose(statement, state, calls);
+        case st::StatementKind::Call: return call(statement, std::move(state), calls);
+        case st::StatementKind::For:
+        case st::StatementKind::While:
+        case st::StatementKind::Repeat: return refuse(statement.where, "a loop", "write out its passes");
+        case st::StatementKind::Return:
+        case st::StatementKind::Exit: return refuse(statement.where, "a jump out of the statements", "use `IF`");
         }
         return {};
     }
@@ -57,9 +60,11 @@ private:
     std::optional<SfcEffects> assign(const st::Statement& statement, SfcEffects state) {
         const std::string path = path_of(sfc_.file, statement.target);
         const Span where = sfc_.file.exprs[statement.target].where;
-        if (path.empty()) return refuse(where, "an assignment to a part of an array or pointer", "use a variable of its own");
+        if (path.empty())
+            return refuse(where, "an assignment to a part of an array or pointer", "use a variable of its own");
         const auto known = sfc_.by_name.find(st::capitals(path));
-        SfcTerm value = term(statement.value, state, known == sfc_.by_name.end() ? SfcKind::Boolean : sfc_.variables[known->second].kind);
+        SfcTerm value = term(statement.value, state,
+                             known == sfc_.by_name.end() ? SfcKind::Boolean : sfc_.variables[known->second].kind);
         if (value.kind == SfcKind::Bad) return {};
         const SfcVariable& target = variable_of(sfc_, path, where, value.kind, true);
         if (target.role == tree::VariableKind::Input) {
@@ -67,7 +72,8 @@ private:
             return left_out(std::move(state));
         }
         const tree::Expr node = sfc_.draft[value.expr];
-        if (target.kind == SfcKind::Boolean && value.kind == SfcKind::Integer && node.op == tree::Op::Number && node.value <= 1)
+        if (target.kind == SfcKind::Boolean && value.kind == SfcKind::Integer && node.op == tree::Op::Number &&
+            node.value <= 1)
             value = {sfc_.draft.constant(node.value == 1, node.where), SfcKind::Boolean};
         if (target.kind != value.kind || target.kind == SfcKind::Time)
             return refuse(where, "an assignment of another type than BOOL and integers", "use variables of one type");
@@ -82,12 +88,14 @@ private:
         const bool plain = callee.op == st::Op::Name && st::operands(sfc_.file, statement.value).size() == 1;
         for (const st::Action& action : sfc_.unit.actions) {
             if (!plain || action.name.word != callee.word) continue;
-            if (action.opaque) return refuse(statement.where, "a call of an action that is not in Structured Text", "write it in Structured Text");
+            if (action.opaque)
+                return refuse(statement.where, "a call of an action that is not in Structured Text",
+                              "write it in Structured Text");
             if (calls >= deepest_call) return refuse(statement.where, "an action that calls itself", "write it out");
             return run(action.body, std::move(state), calls + 1);
         }
         refuse(statement.where, "a call of a function block", "write what it does with Boolean and integer variables");
-        return left_out(std::move(state));   // what it computes is declared elsewhere: inputs of the chart
+        return left_out(std::move(state));  // what it computes is declared elsewhere: inputs of the chart
     }
 
     /// The state behind a statement that was refused: none, unless losses are allowed.
@@ -101,12 +109,14 @@ private:
         for (const Id<st::Expr> label : branch.conditions) {
             const st::Expr node = sfc_.file.exprs[label];
             const auto compared = [&](tree::Op op, Id<st::Expr> bound) -> Id<tree::Expr> {
-                const SfcTerm selector = term(statement.value, state, SfcKind::Integer), value = term(bound, state, SfcKind::Integer);
+                const SfcTerm selector = term(statement.value, state, SfcKind::Integer),
+                              value = term(bound, state, SfcKind::Integer);
                 if (selector.kind == SfcKind::Bad || value.kind == SfcKind::Bad) return {};
                 return sfc_.draft.node(op, {selector.expr, value.expr}, node.where);
             };
             const Id<tree::Expr> one = node.op == st::Op::Range
-                                           ? both(sfc_.draft, compared(tree::Op::GreaterEqual, node.first), compared(tree::Op::LessEqual, node.last))
+                                           ? both(sfc_.draft, compared(tree::Op::GreaterEqual, node.first),
+                                                  compared(tree::Op::LessEqual, node.last))
                                            : compared(tree::Op::Equal, label);
             any = either(sfc_.draft, any, one);
             if (!any.valid()) return {};
@@ -116,7 +126,7 @@ private:
 
     /// A branch is taken under its condition and where none before it was; what follows is one of their states.
     std::optional<SfcEffects> choose(const st::Statement& statement, const SfcEffects& before, int calls) {
-        Id<tree::Expr> open = sfc_.draft.constant(true, statement.where);   // no branch before this one was taken
+        Id<tree::Expr> open = sfc_.draft.constant(true, statement.where);  // no branch before this one was taken
         std::vector<Taken> taken;
         for (const st::Branch& branch : statement.branches) {
             Id<tree::Expr> here = condition(statement, branch, before);
@@ -147,7 +157,8 @@ private:
         }
     };
 
-    std::optional<SfcEffects> merged(const st::Statement& statement, const std::vector<Taken>& taken, const SfcEffects& before) {
+    std::optional<SfcEffects> merged(const st::Statement& statement, const std::vector<Taken>& taken,
+                                     const SfcEffects& before) {
         SfcEffects result;
         for (const Taken& branch : taken)
             for (const auto& [name, effect] : branch.effects) result.try_emplace(name, SfcEffect{});
@@ -162,11 +173,14 @@ private:
                 continue;
             }
             const auto old = before.find(name);
-            const bool touched = old == before.end() || std::ranges::any_of(taken, [&, &name = name](const Taken& branch) {
-                const SfcEffect* const own = branch.effect(name);
-                return own == nullptr || own->value != old->second.value;
-            });
-            if (touched) return refuse(statement.where, "an integer that is assigned under a condition", "assign it in a step of its own");
+            const bool touched =
+                old == before.end() || std::ranges::any_of(taken, [&, &name = name](const Taken& branch) {
+                    const SfcEffect* const own = branch.effect(name);
+                    return own == nullptr || own->value != old->second.value;
+                });
+            if (touched)
+                return refuse(statement.where, "an integer that is assigned under a condition",
+                              "assign it in a step of its own");
             effect = old->second;
         }
         return result;
@@ -177,9 +191,13 @@ private:
         SfcEffect result{sfc_.draft.constant(false, where), sfc_.draft.constant(false, where), {}};
         for (const Taken& branch : taken) {
             const SfcEffect* const own = branch.effect(name);
-            const auto part = [&](Id<tree::Expr> value) { return both(sfc_.draft, sfc_.draft.copy(branch.condition), sfc_.draft.copy(value)); };
-            result.set = either(sfc_.draft, result.set, part(own == nullptr ? sfc_.draft.constant(false, where) : own->set));
-            result.keep = either(sfc_.draft, result.keep, part(own == nullptr ? sfc_.draft.constant(true, where) : own->keep));
+            const auto part = [&](Id<tree::Expr> value) {
+                return both(sfc_.draft, sfc_.draft.copy(branch.condition), sfc_.draft.copy(value));
+            };
+            result.set =
+                either(sfc_.draft, result.set, part(own == nullptr ? sfc_.draft.constant(false, where) : own->set));
+            result.keep =
+                either(sfc_.draft, result.keep, part(own == nullptr ? sfc_.draft.constant(true, where) : own->keep));
             if (!result.set.valid() || !result.keep.valid()) break;
         }
         return result;

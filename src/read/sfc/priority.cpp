@@ -4,9 +4,9 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "read/sfc/parts.hpp"
 #include "support/messages.hpp"
 #include "syntax/language/format.hpp"
-#include "read/sfc/parts.hpp"
 
 namespace grafverif {
 
@@ -51,7 +51,7 @@ void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches) {
         std::vector<std::size_t>& list = behind[step];
         std::ranges::stable_sort(list, {}, [&](std::size_t i) {
             const std::int64_t priority = branches[i].written->priority;
-            return priority > 0 ? priority : std::int64_t{1} << 40U;   // none written: after those with one
+            return priority > 0 ? priority : std::int64_t{1} << 40U;  // none written: after those with one
         });
         bool changed = false;
         for (std::size_t low = 1; low < list.size(); ++low) {
@@ -61,18 +61,22 @@ void exclude_by_priority(Sfc& sfc, std::vector<SfcBranch>& branches) {
                 if (!done.insert((static_cast<std::uint64_t>(i) << 32U) | j).second) continue;
                 Id<tree::Expr> blocked = sfc.draft.copy(original[j]);
                 for (const st::Name& from : branches[j].written->from) {
-                    const bool shared = std::ranges::any_of(branches[i].written->from, [&](const st::Name& own) { return own.word == from.word; });
+                    const bool shared = std::ranges::any_of(branches[i].written->from,
+                                                            [&](const st::Name& own) { return own.word == from.word; });
                     if (!shared && sfc.steps.contains(from.word))
-                        blocked = both(sfc.draft, blocked, sfc.draft.variable('X' + sfc.steps.at(from.word), from.where));
+                        blocked =
+                            both(sfc.draft, blocked, sfc.draft.variable('X' + sfc.steps.at(from.word), from.where));
                 }
                 branches[i].condition = both(sfc.draft, branches[i].condition, opposite(sfc.draft, blocked));
-                if (!branches[i].condition.valid()) branches[i].condition = sfc.draft.constant(false, branches[i].written->where);
+                if (!branches[i].condition.valid())
+                    branches[i].condition = sfc.draft.constant(false, branches[i].written->where);
                 changed = true;
             }
         }
         if (changed) {
             const std::string name = sfc.steps.contains(step) ? sfc.steps.at(step) : std::string(sfc.file.text(step));
-            sfc.diagnostics().add(messages::explicit_priority(branches[list.front()].written->where, name, list.size()));
+            sfc.diagnostics().add(
+                messages::explicit_priority(branches[list.front()].written->where, name, list.size()));
         }
     }
 }

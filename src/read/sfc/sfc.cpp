@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "grafverif/ir/type.hpp"
-#include "support/messages.hpp"
-#include "syntax/language/format.hpp"
 #include "read/integer_ranges.hpp"
 #include "read/mixed_actions.hpp"
 #include "read/sfc/parts.hpp"
 #include "read/xml.hpp"
+#include "support/messages.hpp"
+#include "syntax/language/format.hpp"
 
 namespace grafverif {
 
@@ -25,11 +25,12 @@ void name_steps(Sfc& sfc) {
         for (const st::Step& step : network.steps) {
             const auto [known, fresh] = sfc.steps.try_emplace(step.name.word);
             if (!fresh) {
-                sfc.diagnostics().add(messages::duplicate_name(step.name.where, "step", sfc.file.text(step.name), step.name.where));
+                sfc.diagnostics().add(
+                    messages::duplicate_name(step.name.where, "step", sfc.file.text(step.name), step.name.where));
                 continue;
             }
             known->second = labels.make(sfc.file.text(step.name), step.name.where);
-            sfc.names.reserve('X' + known->second);   // the step variable
+            sfc.names.reserve('X' + known->second);  // the step variable
         }
     }
 }
@@ -54,7 +55,7 @@ std::vector<SfcBranch> branches_of(Sfc& sfc, const st::Network& network) {
         if (written.condition.valid()) branch.condition = boolean_of(sfc, {written.from}, written.condition);
         if (!branch.condition.valid() && sfc.diagnostics().errors() == errors && sfc.draft.lossy())
             branch.condition = unknown_condition(sfc, written.where);
-        if (!branch.condition.valid()) branch.condition = sfc.draft.constant(false, written.where);   // reported
+        if (!branch.condition.valid()) branch.condition = sfc.draft.constant(false, written.where);  // reported
         branches.push_back(branch);
     }
     exclude_by_priority(sfc, branches);
@@ -79,7 +80,8 @@ void mark_ends(Sfc& sfc, const st::Network& network, std::vector<tree::ChartItem
         if (!left.contains(step.name.word)) exits.push_back(i);
     }
     if (entries.size() != 1 || exits.size() != 1) {
-        sfc.draft.refuse(network.where, "a macro-step without exactly one first and one last step", "give it one of each");
+        sfc.draft.refuse(network.where, "a macro-step without exactly one first and one last step",
+                         "give it one of each");
         return;
     }
     for (std::size_t i = 0; i < network.steps.size(); ++i) {
@@ -116,7 +118,8 @@ std::vector<tree::Name> labels_of(Sfc& sfc, const std::vector<st::Name>& steps) 
     std::vector<tree::Name> labels;
     for (const st::Name& step : steps) {
         const auto known = sfc.steps.find(step.word);
-        labels.push_back(sfc.draft.name(known == sfc.steps.end() ? std::string(sfc.file.text(step)) : known->second, step.where));
+        labels.push_back(
+            sfc.draft.name(known == sfc.steps.end() ? std::string(sfc.file.text(step)) : known->second, step.where));
     }
     return labels;
 }
@@ -130,18 +133,21 @@ std::vector<tree::ChartItem> transitions_of(Sfc& sfc, const st::Network& network
         transition.where = written.where;
         transition.condition = branch.condition;
         if (written.name.valid())
-            transition.name = sfc.draft.name(names.make(sfc.file.text(written.name), written.name.where), written.name.where);
+            transition.name =
+                sfc.draft.name(names.make(sfc.file.text(written.name), written.name.where), written.name.where);
         transition.from = labels_of(sfc, written.from);
         transition.to = labels_of(sfc, written.to);
         comment(sfc, transition.where, written.comment);
         if (transition.from.empty() || transition.to.empty()) {
-            sfc.diagnostics().add(messages::missing_part(transition.where, "this transition", transition.from.empty() ? "step before it" : "step behind it"));
+            sfc.diagnostics().add(messages::missing_part(
+                transition.where, "this transition", transition.from.empty() ? "step before it" : "step behind it"));
             continue;
         }
         for (const st::Name& from : written.from)
             if (std::ranges::find(written.to, from.word, &st::Name::word) != written.to.end())
-                sfc.differs(transition.where, "this transition leads back to the step `" + std::string(sfc.file.text(from)) +
-                                                  "`, which stays active here; its times and actions do not begin anew");
+                sfc.differs(transition.where,
+                            "this transition leads back to the step `" + std::string(sfc.file.text(from)) +
+                                "`, which stays active here; its times and actions do not begin anew");
         items.emplace_back(std::move(transition));
     }
     return items;
@@ -157,7 +163,8 @@ void add_ranges(Sfc& sfc, tree::Chart& chart) {
         if (declared == nullptr || declared->variables.front().type != tree::TypeWord::Int) continue;
         const tree::Name name = declared->variables.front().name;
         const SfcVariable* variable = by_name.at(std::string(sfc.draft.text(name)));
-        open.push_back({name.word, declared->kind == tree::VariableKind::Input, variable->initial, variable->low, variable->high});
+        open.push_back(
+            {name.word, declared->kind == tree::VariableKind::Input, variable->initial, variable->low, variable->high});
         integers.emplace_back(declared, variable);
     }
     const std::vector<FoundRange> found = ranges_of(sfc.draft.file(), chart, open);
@@ -170,7 +177,8 @@ void add_ranges(Sfc& sfc, tree::Chart& chart) {
         if (output) range.low = std::min(range.low, variable->initial);
         one.range = tree::Range{sfc.draft.number(range.low, one.where), sfc.draft.number(range.high, one.where)};
         if (!range.exact && variable->wide)
-            sfc.diagnostics().add(messages::chosen_range(one.where, sfc.draft.text(one.name), range.low, range.high, "its type holds more than charts do"));
+            sfc.diagnostics().add(messages::chosen_range(one.where, sfc.draft.text(one.name), range.low, range.high,
+                                                         "its type holds more than charts do"));
         if (output && range.low != variable->initial) {
             declared->kind = tree::VariableKind::Internal;
             sfc.diagnostics().add(messages::chosen_kind(one.where, sfc.draft.text(one.name), "internal variable",
@@ -194,7 +202,8 @@ void add_always(Sfc& sfc, SfcActions& actions, tree::Chart& chart) {
     step.name = sfc.draft.name(sfc.names.invent("always"), chart.where);
     step.where = chart.where;
     step.actions = std::move(actions.always);
-    tree::Partial partial{tree::PartialKind::Partial, sfc.draft.name(sfc.names.invent("action_control"), chart.where), {}, chart.where};
+    tree::Partial partial{
+        tree::PartialKind::Partial, sfc.draft.name(sfc.names.invent("action_control"), chart.where), {}, chart.where};
     partial.items.emplace_back(std::move(step));
     chart.items.emplace_back(std::move(partial));
 }
@@ -206,7 +215,8 @@ void convert(const st::File& file, const st::Unit& unit, LegalNames& charts, Dra
     chart.name = draft.name(charts.make(file.text(unit.name), unit.name.where), unit.name.where);
     comment(sfc, chart.where, unit.comment);
     if (!unit.body.empty())
-        draft.refuse(file.statements[unit.body.front()].where, "statements beside the chart", "put them into an action");
+        draft.refuse(file.statements[unit.body.front()].where, "statements beside the chart",
+                     "put them into an action");
     name_steps(sfc);
     classify_variables(sfc);
     SfcActions actions = actions_of(sfc);
@@ -214,7 +224,8 @@ void convert(const st::File& file, const st::Unit& unit, LegalNames& charts, Dra
     LegalNames names(LegalNames::Kind::Chart, draft);
     names.reserve(draft.text(chart.name));
     for (const st::Network& network : unit.networks)
-        if (network.macro_step.valid()) expansions.emplace(network.macro_step.word, names.invent('E' + sfc.steps.at(network.macro_step.word)));
+        if (network.macro_step.valid())
+            expansions.emplace(network.macro_step.word, names.invent('E' + sfc.steps.at(network.macro_step.word)));
     std::vector<tree::ChartItem> items;
     for (const st::Network& network : unit.networks) {
         std::vector<tree::ChartItem> own = steps_of(sfc, network, actions, expansions);
@@ -223,7 +234,8 @@ void convert(const st::File& file, const st::Unit& unit, LegalNames& charts, Dra
             std::ranges::move(own, std::back_inserter(items));
             continue;
         }
-        items.emplace_back(tree::Partial{tree::PartialKind::Expansion, draft.name(expansions.at(network.macro_step.word), network.macro_step.where),
+        items.emplace_back(tree::Partial{tree::PartialKind::Expansion,
+                                         draft.name(expansions.at(network.macro_step.word), network.macro_step.where),
                                          std::move(own), network.where});
     }
     chart.items = declarations_of(sfc);
@@ -232,7 +244,8 @@ void convert(const st::File& file, const st::Unit& unit, LegalNames& charts, Dra
     add_ranges(sfc, chart);
     split_mixed_actions(draft, chart);
     draft.group_variables(chart);
-    draft.comment(chart.where, "// A Sequential Function Chart makes one evolution a scan: check it with `--mode every-cycle`.");
+    draft.comment(chart.where,
+                  "// A Sequential Function Chart makes one evolution a scan: check it with `--mode every-cycle`.");
     draft.declare(std::move(chart));
 }
 

@@ -22,8 +22,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "syntax/st/st_tree.hpp"
 #include "read/draft.hpp"
+#include "syntax/st/st_tree.hpp"
 
 namespace grafverif {
 
@@ -40,13 +40,13 @@ struct SfcTerm {
 };
 
 struct SfcVariable {
-    std::string name = {};                       ///< in our language
+    std::string name = {};  ///< in our language
     Span where = {};
-    SfcKind kind = SfcKind::Boolean;             ///< Bad: of a type that no chart has
+    SfcKind kind = SfcKind::Boolean;  ///< Bad: of a type that no chart has
     tree::VariableKind role = tree::VariableKind::Input;
-    bool constant = false;                       ///< `initial` stands for it
-    bool wide = false;                           ///< its type holds more than the language has
-    bool narrow = false;                         ///< its range was declared
+    bool constant = false;  ///< `initial` stands for it
+    bool wide = false;      ///< its type holds more than the language has
+    bool narrow = false;    ///< its range was declared
     std::int64_t initial = 0, low = 0, high = 1;
     std::string comment = {};
     bool used = false;
@@ -56,15 +56,15 @@ struct SfcVariable {
 struct SfcEffect {
     Id<tree::Expr> set = {}, keep = {}, value = {};
 };
-using SfcEffects = std::map<std::string, SfcEffect>;   ///< by our name of the variable
+using SfcEffects = std::map<std::string, SfcEffect>;  ///< by our name of the variable
 
 struct Sfc {
     const st::File& file;
     const st::Unit& unit;
     Draft& draft;
     std::vector<SfcVariable> variables = {};
-    std::unordered_map<std::string, std::size_t> by_name = {};       ///< capitals of the path as written -> variable
-    std::unordered_map<Id<st::Word>, std::string> steps = {};        ///< their names in our language
+    std::unordered_map<std::string, std::size_t> by_name = {};  ///< capitals of the path as written -> variable
+    std::unordered_map<Id<st::Word>, std::string> steps = {};   ///< their names in our language
     LegalNames names;
 
     Diagnostics& diagnostics() { return draft.diagnostics(); }
@@ -83,8 +83,8 @@ std::vector<tree::ChartItem> declarations_of(Sfc& sfc);
 // -- sfc_terms.cpp
 /// What the names in an expression mean where it stands.
 struct SfcScope {
-    std::span<const st::Name> left = {};               ///< steps that the transition leaves: `S.T` is known of them
-    const SfcEffects* assigned = nullptr;              ///< values that the body has assigned before
+    std::span<const st::Name> left = {};     ///< steps that the transition leaves: `S.T` is known of them
+    const SfcEffects* assigned = nullptr;    ///< values that the body has assigned before
     std::set<std::string>* reads = nullptr;  ///< gains the variables that are read
 };
 /// Bad after a refusal. `expected` tells the type of what is declared nowhere.
@@ -93,14 +93,14 @@ SfcTerm term_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr, SfcKind expe
 Id<tree::Expr> boolean_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr);
 /// A constant duration in milliseconds.
 std::optional<std::int64_t> duration_of(Sfc& sfc, const SfcScope& scope, Id<st::Expr> expr);
-Id<tree::Expr> both(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);      ///< `&&`, constants folded
-Id<tree::Expr> either(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);    ///< `||`
-Id<tree::Expr> opposite(Draft& draft, Id<tree::Expr> term);                        ///< `!`
+Id<tree::Expr> both(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);    ///< `&&`, constants folded
+Id<tree::Expr> either(Draft& draft, Id<tree::Expr> left, Id<tree::Expr> right);  ///< `||`
+Id<tree::Expr> opposite(Draft& draft, Id<tree::Expr> term);                      ///< `!`
 
 // -- sfc_bodies.cpp
 struct SfcBody {
-    SfcEffects effects = {};                    ///< what the statements assign
-    std::set<std::string> reads = {}; ///< variables they read
+    SfcEffects effects = {};           ///< what the statements assign
+    std::set<std::string> reads = {};  ///< variables they read
 };
 /// Empty after a refusal.
 std::optional<SfcBody> body_of(Sfc& sfc, const st::Block& block);
@@ -110,7 +110,7 @@ std::optional<SfcBody> body_of(Sfc& sfc, const st::Block& block);
 struct SfcActions {
     std::unordered_map<std::string, std::vector<tree::Action>> of_steps = {};
     std::vector<tree::Action> always = {};
-    std::vector<std::string> latches = {};   ///< internal Boolean variables
+    std::vector<std::string> latches = {};  ///< internal Boolean variables
 };
 SfcActions actions_of(Sfc& sfc);
 

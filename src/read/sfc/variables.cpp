@@ -4,10 +4,10 @@
 #include <array>
 
 #include "grafverif/ir/type.hpp"
-#include "support/messages.hpp"
 #include "read/integer_ranges.hpp"
 #include "read/sfc/sfc.hpp"
 #include "read/xml.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif {
 
@@ -18,18 +18,28 @@ struct IntegerType {
     std::int64_t low = 0, high = 0;
 };
 constexpr std::int64_t huge = std::int64_t{1} << 31U;
-constexpr std::array<IntegerType, 13> integer_types = {{
-    {"SINT", -128, 127}, {"INT", -32768, 32767}, {"DINT", -huge, huge}, {"LINT", -huge, huge}, {"USINT", 0, 255},
-    {"UINT", 0, 65535}, {"UDINT", 0, huge}, {"ULINT", 0, huge}, {"BYTE", 0, 255}, {"WORD", 0, 65535},
-    {"DWORD", 0, huge}, {"LWORD", 0, huge}, {"ANY_INT", -huge, huge}}};
+constexpr std::array<IntegerType, 13> integer_types = {{{"SINT", -128, 127},
+                                                        {"INT", -32768, 32767},
+                                                        {"DINT", -huge, huge},
+                                                        {"LINT", -huge, huge},
+                                                        {"USINT", 0, 255},
+                                                        {"UINT", 0, 65535},
+                                                        {"UDINT", 0, huge},
+                                                        {"ULINT", 0, huge},
+                                                        {"BYTE", 0, 255},
+                                                        {"WORD", 0, 65535},
+                                                        {"DWORD", 0, huge},
+                                                        {"LWORD", 0, huge},
+                                                        {"ANY_INT", -huge, huge}}};
 
 std::optional<std::int64_t> constant_of(const st::File& file, Id<st::Expr> expr) {
     if (!expr.valid()) return {};
     const st::Expr& node = file.exprs[expr];
     switch (node.op) {
-    case st::Op::Integer: case st::Op::Time: return node.value;
-    case st::Op::True:    return 1;
-    case st::Op::False:   return 0;
+    case st::Op::Integer:
+    case st::Op::Time: return node.value;
+    case st::Op::True: return 1;
+    case st::Op::False: return 0;
     case st::Op::Negate: {
         const auto inner = constant_of(file, node.first);
         return inner ? std::optional(-*inner) : std::nullopt;
@@ -99,11 +109,16 @@ Written written_in(const Sfc& sfc) {
 /// How a variable of that section takes part in the chart.
 void set_role(Sfc& sfc, SfcVariable& variable, const st::Variable& declared, bool stored, bool acted) {
     using Role = tree::VariableKind;
-    const bool input = declared.section == st::Section::Input || declared.address.starts_with("%I") || declared.address.starts_with("%i");
-    const bool output = declared.section == st::Section::Output || declared.address.starts_with("%Q") || declared.address.starts_with("%q");
+    const bool input = declared.section == st::Section::Input || declared.address.starts_with("%I") ||
+                       declared.address.starts_with("%i");
+    const bool output = declared.section == st::Section::Output || declared.address.starts_with("%Q") ||
+                        declared.address.starts_with("%q");
     if (input) variable.role = Role::Input;
     else if (output || acted) variable.role = Role::Output;
-    else if (stored) variable.role = declared.section == st::Section::Local || declared.section == st::Section::Temporary ? Role::Internal : Role::Output;
+    else if (stored)
+        variable.role = declared.section == st::Section::Local || declared.section == st::Section::Temporary
+                            ? Role::Internal
+                            : Role::Output;
     else variable.role = Role::Input;
     const bool fixed = !stored && !acted && !input && (declared.constant || variable.kind == SfcKind::Time);
     variable.constant = fixed && declared.initial.valid();
@@ -113,7 +128,8 @@ void set_role(Sfc& sfc, SfcVariable& variable, const st::Variable& declared, boo
     if (variable.role == Role::Output && stored && wants_start) {
         variable.role = Role::Internal;
         if (output)
-            sfc.diagnostics().add(messages::chosen_kind(declared.name.where, sfc.file.text(declared.name), "internal variable",
+            sfc.diagnostics().add(messages::chosen_kind(declared.name.where, sfc.file.text(declared.name),
+                                                        "internal variable",
                                                         "no output begins with a value of its own"));
     }
 }
@@ -124,7 +140,7 @@ std::string path_of(const st::File& file, Id<st::Expr> expr) {
     const st::Expr& node = file.exprs[expr];
     if (node.op == st::Op::Name || node.op == st::Op::Address) return std::string(file.text(node.word));
     if (node.op != st::Op::Member) return {};
-    const std::string owner = path_of(file, node.first);   // as deep as an expression may be
+    const std::string owner = path_of(file, node.first);  // as deep as an expression may be
     return owner.empty() ? std::string() : owner + '.' + std::string(file.text(node.word));
 }
 
@@ -136,9 +152,10 @@ void classify_variables(Sfc& sfc) {
     for (const st::Variable* one : declared) {
         const std::string key = st::capitals(sfc.file.text(one->name));
         const auto known = sfc.by_name.find(key);
-        if (known != sfc.by_name.end()) {   // VAR_EXTERNAL repeats a global variable: the value is told there
+        if (known != sfc.by_name.end()) {  // VAR_EXTERNAL repeats a global variable: the value is told there
             SfcVariable& first = sfc.variables[known->second];
-            if (one->section == st::Section::Global && one->constant && one->initial.valid() && first.role == tree::VariableKind::Input) {
+            if (one->section == st::Section::Global && one->constant && one->initial.valid() &&
+                first.role == tree::VariableKind::Input) {
                 first.constant = true;
                 first.initial = constant_of(sfc.file, one->initial).value_or(0);
             }
@@ -183,7 +200,8 @@ std::vector<tree::ChartItem> declarations_of(Sfc& sfc) {
     std::vector<tree::ChartItem> items;
     for (SfcVariable& variable : sfc.variables) {
         if (variable.constant || variable.kind == SfcKind::Bad || variable.kind == SfcKind::Time) continue;
-        if (!variable.used && variable.role == tree::VariableKind::Input && variable.comment.ends_with("in the chart")) continue;
+        if (!variable.used && variable.role == tree::VariableKind::Input && variable.comment.ends_with("in the chart"))
+            continue;
         tree::Variable written;
         written.name = sfc.draft.name(variable.name, variable.where);
         written.where = variable.where;
@@ -191,7 +209,8 @@ std::vector<tree::ChartItem> declarations_of(Sfc& sfc) {
         else if (variable.role == tree::VariableKind::Internal && variable.initial != 0)
             written.value = sfc.draft.constant(true, variable.where);
         std::string comment;
-        for (const std::string& line : comment_lines(variable.comment)) comment += comment.empty() ? line : ' ' + line.substr(3);
+        for (const std::string& line : comment_lines(variable.comment))
+            comment += comment.empty() ? line : ' ' + line.substr(3);
         if (!comment.empty()) sfc.draft.comment(variable.where, comment, true);
         items.emplace_back(tree::Variables{variable.role, {std::move(written)}, variable.where});
     }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "grafverif/support/diagnostic.hpp"
-#include "syntax/language/tree.hpp"
 #include "syntax/language/places.hpp"
+#include "syntax/language/tree.hpp"
 
 namespace grafverif::tree {
 
@@ -63,7 +63,7 @@ private:
     tree::File* file_;
     Diagnostics* diagnostics_;
     bool broken_ = false;
-    Span too_deep_ = {};   ///< the last expression said to be so: its outer levels are no news
+    Span too_deep_ = {};  ///< the last expression said to be so: its outer levels are no news
 };
 
 }  // namespace grafverif::tree

@@ -16,23 +16,26 @@ bool is_word(Symbol symbol) {
 
 bool begins_expression(Symbol symbol) {
     switch (symbol) {
-        case Symbols::S_NOT_WORD:
-        case Symbols::S_TRUE:
-        case Symbols::S_FALSE:
-        case Symbols::S_NUMBER:
-        case Symbols::S_DURATION:
-        case Symbols::S_NOT:
-        case Symbols::S_MINUS:
-        case Symbols::S_UP:
-        case Symbols::S_DOWN:
-        case Symbols::S_LEFT: return true;
-        default: return is_word(symbol);
+    case Symbols::S_NOT_WORD:
+    case Symbols::S_TRUE:
+    case Symbols::S_FALSE:
+    case Symbols::S_NUMBER:
+    case Symbols::S_DURATION:
+    case Symbols::S_NOT:
+    case Symbols::S_MINUS:
+    case Symbols::S_UP:
+    case Symbols::S_DOWN:
+    case Symbols::S_LEFT: return true;
+    default: return is_word(symbol);
     }
 }
 
 bool is_operator(Symbol symbol) {
     switch (symbol) {
-    case Symbols::S_AND_WORD: case Symbols::S_OR_WORD: case Symbols::S_DOT: case Symbols::S_MINUS: return true;
+    case Symbols::S_AND_WORD:
+    case Symbols::S_OR_WORD:
+    case Symbols::S_DOT:
+    case Symbols::S_MINUS: return true;
     default: return symbol >= Symbols::S_AND && symbol <= Symbols::S_MODULO && symbol != Symbols::S_NOT;
     }
 }
@@ -44,7 +47,7 @@ std::string shown(Symbol symbol) {
 
 struct Group {
     std::string name = {};
-    Symbol marks = Symbols::S_YYEMPTY;   ///< the group is expected where this token is
+    Symbol marks = Symbols::S_YYEMPTY;  ///< the group is expected where this token is
     Symbol marks_too = Symbols::S_YYEMPTY;
 };
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "support/overloaded.hpp"
-#include "syntax/language/tree.hpp"
 #include "syntax/language/format_items.hpp"
+#include "syntax/language/tree.hpp"
 
 namespace grafverif {
 
@@ -36,8 +36,14 @@ public:
     /// Comments up to the end of a block or of the file.
     void remaining(std::uint32_t end);
 
-    void indent() { ++depth_; fresh_ = true; }
-    void outdent() { --depth_; fresh_ = false; }
+    void indent() {
+        ++depth_;
+        fresh_ = true;
+    }
+    void outdent() {
+        --depth_;
+        fresh_ = false;
+    }
     std::size_t column() const { return 4 * depth_; }
     bool has_comment_before(std::uint32_t end) const;
 
@@ -54,9 +60,9 @@ private:
 
     const tree::File* file_;
     std::vector<Line> lines_ = {};
-    std::size_t next_ = 0;       ///< comment to be placed
+    std::size_t next_ = 0;  ///< comment to be placed
     std::size_t depth_ = 0;
-    bool fresh_ = true;          ///< at the start of a block or of the file: no blank line
+    bool fresh_ = true;  ///< at the start of a block or of the file: no blank line
 };
 
 bool Page::gap_at(std::uint32_t position) const { return std::ranges::binary_search(file_->gaps, position); }

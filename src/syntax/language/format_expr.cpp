@@ -3,8 +3,8 @@
 #include <string>
 
 #include "support/overloaded.hpp"
-#include "syntax/print/dialect.hpp"
 #include "syntax/language/format.hpp"
+#include "syntax/print/dialect.hpp"
 #include "syntax/resolve/terms.hpp"
 
 namespace grafverif {
@@ -14,22 +14,29 @@ namespace {
 /// How tightly an operator binds, as in the grammar.
 int precedence(tree::Op op) {
     switch (op) {
-    case tree::Op::Or:
-        return 1;
-    case tree::Op::And:
-        return 2;
-    case tree::Op::Equal: case tree::Op::NotEqual: case tree::Op::Less: case tree::Op::LessEqual:
-    case tree::Op::Greater: case tree::Op::GreaterEqual:
-        return 3;
-    case tree::Op::Plus: case tree::Op::Minus:
-        return 4;
-    case tree::Op::Times: case tree::Op::Divide: case tree::Op::Modulo:
-        return 5;
-    case tree::Op::Not: case tree::Op::Negate:
-        return 6;
-    case tree::Op::False: case tree::Op::True: case tree::Op::Number: case tree::Op::Duration: case tree::Op::Name:
-    case tree::Op::Member: case tree::Op::Rise: case tree::Op::Fall:
-        return 7;
+    case tree::Op::Or: return 1;
+    case tree::Op::And: return 2;
+    case tree::Op::Equal:
+    case tree::Op::NotEqual:
+    case tree::Op::Less:
+    case tree::Op::LessEqual:
+    case tree::Op::Greater:
+    case tree::Op::GreaterEqual: return 3;
+    case tree::Op::Plus:
+    case tree::Op::Minus: return 4;
+    case tree::Op::Times:
+    case tree::Op::Divide:
+    case tree::Op::Modulo: return 5;
+    case tree::Op::Not:
+    case tree::Op::Negate: return 6;
+    case tree::Op::False:
+    case tree::Op::True:
+    case tree::Op::Number:
+    case tree::Op::Duration:
+    case tree::Op::Name:
+    case tree::Op::Member:
+    case tree::Op::Rise:
+    case tree::Op::Fall: return 7;
     }
     unreachable();
 }
@@ -41,27 +48,28 @@ public:
     void print(Id<tree::Expr> id) {
         const tree::Expr& node = file_->exprs[id];
         switch (node.op) {
-        case tree::Op::False:    text += "false"; return;
-        case tree::Op::True:     text += "true"; return;
-        case tree::Op::Number:   text += std::to_string(node.value); return;
+        case tree::Op::False: text += "false"; return;
+        case tree::Op::True: text += "true"; return;
+        case tree::Op::Number: text += std::to_string(node.value); return;
         case tree::Op::Duration: text += duration_text(node.value); return;
-        case tree::Op::Name:     text += file_->text(node.word); return;
+        case tree::Op::Name: text += file_->text(node.word); return;
         case tree::Op::Member:
             print(node.first);
             text += '.';
             text += file_->text(node.word);
             return;
-        case tree::Op::Rise: case tree::Op::Fall:
+        case tree::Op::Rise:
+        case tree::Op::Fall:
             text += node.op == tree::Op::Rise ? "rise(" : "fall(";
             print(node.first);
             text += ')';
             return;
-        case tree::Op::Not: case tree::Op::Negate:
+        case tree::Op::Not:
+        case tree::Op::Negate:
             text += node.op == tree::Op::Not ? '!' : '-';
             operand(node, node.first, file_->exprs[node.first].op == tree::Op::Negate ? 7 : 6);
             return;
-        default:
-            infix(node);
+        default: infix(node);
         }
     }
 
@@ -76,7 +84,7 @@ private:
     void operand(const tree::Expr& parent, Id<tree::Expr> id, int least) {
         const tree::Expr& child = file_->exprs[id];
         const bool mixed = child.bracketed && parent.op == tree::Op::Or && child.op == tree::Op::And;
-        const bool apart = child.bracketed && is_time(child) && is_time(parent);   // (3s/X2)/2s is not 3s/X2/2s
+        const bool apart = child.bracketed && is_time(child) && is_time(parent);  // (3s/X2)/2s is not 3s/X2/2s
         const bool brackets = precedence(child.op) < least || mixed || apart;
         if (brackets) text += '(';
         print(id);

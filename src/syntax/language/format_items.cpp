@@ -12,8 +12,8 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t widest = 120;        ///< longer lines are broken where they can be
-constexpr std::size_t comfortable = 100;   ///< of what reads as well in several lines
+constexpr std::size_t widest = 120;       ///< longer lines are broken where they can be
+constexpr std::size_t comfortable = 100;  ///< of what reads as well in several lines
 
 std::string text(const tree::File& file, tree::Name name) { return std::string(file.text(name)); }
 
@@ -48,9 +48,9 @@ Lines filled(const std::string& head, const std::vector<std::string>& parts, con
 std::string variable(const tree::File& file, const tree::Variable& written) {
     std::string line = text(file, written.name);
     switch (written.type) {
-    case tree::TypeWord::None:     break;
-    case tree::TypeWord::Bool:     line += ": bool"; break;
-    case tree::TypeWord::Int:      line += ": int"; break;
+    case tree::TypeWord::None: break;
+    case tree::TypeWord::Bool: line += ": bool"; break;
+    case tree::TypeWord::Int: line += ": int"; break;
     case tree::TypeWord::Duration: line += ": duration"; break;
     }
     if (written.range) line += ' ' + formatted(file, written.range->low) + ".." + formatted(file, written.range->high);
@@ -97,11 +97,11 @@ Lines guarded(const tree::File& file, const std::string& head, Id<tree::Expr> co
 Lines item_lines(const tree::File& file, const tree::Variables& written, std::size_t column) {
     std::string word;
     switch (written.kind) {
-    case tree::VariableKind::Input:    word = "input "; break;
-    case tree::VariableKind::Output:   word = "output "; break;
+    case tree::VariableKind::Input: word = "input "; break;
+    case tree::VariableKind::Output: word = "output "; break;
     case tree::VariableKind::Internal: word = "internal "; break;
-    case tree::VariableKind::Own:      word = "variable "; break;
-    case tree::VariableKind::Constant: break;   // in the head of a component only
+    case tree::VariableKind::Own: word = "variable "; break;
+    case tree::VariableKind::Constant: break;  // in the head of a component only
     }
     return filled(word, variables(file, written), ";", column);
 }
@@ -130,10 +130,10 @@ Lines item_lines(const tree::File& file, const tree::ContinuousAction& written, 
 Lines item_lines(const tree::File& file, const tree::StoredAction& written, std::size_t) {
     std::string line = assignment(file, written.assignment);
     switch (written.when) {
-    case tree::StoredWhen::Missing:      break;
-    case tree::StoredWhen::Activation:   line += " on activation"; break;
+    case tree::StoredWhen::Missing: break;
+    case tree::StoredWhen::Activation: line += " on activation"; break;
     case tree::StoredWhen::Deactivation: line += " on deactivation"; break;
-    case tree::StoredWhen::Event:        line += " on event " + formatted(file, written.event); break;
+    case tree::StoredWhen::Event: line += " on event " + formatted(file, written.event); break;
     }
     return {line + ';'};
 }
@@ -141,10 +141,10 @@ Lines item_lines(const tree::File& file, const tree::StoredAction& written, std:
 Lines item_lines(const tree::File& file, const tree::ForcingOrder& written, std::size_t) {
     std::string situation;
     switch (written.to) {
-    case tree::ForcedTo::Empty:   break;
+    case tree::ForcedTo::Empty: break;
     case tree::ForcedTo::Current: situation = "*"; break;
     case tree::ForcedTo::Initial: situation = "INIT"; break;
-    case tree::ForcedTo::Steps:   situation = names(file, written.steps); break;
+    case tree::ForcedTo::Steps: situation = names(file, written.steps); break;
     }
     return {"force " + text(file, written.chart) + " := {" + situation + "};"};
 }
@@ -200,7 +200,7 @@ Lines item_lines(const tree::File& file, const tree::Edge& written, std::size_t 
 
 std::string component_head(const tree::File& file, const tree::Component& component) {
     const std::string head = "component " + text(file, component.name) + '(';
-    std::vector<std::string> parts;   // whole groups, or variables where a group is too long
+    std::vector<std::string> parts;  // whole groups, or variables where a group is too long
     for (const tree::Variables& group : component.parameters) {
         const std::string word = group.kind == tree::VariableKind::Input    ? "input "
                                  : group.kind == tree::VariableKind::Output ? "output "
@@ -216,7 +216,7 @@ std::string component_head(const tree::File& file, const tree::Component& compon
     std::string lines = head;
     std::size_t width = head.size();
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::size_t end = i + 1 < parts.size() ? 0 : 3;   // `) {`
+        const std::size_t end = i + 1 < parts.size() ? 0 : 3;  // `) {`
         if (i > 0 && width + 1 + parts[i].size() + end > widest) {
             lines += '\n' + std::string(head.size(), ' ');
             width = head.size();
@@ -270,18 +270,18 @@ namespace {
 std::string pattern(const tree::File& file, const tree::Property& written) {
     const auto operand = [&](std::size_t i) { return formatted(file, written.operands[i]); };
     switch (written.pattern) {
-    case Pattern::Always:            return "always " + operand(0);
-    case Pattern::Never:             return "never " + operand(0);
-    case Pattern::Reachable:         return "reachable " + operand(0);
-    case Pattern::Inevitable:        return "inevitable " + operand(0);
-    case Pattern::LeadsTo:           return operand(0) + " leads to " + operand(1);
-    case Pattern::NoDeadlock:        return "no deadlock";
-    case Pattern::NoTimelock:        return "no timelock";
+    case Pattern::Always: return "always " + operand(0);
+    case Pattern::Never: return "never " + operand(0);
+    case Pattern::Reachable: return "reachable " + operand(0);
+    case Pattern::Inevitable: return "inevitable " + operand(0);
+    case Pattern::LeadsTo: return operand(0) + " leads to " + operand(1);
+    case Pattern::NoDeadlock: return "no deadlock";
+    case Pattern::NoTimelock: return "no timelock";
     case Pattern::ReachableAllSteps: return "reachable all steps";
-    case Pattern::AlwaysPossible:    return "always possible " + operand(0);
-    case Pattern::RawUppaal:         return "uppaal \"" + written.raw + '"';
-    case Pattern::RawCtl:            return "ctl \"" + written.raw + '"';
-    case Pattern::RawLtl:            return "ltl \"" + written.raw + '"';
+    case Pattern::AlwaysPossible: return "always possible " + operand(0);
+    case Pattern::RawUppaal: return "uppaal \"" + written.raw + '"';
+    case Pattern::RawCtl: return "ctl \"" + written.raw + '"';
+    case Pattern::RawLtl: return "ltl \"" + written.raw + '"';
     case Pattern::ExactlyOneOf: {
         std::vector<std::string> parts;
         for (std::size_t i = 0; i < written.operands.size(); ++i) parts.push_back(operand(i));

@@ -62,8 +62,12 @@ std::optional<std::int64_t> scaled(std::string_view digits, std::string_view dec
 }  // namespace
 
 Lexer::Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics)
-    : source_(&source), scanner_(std::string_view(source.text).substr(part.begin, part.end - part.begin)), file_(&file),
-      words_(file.words), diagnostics_(&diagnostics), here_{part.source, part.begin, part.begin} {
+    : source_(&source),
+      scanner_(std::string_view(source.text).substr(part.begin, part.end - part.begin)),
+      file_(&file),
+      words_(file.words),
+      diagnostics_(&diagnostics),
+      here_{part.source, part.begin, part.begin} {
     last_where_ = here_;
 }
 
@@ -188,23 +192,25 @@ void Lexer::report(Diagnostic diagnostic) {
 
 bool Lexer::nests_too_deep(Kind next) const {
     switch (next) {
-    case Symbols::S_LEFT: case Symbols::S_NOT: case Symbols::S_NOT_WORD: case Symbols::S_MINUS:
-    case Symbols::S_UP: case Symbols::S_DOWN:
-        return !recovering_ && brackets_ + prefixes_ >= deepest_expression;
-    default:
-        return false;
+    case Symbols::S_LEFT:
+    case Symbols::S_NOT:
+    case Symbols::S_NOT_WORD:
+    case Symbols::S_MINUS:
+    case Symbols::S_UP:
+    case Symbols::S_DOWN: return !recovering_ && brackets_ + prefixes_ >= deepest_expression;
+    default: return false;
     }
 }
 
 /// The token last handed out has been taken in by the parser.
 void Lexer::consumed() {
     switch (last_) {
-    case Symbols::S_NOT: case Symbols::S_NOT_WORD: case Symbols::S_MINUS: case Symbols::S_UP: case Symbols::S_DOWN:
-        ++prefixes_;
-        break;
-    case Symbols::S_LEFT:
-        ++brackets_;
-        break;
+    case Symbols::S_NOT:
+    case Symbols::S_NOT_WORD:
+    case Symbols::S_MINUS:
+    case Symbols::S_UP:
+    case Symbols::S_DOWN: ++prefixes_; break;
+    case Symbols::S_LEFT: ++brackets_; break;
     default:
         if (last_ == Symbols::S_RIGHT && brackets_ > 0) --brackets_;
         if (last_ == Symbols::S_SEMICOLON || last_ == Symbols::S_OPEN || last_ == Symbols::S_CLOSE) brackets_ = 0;
@@ -218,14 +224,12 @@ void Lexer::consumed() {
     case Symbols::S_CLOSE:
         if (!blocks_.empty()) blocks_.pop_back();
         [[fallthrough]];
-    case Symbols::S_SEMICOLON:
-        declaring_ = Symbols::S_YYEMPTY;
-        break;
-    case Symbols::S_STEP: case Symbols::S_PARTIAL: case Symbols::S_EXPANSION: case Symbols::S_TRANSITION:
-        declaring_ = last_;
-        break;
-    default:
-        break;
+    case Symbols::S_SEMICOLON: declaring_ = Symbols::S_YYEMPTY; break;
+    case Symbols::S_STEP:
+    case Symbols::S_PARTIAL:
+    case Symbols::S_EXPANSION:
+    case Symbols::S_TRANSITION: declaring_ = last_; break;
+    default: break;
     }
     before_ = last_;
     before_where_ = last_where_;

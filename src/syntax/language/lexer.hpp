@@ -81,22 +81,22 @@ private:
     tree::Words words_;
     Diagnostics* diagnostics_;
 
-    std::string_view match_ = {};        ///< what the scanner has just found
-    Span here_ = {};                     ///< where
-    std::uint32_t line_ends_ = 0;        ///< since the last token or comment
-    bool anything_ = false;              ///< some token or comment has been seen
+    std::string_view match_ = {};  ///< what the scanner has just found
+    Span here_ = {};               ///< where
+    std::uint32_t line_ends_ = 0;  ///< since the last token or comment
+    bool anything_ = false;        ///< some token or comment has been seen
 
-    std::deque<Token> pending_ = {};     ///< to be handed out before anything new
+    std::deque<Token> pending_ = {};  ///< to be handed out before anything new
     bool recovering_ = false;
-    Span reported_ = {};                 ///< the token last reported: not a second time
-    std::uint32_t handed_back_ = 0;      ///< end of the last token handed out a second time: there is no third
-    Kind last_ = Parser::symbol_kind::S_YYEMPTY;   ///< the token last handed out
+    Span reported_ = {};                          ///< the token last reported: not a second time
+    std::uint32_t handed_back_ = 0;               ///< end of the last token handed out a second time: there is no third
+    Kind last_ = Parser::symbol_kind::S_YYEMPTY;  ///< the token last handed out
     Span last_where_ = {};
     tree::Name last_name_ = {};
-    Kind before_ = Parser::symbol_kind::S_YYEMPTY;   ///< the one before it, consumed
+    Kind before_ = Parser::symbol_kind::S_YYEMPTY;  ///< the one before it, consumed
     Span before_where_ = {};
-    Kind declaring_ = Parser::symbol_kind::S_YYEMPTY;   ///< the last word that begins a block
-    std::vector<Block> blocks_ = {};     ///< open ones
+    Kind declaring_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last word that begins a block
+    std::vector<Block> blocks_ = {};                   ///< open ones
     std::size_t brackets_ = 0, prefixes_ = 0;
 };
 

@@ -18,53 +18,53 @@ using Symbols = Parser::symbol_kind;
 /// Words that begin a declaration of a file.
 bool declares_in_file(Symbol kind) {
     switch (kind) {
-        case Symbols::S_GRAFCET:
-        case Symbols::S_COMPONENT:
-        case Symbols::S_CLOSED_LOOP:
-        case Symbols::S_INCLUDE: return true;
-        default: return false;
+    case Symbols::S_GRAFCET:
+    case Symbols::S_COMPONENT:
+    case Symbols::S_CLOSED_LOOP:
+    case Symbols::S_INCLUDE: return true;
+    default: return false;
     }
 }
 
 /// Reserved words that begin a declaration of a chart: they can be no action of a step.
 bool declares_in_chart(Symbol kind) {
     switch (kind) {
-        case Symbols::S_INPUT:
-        case Symbols::S_OUTPUT:
-        case Symbols::S_INTERNAL:
-        case Symbols::S_STEP:
-        case Symbols::S_TRANSITION: return true;
-        default: return false;
+    case Symbols::S_INPUT:
+    case Symbols::S_OUTPUT:
+    case Symbols::S_INTERNAL:
+    case Symbols::S_STEP:
+    case Symbols::S_TRANSITION: return true;
+    default: return false;
     }
 }
 
 /// Words that begin a declaration of a block.
 bool declares_in_block(Symbol kind) {
     switch (kind) {
-        case Symbols::S_CONSTRAINT:
-        case Symbols::S_INITIAL_WORD:
-        case Symbols::S_LINKED:
-        case Symbols::S_ENTRY:
-        case Symbols::S_EXIT:
-        case Symbols::S_MACRO:
-        case Symbols::S_ENCLOSING:
-        case Symbols::S_PARTIAL:
-        case Symbols::S_EXPANSION:
-        case Symbols::S_VARIABLE:
-        case Symbols::S_CLOCK:
-        case Symbols::S_LOCATION:
-        case Symbols::S_URGENT:
-        case Symbols::S_TIMED:
-        case Symbols::S_CONTROLLER:
-        case Symbols::S_GRAIN:
-        case Symbols::S_TIME:
-        case Symbols::S_PLANT:
-        case Symbols::S_ENVIRONMENT:
-        case Symbols::S_PROPERTY:
-        case Symbols::S_OBSERVER:
-        case Symbols::S_SCHEDULE:
-        case Symbols::S_ACCEPT: return true;
-        default: return declares_in_chart(kind);
+    case Symbols::S_CONSTRAINT:
+    case Symbols::S_INITIAL_WORD:
+    case Symbols::S_LINKED:
+    case Symbols::S_ENTRY:
+    case Symbols::S_EXIT:
+    case Symbols::S_MACRO:
+    case Symbols::S_ENCLOSING:
+    case Symbols::S_PARTIAL:
+    case Symbols::S_EXPANSION:
+    case Symbols::S_VARIABLE:
+    case Symbols::S_CLOCK:
+    case Symbols::S_LOCATION:
+    case Symbols::S_URGENT:
+    case Symbols::S_TIMED:
+    case Symbols::S_CONTROLLER:
+    case Symbols::S_GRAIN:
+    case Symbols::S_TIME:
+    case Symbols::S_PLANT:
+    case Symbols::S_ENVIRONMENT:
+    case Symbols::S_PROPERTY:
+    case Symbols::S_OBSERVER:
+    case Symbols::S_SCHEDULE:
+    case Symbols::S_ACCEPT: return true;
+    default: return declares_in_chart(kind);
     }
 }
 
@@ -136,14 +136,13 @@ void Lexer::resynchronise() {
         kind = token.kind();
         first = false;
     };
-    const bool stuck = last_where_.end == handed_back_ && last_ != Symbols::S_YYEOF;   // it was of no use there either
+    const bool stuck = last_where_.end == handed_back_ && last_ != Symbols::S_YYEOF;  // it was of no use there either
     const auto hand_back = [&] {
         handed_back_ = first ? last_where_.end : token.location.end;
         if (!first) pending_.push_back(token);
         else if (declares_in_file(kind) || declares_in_block(kind))
             pending_.emplace_back(static_cast<Parser::token_kind_type>(kind), last_name_, last_where_);
-        else
-            pending_.emplace_back(static_cast<Parser::token_kind_type>(kind), last_where_);
+        else pending_.emplace_back(static_cast<Parser::token_kind_type>(kind), last_where_);
     };
 
     if (stuck) step();

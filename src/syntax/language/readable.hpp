@@ -9,7 +9,7 @@
 
 namespace grafverif {
 
-inline constexpr std::size_t largest_text = std::size_t{256} << 20U;   ///< bytes
+inline constexpr std::size_t largest_text = std::size_t{256} << 20U;  ///< bytes
 
 /// Whether `text` has the byte order mark of UTF-16, or begins with a character of two bytes one of which is 0.
 bool is_utf16(std::string_view text);

@@ -33,20 +33,38 @@ struct Name {
 };
 
 enum class Op : std::uint8_t {
-    False, True, Number, Duration, Name, Member,               // Member: operand `.` word
-    Not, Rise, Fall, Negate,
-    And, Or,                                                   // two or more operands
-    Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual,
-    Plus, Minus, Times, Divide, Modulo,
+    False,
+    True,
+    Number,
+    Duration,
+    Name,
+    Member,  // Member: operand `.` word
+    Not,
+    Rise,
+    Fall,
+    Negate,
+    And,
+    Or,  // two or more operands
+    Equal,
+    NotEqual,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Plus,
+    Minus,
+    Times,
+    Divide,
+    Modulo,
 };
 
 struct Expr {
     Op op = Op::False;
-    bool bracketed = false;       ///< the author put it in brackets
+    bool bracketed = false;  ///< the author put it in brackets
     std::uint16_t depth = 1;
-    Id<Word> word = {};           ///< Name, Member
-    std::int64_t value = 0;       ///< Number; Duration: milliseconds
-    Id<Expr> first = {}, last = {}, next = {};   ///< first and last operand, next sibling
+    Id<Word> word = {};                         ///< Name, Member
+    std::int64_t value = 0;                     ///< Number; Duration: milliseconds
+    Id<Expr> first = {}, last = {}, next = {};  ///< first and last operand, next sibling
     Span where = {};
 };
 
@@ -54,7 +72,7 @@ struct Expr {
 struct Comment {
     std::string text = {};
     Span where = {};
-    bool own_line = false;        ///< nothing but blanks before it on its line
+    bool own_line = false;  ///< nothing but blanks before it on its line
 };
 
 struct Range {
@@ -72,7 +90,7 @@ struct Variable {
     Span where = {};
 };
 
-enum class VariableKind { Input, Output, Internal, Own, Constant };   ///< Own: `variable` of a component
+enum class VariableKind { Input, Output, Internal, Own, Constant };  ///< Own: `variable` of a component
 struct Variables {
     VariableKind kind = VariableKind::Input;
     std::vector<Variable> variables = {};
@@ -95,9 +113,9 @@ struct Assignment {
 
 struct ContinuousAction {
     Name output = {};
-    Id<Expr> condition = {};      ///< `if`
-    Id<Expr> delay = {};          ///< `after`
-    Id<Expr> limit = {};          ///< `for`
+    Id<Expr> condition = {};  ///< `if`
+    Id<Expr> delay = {};      ///< `after`
+    Id<Expr> limit = {};      ///< `for`
     Span where = {};
 };
 enum class StoredWhen { Missing, Activation, Deactivation, Event };
@@ -121,15 +139,15 @@ struct Step {
     bool initial = false, linked = false, entry = false, exit = false;
     StepKind kind = StepKind::Ordinary;
     Name name = {};
-    std::vector<Name> contents = {};   ///< the expansion of a macro-step, the charts that an enclosing step encloses
+    std::vector<Name> contents = {};  ///< the expansion of a macro-step, the charts that an enclosing step encloses
     std::vector<Action> actions = {};
     Span where = {};
 };
 
 struct Transition {
-    Name name = {};                    ///< not valid: none written
+    Name name = {};  ///< not valid: none written
     std::vector<Name> from = {}, to = {};
-    Id<Expr> condition = {};           ///< not valid: none written
+    Id<Expr> condition = {};  ///< not valid: none written
     std::vector<Assignment> assignments = {};
     Span where = {};
 };
@@ -137,7 +155,7 @@ struct Transition {
 /// `accept CODE SUBJECT "reason";`
 struct Accept {
     std::string code = {};
-    std::string subject = {};   ///< empty: none is written
+    std::string subject = {};  ///< empty: none is written
     std::string reason = {};
     Span where = {};
 };
@@ -157,7 +175,7 @@ struct Chart {
     Name name = {};
     std::vector<ChartItem> items = {};
     Span where = {};
-    bool broken = false;               ///< a syntax error lies within
+    bool broken = false;  ///< a syntax error lies within
 };
 
 // -- components -------------------------------------------------------------------------------------------------------
@@ -226,7 +244,7 @@ struct Property {
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
-    Span raw_where = {};   ///< with its quotes
+    Span raw_where = {};  ///< with its quotes
     bool at_stable = false;
     Span where = {};
 };
@@ -237,7 +255,7 @@ struct Schedule {
 struct ObserverEdge {
     Name from = {}, to = {};
     Id<Expr> condition = {};
-    std::vector<Assignment> assignments = {};   ///< refused by the reader
+    std::vector<Assignment> assignments = {};  ///< refused by the reader
     Span where = {};
 };
 using ObserverItem = std::variant<Location, ObserverEdge>;
@@ -247,8 +265,7 @@ struct Observer {
     Span where = {};
 };
 
-using LoopItem =
-    std::variant<Controller, Grain, TimeUnit, Schedule, Instance, Property, Constraint, Observer, Accept>;
+using LoopItem = std::variant<Controller, Grain, TimeUnit, Schedule, Instance, Property, Constraint, Observer, Accept>;
 
 struct ClosedLoop {
     Name name = {};
@@ -270,10 +287,10 @@ struct File {
     Table<Word> words = {};
     Table<Expr> exprs = {};
     std::vector<Declaration> declarations = {};
-    std::vector<Comment> comments = {};        ///< in order of position
-    std::vector<std::uint32_t> gaps = {};      ///< where the first thing after a blank line begins; in order
-    bool broken = false;                       ///< a syntax error lies within some declaration, or between them
-    bool lost = false;                         ///< a declaration is missing altogether, for an error in its head
+    std::vector<Comment> comments = {};    ///< in order of position
+    std::vector<std::uint32_t> gaps = {};  ///< where the first thing after a blank line begins; in order
+    bool broken = false;                   ///< a syntax error lies within some declaration, or between them
+    bool lost = false;                     ///< a declaration is missing altogether, for an error in its head
 
     std::string_view text(Name name) const { return words[name.word].text; }
     std::string_view text(Id<Word> word) const { return words[word].text; }
@@ -291,8 +308,8 @@ private:
     void grow();
 
     Table<Word>* words_;
-    std::vector<std::size_t> hashes_ = {};     ///< of each word
-    std::vector<std::uint32_t> slots_ = {};    ///< open addressing: index into words_ plus one, 0 is free
+    std::vector<std::size_t> hashes_ = {};   ///< of each word
+    std::vector<std::uint32_t> slots_ = {};  ///< open addressing: index into words_ plus one, 0 is free
 };
 
 /// Appends `operand` to the operands of `node`.

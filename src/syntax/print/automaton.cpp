@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "syntax/print/dialect.hpp"
 #include "support/json_text.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
@@ -20,7 +20,8 @@ std::string count_text(std::optional<std::uint64_t> count) { return count ? std:
 
 std::string location_line(const Automaton& automaton, Id<Automaton::Location> id) {
     const Automaton::Location& location = automaton.locations[id];
-    std::string line = fmt::format("{}  {}{}", id.index, id == automaton.init ? "INIT " : "", situation_text(automaton, location.situation));
+    std::string line = fmt::format("{}  {}{}", id.index, id == automaton.init ? "INIT " : "",
+                                   situation_text(automaton, location.situation));
     for (const Id<Automaton::Stored> stored : automaton.stored.ids())
         line += fmt::format("  {} = {}", automaton.stored[stored].name, location.values[stored.index]);
     for (std::size_t k = 0; k < location.emissions.size(); ++k)
@@ -43,8 +44,11 @@ Json evolution_json(const Automaton& automaton, const Automaton::Evolution& evol
     Json restarted = Json::array(), falling = Json::array();
     for (const Id<Automaton::Input> timer : evolution.restarted) restarted.push_back(automaton.inputs[timer].name);
     for (const Id<Automaton::Input> timer : evolution.falling) falling.push_back(automaton.inputs[timer].name);
-    return {{"from", evolution.from.index}, {"to", evolution.to.index},
-            {"condition", condition_text(automaton, evolution.condition)}, {"restarted", restarted}, {"falling", falling}};
+    return {{"from", evolution.from.index},
+            {"to", evolution.to.index},
+            {"condition", condition_text(automaton, evolution.condition)},
+            {"restarted", restarted},
+            {"falling", falling}};
 }
 
 std::string timer_line(const Automaton& automaton, const Automaton::Input& timer) {
@@ -52,10 +56,11 @@ std::string timer_line(const Automaton& automaton, const Automaton::Input& timer
     const std::string what = watched_text(automaton, timer);
     const bool step = timer.timed.valid();
     if (timer.rise_ms != 0)
-        text += fmt::format(", {} after {} {}", duration_text(timer.rise_ms), what, step ? "was activated" : "became true");
+        text +=
+            fmt::format(", {} after {} {}", duration_text(timer.rise_ms), what, step ? "was activated" : "became true");
     if (timer.fall_ms != 0)
-        text += fmt::format("{} until {} after {} {}", timer.rise_ms == 0 ? "," : "", duration_text(timer.fall_ms), what,
-                            step ? "was left" : "became false");
+        text += fmt::format("{} until {} after {} {}", timer.rise_ms == 0 ? "," : "", duration_text(timer.fall_ms),
+                            what, step ? "was left" : "became false");
     return text;
 }
 
@@ -64,8 +69,10 @@ Json instability_json(const Automaton& automaton, const Automaton::Instability& 
     for (const Id<Automaton::Input> input : automaton.inputs.ids())
         witness[automaton.inputs[input].name] = instability.witness[input.index];
     for (const auto& situation : instability.cycle) cycle.push_back(situation_text(automaton, situation));
-    return {{"from", instability.from.index}, {"condition", condition_text(automaton, instability.condition)},
-            {"witness", witness}, {"cycle", cycle}};
+    return {{"from", instability.from.index},
+            {"condition", condition_text(automaton, instability.condition)},
+            {"witness", witness},
+            {"cycle", cycle}};
 }
 
 /// A table of the JSON, an entry a line, never held as a whole.
@@ -92,9 +99,11 @@ void print_members(std::ostream& out, const Json& object) {
 }  // namespace
 
 AutomatonCounts counts(const Automaton& automaton) {
-    AutomatonCounts result{automaton.locations.size(), automaton.evolutions.size(), evolutions_from(automaton, automaton.init).size(), 0, 0};
+    AutomatonCounts result{automaton.locations.size(), automaton.evolutions.size(),
+                           evolutions_from(automaton, automaton.init).size(), 0, 0};
     for (const Automaton::Instability& instability : automaton.instabilities) {
-        std::optional<std::uint64_t>& sum = instability.from == automaton.init ? result.unstable_from_init : result.unstable;
+        std::optional<std::uint64_t>& sum =
+            instability.from == automaton.init ? result.unstable_from_init : result.unstable;
         sum = sum && instability.combinations ? std::optional(*sum + *instability.combinations) : std::nullopt;
     }
     return result;
@@ -118,14 +127,18 @@ void print_automaton(std::ostream& out, const Automaton& automaton, bool details
     const char* const least = automaton.complete ? "" : "at least ";
     out << fmt::format("Location automaton of {}, {}\n", automaton.name, word(automaton.mode));
     if (!automaton.complete)
-        out << fmt::format("not searched to its end: the evolutions of {} locations are known, {} were found and not looked at\n",
-                           automaton.looked_at, count.locations - automaton.looked_at);
-    out << fmt::format("{0}{1} locations, INIT included\n{0}{2} evolutions, {3} of them from INIT\n", least, count.locations,
-                       count.evolutions, count.evolutions_from_init);
+        out << fmt::format(
+            "not searched to its end: the evolutions of {} locations are known, {} were found and not looked at\n",
+            automaton.looked_at, count.locations - automaton.looked_at);
+    out << fmt::format("{0}{1} locations, INIT included\n{0}{2} evolutions, {3} of them from INIT\n", least,
+                       count.locations, count.evolutions, count.evolutions_from_init);
     if (automaton.mode == ExecutionMode::StabilitySearch)
-        out << least << fmt::format("{} pairs of a location and inputs never stabilise{}\n", count_text(count.unstable),
-                           count.unstable_from_init == 0 ? "" : ", and " + count_text(count.unstable_from_init) + " of INIT");
-    if (!is_true(automaton.exprs, automaton.assumed)) out << "assumed: " << condition_text(automaton, automaton.assumed) << '\n';
+        out << least
+            << fmt::format(
+                   "{} pairs of a location and inputs never stabilise{}\n", count_text(count.unstable),
+                   count.unstable_from_init == 0 ? "" : ", and " + count_text(count.unstable_from_init) + " of INIT");
+    if (!is_true(automaton.exprs, automaton.assumed))
+        out << "assumed: " << condition_text(automaton, automaton.assumed) << '\n';
     for (const Automaton::Input& input : automaton.inputs)
         if (is_timer(input)) out << timer_line(automaton, input) << '\n';
     if (!details) return;
@@ -135,7 +148,8 @@ void print_automaton(std::ostream& out, const Automaton& automaton, bool details
             out << fmt::format("    -> {} {}  when {}", evolution.to.index,
                                situation_text(automaton, automaton.locations[evolution.to].situation),
                                condition_text(automaton, evolution.condition));
-            for (const Id<Automaton::Input> timer : evolution.restarted) out << "; starts " << automaton.inputs[timer].name;
+            for (const Id<Automaton::Input> timer : evolution.restarted)
+                out << "; starts " << automaton.inputs[timer].name;
             for (const Id<Automaton::Input> timer : evolution.falling) out << "; ends " << automaton.inputs[timer].name;
             out << '\n';
         }
@@ -162,19 +176,24 @@ void print_automaton_json(std::ostream& out, const Automaton& automaton, bool de
         Json inputs = Json::array(), outputs = Json::array();
         for (const Automaton::Input& input : automaton.inputs) {
             Json one = {{"name", input.name}};
-            if (is_timer(input)) one["rise_ms"] = input.rise_ms, one["fall_ms"] = input.fall_ms, one["watched"] = watched_text(automaton, input);
+            if (is_timer(input))
+                one["rise_ms"] = input.rise_ms, one["fall_ms"] = input.fall_ms,
+                one["watched"] = watched_text(automaton, input);
             inputs.push_back(std::move(one));
         }
         for (const Automaton::Output& output : automaton.outputs) outputs.push_back(output.name);
-        head["inputs"] = inputs, head["outputs"] = outputs, head["assumed"] = condition_text(automaton, automaton.assumed);
+        head["inputs"] = inputs, head["outputs"] = outputs,
+        head["assumed"] = condition_text(automaton, automaton.assumed);
     }
     print_members(out, head);
     if (details) {
-        print_table(out, "location_table", automaton.locations.ids(), [&](Id<Automaton::Location> id) { return location_json(automaton, id); });
+        print_table(out, "location_table", automaton.locations.ids(),
+                    [&](Id<Automaton::Location> id) { return location_json(automaton, id); });
         print_table(out, "evolution_table", automaton.evolutions,
                     [&](const Automaton::Evolution& evolution) { return evolution_json(automaton, evolution); });
-        print_table(out, "instability_table", automaton.instabilities,
-                    [&](const Automaton::Instability& instability) { return instability_json(automaton, instability); });
+        print_table(out, "instability_table", automaton.instabilities, [&](const Automaton::Instability& instability) {
+            return instability_json(automaton, instability);
+        });
     }
     out << "\n}\n";
 }

@@ -18,7 +18,7 @@ namespace grafverif {
 
 struct AutomatonCounts {
     std::size_t locations = 0, evolutions = 0, evolutions_from_init = 0;
-    std::optional<std::uint64_t> unstable = 0, unstable_from_init = 0;   ///< empty: too many to count
+    std::optional<std::uint64_t> unstable = 0, unstable_from_init = 0;  ///< empty: too many to count
 };
 AutomatonCounts counts(const LocationAutomaton& automaton);
 

@@ -29,12 +29,12 @@ inline constexpr int atom_precedence = 10;
 
 using Dialect = Spelling (*)(Op);
 
-Spelling chart_spelling(Op op);    ///< our own language: `a && !b`
-Spelling plain_spelling(Op op);    ///< equations to read: `a and not b`
-Spelling latex_spelling(Op op);    ///< equations to print: `a \wedge \neg b`
-Spelling uppaal_spelling(Op op);   ///< UPPAAL: `a && !b`, `c ? a : b`
-Spelling nusmv_spelling(Op op);    ///< NuSMV: `a & !b`, `(c ? a : b)`
-Spelling structured_text_spelling(Op op);   ///< IEC 61131-3: `a AND NOT b`, `SEL(c, b, a)`
+Spelling chart_spelling(Op op);            ///< our own language: `a && !b`
+Spelling plain_spelling(Op op);            ///< equations to read: `a and not b`
+Spelling latex_spelling(Op op);            ///< equations to print: `a \wedge \neg b`
+Spelling uppaal_spelling(Op op);           ///< UPPAAL: `a && !b`, `c ? a : b`
+Spelling nusmv_spelling(Op op);            ///< NuSMV: `a & !b`, `(c ? a : b)`
+Spelling structured_text_spelling(Op op);  ///< IEC 61131-3: `a AND NOT b`, `SEL(c, b, a)`
 
 /// Writes one leaf: Variable, Step, Timed, Parameter or At.
 using LeafPrinter = std::function<void(std::ostream&, const Expr&)>;

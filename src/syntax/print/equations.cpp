@@ -2,13 +2,12 @@
 #include "syntax/print/equations.hpp"
 
 #include <nlohmann/json.hpp>
-
 #include <ostream>
 #include <string>
 #include <string_view>
 
-#include "syntax/print/dialect.hpp"
 #include "support/json_text.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
@@ -57,12 +56,14 @@ void write_sections(const Equations& equations, Writer& writer) {
         }
         if (open) writer.close();
     };
-    section("(s) Stored actions, first evolution",
-            [&](const Equations::Stored& stored) { return starts_with_actions(equations, stored); },
-            [](const Equations::Stored& stored) { return stored.first; });
-    section("(s) Stored actions, races: two actions would store different values",
-            [&](const Equations::Stored& stored) { return !is_false(equations.exprs, stored.race); },
-            [](const Equations::Stored& stored) { return stored.race; });
+    section(
+        "(s) Stored actions, first evolution",
+        [&](const Equations::Stored& stored) { return starts_with_actions(equations, stored); },
+        [](const Equations::Stored& stored) { return stored.first; });
+    section(
+        "(s) Stored actions, races: two actions would store different values",
+        [&](const Equations::Stored& stored) { return !is_false(equations.exprs, stored.race); },
+        [](const Equations::Stored& stored) { return stored.race; });
     if (!equations.conflicts.empty()) {
         writer.title("(f) Conflicts of forcing orders");
         for (const Equations::Conflict& conflict : equations.conflicts) writer.condition(conflict.condition);
@@ -206,11 +207,11 @@ void print_equations_json(std::ostream& out, const Equations& equations) {
     for (const Equations::Output& output : equations.outputs)
         outputs.push_back(
             {{"variable", name(equations, output.variable)}, {"equation", plain(equations, output.value)}});
-    const Json object = {{"name", equations.name}, {"firing_conditions", firings}, {"steps", steps},
-                         {"stored", stored},       {"conflicts", conflicts},       {"previous", previous},
-                         {"watches", watches},
-                         {"timers", timers},       {"outputs", outputs},
-                         {"stable", plain(equations, equations.stable)}};
+    const Json object = {{"name", equations.name}, {"firing_conditions", firings},
+                         {"steps", steps},         {"stored", stored},
+                         {"conflicts", conflicts}, {"previous", previous},
+                         {"watches", watches},     {"timers", timers},
+                         {"outputs", outputs},     {"stable", plain(equations, equations.stable)}};
     out << json_text(object) << '\n';
 }
 

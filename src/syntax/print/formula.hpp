@@ -28,17 +28,18 @@ std::optional<FormulaLanguage> formula_language(Pattern pattern);
 /// What a name stands for in a model.
 struct FormulaName {
     enum class Type { Any, Boolean, Number, Value } type = Type::Any;
-    bool of_steps = false;   ///< chosen anew in each step: CTL, which speaks of states, cannot read it
+    bool of_steps = false;  ///< chosen anew in each step: CTL, which speaks of states, cannot read it
 };
 /// Nothing: the model has no such name. Names of parts come whole: `press.X_2`.
 using FormulaNames = std::function<std::optional<FormulaName>(std::string_view)>;
 
 struct FormulaFault {
-    std::size_t begin = 0, end = 0;   ///< bytes of the text
-    std::string what = {};            ///< `expected `)`, got `&``
+    std::size_t begin = 0, end = 0;  ///< bytes of the text
+    std::string what = {};           ///< `expected `)`, got `&``
 };
 
 /// Why `text` is no formula; nothing: it is one. Without `names` every name is taken for one of the right kind.
-std::optional<FormulaFault> formula_fault(FormulaLanguage language, std::string_view text, const FormulaNames& names = {});
+std::optional<FormulaFault> formula_fault(FormulaLanguage language, std::string_view text,
+                                          const FormulaNames& names = {});
 
 }  // namespace grafverif

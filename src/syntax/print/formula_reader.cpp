@@ -33,10 +33,12 @@ void Reader::advance() {
     };
     for (const std::string_view comment : {"--", "//", "/*"})
         if (rest.starts_with(comment) && !rest.starts_with("-->"))
-            return fail(begin_, begin_ + 2, fmt::format("`{}` begins a comment, which has no place in a formula", comment));
+            return fail(begin_, begin_ + 2,
+                        fmt::format("`{}` begins a comment, which has no place in a formula", comment));
     if (is_letter(rest[0])) {
         kind_ = Kind::Name;
-        end_ = ends([this](char c) { return is_letter(c) || is_digit(c) || in_names_.find(c) != std::string_view::npos; });
+        end_ =
+            ends([this](char c) { return is_letter(c) || is_digit(c) || in_names_.find(c) != std::string_view::npos; });
         return;
     }
     if (is_digit(rest[0])) {
@@ -58,7 +60,8 @@ void Reader::refuse_character() {
     std::size_t end = begin_ + 1;
     while (byte >= 0x80 && end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
     const bool printable = byte > 0x20 && byte != 0x7F;
-    const std::string shown = printable ? fmt::format("`{}`", text_.substr(begin_, end - begin_)) : fmt::format("byte 0x{:02X}", byte);
+    const std::string shown =
+        printable ? fmt::format("`{}`", text_.substr(begin_, end - begin_)) : fmt::format("byte 0x{:02X}", byte);
     fail(begin_, end, fmt::format("{} has no place in a formula", shown));
 }
 

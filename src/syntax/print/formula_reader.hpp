@@ -54,8 +54,8 @@ protected:
     std::span<const std::string_view> symbols_ = {};
     std::string_view in_names_ = {};
     Kind kind_ = Kind::End;
-    std::size_t begin_ = 0, end_ = 0;    ///< the word at hand
-    std::size_t before_ = 0;             ///< the end of the one before it
+    std::size_t begin_ = 0, end_ = 0;  ///< the word at hand
+    std::size_t before_ = 0;           ///< the end of the one before it
     std::size_t depth_ = 0;
     std::optional<FormulaFault> fault_ = {};
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "syntax/print/legal_names.hpp"
 #include "syntax/print/formula_reader.hpp"
+#include "syntax/print/legal_names.hpp"
 
 namespace grafverif::formulas {
 
@@ -19,22 +19,23 @@ namespace {
 
 using Type = FormulaName::Type;
 
-constexpr std::array<std::string_view, 26> smv_symbols{"<->", "->", "!=", "<=", ">=", "..", "(", ")", "[", "]", "{", "}", "!",
-                                                       "&",   "|",  "=",  "<",  ">",  "+",  "-", "*", "/", "?", ":", ",", "."};
+constexpr std::array<std::string_view, 26> smv_symbols{"<->", "->", "!=", "<=", ">=", "..", "(", ")", "[",
+                                                       "]",   "{",  "}",  "!",  "&",  "|",  "=", "<", ">",
+                                                       "+",   "-",  "*",  "/",  "?",  ":",  ",", "."};
 
 /// A part of a formula.
 struct Part {
     std::size_t begin = 0, end = 0;
     Type type = Type::Any;
-    bool temporal = false;   ///< an operator of paths stands in it
+    bool temporal = false;  ///< an operator of paths stands in it
 };
 
 std::string_view described(Type type) {
     switch (type) {
     case Type::Boolean: return "a condition";
-    case Type::Number:  return "a number";
-    case Type::Value:   return "a named value";
-    case Type::Any:     break;
+    case Type::Number: return "a number";
+    case Type::Value: return "a named value";
+    case Type::Any: break;
     }
     return "anything";
 }
@@ -63,7 +64,9 @@ private:
     }
     void require_alike(const Part& left, const Part& right, std::string_view op) {
         if (left.type == Type::Any || right.type == Type::Any || left.type == right.type) return;
-        fail(right.begin, right.end, fmt::format("`{}` has {} on one side and {} on the other", op, described(left.type), described(right.type)));
+        fail(right.begin, right.end,
+             fmt::format("`{}` has {} on one side and {} on the other", op, described(left.type),
+                         described(right.type)));
     }
     std::string an_operand(std::string_view op) const { return fmt::format("an operand of `{}`", op); }
     Part joined(const Part& left, const Part& right, Type type) const {
@@ -91,7 +94,8 @@ private:
 
     Part choice() {
         const Nest nest(*this);
-        const Part condition = logical({"|", "xor", "xnor"}, [this] { return logical({"&"}, [this] { return until(); }); });
+        const Part condition =
+            logical({"|", "xor", "xnor"}, [this] { return logical({"&"}, [this] { return until(); }); });
         if (in_until_ || !accept("?")) return condition;
         const Part then = implication();
         expect(":");
@@ -138,7 +142,8 @@ private:
     /// Whether behind all the `!` that stand here an operator of paths comes.
     bool path_follows() {
         SmvReader ahead = *this;
-        while (ahead.accept("!")) {}
+        while (ahead.accept("!")) {
+        }
         return ahead.at_unary_path() || (!ltl_ && ahead.is_one_of({"A", "E"}));
     }
 
@@ -282,8 +287,11 @@ private:
         while (accept(","));
         in_next_ = outer;
         expect(")");
-        const std::size_t most = function == "count" ? arguments.size() : function == "min" || function == "max" ? 2 : 1;
-        if (arguments.size() != most) fail(begin, before_, fmt::format("`{}` takes {}", function, most == 1 ? "one operand" : "two operands"));
+        const std::size_t most = function == "count"                      ? arguments.size()
+                                 : function == "min" || function == "max" ? 2
+                                                                          : 1;
+        if (arguments.size() != most)
+            fail(begin, before_, fmt::format("`{}` takes {}", function, most == 1 ? "one operand" : "two operands"));
         for (const Part& part : arguments) {
             require_plain(part, function);
             if (function == "count") require(part, Type::Boolean, an_operand(function));
@@ -307,18 +315,21 @@ private:
         const std::optional<FormulaName> known = names_(path);
         if (!known) fail(begin, before_, fmt::format("the model has nothing called `{}`", path));
         else if (known->of_steps && !ltl_)
-            fail(begin, before_, fmt::format("`{}` is chosen anew in each step, and CTL speaks of states; LTL may read it", path));
+            fail(begin, before_,
+                 fmt::format("`{}` is chosen anew in each step, and CTL speaks of states; LTL may read it", path));
         return {begin, before_, known ? known->type : Type::Any, false};
     }
 
     /// What is no name of a model, though it looks like one.
     void refuse_word() {
         const std::string_view word = here();
-        static constexpr std::array<std::string_view, 12> of_ctl{"EX", "AX", "EF", "AF", "EG", "AG", "A", "E", "EBF", "ABF", "EBG", "ABG"};
+        static constexpr std::array<std::string_view, 12> of_ctl{"EX", "AX", "EF",  "AF",  "EG",  "AG",
+                                                                 "A",  "E",  "EBF", "ABF", "EBG", "ABG"};
         static constexpr std::array<std::string_view, 11> of_ltl{"X", "Y", "Z", "G", "H", "F", "O", "U", "S", "V", "T"};
         const auto among = [word](const auto& words) { return std::ranges::find(words, word) != words.end(); };
         if (among(ltl_ ? std::span<const std::string_view>(of_ctl) : std::span<const std::string_view>(of_ltl)))
-            return fail_here(fmt::format("`{}` is an operator of {}, and this is a formula of {}", word, ltl_ ? "CTL" : "LTL", ltl_ ? "LTL" : "CTL"));
+            return fail_here(fmt::format("`{}` is an operator of {}, and this is a formula of {}", word,
+                                         ltl_ ? "CTL" : "LTL", ltl_ ? "LTL" : "CTL"));
         if (is_reserved(Target::Nusmv, word)) return expected("an operand");
         if (word.find_first_of("$#-") != std::string_view::npos)
             fail_here(fmt::format("NuSMV takes `{}` for one name; put a blank before the operator", word));

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "support/overloaded.hpp"
-#include "syntax/print/legal_names.hpp"
 #include "syntax/print/formula_reader.hpp"
+#include "syntax/print/legal_names.hpp"
 
 namespace grafverif::formulas {
 
@@ -29,7 +29,8 @@ public:
         const bool of_paths = quantifier();
         expression();
         if (!of_paths) {
-            if (kind_ == Kind::End && !fault_) return fail_here("it begins with `A[]`, `A<>`, `E<>` or `E[]`, or is `p --> q`");
+            if (kind_ == Kind::End && !fault_)
+                return fail_here("it begins with `A[]`, `A<>`, `E<>` or `E[]`, or is `p --> q`");
             expect("-->");
             expression();
         }
@@ -47,7 +48,8 @@ private:
     }
 
     void refuse_operator() {
-        if (is_one_of({"=", ":=", "++", "+="})) return fail_here(fmt::format("{} changes what it looks at; equal is `==`", shown()));
+        if (is_one_of({"=", ":=", "++", "+="}))
+            return fail_here(fmt::format("{} changes what it looks at; equal is `==`", shown()));
         expected("an operator or the end");
     }
 
@@ -59,8 +61,9 @@ private:
                 expression();
                 expect(":");
                 operand();
-            } else if (!accept_one({"&&", "||", "and", "or", "imply", "==", "!=", "<=", ">=", "<?", ">?", "<<", ">>", "<", ">", "+", "-",
-                                    "*", "/", "%", "&", "|", "^"}).empty()) {
+            } else if (!accept_one({"&&", "||", "and", "or", "imply", "==", "!=", "<=", ">=", "<?", ">?", "<<",
+                                    ">>", "<",  ">",   "+",  "-",     "*",  "/",  "%",  "&",  "|",  "^"})
+                            .empty()) {
                 operand();
             } else if (is_one_of({"=", ":=", "++", "+="})) {
                 return refuse_operator();
@@ -72,7 +75,8 @@ private:
 
     void operand() {
         const Nest nest(*this);
-        while (!accept_one({"!", "-", "+", "not"}).empty()) {}
+        while (!accept_one({"!", "-", "+", "not"}).empty()) {
+        }
         if (is_one_of({"forall", "exists", "sum"})) return over_range();
         if (accept("(")) {
             expression();
@@ -148,8 +152,8 @@ namespace grafverif {
 
 std::string_view word(FormulaLanguage language) {
     switch (language) {
-    case FormulaLanguage::Ctl:    return "CTL";
-    case FormulaLanguage::Ltl:    return "LTL";
+    case FormulaLanguage::Ctl: return "CTL";
+    case FormulaLanguage::Ltl: return "LTL";
     case FormulaLanguage::Uppaal: return "UPPAAL";
     }
     unreachable();
@@ -157,13 +161,19 @@ std::string_view word(FormulaLanguage language) {
 
 std::optional<FormulaLanguage> formula_language(Pattern pattern) {
     switch (pattern) {
-    case Pattern::RawCtl:    return FormulaLanguage::Ctl;
-    case Pattern::RawLtl:    return FormulaLanguage::Ltl;
+    case Pattern::RawCtl: return FormulaLanguage::Ctl;
+    case Pattern::RawLtl: return FormulaLanguage::Ltl;
     case Pattern::RawUppaal: return FormulaLanguage::Uppaal;
-    case Pattern::Always: case Pattern::Never: case Pattern::Reachable: case Pattern::Inevitable: case Pattern::LeadsTo:
-    case Pattern::NoDeadlock: case Pattern::NoTimelock: case Pattern::ReachableAllSteps: case Pattern::ExactlyOneOf:
-    case Pattern::AlwaysPossible:
-        return {};
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::Reachable:
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo:
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock:
+    case Pattern::ReachableAllSteps:
+    case Pattern::ExactlyOneOf:
+    case Pattern::AlwaysPossible: return {};
     }
     unreachable();
 }

@@ -18,6 +18,8 @@
 namespace grafverif {
 namespace {
 
+// Words stand in lines, not one each.
+// clang-format off
 constexpr auto uppaal_words = std::to_array<std::string_view>({
     "DBL_MAX", "DBL_MIN", "FLT_MAX", "FLT_MIN", "INT16_MAX", "INT16_MIN", "INT32_MAX", "INT32_MIN", "INT8_MAX",
     "INT8_MIN", "IO", "M_1_PI", "M_2_PI", "M_2_SQRTPI", "M_E", "M_LN10", "M_LN2", "M_LOG10E", "M_LOG2E", "M_PI",
@@ -92,6 +94,7 @@ private:
     std::unordered_set<std::string_view> set_;
     std::array<std::uint32_t, 256> lengths_ = {};
 };
+// clang-format on
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -127,7 +130,7 @@ template <class Free>
 std::string first_free(const std::string& base, std::unordered_map<std::string, std::size_t>& next, const Free& free) {
     for (std::size_t& tried = next[base];; ++tried) {
         std::string name = base;
-        if (tried == 1) name += '_';   // never free in Structured Text
+        if (tried == 1) name += '_';  // never free in Structured Text
         if (tried >= 2) name += '_' + std::to_string(tried);
         if (free(name)) return name;
     }
@@ -139,9 +142,9 @@ bool is_reserved(Target target, std::string_view name) {
     static const Words uppaal(uppaal_words), queries(uppaal_query_words), nusmv(nusmv_words),
         structured_text(structured_text_words);
     switch (target) {
-    case Target::Uppaal:      return uppaal.contains(name) || queries.contains(name);
+    case Target::Uppaal: return uppaal.contains(name) || queries.contains(name);
     case Target::UppaalLocal: return uppaal.contains(name);
-    case Target::Nusmv:       return nusmv.contains(name);
+    case Target::Nusmv: return nusmv.contains(name);
     case Target::StructuredText: return structured_text.contains(key_of(target, name));
     }
     unreachable();

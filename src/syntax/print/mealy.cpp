@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "syntax/print/dialect.hpp"
-#include "syntax/print/automaton.hpp"
 #include "support/json_text.hpp"
+#include "syntax/print/automaton.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
@@ -41,15 +41,20 @@ void add_details(const Machine& machine, OrderedJson& head) {
     head["inputs"] = names_json(machine.inputs);
     head["outputs"] = names_json(machine.outputs);
     head["assumed"] = condition_text(machine, machine.assumed);
-    OrderedJson activation = OrderedJson::array(), states = OrderedJson::array(), transitions = OrderedJson::array(), unstable = OrderedJson::array();
+    OrderedJson activation = OrderedJson::array(), states = OrderedJson::array(), transitions = OrderedJson::array(),
+                unstable = OrderedJson::array();
     for (const Machine::Activation& one : machine.activation)
         activation.push_back({{"condition", condition_text(machine, one.condition)},
                               {"outputs", values_json(machine.answers[one.answer].values, machine.outputs)}});
     for (const Id<Machine::State> id : machine.states.ids())
-        states.push_back({{"state", id.index}, {"situation", machine.states[id].situation}, {"detail", machine.states[id].detail}});
+        states.push_back(
+            {{"state", id.index}, {"situation", machine.states[id].situation}, {"detail", machine.states[id].detail}});
     for (const Machine::Transition& one : machine.transitions)
-        transitions.push_back({{"from", one.from.index}, {"to", one.to.index}, {"condition", condition_text(machine, one.condition)},
-                               {"outputs", values_json(machine.answers[one.answer].values, machine.outputs)}, {"wait_ms", one.wait_ms}});
+        transitions.push_back({{"from", one.from.index},
+                               {"to", one.to.index},
+                               {"condition", condition_text(machine, one.condition)},
+                               {"outputs", values_json(machine.answers[one.answer].values, machine.outputs)},
+                               {"wait_ms", one.wait_ms}});
     for (const Machine::Unstable& one : machine.unstable)
         unstable.push_back({{"from", one.from.index}, {"condition", condition_text(machine, one.condition)}});
     head["activation"] = activation;
@@ -95,20 +100,23 @@ std::string condition_text(const Machine& machine, Id<Expr> condition) {
 
 void print_mealy(std::ostream& out, const Machine& machine, bool details) {
     const auto text = [](std::optional<std::uint64_t> count) { return count ? std::to_string(*count) : "very many"; };
-    out << fmt::format("Mealy machine of {}, {}\n{} states\n{} transitions, one per state and combination of inputs", machine.name,
-                       word(machine.mode), machine.states.size(), text(transition_count(machine)));
+    out << fmt::format("Mealy machine of {}, {}\n{} states\n{} transitions, one per state and combination of inputs",
+                       machine.name, word(machine.mode), machine.states.size(), text(transition_count(machine)));
     if (machine.unstable_pairs != 0) out << "; " << text(machine.unstable_pairs) << " of them never stabilise";
     out << '\n';
-    if (!is_true(machine.exprs, machine.assumed)) out << "assumed: " << condition_text(machine, machine.assumed) << '\n';
+    if (!is_true(machine.exprs, machine.assumed))
+        out << "assumed: " << condition_text(machine, machine.assumed) << '\n';
     for (const Machine::Activation& one : machine.activation)
-        out << fmt::format("first cycle, which activates the initial steps: {}{}\n", answer_text(machine, one.answer, "no output"),
+        out << fmt::format("first cycle, which activates the initial steps: {}{}\n",
+                           answer_text(machine, one.answer, "no output"),
                            machine.activation.size() == 1 ? "" : " when " + condition_text(machine, one.condition));
     if (!details) return;
     for (const Id<Machine::State> id : machine.states.ids()) {
         out << '\n' << state_text(machine, id) << (id == machine.initial ? "  (initial)" : "") << '\n';
         for (const Machine::Transition& one : transitions_from(machine, id))
-            out << fmt::format("    {}{} -> {} / {}\n", one.wait_ms != 0 ? "wait " + duration_text(one.wait_ms) + ", " : "",
-                               condition_text(machine, one.condition), one.to.index, answer_text(machine, one.answer, "no output"));
+            out << fmt::format(
+                "    {}{} -> {} / {}\n", one.wait_ms != 0 ? "wait " + duration_text(one.wait_ms) + ", " : "",
+                condition_text(machine, one.condition), one.to.index, answer_text(machine, one.answer, "no output"));
         for (const Machine::Unstable& one : machine.unstable)
             if (one.from == id) out << "    " << condition_text(machine, one.condition) << " never stabilises\n";
     }
@@ -131,7 +139,8 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
     for (const TestSequence::Sequence& sequence : test.sequences) {
         OrderedJson steps = OrderedJson::array();
         if (sequence.activation) steps.push_back(step_json(test, *sequence.activation, 0));
-        for (std::size_t k = 0; k < sequence.steps.size(); ++k) steps.push_back(step_json(test, sequence.steps[k], k + 1));
+        for (std::size_t k = 0; k < sequence.steps.size(); ++k)
+            steps.push_back(step_json(test, sequence.steps[k], k + 1));
         sequences.push_back(std::move(steps));
     }
     const OrderedJson whole = {{"chart", test.chart},
@@ -151,9 +160,9 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
 
 std::string summary(const TestSequence& test) {
     const std::size_t steps = step_count(test);
-    std::string text = fmt::format("{} step{} in {} sequence{} from power-on, covering {} of {} {}; ", steps, steps == 1 ? "" : "s",
-                                   test.sequences.size(), test.sequences.size() == 1 ? "" : "s", test.covered, test.to_cover,
-                                   word(test.cover));
+    std::string text = fmt::format("{} step{} in {} sequence{} from power-on, covering {} of {} {}; ", steps,
+                                   steps == 1 ? "" : "s", test.sequences.size(), test.sequences.size() == 1 ? "" : "s",
+                                   test.covered, test.to_cover, word(test.cover));
     if (test.proven_least) return text + fmt::format("proven least (lower bound {})", test.lower_bound);
     return text + fmt::format("not proven least (lower bound {})", test.lower_bound);
 }

@@ -60,9 +60,11 @@ ScanValues read_scan_line(std::string_view line, std::span<const ScanColumn> col
     const std::vector<std::string_view> words = words_of(line, columns.size());
     if (words.size() != columns.size()) {
         const bool more = words.size() > columns.size();
-        return {{}, fmt::format("{}{} value{} where {} {} asked for", more ? "more than " : "",
-                                more ? columns.size() : words.size(), (more ? columns.size() : words.size()) == 1 ? "" : "s",
-                                columns.size(), columns.size() == 1 ? "is" : "are")};
+        return {
+            {},
+            fmt::format("{}{} value{} where {} {} asked for", more ? "more than " : "",
+                        more ? columns.size() : words.size(), (more ? columns.size() : words.size()) == 1 ? "" : "s",
+                        columns.size(), columns.size() == 1 ? "is" : "are")};
     }
     std::vector<std::int64_t> values;
     values.reserve(words.size());

@@ -14,7 +14,7 @@ std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& const
     const std::string text =
         expr_text(loop.exprs, constraint.condition, chart_spelling, [&loop](std::ostream& out, const Expr& leaf) {
             const ClosedLoop::Symbol& symbol = loop.symbols[{static_cast<std::uint32_t>(leaf.value)}];
-            out << loop.shared[std::get<ClosedLoop::SharedSymbol>(symbol).shared].name;   // it reads inputs only
+            out << loop.shared[std::get<ClosedLoop::SharedSymbol>(symbol).shared].name;  // it reads inputs only
         });
     return text.size() > longest ? "a long constraint holds of this plant" : text + " holds of this plant";
 }

@@ -23,7 +23,8 @@ void print_field(std::ostream& out, std::string_view text) {
 
 void print_row(std::ostream& out, const TestSequence& test, std::size_t sequence, std::size_t number,
                const TestSequence::Step& step) {
-    out << sequence << ',' << number << ',' << (step.wait_ms == 0 ? "" : duration_text(step.wait_ms)) << ',' << step.cycles;
+    out << sequence << ',' << number << ',' << (step.wait_ms == 0 ? "" : duration_text(step.wait_ms)) << ','
+        << step.cycles;
     for (const std::int64_t value : step.inputs) out << ',' << value;
     for (const std::int64_t value : step.outputs) out << ',' << value;
     out << ',';

@@ -72,8 +72,8 @@ void resolve_stored_action(ChartScope& scope, const tree::StoredAction& written,
     Chart::StoredAction action;
     action.step = step;
     switch (written.when) {
-    case tree::StoredWhen::Missing:      scope.diagnostics.add(messages::missing_event(written.where)); break;
-    case tree::StoredWhen::Activation:   action.on = Chart::StoredOn::Activation; break;
+    case tree::StoredWhen::Missing: scope.diagnostics.add(messages::missing_event(written.where)); break;
+    case tree::StoredWhen::Activation: action.on = Chart::StoredOn::Activation; break;
     case tree::StoredWhen::Deactivation: action.on = Chart::StoredOn::Deactivation; break;
     case tree::StoredWhen::Event:
         action.on = Chart::StoredOn::Event;
@@ -88,10 +88,10 @@ void resolve_forcing(ChartScope& scope, const tree::ForcingOrder& written, Id<Ch
     if (!forced.valid()) return;
     Chart::ForcingOrder order{step, forced, Chart::ForcedTo::Empty, {}, written.where};
     switch (written.to) {
-    case tree::ForcedTo::Empty:   order.to = Chart::ForcedTo::Empty; break;
+    case tree::ForcedTo::Empty: order.to = Chart::ForcedTo::Empty; break;
     case tree::ForcedTo::Current: order.to = Chart::ForcedTo::Current; break;
     case tree::ForcedTo::Initial: order.to = Chart::ForcedTo::Initial; break;
-    case tree::ForcedTo::Steps:   order.to = Chart::ForcedTo::Steps; break;
+    case tree::ForcedTo::Steps: order.to = Chart::ForcedTo::Steps; break;
     }
     for (const tree::Name& label : written.steps) {
         const Id<Chart::Step> member = step_in(scope, forced, label);
@@ -134,11 +134,13 @@ void resolve_actions(ChartScope& scope, const WrittenChart& written) {
     for (const WrittenStep& step : written.steps) {
         scope.here = scope.chart.steps[step.id].chart;
         for (const tree::Action& action : step.step->actions) {
-            std::visit(overloaded{
-                [&](const tree::ContinuousAction& continuous) { resolve_continuous(scope, continuous, step.id); },
-                [&](const tree::StoredAction& stored) { resolve_stored_action(scope, stored, step.id); },
-                [&](const tree::ForcingOrder& order) { resolve_forcing(scope, order, step.id); },
-            }, action);
+            std::visit(
+                overloaded{
+                    [&](const tree::ContinuousAction& continuous) { resolve_continuous(scope, continuous, step.id); },
+                    [&](const tree::StoredAction& stored) { resolve_stored_action(scope, stored, step.id); },
+                    [&](const tree::ForcingOrder& order) { resolve_forcing(scope, order, step.id); },
+                },
+                action);
         }
     }
 }

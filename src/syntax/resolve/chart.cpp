@@ -4,8 +4,8 @@
 
 #include "grafverif/ir/finding.hpp"
 #include "support/messages.hpp"
-#include "syntax/resolve/resolve.hpp"
 #include "syntax/resolve/chart_scope.hpp"
+#include "syntax/resolve/resolve.hpp"
 
 namespace grafverif {
 

@@ -28,9 +28,9 @@ struct ChartScope {
     /// The steps of any name, in order of declaration.
     std::unordered_map<std::string_view, std::vector<Id<Chart::Step>>> steps_by_name = {};
     std::unordered_map<std::string, Id<Chart::TimeCondition>> times = {};
-    std::unordered_map<std::uint64_t, Term> known_names = {};   ///< by partial chart and word
-    std::vector<Span> continuous = {}, stored = {};             ///< by variable: its first action of that kind
-    Id<Chart::PartialChart> here = {};                          ///< where the term at hand stands
+    std::unordered_map<std::uint64_t, Term> known_names = {};  ///< by partial chart and word
+    std::vector<Span> continuous = {}, stored = {};            ///< by variable: its first action of that kind
+    Id<Chart::PartialChart> here = {};                         ///< where the term at hand stands
 
     std::string_view text(tree::Name name) const { return file.text(name); }
 };

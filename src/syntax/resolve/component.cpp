@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "support/messages.hpp"
-#include "syntax/resolve/resolve.hpp"
 #include "syntax/resolve/component_scope.hpp"
+#include "syntax/resolve/resolve.hpp"
 
 namespace grafverif {
 

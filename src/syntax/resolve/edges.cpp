@@ -26,18 +26,18 @@ std::optional<Id<Component::Clock>> clock_at(const ComponentScope& scope, Id<tre
 /// The relation with its sides exchanged: `3s <= t` is `t >= 3s`.
 Op mirrored(Op relation) {
     switch (relation) {
-    case Op::Less:         return Op::Greater;
-    case Op::LessEqual:    return Op::GreaterEqual;
-    case Op::Greater:      return Op::Less;
+    case Op::Less: return Op::Greater;
+    case Op::LessEqual: return Op::GreaterEqual;
+    case Op::Greater: return Op::Less;
     case Op::GreaterEqual: return Op::LessEqual;
-    default:               return relation;
+    default: return relation;
     }
 }
 
 struct Conjuncts {
     std::vector<Id<Expr>> data = {};
     std::vector<Component::ClockConstraint> clocks = {};
-    std::vector<Id<tree::Expr>> data_nodes = {};   ///< of each of `data`
+    std::vector<Id<tree::Expr>> data_nodes = {};  ///< of each of `data`
 };
 
 void take_clock_constraint(ComponentScope& scope, const tree::Expr& node, Conjuncts& taken) {
@@ -152,7 +152,7 @@ void declare_location(ComponentScope& scope, const tree::Location& written) {
 
 void resolve_location(ComponentScope& scope, const tree::Location& written) {
     const auto known = scope.locations.find(written.name.word);
-    if (scope.component.locations[known->second].origin.begin != written.name.where.begin) return;   // a duplicate
+    if (scope.component.locations[known->second].origin.begin != written.name.where.begin) return;  // a duplicate
     Conjuncts invariant;
     if (written.invariant.valid()) take(scope, written.invariant, invariant);
     for (const Id<tree::Expr> node : invariant.data_nodes)

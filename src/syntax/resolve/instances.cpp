@@ -21,7 +21,7 @@ struct Binding {
     const tree::Instance* written = nullptr;
     const Component* component = nullptr;
     ClosedLoop::Instance instance = {};
-    std::vector<const tree::Argument*> given = {};   ///< by parameter
+    std::vector<const tree::Argument*> given = {};  ///< by parameter
     bool wrong = false;
 };
 
@@ -50,8 +50,8 @@ Id<Component> component_named(LoopScope& scope, tree::Name name) {
 std::string example(const Parameter& parameter) {
     if (parameter.kind != Component::ParameterKind::Constant) return "NAME";
     switch (parameter.value) {
-    case Component::ValueKind::Boolean:  return "true";
-    case Component::ValueKind::Integer:  return "1";
+    case Component::ValueKind::Boolean: return "true";
+    case Component::ValueKind::Integer: return "1";
     case Component::ValueKind::Duration: return "1s";
     }
     unreachable();
@@ -251,8 +251,9 @@ Binding begin(LoopScope& scope, const tree::Instance& written) {
     binding.instance.component = component_named(scope, written.component);
     const auto [known, fresh] = scope.instances.try_emplace(scope.text(written.name));
     if (!fresh && known->second.valid())
-        fail(scope, binding, messages::duplicate_name(written.name.where, "instance", binding.instance.name,
-                                                      scope.loop.instances[known->second].origin));
+        fail(scope, binding,
+             messages::duplicate_name(written.name.where, "instance", binding.instance.name,
+                                      scope.loop.instances[known->second].origin));
     if (!binding.instance.component.valid()) {
         binding.wrong = true;
         return binding;

@@ -34,7 +34,7 @@ public:
 
 private:
     ChartScope* scope_;
-    std::unordered_map<std::string, Span> written_ = {};   ///< where each name is first written
+    std::unordered_map<std::string, Span> written_ = {};  ///< where each name is first written
     UniqueNames names_ = {};
 };
 
@@ -70,8 +70,7 @@ void resolve_transitions(ChartScope& scope, const WrittenChart& written) {
             scope.diagnostics.add(messages::detached_transition(transition->where));
         if (transition->condition.valid())
             resolved.condition = resolve_condition(scope, transition->condition, partial, "a transition");
-        else
-            scope.diagnostics.add(messages::missing_condition(transition->where));
+        else scope.diagnostics.add(messages::missing_condition(transition->where));
         const Id<Chart::Transition> id = scope.chart.transitions.add(std::move(resolved));
         scope.here = partial;
         for (const tree::Assignment& assignment : transition->assignments) {

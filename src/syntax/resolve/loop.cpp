@@ -3,9 +3,9 @@
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/formula.hpp"
-#include "syntax/resolve/resolve.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
+#include "syntax/resolve/resolve.hpp"
 
 namespace grafverif {
 
@@ -172,8 +172,9 @@ void check_formula(LoopScope& scope, const tree::Property& written) {
     if (written.at_stable) scope.diagnostics.add(messages::formula_at_stable(where));
     const auto fault = formula_fault(*language, written.raw);
     if (!fault) return;
-    const auto inner = static_cast<std::uint32_t>(where.begin + 1);   // behind the quote
-    const Span there{where.source, inner + static_cast<std::uint32_t>(fault->begin), inner + static_cast<std::uint32_t>(fault->end)};
+    const auto inner = static_cast<std::uint32_t>(where.begin + 1);  // behind the quote
+    const Span there{where.source, inner + static_cast<std::uint32_t>(fault->begin),
+                     inner + static_cast<std::uint32_t>(fault->end)};
     scope.diagnostics.add(messages::bad_formula(there, word(*language), fault->what));
 }
 
@@ -206,16 +207,21 @@ void resolve_questions(LoopScope& scope, const tree::ClosedLoop& written) {
     if (!scope.incomplete) declare_observers(scope, written);
     for (const tree::LoopItem& item : written.items) {
         std::visit(overloaded{
-            [](const tree::Controller&) {},
-            [](const tree::Instance&) {},
-            [&](const tree::Grain& chosen) { resolve_grain(scope, chosen, grain); },
-            [&](const tree::TimeUnit& unit) { resolve_time_unit(scope, unit); },
-            [&](const tree::Property& property) { if (!scope.incomplete) resolve_property(scope, property, names); },
-            [](const tree::Constraint&) {},
-            [](const tree::Observer&) {},
-            [&](const tree::Schedule& chosen) { resolve_schedule(scope, chosen); },
-            [&](const tree::Accept& accept) { scope.diagnostics.add(messages::not_yet(accept.where, "`accept` outside a chart")); },
-        }, item);
+                       [](const tree::Controller&) {},
+                       [](const tree::Instance&) {},
+                       [&](const tree::Grain& chosen) { resolve_grain(scope, chosen, grain); },
+                       [&](const tree::TimeUnit& unit) { resolve_time_unit(scope, unit); },
+                       [&](const tree::Property& property) {
+                           if (!scope.incomplete) resolve_property(scope, property, names);
+                       },
+                       [](const tree::Constraint&) {},
+                       [](const tree::Observer&) {},
+                       [&](const tree::Schedule& chosen) { resolve_schedule(scope, chosen); },
+                       [&](const tree::Accept& accept) {
+                           scope.diagnostics.add(messages::not_yet(accept.where, "`accept` outside a chart"));
+                       },
+                   },
+                   item);
     }
     if (scope.incomplete) return;
     resolve_observers(scope, written);

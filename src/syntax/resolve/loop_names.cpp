@@ -102,7 +102,7 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
         owner = controller;
     }
     if (found) return *found;
-    if (scope.excused.contains(name)) return {};   // declared by an instance with an error
+    if (scope.excused.contains(name)) return {};  // declared by an instance with an error
     return unknown_name(scope, where, name);
 }
 
@@ -131,8 +131,7 @@ Term observed(LoopScope& scope, Id<ClosedLoop::Observer> observer, std::string_v
     Nearest nearest(name);
     const Table<ClosedLoop::ObserverLocation>& locations = scope.loop.observers[observer].locations;
     for (const Id<ClosedLoop::ObserverLocation> location : locations.ids()) {
-        if (locations[location].name == name)
-            return symbol_term(scope, ClosedLoop::ObserverSymbol{observer, location});
+        if (locations[location].name == name) return symbol_term(scope, ClosedLoop::ObserverSymbol{observer, location});
         nearest.offer(locations[location].name);
     }
     scope.diagnostics.add(messages::unknown(where, "location", name, nearest.best()));

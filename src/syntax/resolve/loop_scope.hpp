@@ -12,8 +12,8 @@
 
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/support/diagnostic.hpp"
-#include "syntax/resolve/resolve.hpp"
 #include "syntax/language/tree.hpp"
+#include "syntax/resolve/resolve.hpp"
 #include "syntax/resolve/terms.hpp"
 
 namespace grafverif {
@@ -32,7 +32,7 @@ struct LoopScope {
     std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
     std::vector<std::string> instance_writers = {};     ///< by shared variable: the instance that writes it, or empty
     std::unordered_set<std::string_view> excused = {};  ///< names bound in instances with errors: perhaps driven there
-    bool incomplete = false;                               ///< something the loop names is in error itself
+    bool incomplete = false;                            ///< something the loop names is in error itself
 
     /// Of each controller: its steps by name, its internal variables.
     struct Inside {

@@ -15,7 +15,7 @@ constexpr std::size_t longest = 64;
 std::size_t distance(std::string_view a, std::string_view b, std::size_t bound) {
     const std::size_t difference = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
     if (difference >= bound || a.size() > longest || b.size() > longest) return bound;
-    std::array<std::array<std::size_t, longest + 2>, 3> rows;   // written before read
+    std::array<std::array<std::size_t, longest + 2>, 3> rows;  // written before read
     for (std::size_t j = 0; j <= std::min(b.size(), bound); ++j) rows[0][j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
         const auto& above = rows[(i - 1) % 3];
@@ -58,7 +58,7 @@ void Nearest::offer(char prefix, std::string_view candidate) {
 }
 
 void Nearest::offer(std::string_view candidate) {
-    if (distance_ == 1) return;   // nothing is nearer, or nothing is wanted
+    if (distance_ == 1) return;  // nothing is nearer, or nothing is wanted
     const std::size_t found = distance(name_, candidate, distance_);
     if (found >= distance_) return;
     distance_ = found;

@@ -23,7 +23,7 @@ private:
     std::string name_;
     std::string best_ = {};
     std::string prefixed_ = {};
-    std::size_t distance_;   ///< of the best so far, plus what is needed to beat it: only less is of interest
+    std::size_t distance_;  ///< of the best so far, plus what is needed to beat it: only less is of interest
 };
 
 }  // namespace grafverif

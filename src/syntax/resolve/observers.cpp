@@ -81,16 +81,20 @@ bool reads_inputs_only(LoopScope& scope, Id<Expr> condition, Span where) {
     };
     const ClosedLoop& loop = scope.loop;
     for (const Id<Expr> leaf : leaves(loop.exprs, condition))
-        std::visit(overloaded{
-            [&](const ClosedLoop::SharedSymbol& of) {
-                const ClosedLoop::Shared& shared = loop.shared[of.shared];
-                if (!shared.reader.valid() || shared.writer.valid()) refuse(shared.name);
+        std::visit(
+            overloaded{
+                [&](const ClosedLoop::SharedSymbol& of) {
+                    const ClosedLoop::Shared& shared = loop.shared[of.shared];
+                    if (!shared.reader.valid() || shared.writer.valid()) refuse(shared.name);
+                },
+                [&](const ClosedLoop::InternalSymbol& of) {
+                    refuse(scope.chart(of.controller).variables[of.variable].name);
+                },
+                [&](const ClosedLoop::StepSymbol& of) { refuse("X" + scope.chart(of.controller).steps[of.step].name); },
+                [&](const ClosedLoop::LocationSymbol& of) { refuse(loop.instances[of.instance].name); },
+                [&](const ClosedLoop::ObserverSymbol& of) { refuse(loop.observers[of.observer].name); },
             },
-            [&](const ClosedLoop::InternalSymbol& of) { refuse(scope.chart(of.controller).variables[of.variable].name); },
-            [&](const ClosedLoop::StepSymbol& of) { refuse("X" + scope.chart(of.controller).steps[of.step].name); },
-            [&](const ClosedLoop::LocationSymbol& of) { refuse(loop.instances[of.instance].name); },
-            [&](const ClosedLoop::ObserverSymbol& of) { refuse(loop.observers[of.observer].name); },
-        }, loop.symbols[{static_cast<std::uint32_t>(loop.exprs[leaf].value)}]);
+            loop.symbols[{static_cast<std::uint32_t>(loop.exprs[leaf].value)}]);
     return only;
 }
 
@@ -110,8 +114,8 @@ void take_chart_constraints(LoopScope& scope) {
                 const std::string& name = chart.variables[{static_cast<std::uint32_t>(leaf.value)}].name;
                 return symbol_leaf(scope, ClosedLoop::SharedSymbol{scope.shared.at(name)});
             });
-            add_constraint(scope, {.condition = copy, .controller = id, .origin = constraint.origin},
-                           chart.name + "_", number);
+            add_constraint(scope, {.condition = copy, .controller = id, .origin = constraint.origin}, chart.name + "_",
+                           number);
         }
     }
 }
@@ -131,9 +135,8 @@ void take_component_constraints(LoopScope& scope) {
                 if (const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&argument))
                     return symbol_leaf(scope, ClosedLoop::SharedSymbol{*shared});
                 const std::int64_t value = std::get<std::int64_t>(argument);
-                return component.parameters[{index}].value == Component::ValueKind::Boolean
-                           ? exprs.constant(value != 0)
-                           : exprs.integer(value);
+                return component.parameters[{index}].value == Component::ValueKind::Boolean ? exprs.constant(value != 0)
+                                                                                            : exprs.integer(value);
             });
             add_constraint(scope, {.condition = copy, .instance = id, .origin = constraint.origin}, instance.name + "_",
                            ++number);

@@ -16,16 +16,17 @@ using ValueKind = Component::ValueKind;
 
 Span origin(const Component& component, const ComponentScope::Symbol& symbol) {
     return std::visit(overloaded{
-        [&](Id<Component::Parameter> id) { return component.parameters[id].origin; },
-        [&](Id<Component::Variable> id) { return component.variables[id].origin; },
-        [&](Id<Component::Clock> id) { return component.clocks[id].origin; },
-    }, symbol);
+                          [&](Id<Component::Parameter> id) { return component.parameters[id].origin; },
+                          [&](Id<Component::Variable> id) { return component.variables[id].origin; },
+                          [&](Id<Component::Clock> id) { return component.clocks[id].origin; },
+                      },
+                      symbol);
 }
 
 Kind kind_of(ValueKind kind) {
     switch (kind) {
-    case ValueKind::Boolean:  return Kind::Boolean;
-    case ValueKind::Integer:  return Kind::Integer;
+    case ValueKind::Boolean: return Kind::Boolean;
+    case ValueKind::Integer: return Kind::Integer;
     case ValueKind::Duration: return Kind::Duration;
     }
     unreachable();
@@ -109,8 +110,8 @@ namespace {
 struct Constant {
     const tree::Variable* written = nullptr;
     Id<Component::Parameter> id = {};
-    std::vector<std::size_t> users = {};   ///< constants whose defaults name this one
-    std::size_t needs = 0;                 ///< defaults still to be looked at before its own
+    std::vector<std::size_t> users = {};  ///< constants whose defaults name this one
+    std::size_t needs = 0;                ///< defaults still to be looked at before its own
 };
 
 /// The names in a term; its depth is bounded, its width is not.
@@ -184,7 +185,7 @@ ValueKind value_kind(ComponentScope& scope, const tree::Variable& written) {
     switch (written.type) {
     case tree::TypeWord::None:
     case tree::TypeWord::Bool: return ValueKind::Boolean;
-    case tree::TypeWord::Int:  return ValueKind::Integer;
+    case tree::TypeWord::Int: return ValueKind::Integer;
     case tree::TypeWord::Duration:
         scope.diagnostics.add(
             messages::misplaced_type(written.where, "only constants are durations; declare a `clock` to measure time"));
@@ -211,8 +212,9 @@ void resolve_range(ComponentScope& scope, const tree::Variable& written, Declare
         const Term term = value.resolve(written.value);
         if (term.kind == Kind::Integer)
             scope.diagnostics.add(messages::unbounded_integer(written.where, declared.name));
-        if (term.kind == Kind::Duration) scope.diagnostics.add(messages::misplaced_type(written.where,
-            "only constants are durations; declare a `clock` to measure time"));
+        if (term.kind == Kind::Duration)
+            scope.diagnostics.add(messages::misplaced_type(
+                written.where, "only constants are durations; declare a `clock` to measure time"));
         if (term.kind == Kind::Boolean) declared.initial = term.expr;
         return;
     }
@@ -222,11 +224,11 @@ void resolve_range(ComponentScope& scope, const tree::Variable& written, Declare
 
 Component::ParameterKind parameter_kind(tree::VariableKind kind) {
     switch (kind) {
-    case tree::VariableKind::Input:    return Component::ParameterKind::Input;
-    case tree::VariableKind::Output:   return Component::ParameterKind::Output;
+    case tree::VariableKind::Input: return Component::ParameterKind::Input;
+    case tree::VariableKind::Output: return Component::ParameterKind::Output;
     case tree::VariableKind::Constant: return Component::ParameterKind::Constant;
     case tree::VariableKind::Internal:
-    case tree::VariableKind::Own:      break;   // not in the grammar of parameters
+    case tree::VariableKind::Own: break;  // not in the grammar of parameters
     }
     unreachable();
 }

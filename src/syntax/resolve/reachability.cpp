@@ -34,7 +34,8 @@ public:
         for (const Id<Chart::Step> id : chart_->steps.ids())
             if (chart_->steps[id].initial) activate(id);
         for (const Chart::Transition& transition : chart_->transitions)
-            if (transition.from.empty()) for (const Id<Chart::Step> step : transition.to) activate(step);
+            if (transition.from.empty())
+                for (const Id<Chart::Step> step : transition.to) activate(step);
         for (const Chart::ForcingOrder& order : chart_->forcing)
             for (const Id<Chart::Step> step : order.situation) activate(step);
         while (!work_.empty()) {
@@ -57,9 +58,9 @@ private:
 
     const Chart* chart_;
     std::vector<bool> active_;
-    std::vector<std::size_t> waits_;                               ///< upstream steps that are not active yet
+    std::vector<std::size_t> waits_;  ///< upstream steps that are not active yet
     std::vector<std::vector<Id<Chart::Transition>>> downstream_ = {};
-    std::vector<std::vector<Id<Chart::Step>>> links_ = {};         ///< what an owner activates
+    std::vector<std::vector<Id<Chart::Step>>> links_ = {};  ///< what an owner activates
     std::vector<Id<Chart::Step>> work_ = {};
 };
 

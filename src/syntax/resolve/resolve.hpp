@@ -30,7 +30,7 @@ struct LoopContext {
     const Model& model;
     std::unordered_set<std::string> charts_in_error = {};
     std::unordered_set<std::string> components_in_error = {};
-    std::vector<std::string> component_names = {};   ///< all that could be written, for hints
+    std::vector<std::string> component_names = {};  ///< all that could be written, for hints
 };
 
 /// Empty after at least one error, which may be one of a chart or component that the loop names.

@@ -12,8 +12,8 @@ namespace {
 
 Chart::StepKind kind_of(tree::StepKind kind) {
     switch (kind) {
-    case tree::StepKind::Ordinary:  return Chart::StepKind::Ordinary;
-    case tree::StepKind::Macro:     return Chart::StepKind::Macro;
+    case tree::StepKind::Ordinary: return Chart::StepKind::Ordinary;
+    case tree::StepKind::Macro: return Chart::StepKind::Macro;
     case tree::StepKind::Enclosing: return Chart::StepKind::Enclosing;
     }
     unreachable();
@@ -66,13 +66,16 @@ void declare_items(ChartScope& scope, const std::vector<tree::ChartItem>& items,
                    WrittenChart& all) {
     for (const tree::ChartItem& item : items) {
         std::visit(overloaded{
-            [](const tree::Variables&) {},
-            [](const tree::Constraint&) {},
-            [](const tree::Accept&) {},
-            [&](const tree::Step& step) { declare_step(scope, step, partial, all); },
-            [&](const tree::Transition& transition) { all.transitions.push_back({&transition, partial}); },
-            [&](const tree::Partial& inner) { declare_partial(scope, inner, all); },
-        }, item);
+                       [](const tree::Variables&) {},
+                       [](const tree::Constraint&) {},
+                       [](const tree::Accept&) {},
+                       [&](const tree::Step& step) { declare_step(scope, step, partial, all); },
+                       [&](const tree::Transition& transition) {
+                           all.transitions.push_back({&transition, partial});
+                       },
+                       [&](const tree::Partial& inner) { declare_partial(scope, inner, all); },
+                   },
+                   item);
     }
 }
 

@@ -13,69 +13,69 @@ namespace grafverif {
 
 std::string_view described(Kind kind) {
     switch (kind) {
-    case Kind::Wrong:    return "an error";
-    case Kind::Boolean:  return "a condition";
-    case Kind::Integer:  return "an integer";
+    case Kind::Wrong: return "an error";
+    case Kind::Boolean: return "a condition";
+    case Kind::Integer: return "an integer";
     case Kind::Duration: return "a duration";
-    case Kind::Clock:    return "a clock";
+    case Kind::Clock: return "a clock";
     }
     unreachable();
 }
 
 Op ir_op(tree::Op op) {
     switch (op) {
-    case tree::Op::False:        return Op::False;
-    case tree::Op::True:         return Op::True;
-    case tree::Op::Number:       return Op::Integer;
-    case tree::Op::Duration:     return Op::Duration;
-    case tree::Op::Name:         return Op::Variable;
-    case tree::Op::Member:       return Op::Variable;
-    case tree::Op::Not:          return Op::Not;
-    case tree::Op::Rise:         return Op::Rise;
-    case tree::Op::Fall:         return Op::Fall;
-    case tree::Op::Negate:       return Op::Negate;
-    case tree::Op::And:          return Op::And;
-    case tree::Op::Or:           return Op::Or;
-    case tree::Op::Equal:        return Op::Equal;
-    case tree::Op::NotEqual:     return Op::NotEqual;
-    case tree::Op::Less:         return Op::Less;
-    case tree::Op::LessEqual:    return Op::LessEqual;
-    case tree::Op::Greater:      return Op::Greater;
+    case tree::Op::False: return Op::False;
+    case tree::Op::True: return Op::True;
+    case tree::Op::Number: return Op::Integer;
+    case tree::Op::Duration: return Op::Duration;
+    case tree::Op::Name: return Op::Variable;
+    case tree::Op::Member: return Op::Variable;
+    case tree::Op::Not: return Op::Not;
+    case tree::Op::Rise: return Op::Rise;
+    case tree::Op::Fall: return Op::Fall;
+    case tree::Op::Negate: return Op::Negate;
+    case tree::Op::And: return Op::And;
+    case tree::Op::Or: return Op::Or;
+    case tree::Op::Equal: return Op::Equal;
+    case tree::Op::NotEqual: return Op::NotEqual;
+    case tree::Op::Less: return Op::Less;
+    case tree::Op::LessEqual: return Op::LessEqual;
+    case tree::Op::Greater: return Op::Greater;
     case tree::Op::GreaterEqual: return Op::GreaterEqual;
-    case tree::Op::Plus:         return Op::Plus;
-    case tree::Op::Minus:        return Op::Minus;
-    case tree::Op::Times:        return Op::Times;
-    case tree::Op::Divide:       return Op::Divide;
-    case tree::Op::Modulo:       return Op::Modulo;
+    case tree::Op::Plus: return Op::Plus;
+    case tree::Op::Minus: return Op::Minus;
+    case tree::Op::Times: return Op::Times;
+    case tree::Op::Divide: return Op::Divide;
+    case tree::Op::Modulo: return Op::Modulo;
     }
     unreachable();
 }
 
 std::string_view spelling(tree::Op op) {
     switch (op) {
-    case tree::Op::False:        return "false";
-    case tree::Op::True:         return "true";
-    case tree::Op::Number:       return "a number";
-    case tree::Op::Duration:     return "a duration";
-    case tree::Op::Name:         return "a name";
-    case tree::Op::Member:       return ".";
-    case tree::Op::Not:          return "!";
-    case tree::Op::Rise:         return "rise";
-    case tree::Op::Fall:         return "fall";
-    case tree::Op::Negate:       return "-";
-    case tree::Op::And:          return "&&";
-    case tree::Op::Or:           return "||";
-    case tree::Op::Equal:        return "==";
-    case tree::Op::NotEqual:     return "!=";
-    case tree::Op::Less:         return "<";
-    case tree::Op::LessEqual:    return "<=";
-    case tree::Op::Greater:      return ">";
+    case tree::Op::False: return "false";
+    case tree::Op::True: return "true";
+    case tree::Op::Number: return "a number";
+    case tree::Op::Duration: return "a duration";
+    case tree::Op::Name: return "a name";
+    case tree::Op::Member: return ".";
+    case tree::Op::Not: return "!";
+    case tree::Op::Rise: return "rise";
+    case tree::Op::Fall: return "fall";
+    case tree::Op::Negate: return "-";
+    case tree::Op::And: return "&&";
+    case tree::Op::Or: return "||";
+    case tree::Op::Equal: return "==";
+    case tree::Op::NotEqual: return "!=";
+    case tree::Op::Less: return "<";
+    case tree::Op::LessEqual: return "<=";
+    case tree::Op::Greater: return ">";
     case tree::Op::GreaterEqual: return ">=";
-    case tree::Op::Plus:         return "+";
-    case tree::Op::Minus:        return "-";
-    case tree::Op::Times:        return "*";
-    case tree::Op::Divide:       return "/";
-    case tree::Op::Modulo:       return "%";
+    case tree::Op::Plus: return "+";
+    case tree::Op::Minus: return "-";
+    case tree::Op::Times: return "*";
+    case tree::Op::Divide: return "/";
+    case tree::Op::Modulo: return "%";
     }
     unreachable();
 }
@@ -92,23 +92,29 @@ Term Terms::resolve(Id<tree::Expr> id) {
         if (const auto taken = special(node)) return *taken;
     }
     switch (node.op) {
-    case tree::Op::False:    return {exprs_->constant(false), Kind::Boolean};
-    case tree::Op::True:     return {exprs_->constant(true), Kind::Boolean};
-    case tree::Op::Number:   return {exprs_->integer(node.value), Kind::Integer};
+    case tree::Op::False: return {exprs_->constant(false), Kind::Boolean};
+    case tree::Op::True: return {exprs_->constant(true), Kind::Boolean};
+    case tree::Op::Number: return {exprs_->integer(node.value), Kind::Integer};
     case tree::Op::Duration: return {exprs_->duration(node.value), Kind::Duration};
     case tree::Op::Name:
-    case tree::Op::Member:   return name(node);
-    case tree::Op::Not:      return boolean_operand(node, Op::Not);
-    case tree::Op::Rise:     return boolean_operand(node, Op::Rise);
-    case tree::Op::Fall:     return boolean_operand(node, Op::Fall);
+    case tree::Op::Member: return name(node);
+    case tree::Op::Not: return boolean_operand(node, Op::Not);
+    case tree::Op::Rise: return boolean_operand(node, Op::Rise);
+    case tree::Op::Fall: return boolean_operand(node, Op::Fall);
     case tree::Op::And:
-    case tree::Op::Or:       return junction(node);
-    case tree::Op::Equal: case tree::Op::NotEqual: case tree::Op::Less: case tree::Op::LessEqual:
-    case tree::Op::Greater: case tree::Op::GreaterEqual:
-        return comparison(node);
-    case tree::Op::Negate: case tree::Op::Plus: case tree::Op::Minus: case tree::Op::Times:
-    case tree::Op::Divide: case tree::Op::Modulo:
-        return arithmetic(node);
+    case tree::Op::Or: return junction(node);
+    case tree::Op::Equal:
+    case tree::Op::NotEqual:
+    case tree::Op::Less:
+    case tree::Op::LessEqual:
+    case tree::Op::Greater:
+    case tree::Op::GreaterEqual: return comparison(node);
+    case tree::Op::Negate:
+    case tree::Op::Plus:
+    case tree::Op::Minus:
+    case tree::Op::Times:
+    case tree::Op::Divide:
+    case tree::Op::Modulo: return arithmetic(node);
     }
     unreachable();
 }

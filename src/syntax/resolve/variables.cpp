@@ -10,11 +10,11 @@ namespace {
 
 Chart::VariableKind kind_of(tree::VariableKind kind) {
     switch (kind) {
-    case tree::VariableKind::Input:    return Chart::VariableKind::Input;
-    case tree::VariableKind::Output:   return Chart::VariableKind::Output;
+    case tree::VariableKind::Input: return Chart::VariableKind::Input;
+    case tree::VariableKind::Output: return Chart::VariableKind::Output;
     case tree::VariableKind::Internal: return Chart::VariableKind::Internal;
     case tree::VariableKind::Own:
-    case tree::VariableKind::Constant: break;   // not in the grammar of charts
+    case tree::VariableKind::Constant: break;  // not in the grammar of charts
     }
     unreachable();
 }
@@ -33,8 +33,7 @@ Terms constants(ChartScope& scope) {
 Type type_of(ChartScope& scope, const tree::Variable& written) {
     Terms terms = constants(scope);
     switch (written.type) {
-    case tree::TypeWord::Bool:
-        return {};
+    case tree::TypeWord::Bool: return {};
     case tree::TypeWord::Duration:
         scope.diagnostics.add(messages::misplaced_type(written.where,
                                                        "a chart has no variables of durations; write time "

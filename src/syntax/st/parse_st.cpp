@@ -20,7 +20,8 @@ bool parsed(Builder& build, const Text& text, Parser::token_kind_type goal, File
 
 }  // namespace
 
-std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics) {
+std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sources& sources,
+                                         Diagnostics& diagnostics) {
     Builder build(file, diagnostics);
     if (!parsed(build, text, Parser::token::EXPRESSION_FOLLOWS, file, sources, diagnostics)) return {};
     return build.read_expression();

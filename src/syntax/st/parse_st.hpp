@@ -21,7 +21,8 @@ struct Piece {
 using Text = std::vector<Piece>;
 
 /// Each adds at least one error where it returns nothing.
-std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
+std::optional<Id<Expr>> parse_expression(const Text& text, File& file, const Sources& sources,
+                                         Diagnostics& diagnostics);
 std::optional<Block> parse_statements(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);
 /// Programs, function blocks, functions and global variables of a text file. False after an error.
 bool parse_units(const Text& text, File& file, const Sources& sources, Diagnostics& diagnostics);

@@ -132,7 +132,7 @@ Id<Expr> Builder::node(Op op, std::initializer_list<Id<Expr>> operands, Span whe
     const Id<Expr> id = leaf(op, where);
     for (const Id<Expr> operand : operands) adopt(id, operand);
     if (file_->exprs[id].first.valid() || operands.size() == 0) return id;
-    file_->exprs[id].op = Op::False;   // too deep, and reported
+    file_->exprs[id].op = Op::False;  // too deep, and reported
     return id;
 }
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "grafverif/support/diagnostic.hpp"
-#include "syntax/st/st_tree.hpp"
 #include "syntax/language/places.hpp"
+#include "syntax/st/st_tree.hpp"
 
 namespace grafverif::st {
 

@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "support/messages.hpp"
-#include "syntax/st/st_tree.hpp"
 #include "support/xml_text.hpp"
 #include "syntax/st/st_builder.hpp"
+#include "syntax/st/st_tree.hpp"
 
 namespace grafverif::st {
 
@@ -20,14 +20,14 @@ namespace {
 
 // The values of the literals of IEC 61131-3.
 
-constexpr std::int64_t longest = std::int64_t{1} << 40U;   ///< milliseconds
+constexpr std::int64_t longest = std::int64_t{1} << 40U;  ///< milliseconds
 
 struct Unit {
     std::string_view name = {};
     std::int64_t microseconds = 0;
 };
-constexpr std::array<Unit, 6> units = {{
-    {"MS", 1000}, {"US", 1}, {"D", 86'400'000'000}, {"H", 3'600'000'000}, {"M", 60'000'000}, {"S", 1'000'000}}};
+constexpr std::array<Unit, 6> units = {
+    {{"MS", 1000}, {"US", 1}, {"D", 86'400'000'000}, {"H", 3'600'000'000}, {"M", 60'000'000}, {"S", 1'000'000}}};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -134,7 +134,11 @@ std::string expectation(std::span<const Parser::symbol_kind_type> expected) {
 }  // namespace
 
 Lexer::Lexer(const Text& text, Kind goal, File& file, const Sources& sources, Diagnostics& diagnostics)
-    : text_(&text), units_(goal == Parser::token::UNITS_FOLLOW), goal_(goal), file_(&file), sources_(&sources),
+    : text_(&text),
+      units_(goal == Parser::token::UNITS_FOLLOW),
+      goal_(goal),
+      file_(&file),
+      sources_(&sources),
       diagnostics_(&diagnostics) {
     if (!text.empty()) here_ = {text.front().where.source, text.front().where.begin, text.front().where.begin};
 }
@@ -146,7 +150,7 @@ Token Lexer::next() {
         return {goal_, here_};
     }
     if (too_deep_ || ended_ || !scanner_) return {Parser::token::END, Span{here_.source, here_.end, here_.end}};
-    auto passing = Symbols::S_YYEMPTY;   // until this word: what charts do not need
+    auto passing = Symbols::S_YYEMPTY;  // until this word: what charts do not need
     for (;;) {
         Token token = scanner_->next(*this);
         const auto kind = token.kind();
@@ -161,8 +165,8 @@ Token Lexer::next() {
 bool Lexer::open_next_piece() {
     if (piece_ == text_->size()) return false;
     const Piece& piece = (*text_)[piece_++];
-    const std::string_view written =
-        std::string_view((*sources_)[piece.where.source].text).substr(piece.where.begin, piece.where.end - piece.where.begin);
+    const std::string_view written = std::string_view((*sources_)[piece.where.source].text)
+                                         .substr(piece.where.begin, piece.where.end - piece.where.begin);
     origins_.clear();
     base_ = piece.where.begin;
     at_ = 0;
@@ -195,13 +199,21 @@ void Lexer::comment(std::string_view match) { file_->comments.push_back({std::st
 /// Counts what is open; true where that is beyond all reason.
 bool Lexer::nests_too_deep(Kind kind) {
     switch (kind) {
-    case Parser::token::LEFT: case Parser::token::OPEN: ++brackets_; break;
-    case Parser::token::RIGHT: case Parser::token::CLOSE: brackets_ -= brackets_ > 0 ? 1 : 0; break;
+    case Parser::token::LEFT:
+    case Parser::token::OPEN: ++brackets_; break;
+    case Parser::token::RIGHT:
+    case Parser::token::CLOSE: brackets_ -= brackets_ > 0 ? 1 : 0; break;
     case Parser::token::SEMICOLON: brackets_ = 0; break;
-    case Parser::token::IF: case Parser::token::CASE: case Parser::token::FOR: case Parser::token::WHILE:
+    case Parser::token::IF:
+    case Parser::token::CASE:
+    case Parser::token::FOR:
+    case Parser::token::WHILE:
     case Parser::token::REPEAT: ++blocks_; break;
-    case Parser::token::END_IF: case Parser::token::END_CASE: case Parser::token::END_FOR:
-    case Parser::token::END_WHILE: case Parser::token::END_REPEAT: blocks_ -= blocks_ > 0 ? 1 : 0; break;
+    case Parser::token::END_IF:
+    case Parser::token::END_CASE:
+    case Parser::token::END_FOR:
+    case Parser::token::END_WHILE:
+    case Parser::token::END_REPEAT: blocks_ -= blocks_ > 0 ? 1 : 0; break;
     default: break;
     }
     const bool prefix = kind == Parser::token::NOT || kind == Parser::token::MINUS || kind == Parser::token::PLUS;
@@ -250,7 +262,7 @@ Token Lexer::integer(std::string_view digits, int base) {
 Token Lexer::typed_integer(std::string_view match) {
     const std::size_t hash = match.find('#');
     const std::string type = capitals(match.substr(0, hash));
-    static const std::vector<std::string> integers = {"SINT", "INT", "DINT", "LINT", "USINT", "UINT",
+    static const std::vector<std::string> integers = {"SINT",  "INT",   "DINT", "LINT", "USINT", "UINT",
                                                       "UDINT", "ULINT", "BYTE", "WORD", "DWORD", "LWORD"};
     if (type == "T" || type == "TIME" || type == "LTIME" || type == "LT") return time(match);
     if (std::ranges::find(integers, type) == integers.end()) return word(Parser::token::LITERAL, match);

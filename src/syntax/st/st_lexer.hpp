@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "grafverif/support/diagnostic.hpp"
+#include "st_parser.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/st/parse_st.hpp"
-#include "st_parser.hpp"
 
 namespace grafverif::st {
 
@@ -63,12 +63,12 @@ private:
     Token failed();
 
     const Text* text_;
-    std::size_t piece_ = 0;                     ///< the one to be opened next
+    std::size_t piece_ = 0;  ///< the one to be opened next
     std::optional<Scanner> scanner_ = {};
     std::string decoded_ = {};
-    std::vector<std::uint32_t> origins_ = {};   ///< of each byte of `decoded_`; empty: they follow each other
-    std::uint32_t base_ = 0;                    ///< of the piece, where `origins_` is empty
-    std::uint32_t at_ = 0;                      ///< within the piece, behind the last match
+    std::vector<std::uint32_t> origins_ = {};  ///< of each byte of `decoded_`; empty: they follow each other
+    std::uint32_t base_ = 0;                   ///< of the piece, where `origins_` is empty
+    std::uint32_t at_ = 0;                     ///< within the piece, behind the last match
     bool units_ = false;
     bool started_ = false, ended_ = false;
     Kind goal_;

@@ -28,20 +28,43 @@ struct Name {
 };
 
 enum class Op : std::uint8_t {
-    False, True, Integer, Time,                 // Integer, Time (milliseconds): `value`
-    Other,                                      // a literal of any other type: `word`
-    Name, Member, Address,                      // Member: operand `.` word; Address: `%IX0.0`
-    Index, Dereference,                         // operand and indices; operand
-    Call, Argument, Result,                     // Call: callee, then arguments; `formal := value`, `formal => variable`
-    Range,                                      // `1..4`, of a label of CASE
-    Not, Negate, Power, Times, Divide, Modulo, Plus, Minus,
-    Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Xor, Or,
+    False,
+    True,
+    Integer,
+    Time,   // Integer, Time (milliseconds): `value`
+    Other,  // a literal of any other type: `word`
+    Name,
+    Member,
+    Address,  // Member: operand `.` word; Address: `%IX0.0`
+    Index,
+    Dereference,  // operand and indices; operand
+    Call,
+    Argument,
+    Result,  // Call: callee, then arguments; `formal := value`, `formal => variable`
+    Range,   // `1..4`, of a label of CASE
+    Not,
+    Negate,
+    Power,
+    Times,
+    Divide,
+    Modulo,
+    Plus,
+    Minus,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Equal,
+    NotEqual,
+    And,
+    Xor,
+    Or,
 };
 
 struct Expr {
     Op op = Op::False;
     std::uint16_t depth = 1;
-    Id<Word> word = {};                         ///< Name, Member, Address, Other, Argument, Result
+    Id<Word> word = {};  ///< Name, Member, Address, Other, Argument, Result
     std::int64_t value = 0;
     Id<Expr> first = {}, last = {}, next = {};  ///< first and last operand, next sibling
     Span where = {};
@@ -61,14 +84,14 @@ enum class StatementKind : std::uint8_t { Assign, Call, If, Case, For, While, Re
 
 struct Statement {
     StatementKind kind = StatementKind::Return;
-    Id<Expr> target = {};                       ///< Assign
-    Id<Expr> value = {};                        ///< Assign; Call: the call; Case: the selector; Repeat: the condition at its end
-    std::vector<Branch> branches = {};          ///< If, Case; the body of a loop
+    Id<Expr> target = {};  ///< Assign
+    Id<Expr> value = {};   ///< Assign; Call: the call; Case: the selector; Repeat: the condition at its end
+    std::vector<Branch> branches = {};  ///< If, Case; the body of a loop
     Span where = {};
 };
 
 struct Comment {
-    std::string text = {};                      ///< with its marks
+    std::string text = {};  ///< with its marks
     Span where = {};
 };
 
@@ -87,8 +110,8 @@ struct Variable {
     Name name = {};
     Type type = {};
     Id<Expr> initial = {};
-    std::string address = {};                   ///< `%IX0.0`, or empty
-    std::string comment = {};                   ///< plain text
+    std::string address = {};  ///< `%IX0.0`, or empty
+    std::string comment = {};  ///< plain text
     Span where = {};
 };
 
@@ -96,8 +119,8 @@ struct Variable {
 
 /// An action block: `NAME (QUALIFIER, TIME);` in a step.
 struct Association {
-    Name action = {};                           ///< an action, or a Boolean variable; not valid: `body` says what is done
-    std::string qualifier = "N";                ///< in capitals
+    Name action = {};             ///< an action, or a Boolean variable; not valid: `body` says what is done
+    std::string qualifier = "N";  ///< in capitals
     Id<Expr> time = {};
     Block body = {};
     Span where = {};
@@ -113,10 +136,10 @@ struct Step {
 
 /// Several transitions that leave one step are tried in order of `priority`, then of where they stand.
 struct Transition {
-    Name name = {};                             ///< not valid: none written
-    std::int64_t priority = 0;                  ///< 0: none written
+    Name name = {};             ///< not valid: none written
+    std::int64_t priority = 0;  ///< 0: none written
     std::vector<Name> from = {}, to = {};
-    Id<Expr> condition = {};                    ///< not valid: none, or one that could not be read
+    Id<Expr> condition = {};  ///< not valid: none, or one that could not be read
     std::string comment = {};
     Span where = {};
 };
@@ -124,13 +147,13 @@ struct Transition {
 struct Action {
     Name name = {};
     Block body = {};
-    bool opaque = false;                        ///< its body is in another language
+    bool opaque = false;  ///< its body is in another language
     Span where = {};
 };
 
 /// The steps and transitions of a chart, or of what a macro-step stands for.
 struct Network {
-    Name macro_step = {};                       ///< valid: the expansion of that step
+    Name macro_step = {};  ///< valid: the expansion of that step
     std::vector<Step> steps = {};
     std::vector<Transition> transitions = {};
     Span where = {};
@@ -142,9 +165,9 @@ struct Unit {
     UnitKind kind = UnitKind::Program;
     Name name = {};
     std::vector<Variable> variables = {};
-    std::vector<Network> networks = {};         ///< the chart, then expansions; empty: no chart
+    std::vector<Network> networks = {};  ///< the chart, then expansions; empty: no chart
     std::vector<Action> actions = {};
-    Block body = {};                            ///< Structured Text outside a chart
+    Block body = {};  ///< Structured Text outside a chart
     std::string comment = {};
     Span where = {};
 };
@@ -152,7 +175,7 @@ struct Unit {
 struct File {
     Id<Source> source = {};
     Table<Word> words = {};
-    std::unordered_map<std::string, Id<Word>> index = {};   ///< words by their capitals
+    std::unordered_map<std::string, Id<Word>> index = {};  ///< words by their capitals
     Table<Expr> exprs = {};
     Table<Statement> statements = {};
     std::vector<Variable> globals = {};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Checks the closed loop of a file through the installed library.
 #include <grafverif/grafverif.hpp>
-
 #include <iostream>
 
 int main(int, char** arguments) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "analyse/analyse.hpp"
-#include "grafverif/grafverif.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 
+#include "grafverif/grafverif.hpp"
 #include "report/findings.hpp"
 #include "support/play.hpp"
 
@@ -307,24 +307,27 @@ TEST(Analyse, AnOutputThatIsSetAndResetInOneInstantNeverGetsOut) {
     )");
     const Finding* const conflict = find(found, "action-conflict", "O");
     ASSERT_NE(conflict, nullptr);
-    EXPECT_EQ(conflict->message, "`O` can be set and reset in one instant, so that the first of the two never gets out");
+    EXPECT_EQ(conflict->message,
+              "`O` can be set and reset in one instant, so that the first of the two never gets out");
     ASSERT_TRUE(conflict->evidence.has_value());
     EXPECT_EQ(cleared(*conflict->evidence), (std::vector<std::vector<std::string>>{{"t0"}, {"t1"}, {"t2"}}));
     EXPECT_EQ(find(found, "action-race"), nullptr);
 }
 
 TEST(Analyse, AnInputThatNothingReadsIsANote) {
-    const Analysis found = analysed("input a, b; initial step 0; step 1; transition t0: 0 -> 1 when a; "
-                                    "transition t1: 1 -> 0 when !a;");
+    const Analysis found = analysed(
+        "input a, b; initial step 0; step 1; transition t0: 0 -> 1 when a; "
+        "transition t1: 1 -> 0 when !a;");
     EXPECT_EQ(codes(found), Codes{"input-never-read b"});
     EXPECT_FALSE(is_open(found.findings.front()));
 }
 
 TEST(Analyse, AnAcceptedFindingIsNotOpen) {
-    const Analysis found = analysed("input a, b; accept branches-together t0 \"never pressed together\"; "
-                                    "accept total-instability \"none\"; initial step 0; step 1; step 2; "
-                                    "transition t0: 0 -> 1 when a; transition t1: 0 -> 2 when b; "
-                                    "transition t2: 1 -> 0 when !a && !b; transition t3: 2 -> 0 when !a && !b;");
+    const Analysis found = analysed(
+        "input a, b; accept branches-together t0 \"never pressed together\"; "
+        "accept total-instability \"none\"; initial step 0; step 1; step 2; "
+        "transition t0: 0 -> 1 when a; transition t1: 0 -> 2 when b; "
+        "transition t2: 1 -> 0 when !a && !b; transition t3: 2 -> 0 when !a && !b;");
     const Finding* const both = find(found, "branches-together", "t0");
     ASSERT_NE(both, nullptr);
     EXPECT_EQ(both->accepted, "never pressed together");
@@ -438,7 +441,9 @@ TEST(Analyse, ACounterThatStopsAtItsThresholdIsDecidedWithoutCountingToItsEnd) {
     EXPECT_NE(find(found, "step-never-active", "cell1.Xc1"), nullptr) << "k1 stops at 3";
     EXPECT_EQ(find(found, "out-of-range", "k1"), nullptr);
     const auto open = [&](std::string_view code, std::string_view subject) {
-        return std::ranges::any_of(found.open, [&](const OpenQuestion& question) { return question.code == code && question.subject == subject; });
+        return std::ranges::any_of(found.open, [&](const OpenQuestion& question) {
+            return question.code == code && question.subject == subject;
+        });
     };
     EXPECT_FALSE(open("out-of-range", "k1")) << "it is not counted beyond 3";
     for (const OpenQuestion& question : found.open) {
@@ -465,7 +470,8 @@ TEST(Analyse, SaysTheSameOfOneChartEachTime) {
     ASSERT_TRUE(oven.model);
     std::optional<Analysis> first;
     for (int k = 0; k < 20; ++k) {
-        std::optional<Analysis> found = analysis_of(*oven.model, *oven.model->charts.ids().begin(), {}, {}, oven.diagnostics);
+        std::optional<Analysis> found =
+            analysis_of(*oven.model, *oven.model->charts.ids().begin(), {}, {}, oven.diagnostics);
         ASSERT_TRUE(found);
         found->seconds = 0;
         if (!first) first = found;

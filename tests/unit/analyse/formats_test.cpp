@@ -39,8 +39,10 @@ Analysed analysed(std::string text) {
     Analysed made;
     Diagnostics diagnostics;
     const std::vector<LibraryEntry> library;
-    const ReadContext context{[](const std::string&, std::string&) -> std::optional<std::string> { return {}; }, library};
-    const auto model = read_text(made.sources.add({"two buttons.grafcet", std::move(text)}), made.sources, context, diagnostics);
+    const ReadContext context{[](const std::string&, std::string&) -> std::optional<std::string> { return {}; },
+                              library};
+    const auto model =
+        read_text(made.sources.add({"two buttons.grafcet", std::move(text)}), made.sources, context, diagnostics);
     std::ostringstream said;
     render_text(diagnostics.all(), made.sources, Colour::Plain, said);
     if (!model) throw std::invalid_argument(said.str());
@@ -53,9 +55,11 @@ TEST(Findings, AsTextTellThePlaceTheRunAndWhatIsAccepted) {
     const Analysed made = analysed(std::string(two_buttons));
     std::ostringstream out;
     print_findings(made.analysis, made.sources, Colour::Plain, out);
-    EXPECT_NE(out.str().find("two buttons.grafcet:9:5: warning: `t0` and `t1` leave one step"), std::string::npos) << out.str();
+    EXPECT_NE(out.str().find("two buttons.grafcet:9:5: warning: `t0` and `t1` leave one step"), std::string::npos)
+        << out.str();
     EXPECT_NE(out.str().find("a shortest way: both are cleared in the last instant"), std::string::npos) << out.str();
-    EXPECT_NE(out.str().find("accepted: nothing depends on the input `spare` [input-never-read]: later"), std::string::npos);
+    EXPECT_NE(out.str().find("accepted: nothing depends on the input `spare` [input-never-read]: later"),
+              std::string::npos);
     EXPECT_NE(out.str().find("two_buttons: 1 warning, 1 accepted"), std::string::npos) << out.str();
 }
 
@@ -81,8 +85,9 @@ TEST(Findings, SayOfWhatIsNotDecidedHowFarItWasLookedInto) {
     Analysed made = analysed(std::string(two_buttons));
     made.analysis.questions = 9;
     made.analysis.obstacle = "stopped before the end";
-    made.analysis.open = {{"action-race", "O", 3, 0},           {"action-race", "P", 3, 0},   {"step-never-active", "X1", 1, 0},
-                          {"step-never-active", "X2", 0, 0},    {"total-instability", "", 4, 7}, {"out-of-range", "n", 0, 5}};
+    made.analysis.open = {{"action-race", "O", 3, 0},        {"action-race", "P", 3, 0},
+                          {"step-never-active", "X1", 1, 0}, {"step-never-active", "X2", 0, 0},
+                          {"total-instability", "", 4, 7},   {"out-of-range", "n", 0, 5}};
     std::ostringstream text, sarif;
     print_findings(made.analysis, made.sources, Colour::Plain, text);
     EXPECT_NE(text.str().find("not decided: 6 of 9 questions; stopped before the end\n"
@@ -140,7 +145,8 @@ TEST(Findings, AsSarifAreALogThatTheStandardKnows) {
     const auto& results = log["runs"][0]["results"];
     ASSERT_EQ(results.size(), 2U);
     EXPECT_EQ(results[0]["message"]["text"],
-              "`t0` and `t1` leave one step and can be cleared at once; make their conditions exclude each other. Inputs: a, b "
+              "`t0` and `t1` leave one step and can be cleared at once; make their conditions exclude each other. "
+              "Inputs: a, b "
               "at 0 s: both are cleared in the last instant");
     EXPECT_EQ(results[1]["suppressions"][0]["justification"], "later");
 }
@@ -148,8 +154,9 @@ TEST(Findings, AsSarifAreALogThatTheStandardKnows) {
 TEST(Exclusions, AreReadWithQuotesCommentsAndLineEndsOfAllKinds) {
     Analysed made = analysed(std::string(two_buttons));
     Diagnostics diagnostics;
-    const Id<Source> id = made.sources.add(
-        {"wiring.csv", "\xEF\xBB\xBFvariable1, variable2 ,reason\r\n# the panel\r\n\r\na,b,\"one \"\"switch\"\", two positions\"\r\n"});
+    const Id<Source> id = made.sources.add({"wiring.csv",
+                                            "\xEF\xBB\xBFvariable1, variable2 ,reason\r\n# the panel\r\n\r\na,b,\"one "
+                                            "\"\"switch\"\", two positions\"\r\n"});
     const auto rows = read_exclusions(id, made.sources, made.chart, diagnostics);
     ASSERT_TRUE(rows.has_value());
     ASSERT_EQ(rows->size(), 1U);
@@ -163,7 +170,9 @@ TEST(Exclusions, AreReadWithSemicolonsAsSpreadsheetsWriteThemWhereTheCommaIsTheD
     for (const char* head : {"", "sep=;\r\n", "# the panel, as wired\r\n"}) {
         SCOPED_TRACE(head);
         Diagnostics diagnostics;
-        const Id<Source> id = made.sources.add({"wiring.csv", std::string(head) + "variable1;variable2;reason\r\na;b;one switch, two positions\r\n;;\r\n"});
+        const Id<Source> id = made.sources.add(
+            {"wiring.csv",
+             std::string(head) + "variable1;variable2;reason\r\na;b;one switch, two positions\r\n;;\r\n"});
         const auto rows = read_exclusions(id, made.sources, made.chart, diagnostics);
         ASSERT_TRUE(rows.has_value());
         ASSERT_EQ(rows->size(), 1U);
@@ -174,7 +183,8 @@ TEST(Exclusions, AreReadWithSemicolonsAsSpreadsheetsWriteThemWhereTheCommaIsTheD
 TEST(Exclusions, InAnotherEncodingAreOneError) {
     Analysed made = analysed(std::string(two_buttons));
     Diagnostics diagnostics;
-    const Id<Source> id = made.sources.add({"wiring.csv", "variable1;variable2;reason\r\na;b;T\xFCr zu\r\na;b;T\xFCr auf\r\n"});
+    const Id<Source> id =
+        made.sources.add({"wiring.csv", "variable1;variable2;reason\r\na;b;T\xFCr zu\r\na;b;T\xFCr auf\r\n"});
     EXPECT_FALSE(read_exclusions(id, made.sources, made.chart, diagnostics).has_value());
     EXPECT_EQ(diagnostics.errors(), 1U);
     EXPECT_EQ(diagnostics.all().front().code, "invalid-utf8");

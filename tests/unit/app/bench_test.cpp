@@ -114,7 +114,8 @@ TEST(Bench, ComparesInEveryScanOfAStepAndWaitsWhereItIsAsked) {
                                            "sequence,step,wait,cycles,go,L,situation\n1,1,,2,0,0,{0}\n1,2,,2,1,1,{1}\n"
                                            "1,3,,1,0,1,{1}\n1,4,3s,2,0,0,{0}\n2,1,,1,1,1,\n");
     const auto run = [&](const std::string& controller, const std::vector<std::string>& options = {}) {
-        std::vector<std::string> arguments = {"test", chart, "--sequence", table, "--format", "json", "--against", controller};
+        std::vector<std::string> arguments = {"test",     chart,  "--sequence", table,
+                                              "--format", "json", "--against",  controller};
         arguments.insert(arguments.end(), options.begin(), options.end());
         return Json::parse(grafverif(arguments).out);
     };
@@ -205,8 +206,9 @@ TEST(Bench, ReadsTablesAsSpreadsheetsWriteThem) {
 
 TEST(Bench, ReadsTablesWithSemicolons) {
     const Folder folder;
-    const std::string table =
-        folder.write("t.csv", "W2;s;h1;h2;l1;l2;situation;V1;V2;W1\r\n0;0;0;0;1;1;{1};0;0;0\r\n0;1;1;0;1;1;{3,5};0;1;1\r\n;;;;;;;;;\r\n");
+    const std::string table = folder.write(
+        "t.csv",
+        "W2;s;h1;h2;l1;l2;situation;V1;V2;W1\r\n0;0;0;0;1;1;{1};0;0;0\r\n0;1;1;0;1;1;{3,5};0;1;1\r\n;;;;;;;;;\r\n");
     const Result result = grafverif({"test", tanks_chart, "--sequence", table, "--format", "json", "--against",
                                      this_program + " plc " + tanks_chart});
     EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
@@ -214,7 +216,8 @@ TEST(Bench, ReadsTablesWithSemicolons) {
 }
 
 TEST(Bench, NeedsAControllerAndOneWayToGoOn) {
-    EXPECT_NE(grafverif({"test", tanks_chart, "--sequence", table2}).err.find("`--against PROGRAM` is missing"), std::string::npos);
+    EXPECT_NE(grafverif({"test", tanks_chart, "--sequence", table2}).err.find("`--against PROGRAM` is missing"),
+              std::string::npos);
     EXPECT_NE(tested("x", {"--go-on", "--stop-on-failure"}).err.find("exclude each other"), std::string::npos);
     EXPECT_EQ(tested("x", {"--clock", "wall"}).code, ExitCode::Input);
 }

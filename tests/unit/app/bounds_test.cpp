@@ -26,21 +26,21 @@ using Json = nlohmann::json;
 using namespace std::chrono_literals;
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;   // takes memory and time of its own
+constexpr bool sanitized = true;  // takes memory and time of its own
 #else
 constexpr bool sanitized = false;
 #endif
 
 struct Ended {
     int code = -1, signal = 0;
-    double seconds = 0;        ///< of the processor
-    std::size_t mebibytes = 0; ///< most that was resident
+    double seconds = 0;         ///< of the processor
+    std::size_t mebibytes = 0;  ///< most that was resident
     std::string out = {}, err = {};
 };
 
 struct Setting {
-    std::optional<std::size_t> address_space = {};   ///< bytes, as `ulimit -v` sets it
-    std::optional<double> interrupt_after = {};      ///< seconds of the processor
+    std::optional<std::size_t> address_space = {};  ///< bytes, as `ulimit -v` sets it
+    std::optional<double> interrupt_after = {};     ///< seconds of the processor
 };
 
 double processor_seconds(pid_t child) {
@@ -65,7 +65,8 @@ Ended run_bounded(const Folder& folder, std::vector<std::string> arguments, cons
     if (::pipe2(silent, O_CLOEXEC) != 0) return {};
     const pid_t child = ::fork();
     if (child == 0) {
-        const int to_out = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), to_err = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        const int to_out = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600),
+                  to_err = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         ::dup2(silent[0], STDIN_FILENO);
         ::dup2(to_out, STDOUT_FILENO);
         ::dup2(to_err, STDERR_FILENO);
@@ -81,35 +82,47 @@ Ended run_bounded(const Folder& folder, std::vector<std::string> arguments, cons
     bool asked = false;
     const auto patience = std::chrono::steady_clock::now() + 120s;
     while (::wait4(child, &status, WNOHANG, &used) == 0) {
-        if (setting.interrupt_after && !asked && processor_seconds(child) >= *setting.interrupt_after) asked = ::kill(child, SIGINT) == 0;
+        if (setting.interrupt_after && !asked && processor_seconds(child) >= *setting.interrupt_after)
+            asked = ::kill(child, SIGINT) == 0;
         if (std::chrono::steady_clock::now() > patience) ::kill(child, SIGKILL);
         std::this_thread::sleep_for(5ms);
     }
     ::close(silent[0]);
     ::close(silent[1]);
-    const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6; };
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0,
-            seconds(used.ru_utime) + seconds(used.ru_stime), static_cast<std::size_t>(used.ru_maxrss) / 1024, folder.read("out"),
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
+    };
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+            WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+            seconds(used.ru_utime) + seconds(used.ru_stime),
+            static_cast<std::size_t>(used.ru_maxrss) / 1024,
+            folder.read("out"),
             folder.read("err")};
 }
 
 /// A loop whose chart is one ring; the first of its properties is violated by the second scan.
 std::string ring(std::size_t steps) {
     std::string text = "grafcet ring {\n    input a, b;\n    output O;\n";
-    for (std::size_t i = 0; i < steps; ++i) text += (i == 0 ? "    initial step " : "    step ") + std::to_string(i) + " { O; }\n";
     for (std::size_t i = 0; i < steps; ++i)
-        text += "    transition t" + std::to_string(i) + ": " + std::to_string(i) + " -> " + std::to_string((i + 1) % steps) + (i % 2 == 0 ? " when a;\n" : " when b;\n");
-    return text + "}\n\nclosed_loop l {\n    controller ring;\n    environment A = push_button(OUT = a);\n"
-                  "    environment B = push_button(OUT = b);\n    property early: never X1;\n    property late: never X" +
+        text += (i == 0 ? "    initial step " : "    step ") + std::to_string(i) + " { O; }\n";
+    for (std::size_t i = 0; i < steps; ++i)
+        text += "    transition t" + std::to_string(i) + ": " + std::to_string(i) + " -> " +
+                std::to_string((i + 1) % steps) + (i % 2 == 0 ? " when a;\n" : " when b;\n");
+    return text +
+           "}\n\nclosed_loop l {\n    controller ring;\n    environment A = push_button(OUT = a);\n"
+           "    environment B = push_button(OUT = b);\n    property early: never X1;\n    property late: never X" +
            std::to_string(steps - 1) + ";\n}\n";
 }
 
 /// The same as a sequential function chart.
 std::string sequence(std::size_t steps) {
-    std::string text = "PROGRAM p\nVAR_INPUT\n a : BOOL;\nEND_VAR\nVAR_OUTPUT\n O : BOOL;\nEND_VAR\nINITIAL_STEP S0:\n O(N);\nEND_STEP\n";
+    std::string text =
+        "PROGRAM p\nVAR_INPUT\n a : BOOL;\nEND_VAR\nVAR_OUTPUT\n O : BOOL;\nEND_VAR\nINITIAL_STEP S0:\n "
+        "O(N);\nEND_STEP\n";
     for (std::size_t i = 1; i < steps; ++i) text += "STEP S" + std::to_string(i) + ":\n O(N);\nEND_STEP\n";
     for (std::size_t i = 0; i < steps; ++i)
-        text += "TRANSITION FROM S" + std::to_string(i) + " TO S" + std::to_string((i + 1) % steps) + " := a;\nEND_TRANSITION\n";
+        text += "TRANSITION FROM S" + std::to_string(i) + " TO S" + std::to_string((i + 1) % steps) +
+                " := a;\nEND_TRANSITION\n";
     return text + "END_PROGRAM\n";
 }
 
@@ -120,14 +133,28 @@ struct Inputs {
     std::string foreign = folder.write("sequence.txt", sequence(200'000));
 
     std::vector<std::vector<std::string>> commands() const {
-        return {{"fmt", chart}, {"equations", chart}, {"st", chart}, {"import", foreign}, {"check", chart}, {"check", chart, "--untimed"},
-                {"analyse", chart}, {"automaton", chart}, {"mealy", chart}, {"testgen", chart}, {"nusmv", chart}, {"uppaal", chart},
-                {"build", chart, "-o", folder.file("build")}, {"simulate", chart}, {"plc", chart}, {"test", chart, "--against", "cat"}};
+        return {{"fmt", chart},
+                {"equations", chart},
+                {"st", chart},
+                {"import", foreign},
+                {"check", chart},
+                {"check", chart, "--untimed"},
+                {"analyse", chart},
+                {"automaton", chart},
+                {"mealy", chart},
+                {"testgen", chart},
+                {"nusmv", chart},
+                {"uppaal", chart},
+                {"build", chart, "-o", folder.file("build")},
+                {"simulate", chart},
+                {"plc", chart},
+                {"test", chart, "--against", "cat"}};
     }
     /// Every `nth` command, all of them where laws are asked to be larger.
     std::vector<std::vector<std::string>> some_commands(std::size_t nth, std::size_t from) const {
         std::vector<std::vector<std::string>> some, all = commands();
-        for (std::size_t i = law_size(1) > 1 ? 0 : from; i < all.size(); i += law_size(1) > 1 ? 1 : nth) some.push_back(all[i]);
+        for (std::size_t i = law_size(1) > 1 ? 0 : from; i<all.size(); i += law_size(1)> 1 ? 1 : nth)
+            some.push_back(all[i]);
         return some;
     }
 };
@@ -148,7 +175,7 @@ void expect_bounded(const Ended& ended, const std::string& why) {
 TEST(Bounds, EveryVerbKeepsTheTimeLimit) {
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.commands()) {
-        if (command.front() == "test") continue;   // its limit is that of one answer
+        if (command.front() == "test") continue;  // its limit is that of one answer
         SCOPED_TRACE(command.front());
         const Ended ended = run_bounded(inputs.folder, with(command, {"--timeout", "100ms"}), {});
         expect_bounded(ended, "[stopped]");
@@ -174,7 +201,9 @@ TEST(Bounds, EveryVerbKeepsTheMemoryLimit) {
         SCOPED_TRACE(command.front());
         const Ended ended = run_bounded(inputs.folder, with(command, {"--max-memory", "20M"}), {});
         expect_bounded(ended, "[out-of-memory]");
-        if (!sanitized) { EXPECT_LT(ended.mebibytes, 22 + 32 + 16); }
+        if (!sanitized) {
+            EXPECT_LT(ended.mebibytes, 22 + 32 + 16);
+        }
     }
 }
 
@@ -183,7 +212,8 @@ TEST(Bounds, MemoryThatTheSystemRefusesIsNoSignal) {
     const Inputs inputs;
     for (const std::vector<std::string>& command : inputs.some_commands(2, 1)) {
         SCOPED_TRACE(command.front());
-        expect_bounded(run_bounded(inputs.folder, command, {.address_space = std::size_t{80} << 20U}), "[out-of-memory]");
+        expect_bounded(run_bounded(inputs.folder, command, {.address_space = std::size_t{80} << 20U}),
+                       "[out-of-memory]");
     }
 }
 
@@ -202,14 +232,18 @@ TEST(Bounds, WhatIsKnownByThenIsTold) {
     // Many timers and buttons: more states than anybody has time or room for.
     std::string text = "grafcet g {\n    input a";
     for (int i = 0; i < 60; ++i) text += ", b" + std::to_string(i);
-    text += ";\n    output O;\n    initial step 0 { O; }\n    step 1;\n    transition t: 0 -> 1 when a;\n    transition u: 1 -> 0 when 1000s/X1;\n}\n"
-            "closed_loop l {\n    controller g;\n    environment A = push_button(OUT = a);\n";
-    for (int i = 0; i < 60; ++i) text += "    environment B" + std::to_string(i) + " = push_button(OUT = b" + std::to_string(i) + ");\n";
-    const std::string chart = folder.write("g.grafcet", text + "    property early: never X1;\n    property late: never X0 && X1;\n}\n");
+    text +=
+        ";\n    output O;\n    initial step 0 { O; }\n    step 1;\n    transition t: 0 -> 1 when a;\n    transition u: "
+        "1 -> 0 when 1000s/X1;\n}\n"
+        "closed_loop l {\n    controller g;\n    environment A = push_button(OUT = a);\n";
+    for (int i = 0; i < 60; ++i)
+        text += "    environment B" + std::to_string(i) + " = push_button(OUT = b" + std::to_string(i) + ");\n";
+    const std::string chart =
+        folder.write("g.grafcet", text + "    property early: never X1;\n    property late: never X0 && X1;\n}\n");
     const std::vector<std::string> command = {"check", chart, "--format", "json", "--junit", folder.file("report.xml")};
     const auto expect_partial = [&](const Ended& ended, const std::string& why) {
         SCOPED_TRACE(why);
-        EXPECT_EQ(ended.code, 1) << ended.err;   // a verdict against expectation is one, whatever is unknown
+        EXPECT_EQ(ended.code, 1) << ended.err;  // a verdict against expectation is one, whatever is unknown
         EXPECT_EQ(property(ended, "early")["verdict"], "violated") << ended.err;
         EXPECT_EQ(property(ended, "late")["verdict"], "unknown");
         EXPECT_NE(property(ended, "late")["reason"].dump().find(why), std::string::npos) << ended.out;
@@ -227,7 +261,8 @@ TEST(Bounds, ALimitBeyondEveryClockIsNone) {
     const Folder folder;
     const std::string chart = folder.write("g.grafcet", ring(2));
     for (const char* time : {"106751991167h", "2562047788015h", "18446744073709551615ms"}) {
-        const Ended ended = run_bounded(folder, {"check", chart, "--timeout", time, "--max-memory", "17179869183G"}, {});
+        const Ended ended =
+            run_bounded(folder, {"check", chart, "--timeout", time, "--max-memory", "17179869183G"}, {});
         EXPECT_EQ(ended.code, 1) << time << ended.out << ended.err;
         EXPECT_NE(ended.out.find("violated"), std::string::npos) << ended.out;
     }

@@ -113,8 +113,9 @@ TEST(Check, ReportsARaceOfStoredActions) {
     text.replace(text.find("0 -> 1 when"), 11, "0 -> 1, 2 when");
     const Result result = grafverif({"check", folder.write("race.grafcet", text)});
     EXPECT_EQ(result.code, ExitCode::Verdict);
-    EXPECT_NE(result.out.find("two stored actions give `N` different values, in an evolution of `counter` [action-race]"),
-              std::string::npos)
+    EXPECT_NE(
+        result.out.find("two stored actions give `N` different values, in an evolution of `counter` [action-race]"),
+        std::string::npos)
         << result.out;
 }
 
@@ -179,11 +180,14 @@ TEST(Check, NamesTheEmbeddedEngineWhereVerifytaIsNotInstalled) {
 /// A program called verifyta that says of every formula with `wrong` in it that it is not satisfied, and of no other. It
 /// stands in for the real one, whose licence keeps it out of automated tests.
 void install_stand_in(const Folder& folder, const std::string& wrong) {
-    fs::permissions(folder.write("verifyta", "#!/bin/sh\n"
-                                             "grep -q '<!DOCTYPE nta' \"$1\" || exit 1\n"
-                                             "echo 'Verifying formula 1 at line 1'\n"
-                                             "if grep -q '" + wrong + "' \"$2\"; then echo ' -- Formula is NOT satisfied.'\n"
-                                             "else echo ' -- Formula is satisfied.'; fi\n"),
+    fs::permissions(folder.write("verifyta",
+                                 "#!/bin/sh\n"
+                                 "grep -q '<!DOCTYPE nta' \"$1\" || exit 1\n"
+                                 "echo 'Verifying formula 1 at line 1'\n"
+                                 "if grep -q '" +
+                                     wrong +
+                                     "' \"$2\"; then echo ' -- Formula is NOT satisfied.'\n"
+                                     "else echo ' -- Formula is satisfied.'; fi\n"),
                     fs::perms::owner_all);
 }
 
@@ -191,7 +195,8 @@ TEST(Check, ReadsTheVerdictsOfVerifyta) {
     const Folder folder;
     install_stand_in(folder, "deadlock");
     const Path path(fs::path(folder.file("")).string() + ":/usr/bin:/bin");
-    const Result result = grafverif({"check", sample("testing_station/testing_station.grafcet"), "--engine", "verifyta"});
+    const Result result =
+        grafverif({"check", sample("testing_station/testing_station.grafcet"), "--engine", "verifyta"});
     EXPECT_EQ(result.err, "");
     EXPECT_EQ(result.code, ExitCode::Verdict);
     EXPECT_EQ(result.out,
@@ -206,7 +211,8 @@ TEST(Check, ReadsTheVerdictsOfVerifyta) {
               "    why: UPPAAL has no query for `no timelock`\n"
               "station: 2 hold, 1 violated, 1 unknown; 1 against expectation\n");
     const Json document = Json::parse(grafverif({"check", sample("oven_door/oven_door.grafcet"), "--engine", "verifyta",
-                                                 "--property", "warned", "--format", "json"}).out);
+                                                 "--property", "warned", "--format", "json"})
+                                          .out);
     const Json& property = document["properties"][0];
     EXPECT_EQ(property["name"], "warned");
     EXPECT_EQ(property["engine"], "verifyta");
@@ -217,10 +223,10 @@ TEST(Check, ReadsTheVerdictsOfVerifyta) {
 
 TEST(Check, TheTimedEngineNeedsAClosedLoop) {
     const Folder folder;
-    const Result result =
-        grafverif({"check", "--engine", "timed", folder.write("lone.grafcet",
-                                         "grafcet a { input x; output L; initial step 0 { L; } step 1;\n"
-                                         "transition t: 0 -> 1 when x; }\n")});
+    const Result result = grafverif({"check", "--engine", "timed",
+                                     folder.write("lone.grafcet",
+                                                  "grafcet a { input x; output L; initial step 0 { L; } step 1;\n"
+                                                  "transition t: 0 -> 1 when x; }\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("[no-closed-loop]"), std::string::npos);
 }

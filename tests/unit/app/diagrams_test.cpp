@@ -27,8 +27,8 @@ std::string long_ring(std::size_t steps) {
     std::string text = "grafcet ring { input a; output o; initial step 0; ";
     for (std::size_t i = 1; i < steps; ++i) text += "step " + std::to_string(i) + (i % 10 == 0 ? " { o; } " : "; ");
     for (std::size_t i = 0; i < steps; ++i)
-        text += "transition t" + std::to_string(i) + ": " + std::to_string(i) + " -> " + std::to_string((i + 1) % steps) +
-                (i % 2 == 0 ? " when a;\n" : " when !a;\n");
+        text += "transition t" + std::to_string(i) + ": " + std::to_string(i) + " -> " +
+                std::to_string((i + 1) % steps) + (i % 2 == 0 ? " when a;\n" : " when !a;\n");
     return text + "}\n";
 }
 
@@ -63,8 +63,8 @@ TEST(Diagrams, AChartWithoutInputsHasATest) {
 TEST(Diagrams, MemoryThatTheSystemRefusesEndsInUnknown) {
     const Folder folder;
     const std::string program = GRAFVERIF_PROGRAM, file = folder.write("ring.grafcet", long_ring(3000));
-    const std::string command = "ulimit -v 51200 && exec '" + program + "' check '" + file + "' --untimed --timeout 5s > '" +
-                                folder.file("out") + "' 2>&1";
+    const std::string command = "ulimit -v 51200 && exec '" + program + "' check '" + file +
+                                "' --untimed --timeout 5s > '" + folder.file("out") + "' 2>&1";
     const int status = std::system(command.c_str());
     ASSERT_TRUE(WIFEXITED(status)) << folder.read("out");
     EXPECT_EQ(WEXITSTATUS(status), 3) << folder.read("out");

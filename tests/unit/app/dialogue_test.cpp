@@ -81,7 +81,8 @@ TEST(Dialogue, AProgramThatIsNotThereIsToldFromOneThatFails) {
 
 TEST(Dialogue, PatienceHasAnEnd) {
     const auto start = steady_clock::now();
-    for (const char* command : {"sleep 60", "sleep 60 & sleep 60", "trap '' TERM; sleep 60 & wait; sleep 60", "read x; printf 1; sleep 60"}) {
+    for (const char* command :
+         {"sleep 60", "sleep 60 & sleep 60", "trap '' TERM; sleep 60 & wait; sleep 60", "read x; printf 1; sleep 60"}) {
         SCOPED_TRACE(command);
         {
             Dialogue dialogue(command, impatient());
@@ -102,7 +103,7 @@ TEST(Dialogue, AFloodIsCut) {
     EXPECT_EQ(many.ask("a"), (Reply{Kind::Flood, "y"}));
     Dialogue two("while read line; do echo 1; echo 2; done", {});
     Kind kind = two.ask("a").kind;
-    for (int k = 0; k < 100 && kind == Kind::Line; ++k) {   // the second line comes a moment later
+    for (int k = 0; k < 100 && kind == Kind::Line; ++k) {  // the second line comes a moment later
         std::this_thread::sleep_for(milliseconds(20));
         kind = two.ask("a").kind;
     }
@@ -130,7 +131,7 @@ TEST(Dialogue, SignalsAreAsTheyWereAfterwards) {
     {
         Dialogue dialogue("exit 0", {});
         dialogue.ask("a");
-        dialogue.ask("b");   // into a pipe that nobody reads
+        dialogue.ask("b");  // into a pipe that nobody reads
     }
     EXPECT_EQ(std::signal(SIGPIPE, before), SIG_DFL);
 }

@@ -13,7 +13,9 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-std::string chart_of(const std::string& element) { return (root / "tests/unit/app/elements" / (element + ".grafcet")).string(); }
+std::string chart_of(const std::string& element) {
+    return (root / "tests/unit/app/elements" / (element + ".grafcet")).string();
+}
 
 std::string text_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -33,7 +35,8 @@ std::vector<Cells> matrix() {
         std::istringstream rest(line.substr(1));
         for (std::string cell; std::getline(rest, cell, '|');) {
             const std::size_t begin = cell.find_first_not_of(' ');
-            cells.push_back(begin == std::string::npos ? "" : cell.substr(begin, cell.find_last_not_of(' ') - begin + 1));
+            cells.push_back(begin == std::string::npos ? ""
+                                                       : cell.substr(begin, cell.find_last_not_of(' ') - begin + 1));
         }
         rows.push_back(std::move(cells));
     }
@@ -63,7 +66,8 @@ Result checked(const std::string& file, const std::vector<std::string>& options)
 }
 
 Result untimed(const std::string& file) {
-    return both(checked(file, {"--untimed", "--plant", "constraints"}), checked(file, {"--untimed", "--plant", "automata"}));
+    return both(checked(file, {"--untimed", "--plant", "constraints"}),
+                checked(file, {"--untimed", "--plant", "automata"}));
 }
 
 /// A test sequence is run on the rules of the standard before it is written.
@@ -77,19 +81,36 @@ struct Stage {
 const std::vector<Stage>& stages() {
     static const std::vector<Stage> all = {
         {"text, fmt", formatted},
-        {"equations", [](const std::string& file) { return grafverif({"equations", file}); }},
-        {"UPPAAL", [](const std::string& file) { return grafverif({"uppaal", file}); }},
-        {"NuSMV", [](const std::string& file) {
+        {"equations",
+         [](const std::string& file) {
+             return grafverif({"equations", file});
+         }},
+        {"UPPAAL",
+         [](const std::string& file) {
+             return grafverif({"uppaal", file});
+         }},
+        {"NuSMV",
+         [](const std::string& file) {
              return both(grafverif({"nusmv", file}), grafverif({"nusmv", file, "--plant", "automata"}));
          }},
-        {"timed engine", [](const std::string& file) { return checked(file, {"--engine", "timed"}); }},
+        {"timed engine",
+         [](const std::string& file) {
+             return checked(file, {"--engine", "timed"});
+         }},
         {"symbolic engine", untimed},
         {"automaton", automaton},
-        {"simulate", [](const std::string& file) {
+        {"simulate",
+         [](const std::string& file) {
              return grafverif({"simulate", file, "--random", "1", "--steps", "40"});
          }},
-        {"ST", [](const std::string& file) { return grafverif({"st", file}); }},
-        {"analyse", [](const std::string& file) { return grafverif({"analyse", file}); }},
+        {"ST",
+         [](const std::string& file) {
+             return grafverif({"st", file});
+         }},
+        {"analyse",
+         [](const std::string& file) {
+             return grafverif({"analyse", file});
+         }},
     };
     return all;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files as outputs: whole or not at all, whatever stands in their way, fails, or happens at the same time.
-#include "app/system/write_files.hpp"
+#include "pipeline/files.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 #include <system_error>
 #include <thread>
 
-#include "pipeline/files.hpp"
+#include "app/system/write_files.hpp"
 #include "run_program.hpp"
 
 namespace {
@@ -39,8 +39,12 @@ int linkat(int from, const char* old_name, int to, const char* new_name, int fla
     return fails(EPERM) ? -1 : static_cast<int>(::syscall(SYS_linkat, from, old_name, to, new_name, flags));
 }
 int fsync(int file) { return fails(EIO) ? -1 : static_cast<int>(::syscall(SYS_fsync, file)); }
-int fchmod(int file, mode_t mode) noexcept { return fails(EPERM) ? -1 : static_cast<int>(::syscall(SYS_fchmod, file, mode)); }
-int mkdir(const char* path, mode_t mode) noexcept { return fails(ENOSPC) ? -1 : static_cast<int>(::syscall(SYS_mkdir, path, mode)); }
+int fchmod(int file, mode_t mode) noexcept {
+    return fails(EPERM) ? -1 : static_cast<int>(::syscall(SYS_fchmod, file, mode));
+}
+int mkdir(const char* path, mode_t mode) noexcept {
+    return fails(ENOSPC) ? -1 : static_cast<int>(::syscall(SYS_mkdir, path, mode));
+}
 }
 
 namespace grafverif::app {
@@ -85,7 +89,9 @@ TEST(WriteFiles, KeepsPermissionsAndReplacesNothingThatMayNotBeWritten) {
 std::string state(const Folder& folder) {
     std::vector<std::string> parts;
     for (const auto& entry : fs::recursive_directory_iterator(folder.file("")))
-        parts.push_back(fs::relative(entry.path(), folder.file("")).string() + "=" + (entry.is_directory() ? "" : folder.read(fs::relative(entry.path(), folder.file("")).string())));
+        parts.push_back(
+            fs::relative(entry.path(), folder.file("")).string() + "=" +
+            (entry.is_directory() ? "" : folder.read(fs::relative(entry.path(), folder.file("")).string())));
     std::ranges::sort(parts);
     std::string text;
     for (const std::string& part : parts) text += part + "\n";
@@ -105,7 +111,10 @@ TEST(WriteFiles, ASetIsWrittenToTheEndOrNotAtAllWhateverCallFails) {
         fail_at = k;
         bool thrown = false;
         try {
-            write_files({{folder.file("one"), "new 1"}, {folder.file("three"), "new 3"}, {folder.file("b/two"), "new 2"}, {folder.file("c/d/four"), "new 4"}});
+            write_files({{folder.file("one"), "new 1"},
+                         {folder.file("three"), "new 3"},
+                         {folder.file("b/two"), "new 2"},
+                         {folder.file("c/d/four"), "new 4"}});
         } catch (const std::system_error&) {
             thrown = true;
         }
@@ -113,7 +122,7 @@ TEST(WriteFiles, ASetIsWrittenToTheEndOrNotAtAllWhateverCallFails) {
         if (thrown) EXPECT_EQ(state(folder), before);
         else EXPECT_EQ(state(folder), "b/two=new 2\nb=\nc/d/four=new 4\nc/d=\nc=\none=new 1\nthree=new 3\n");
         failures += thrown ? 1 : 0;
-        if (calls < k) break;   // there are no more calls to fail
+        if (calls < k) break;  // there are no more calls to fail
     }
     EXPECT_GE(failures, 10);
 }
@@ -121,7 +130,8 @@ TEST(WriteFiles, ASetIsWrittenToTheEndOrNotAtAllWhateverCallFails) {
 TEST(WriteFiles, RemovesWhatKilledRunsLeftAndNothingElse) {
     const Folder folder;
     folder.write(".grafverif-0123456789abcdef.part", "draft");
-    for (const char* mine : {".grafverif-config", ".grafverif-0123456789abcdeg.part", "x.grafverif-0123456789abcdef.part", ".grafverif-0123456789abcdef.part~"})
+    for (const char* mine : {".grafverif-config", ".grafverif-0123456789abcdeg.part",
+                             "x.grafverif-0123456789abcdef.part", ".grafverif-0123456789abcdef.part~"})
         folder.write(mine, "mine");
     fs::create_symlink("nowhere", folder.file(".grafverif-aaaaaaaaaaaaaaaa.part"));
     write_files({{folder.file("out"), "text"}});
@@ -137,7 +147,8 @@ TEST(WriteFiles, OfRunsAtTheSameTimeOneWholeSetRemains) {
         runs.emplace_back([&folder, run] {
             for (int k = 0; k < 10; ++k) {
                 const std::string tag = std::to_string(run) + "." + std::to_string(k);
-                std::vector<OutputFile> set{{folder.file("one"), tag}, {folder.file("b/two"), tag}, {folder.file("three"), tag}};
+                std::vector<OutputFile> set{
+                    {folder.file("one"), tag}, {folder.file("b/two"), tag}, {folder.file("three"), tag}};
                 if (run % 2 != 0) std::ranges::reverse(set);
                 write_files(set);
             }
@@ -165,13 +176,16 @@ const std::string door = (root / "samples/oven_door/oven_door.grafcet").string()
 
 TEST(Outputs, StandardOutputHasNames) {
     const std::string equations = grafverif({"equations", door}).out;
-    for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) EXPECT_EQ(grafverif({"equations", door, "-o", name}).out, equations) << name;
+    for (const char* name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"})
+        EXPECT_EQ(grafverif({"equations", door, "-o", name}).out, equations) << name;
     EXPECT_EQ(grafverif({"equations", door, "-o", "/dev/stderr"}).err, equations);
 }
 
 TEST(Outputs, AreNoInputsOfTheSameRun) {
     const Folder folder;
-    const std::string part = "grafcet part { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n";
+    const std::string part =
+        "grafcet part { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 "
+        "-> 0 when !x; }\n";
     const std::string main = folder.write("main.grafcet", "include \"part.grafcet\";\n");
     folder.write("part.grafcet", part);
     folder.write("pairs.csv", "variable1,variable2,reason\n");
@@ -206,15 +220,18 @@ TEST(Outputs, OfOneRunAreDifferentFiles) {
     folder.write("there", "");
     fs::create_hard_link(folder.file("there"), folder.file("twin"));
     fs::create_symlink("nowhere", folder.file("link"));
-    for (const auto& [one, other] : {std::pair("new", "new"), std::pair("there", "twin"), std::pair("link", "nowhere"), std::pair("new", "./new")}) {
+    for (const auto& [one, other] : {std::pair("new", "new"), std::pair("there", "twin"), std::pair("link", "nowhere"),
+                                     std::pair("new", "./new")}) {
         SCOPED_TRACE(other);
         const std::string before = state(folder);
-        const Result result = grafverif({"check", door, "--junit", folder.file(one), "--trace-svg", folder.file(other)});
+        const Result result =
+            grafverif({"check", door, "--junit", folder.file(one), "--trace-svg", folder.file(other)});
         EXPECT_EQ(result.code, ExitCode::Input);
         EXPECT_NE(result.err.find("[output-twice]"), std::string::npos) << result.err;
         EXPECT_EQ(state(folder), before);
     }
-    EXPECT_NE(grafverif({"check", door, "--quiet", "--junit", "/dev/null", "--trace-svg", "/dev/null"}).code, ExitCode::Input);
+    EXPECT_NE(grafverif({"check", door, "--quiet", "--junit", "/dev/null", "--trace-svg", "/dev/null"}).code,
+              ExitCode::Input);
 }
 
 TEST(ReadFile, TakesRegularFilesAloneAndNeverWaits) {
@@ -222,9 +239,11 @@ TEST(ReadFile, TakesRegularFilesAloneAndNeverWaits) {
     ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
     fs::create_symlink("pipe", folder.file("link"));
     std::string why;
-    for (const auto& [path, reason] : {std::pair(folder.file("pipe"), "it is a pipe, not a file"), std::pair(folder.file("link"), "it is a pipe, not a file"),
-                                       std::pair(folder.file(""), "it is a directory"), std::pair(std::string("/dev/zero"), "it is a device, not a file"),
-                                       std::pair(folder.file("none"), "no such file"), std::pair(folder.file("none/deeper"), "no such file")}) {
+    for (const auto& [path, reason] :
+         {std::pair(folder.file("pipe"), "it is a pipe, not a file"),
+          std::pair(folder.file("link"), "it is a pipe, not a file"), std::pair(folder.file(""), "it is a directory"),
+          std::pair(std::string("/dev/zero"), "it is a device, not a file"),
+          std::pair(folder.file("none"), "no such file"), std::pair(folder.file("none/deeper"), "no such file")}) {
         EXPECT_EQ(content_of_file(path, why), std::nullopt);
         EXPECT_EQ(why, reason) << path;
     }
@@ -233,13 +252,15 @@ TEST(ReadFile, TakesRegularFilesAloneAndNeverWaits) {
 // -- includes ----------------------------------------------------------------------------------------------------------
 
 std::string chart(const std::string& name) {
-    return "grafcet " + name + " { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n";
+    return "grafcet " + name +
+           " { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when "
+           "!x; }\n";
 }
 
 TEST(Include, AFileIsReadOnceWhateverLeadsToIt) {
     const Folder folder;
     for (const char* link : {"a", "b"}) fs::create_symlink(".", folder.file(link));
-    constexpr int files = 40;   // 2^40 paths lead to the last
+    constexpr int files = 40;  // 2^40 paths lead to the last
     for (int k = 0; k < files; ++k) {
         const std::string next = "f" + std::to_string(k + 1) + ".grafcet\";\n";
         folder.write("f" + std::to_string(k) + ".grafcet", "include \"a/" + next + "include \"b/" + next);
@@ -255,7 +276,9 @@ TEST(Include, PipesDevicesAndFoldersAreRefused) {
     const Folder folder;
     ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
     fs::create_directory(folder.file("folder"));
-    for (const auto& [name, reason] : {std::pair("pipe", "it is a pipe"), std::pair("folder", "it is a directory"), std::pair("none", "no such file"), std::pair("/nowhere/at/all", "no such file")}) {
+    for (const auto& [name, reason] :
+         {std::pair("pipe", "it is a pipe"), std::pair("folder", "it is a directory"),
+          std::pair("none", "no such file"), std::pair("/nowhere/at/all", "no such file")}) {
         const std::string main = folder.write("main.grafcet", "include \"" + std::string(name) + "\";\n");
         const Result result = grafverif({"equations", main});
         EXPECT_EQ(result.code, ExitCode::Input);
@@ -289,7 +312,8 @@ TEST(Include, ReachIsTheSameFromEveryFolder) {
         std::vector<ExitCode> found;
         for (const char* from : {"", "project", "project/charts", "project/charts/deep"}) {
             const Standing standing(folder.file(from));
-            for (const fs::path& path : {fs::path(folder.file("project/charts/" + name)), fs::relative(folder.file("project/charts/" + name))}) {
+            for (const fs::path& path : {fs::path(folder.file("project/charts/" + name)),
+                                         fs::relative(folder.file("project/charts/" + name))}) {
                 std::vector<std::string> arguments{"equations", path.string()};
                 arguments.insert(arguments.end(), options.begin(), options.end());
                 found.push_back(grafverif(arguments).code);
@@ -339,7 +363,8 @@ TEST(Include, TheMainFileMayComeFromStandardInput) {
     const Folder folder;
     folder.write("part.grafcet", chart("part"));
     const Standing standing(folder.file(""));
-    for (const char* name : {"-", "/dev/stdin"}) EXPECT_EQ(grafverif({"equations", name}, chart("typed")).code, ExitCode::Done) << name;
+    for (const char* name : {"-", "/dev/stdin"})
+        EXPECT_EQ(grafverif({"equations", name}, chart("typed")).code, ExitCode::Done) << name;
     const Result included = grafverif({"equations", "-"}, "include \"part.grafcet\";\n");
     EXPECT_EQ(included.code, ExitCode::Done) << included.err;
     EXPECT_NE(grafverif({"equations", "-"}, "grafcet").err.find("<standard input>:1:"), std::string::npos);

@@ -42,9 +42,7 @@ TEST(Plc, RunsInTheModeThatTheLoopsOfTheFileSay) {
     EXPECT_EQ(grafverif({"plc", file, "--mode", "stability-search"}, "0\n1\n").out, "0\n0\n");
 }
 
-TEST(Plc, LetsTimePassByWaitLines) {
-    EXPECT_EQ(played(pulse, "1\nwait 2999 ms\n0\nwait 1ms\n0\n").out, "1\n1\n0\n");
-}
+TEST(Plc, LetsTimePassByWaitLines) { EXPECT_EQ(played(pulse, "1\nwait 2999 ms\n0\nwait 1ms\n0\n").out, "1\n1\n0\n"); }
 
 TEST(Plc, CountsTimeFromItsFirstScan) {
     const std::string timed = "output L; initial step 0; step 1 { L; } transition a: 0 -> 1 when 3s/X0;";
@@ -111,7 +109,8 @@ TEST(Plc, StopsWithAReasonWhereTheChartCannotGoOn) {
              Case{"input a; output L; internal N: int 0..3 = 0; initial step 0; step 1 { N := 1 on activation; L; }\n"
                   "step 2 { N := 2 on activation; } transition t: 0 -> 1, 2 when a;",
                   "race: two actions store different values in `N`"},
-             Case{"input a; output L; internal N: int 0..3 = 0; initial step 0; step 1 { N := N + 4 on activation; L; }\n"
+             Case{"input a; output L; internal N: int 0..3 = 0; initial step 0; step 1 { N := N + 4 on activation; L; "
+                  "}\n"
                   "transition t: 0 -> 1 when a;",
                   "the value 4 for `N` is outside its range"},
          }) {

@@ -33,9 +33,7 @@ TEST(Process, TheInputIsReadToItsEnd) {
     EXPECT_EQ(shell("exit 0", input).status, 0) << "a program need not read its input";
 }
 
-TEST(Process, ASignalIsNoExitCode) {
-    EXPECT_EQ(shell("kill -TERM $$"), (ProgramResult{End::Signalled, 15, "", ""}));
-}
+TEST(Process, ASignalIsNoExitCode) { EXPECT_EQ(shell("kill -TERM $$"), (ProgramResult{End::Signalled, 15, "", ""})); }
 
 TEST(Process, TheDeadlineEndsTheProgramAndWhatItStarted) {
     const auto start = steady_clock::now();

@@ -20,7 +20,10 @@ TEST(Program, SaysWhatItIsAndItsVersion) {
 }
 
 TEST(Program, RefusesWrongUsageWithExitCodeTwo) {
-    struct Case { std::vector<std::string> arguments; std::string complaint; };
+    struct Case {
+        std::vector<std::string> arguments;
+        std::string complaint;
+    };
     for (const Case& c : std::vector<Case>{
              {{}, "no verb given"},
              {{"frobnicate"}, "there is no verb `frobnicate`"},
@@ -50,22 +53,26 @@ TEST(Build, WritesTheProjectItsQueriesAndTheNusmvModel) {
     EXPECT_TRUE(folder.read("out/station.xml").starts_with("<?xml"));
     EXPECT_NE(folder.read("out/station.q").find("-->"), std::string::npos);
     EXPECT_NE(folder.read("out/station.smv").find("MODULE main"), std::string::npos);
-    for (const char* name : {"station.xml", "station.q", "station.smv"}) EXPECT_NE(result.out.find(name), std::string::npos);
+    for (const char* name : {"station.xml", "station.q", "station.smv"})
+        EXPECT_NE(result.out.find(name), std::string::npos);
     EXPECT_EQ(folder.entries(), 4u);
 }
 
 TEST(Build, WarnsOfPropertiesThatATargetCannotSay) {
     const Folder folder;
     const Result result = grafverif({"build", station, "-o", folder.file("out")});
-    EXPECT_NE(result.err.find("property `no_timelock` is left out of the UPPAAL model"), std::string::npos) << result.err;
-    EXPECT_NE(result.err.find("property `no_deadlock` is left out of the NuSMV model"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("property `no_timelock` is left out of the UPPAAL model"), std::string::npos)
+        << result.err;
+    EXPECT_NE(result.err.find("property `no_deadlock` is left out of the NuSMV model"), std::string::npos)
+        << result.err;
     EXPECT_NE(result.err.find("[not-expressible]"), std::string::npos);
     EXPECT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--quiet"}).err, "");
 }
 
 TEST(Build, TellsItsFilesAsJson) {
     const Folder folder;
-    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--format", "json", "--target", "uppaal"});
+    const Result result =
+        grafverif({"build", station, "-o", folder.file("out"), "--format", "json", "--target", "uppaal"});
     const auto files = nlohmann::json::parse(result.out)["files"];
     ASSERT_EQ(files.size(), 2u);
     EXPECT_EQ(files[0]["path"], folder.file("out/station.xml"));
@@ -96,7 +103,7 @@ TEST(Build, LeavesExistingOutputsUntouchedOnError) {
     ASSERT_EQ(grafverif({"build", station, "-o", folder.file("out")}).code, ExitCode::Done);
     const std::string before = folder.read("out/station.xml");
     fs::remove(folder.file("out/station.q"));
-    fs::create_directory(folder.file("out/station.q"));   // cannot be written over
+    fs::create_directory(folder.file("out/station.q"));  // cannot be written over
     const Result result = grafverif({"build", station, "-o", folder.file("out"), "--grain", "atomic"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(folder.read("out/station.xml"), before);
@@ -105,8 +112,9 @@ TEST(Build, LeavesExistingOutputsUntouchedOnError) {
 
 TEST(Build, TakesOnlyAClosedLoop) {
     const Folder folder;
-    const std::string chart = folder.write("lone.grafcet", "grafcet a { input x; output L; initial step 0; step 1 { L; }\n"
-                                                           "transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n");
+    const std::string chart = folder.write("lone.grafcet",
+                                           "grafcet a { input x; output L; initial step 0; step 1 { L; }\n"
+                                           "transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n");
     const Result result = grafverif({"build", chart, "-o", folder.file("out")});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("[no-closed-loop]"), std::string::npos) << result.err;
@@ -124,11 +132,14 @@ TEST(Build, ReportsAMissingFileAndAFolder) {
 
 TEST(Include, ReachesBelowTheMainFileOnly) {
     const Folder folder;
-    const std::string chart = "grafcet a { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n";
+    const std::string chart =
+        "grafcet a { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> "
+        "0 when !x; }\n";
     fs::create_directories(folder.file("main/parts"));
     folder.write("main/parts/a.grafcet", chart);
     folder.write("outside.grafcet", chart);
-    EXPECT_EQ(grafverif({"nusmv", folder.write("main/in.grafcet", "include \"parts/a.grafcet\";\n")}).code, ExitCode::Done);
+    EXPECT_EQ(grafverif({"nusmv", folder.write("main/in.grafcet", "include \"parts/a.grafcet\";\n")}).code,
+              ExitCode::Done);
     const Result result = grafverif({"nusmv", folder.write("main/out.grafcet", "include \"../outside.grafcet\";\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("neither below the folder of the main file"), std::string::npos) << result.err;
@@ -146,7 +157,9 @@ TEST(Diagnostics, ComeAsJsonWhenAsked) {
 
 TEST(Choice, NamesTheCandidatesWhereAFileHasSeveral) {
     const Folder folder;
-    const std::string chart = "{ input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n";
+    const std::string chart =
+        "{ input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; "
+        "}\n";
     const std::string two = folder.write("two.grafcet", "grafcet first " + chart + "grafcet second " + chart);
     const Result result = grafverif({"equations", two});
     EXPECT_EQ(result.code, ExitCode::Input);
@@ -169,8 +182,9 @@ TEST(Components, AreListedAndShown) {
 
 TEST(Fmt, RewritesInPlaceAndChecks) {
     const Folder folder;
-    const std::string file = folder.write("a.grafcet", "grafcet a{input x;output L;initial step 0;step 1{L;}\n"
-                                                       "transition t:0->1 when x;transition u:1->0 when not x;}");
+    const std::string file = folder.write("a.grafcet",
+                                          "grafcet a{input x;output L;initial step 0;step 1{L;}\n"
+                                          "transition t:0->1 when x;transition u:1->0 when not x;}");
     EXPECT_EQ(grafverif({"fmt", file, "--check"}).code, ExitCode::Verdict);
     const std::string printed = grafverif({"fmt", file}).out;
     EXPECT_EQ(grafverif({"fmt", file, "-i"}).code, ExitCode::Done);

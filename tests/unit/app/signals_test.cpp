@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What signals do to the program while other programs run: it ends as by Ctrl-C, and nothing of theirs is left.
-#include <gtest/gtest.h>
 #include <fcntl.h>
+#include <gtest/gtest.h>
 
 #include <chrono>
 #include <csignal>
@@ -12,9 +12,9 @@
 #include <thread>
 
 #include "app/system/child.hpp"
-#include "pipeline/descriptor.hpp"
 #include "app/system/interrupt.hpp"
 #include "app/system/process.hpp"
+#include "pipeline/descriptor.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {
@@ -24,8 +24,11 @@ using std::chrono::steady_clock;
 
 /// Notes its process and those it starts in `pids`, out of its group and its session, and never ends.
 std::string endless(const std::string& pids) {
-    return "note() { echo $$ >> '" + pids + "'; }; note\n"
-           "setsid sh -c 'echo $$ >> \"" + pids + "\"; setsid sh -c \"echo \\$\\$ >> \\\"" + pids + "\\\"; exec sleep 1000\" & sleep 1000' &\n"
+    return "note() { echo $$ >> '" + pids +
+           "'; }; note\n"
+           "setsid sh -c 'echo $$ >> \"" +
+           pids + "\"; setsid sh -c \"echo \\$\\$ >> \\\"" + pids +
+           "\\\"; exec sleep 1000\" & sleep 1000' &\n"
            "trap '' TERM HUP INT\n"
            "while :; do sleep 1000; done\n";
 }
@@ -68,7 +71,10 @@ TEST(Signals, EndAnEngineAndAllItHasStarted) {
         const Variable tmp("TMPDIR", folder.file("tmp"));
         fs::permissions(folder.write("verifyta", "#!/bin/sh\n" + endless(folder.file("pids"))), fs::perms::owner_all);
         const Variable path("PATH", folder.file("") + ":/usr/bin:/bin");
-        const Outcome outcome = ended_by(signal, {"check", station, "--engine", "verifyta", "--format", "json", "--junit", folder.file("report.xml")}, folder);
+        const Outcome outcome = ended_by(
+            signal,
+            {"check", station, "--engine", "verifyta", "--format", "json", "--junit", folder.file("report.xml")},
+            folder);
         ASSERT_TRUE(outcome.end);
         EXPECT_FALSE(outcome.end->by_signal);
         EXPECT_EQ(outcome.end->status, 3);
@@ -85,7 +91,10 @@ TEST(Signals, EndAControllerUnderTestAndAllItHasStarted) {
     for (const int signal : all_signals) {
         SCOPED_TRACE(::strsignal(signal));
         const Folder folder;
-        const Outcome outcome = ended_by(signal, {"test", two_tanks, "--against", endless(folder.file("pids")), "--format", "json", "--junit", folder.file("report.xml")}, folder);
+        const Outcome outcome = ended_by(signal,
+                                         {"test", two_tanks, "--against", endless(folder.file("pids")), "--format",
+                                          "json", "--junit", folder.file("report.xml")},
+                                         folder);
         ASSERT_TRUE(outcome.end);
         EXPECT_FALSE(outcome.end->by_signal);
         EXPECT_EQ(outcome.end->status, 3);
@@ -96,35 +105,44 @@ TEST(Signals, EndAControllerUnderTestAndAllItHasStarted) {
 }
 
 TEST(Signals, ThatAreIgnoredStayIgnored) {
-    EXPECT_EXIT({
-        std::signal(SIGHUP, SIG_IGN);
-        const Interrupt interrupt;
-        std::raise(SIGHUP);
-        std::_Exit(interrupt.asked() ? 1 : 0);
-    }, testing::ExitedWithCode(0), "");
+    EXPECT_EXIT(
+        {
+            std::signal(SIGHUP, SIG_IGN);
+            const Interrupt interrupt;
+            std::raise(SIGHUP);
+            std::_Exit(interrupt.asked() ? 1 : 0);
+        },
+        testing::ExitedWithCode(0), "");
 }
 
 TEST(Signals, TheSecondOneEndsTheProgram) {
-    EXPECT_EXIT({
-        const Interrupt interrupt;
-        std::raise(SIGTERM);
-        if (interrupt.asked()) std::cerr << "asked";
-        std::raise(SIGHUP);
-    }, testing::KilledBySignal(SIGHUP), "asked");
+    EXPECT_EXIT(
+        {
+            const Interrupt interrupt;
+            std::raise(SIGTERM);
+            if (interrupt.asked()) std::cerr << "asked";
+            std::raise(SIGHUP);
+        },
+        testing::KilledBySignal(SIGHUP), "asked");
 }
 
 TEST(Signals, WaitUntilWhatMustBeDoneIsDone) {
-    EXPECT_EXIT({
-        const Uninterrupted whole;
-        std::raise(SIGTERM);
-        std::cerr << "done";
-    }, testing::KilledBySignal(SIGTERM), "done");
+    EXPECT_EXIT(
+        {
+            const Uninterrupted whole;
+            std::raise(SIGTERM);
+            std::cerr << "done";
+        },
+        testing::KilledBySignal(SIGTERM), "done");
 }
 
 TEST(Process, WhatLeavesItsGroupEndsWithItToo) {
     const Folder folder;
-    const ProgramResult result = run_program({"/bin/sh", "-c", "setsid setsid sh -c 'echo $$ > \"" + folder.file("pids") + "\"; exec sleep 1000' & while ! [ -s '" +
-                                                                   folder.file("pids") + "' ]; do sleep 0.01; done; echo done"}, "", {});
+    const ProgramResult result = run_program(
+        {"/bin/sh", "-c",
+         "setsid setsid sh -c 'echo $$ > \"" + folder.file("pids") + "\"; exec sleep 1000' & while ! [ -s '" +
+             folder.file("pids") + "' ]; do sleep 0.01; done; echo done"},
+        "", {});
     EXPECT_EQ(result.out, "done\n");
     const std::vector<pid_t> pids = pids_in(folder);
     ASSERT_EQ(pids.size(), 1u);
@@ -148,7 +166,8 @@ TEST(TemporaryFolder, ThoseOfKilledRunsAreRemovedAndNoOthers) {
     const Folder folder;
     const Variable tmp("TMPDIR", folder.file(""));
     const TemporaryFolder alive;
-    for (const char* name : {"grafverif-run-killed", "grafverif-run-nobody", "grafverif-run-longer-name", "grafverif-models"})
+    for (const char* name :
+         {"grafverif-run-killed", "grafverif-run-nobody", "grafverif-run-longer-name", "grafverif-models"})
         fs::create_directory(folder.file(name));
     folder.write("grafverif-run-killed/.grafverif-run", "");
     folder.write("grafverif-run-killed/model.smv", "MODULE main");
@@ -156,17 +175,26 @@ TEST(TemporaryFolder, ThoseOfKilledRunsAreRemovedAndNoOthers) {
     { const TemporaryFolder next; }
     EXPECT_FALSE(fs::exists(folder.file("grafverif-run-killed")));
     EXPECT_TRUE(fs::exists(alive.path()));
-    for (const char* name : {"grafverif-run-nobody/mine", "grafverif-run-longer-name", "grafverif-models"}) EXPECT_TRUE(fs::exists(folder.file(name))) << name;
+    for (const char* name : {"grafverif-run-nobody/mine", "grafverif-run-longer-name", "grafverif-models"})
+        EXPECT_TRUE(fs::exists(folder.file(name))) << name;
 }
 
 /// A folder whose name is none that a command line or a script would take as one word.
-const std::vector<std::string> odd_names = {"a b", "it's", "\"", "$HOME;*", "back\\slash", "line\nfeed", "-o", "\xC3\xBC", "#"};
+const std::vector<std::string> odd_names = {"a b",        "it's", "\"",       "$HOME;*", "back\\slash",
+                                            "line\nfeed", "-o",   "\xC3\xBC", "#"};
 
 TEST(Engines, WorkWhateverTheNameOfTheTemporaryFolder) {
     const Folder folder;
     const Variable path("PATH", folder.file("") + ":" + std::getenv("PATH"));
-    fs::permissions(folder.write("verifyta", "#!/bin/sh\ngrep -q '<!DOCTYPE nta' \"$1\" && grep -q . \"$2\" && echo ' -- Formula is satisfied.'\n"), fs::perms::owner_all);
-    fs::permissions(folder.write("nuXmv", "#!/bin/sh\nread first < \"$2\"; file=$(sed -n 's/^read_model -i //p' \"$2\")\ngrep -q 'MODULE main' \"$file\" && echo found >&2\n"), fs::perms::owner_all);
+    fs::permissions(
+        folder.write(
+            "verifyta",
+            "#!/bin/sh\ngrep -q '<!DOCTYPE nta' \"$1\" && grep -q . \"$2\" && echo ' -- Formula is satisfied.'\n"),
+        fs::perms::owner_all);
+    fs::permissions(folder.write("nuXmv",
+                                 "#!/bin/sh\nread first < \"$2\"; file=$(sed -n 's/^read_model -i //p' \"$2\")\ngrep "
+                                 "-q 'MODULE main' \"$file\" && echo found >&2\n"),
+                    fs::perms::owner_all);
     const std::string two_tanks = (root / "samples/tanks/tanks.grafcet").string();
     for (const std::string& name : odd_names) {
         SCOPED_TRACE(name);

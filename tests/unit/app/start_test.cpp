@@ -20,8 +20,10 @@ Words operator+(Words left, const Words& right) {
 /// The options of each model that a loop has, that of the sequencers last.
 const std::vector<Words>& models() {
     static const std::vector<Words> all = [] {
-        std::vector<Words> made{{"--grain", "atomic"}, {"--grain", "phased"},
-                                {"--untimed"}, {"--untimed", "--plant", "constraints"},
+        std::vector<Words> made{{"--grain", "atomic"},
+                                {"--grain", "phased"},
+                                {"--untimed"},
+                                {"--untimed", "--plant", "constraints"},
                                 {"--untimed", "--schedule", "synchronous"}};
         for (const char* grain : {"atomic", "phased"})
             for (const Words& untimed : {Words{}, {"--fairness"}, {"--time", "discrete"}})
@@ -68,7 +70,7 @@ TEST(Start, EveryModelHasTheStateInWhichOutputsAreStillFalse) {
             SCOPED_TRACE(mode + (" " + told(model)));
             const Result result = grafverif(Words{"check", file, "--mode", mode, "--format", "json"} + model);
             EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
-            if (model == models().back()) continue;   // it judges no state before the controllers are done
+            if (model == models().back()) continue;  // it judges no state before the controllers are done
             const nlohmann::json found = verdicts(result);
             EXPECT_EQ(found["p"], "violated");
             EXPECT_EQ(found["q"], "violated");
@@ -94,7 +96,8 @@ TEST(Start, EveryModelHasTheValuesBeforeTheActionsOfTheInitialSteps) {
     for (const char* mode : {"every-cycle", "stability-search"})
         for (const Words& model : models()) {
             if (model == models().back()) continue;
-            const nlohmann::json found = verdicts(grafverif(Words{"check", file, "--mode", mode, "--format", "json"} + model));
+            const nlohmann::json found =
+                verdicts(grafverif(Words{"check", file, "--mode", mode, "--format", "json"} + model));
             EXPECT_EQ(found["p"], "violated") << mode << " " << told(model);
             EXPECT_EQ(found["s"], "holds") << mode << " " << told(model);
         }
@@ -102,11 +105,14 @@ TEST(Start, EveryModelHasTheValuesBeforeTheActionsOfTheInitialSteps) {
 
 TEST(Start, NoTimeIsOverBeforeTheFirstEvolution) {
     const Folder folder;
-    for (const char* action : {"o1 for 3s", "o1 after 3s", "o1 if !(3s/X0)", "o1 if X0/3s", "o1 if 1s/X0/3s", "o1 if 1s/a"}) {
-        const std::string file = folder.write("g.grafcet", std::string("grafcet g { input a; output o1; initial step 0 { ") + action +
-                                              "; } step 1; transition t0: 0 -> 1 when a; }\n"
-                                              "closed_loop w { controller g; plant L = lamp(ON = o1); environment A = push_button(OUT = a);\n"
-                                              "property never_settled: never X0 at stable; property dark: never o1; property lit: always o1; }\n");
+    for (const char* action :
+         {"o1 for 3s", "o1 after 3s", "o1 if !(3s/X0)", "o1 if X0/3s", "o1 if 1s/X0/3s", "o1 if 1s/a"}) {
+        const std::string file = folder.write(
+            "g.grafcet",
+            std::string("grafcet g { input a; output o1; initial step 0 { ") + action +
+                "; } step 1; transition t0: 0 -> 1 when a; }\n"
+                "closed_loop w { controller g; plant L = lamp(ON = o1); environment A = push_button(OUT = a);\n"
+                "property never_settled: never X0 at stable; property dark: never o1; property lit: always o1; }\n");
         for (const char* mode : {"every-cycle", "stability-search"})
             for (const Words& model : models()) {
                 const Result result = grafverif(Words{"check", file, "--mode", mode, "--verbose"} + model);
@@ -119,11 +125,14 @@ TEST(Start, NoTimeIsOverBeforeTheFirstEvolution) {
 TEST(Untimely, ARunThatNoClockGivesIsToldAsOne) {
     const Folder folder;
     const auto file = [&](const char* condition) {
-        return folder.write("g.grafcet", std::string("grafcet g { input a; initial step 0; step 1; transition t0: 0 -> 1 when ") + condition +
-                                             "; }\nclosed_loop w { controller g; environment A = push_button(OUT = a); property p: never X1; }\n");
+        return folder.write(
+            "g.grafcet",
+            std::string("grafcet g { input a; initial step 0; step 1; transition t0: 0 -> 1 when ") + condition +
+                "; }\nclosed_loop w { controller g; environment A = push_button(OUT = a); property p: never X1; }\n");
     };
     const std::string note = "note: no plant gives this run: 5s/X0 is over in it, and 3s/X0 is not";
-    for (const Words& model : {Words{"--untimed"}, {"--untimed", "--plant", "automata"}, {"--untimed", "--schedule", "synchronous"}}) {
+    for (const Words& model :
+         {Words{"--untimed"}, {"--untimed", "--plant", "automata"}, {"--untimed", "--schedule", "synchronous"}}) {
         const Result early = grafverif(Words{"check", file("5s/X0 && !(3s/X0)")} + model);
         EXPECT_EQ(early.code, ExitCode::Verdict) << early.err;
         EXPECT_NE(early.out.find(note), std::string::npos) << early.out;
@@ -140,18 +149,20 @@ TEST(Mode, OfAChartWithoutItsLoopIsTheOneThatTheLoopSaysInEveryVerb) {
         "transition t: 0 -> 1 when a; transition u: 1 -> 2 when a; transition v: 2 -> 0 when !a; }\n";
     const Folder folder;
     const std::string lone = folder.write("c.grafcet", text);
-    const std::string file = folder.write("loop.grafcet", text + "closed_loop l { controller c with every_cycle; "
-                                                                 "environment A = push_button(OUT = a); }\n");
+    const std::string file = folder.write("loop.grafcet", text +
+                                                              "closed_loop l { controller c with every_cycle; "
+                                                              "environment A = push_button(OUT = a); }\n");
     const std::string sequence = folder.write("s.csv", grafverif({"testgen", file, "--mode", "every-cycle"}).out);
-    const std::vector<Words> verbs{{"automaton"},
-                                   {"mealy"},
-                                   {"testgen"},
-                                   {"st"},
-                                   {"plc"},
-                                   {"analyse"},
-                                   {"nusmv", "--chart", "c"},
-                                   {"check", "--chart", "c"},
-                                   {"test", "--against", std::string(GRAFVERIF_PROGRAM) + " plc " + lone + " --mode every-cycle"}};
+    const std::vector<Words> verbs{
+        {"automaton"},
+        {"mealy"},
+        {"testgen"},
+        {"st"},
+        {"plc"},
+        {"analyse"},
+        {"nusmv", "--chart", "c"},
+        {"check", "--chart", "c"},
+        {"test", "--against", std::string(GRAFVERIF_PROGRAM) + " plc " + lone + " --mode every-cycle"}};
     for (const Words& verb : verbs) {
         SCOPED_TRACE(told(verb));
         const auto out = [&](const Words& options) {
@@ -169,7 +180,10 @@ TEST(Mode, OfAChartWithoutItsLoopIsTheOneThatTheLoopSaysInEveryVerb) {
 TEST(CheckOfAChart, ReportsTotalInstabilityAsAnalyseDoes) {
     const Folder folder;
     const auto chart = [&](const std::string& also) {
-        return folder.write("c.grafcet", "grafcet c { input a; initial step 0; step 1; transition t: 0 -> 1 when a; transition u: 1 -> 0 when a; " + also + "}\n");
+        return folder.write(
+            "c.grafcet",
+            "grafcet c { input a; initial step 0; step 1; transition t: 0 -> 1 when a; transition u: 1 -> 0 when a; " +
+                also + "}\n");
     };
     const Result result = grafverif({"check", chart(""), "--format", "json"});
     EXPECT_EQ(result.code, ExitCode::Verdict);
@@ -183,8 +197,12 @@ TEST(CheckOfAChart, ReportsTotalInstabilityAsAnalyseDoes) {
     EXPECT_EQ(grafverif({"check", chart("accept total-instability \"it blinks\"; ")}).code, ExitCode::Done);
     EXPECT_EQ(grafverif({"check", chart(""), "--mode", "every-cycle"}).code, ExitCode::Done);
     EXPECT_EQ(grafverif({"check", chart(""), "--property", "stabilises"}).code, ExitCode::Verdict);
-    const std::string calm = folder.write("d.grafcet", "grafcet d { input a; initial step 0; step 1; transition t: 0 -> 1 when a; transition u: 1 -> 0 when !a; }\n");
-    EXPECT_NE(grafverif({"check", calm}).out.find("stabilises \"whatever the inputs, the situation becomes stable\" (not declared): holds"), std::string::npos);
+    const std::string calm = folder.write(
+        "d.grafcet",
+        "grafcet d { input a; initial step 0; step 1; transition t: 0 -> 1 when a; transition u: 1 -> 0 when !a; }\n");
+    EXPECT_NE(grafverif({"check", calm})
+                  .out.find("stabilises \"whatever the inputs, the situation becomes stable\" (not declared): holds"),
+              std::string::npos);
 }
 
 }  // namespace

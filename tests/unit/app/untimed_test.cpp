@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // `check --untimed`: verdicts of the symbolic engine, what they rest on, traces without time, and other engines.
+#include "pipeline/untimed.hpp"
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/untimed.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {
@@ -29,8 +30,10 @@ TEST(CheckUntimed, SaysUnderEachVerdictWhatItRestsOn) {
     const Result result = grafverif({"check", file, "--untimed"});
     EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
     for (const char* line :
-         {"apart: holds\n    symbolic, untimed: no plant; stability-search; 36 states; so with every plant, in grain atomic\n",
-          "lit: violated\n    symbolic, untimed: no plant; stability-search; 36 states; it may yet hold with the real plant\n",
+         {"apart: holds\n    symbolic, untimed: no plant; stability-search; 36 states; so with every plant, in grain "
+          "atomic\n",
+          "lit: violated\n    symbolic, untimed: no plant; stability-search; 36 states; it may yet hold with the real "
+          "plant\n",
           "shown: holds\n    symbolic, untimed: no plant; stability-search; 36 states; it says nothing of any plant\n"})
         EXPECT_NE(result.out.find(line), std::string::npos) << line << '\n' << result.out;
 }
@@ -38,7 +41,7 @@ TEST(CheckUntimed, SaysUnderEachVerdictWhatItRestsOn) {
 TEST(CheckUntimed, SaysWhatCarriesOverFromAPlantUnderEachScheduleAndUnderFairness) {
     struct Case {
         std::vector<std::string> options;
-        std::string apart, lit, quick;   ///< never L && M; never L; inevitable X1
+        std::string apart, lit, quick;  ///< never L && M; never L; inevitable X1
     };
     const std::string nothing = "it says nothing beyond this model", so = "so in the timed loop";
     const std::string states = "the states of the timed engine: integer time only, if a clock constraint is strict";
@@ -56,8 +59,9 @@ TEST(CheckUntimed, SaysWhatCarriesOverFromAPlantUnderEachScheduleAndUnderFairnes
         std::vector<std::string> words{"check", file, "--untimed"};
         words.insert(words.end(), one.options.begin(), one.options.end());
         const std::string out = grafverif(words).out;
-        for (const auto& [verdict, carries] : {std::pair("apart: holds\n", one.apart), std::pair("lit: violated\n", one.lit),
-                                               std::pair("quick: violated\n", one.quick)}) {
+        for (const auto& [verdict, carries] :
+             {std::pair("apart: holds\n", one.apart), std::pair("lit: violated\n", one.lit),
+              std::pair("quick: violated\n", one.quick)}) {
             const std::size_t at = out.find(verdict);
             ASSERT_NE(at, std::string::npos) << out;
             const std::size_t basis = out.find('\n', at) + 1;
@@ -98,13 +102,18 @@ TEST(CheckUntimed, ALassoMarksItsLoop) {
 TEST(CheckUntimed, AChartWithoutALoopIsCheckedWithFreeInputs) {
     const Folder folder;
     const std::string file = folder.write(
-        "dead.grafcet", "grafcet dead { input A; initial step 0; step 1; step 2;\n"
-                        "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when !A; transition t2: 1 -> 2 when A && !A; }\n");
+        "dead.grafcet",
+        "grafcet dead { input A; initial step 0; step 1; step 2;\n"
+        "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when !A; transition t2: 1 -> 2 when A && !A; }\n");
     const Result result = grafverif({"check", file});
     EXPECT_EQ(result.code, ExitCode::Verdict);
-    EXPECT_NE(result.err.find("`dead` is no closed loop: its steps are checked with free inputs, untimed"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("`dead` is no closed loop: its steps are checked with free inputs, untimed"),
+              std::string::npos)
+        << result.err;
     EXPECT_NE(result.out.find("reachable.X1: holds"), std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("reachable.X2: violated\n    symbolic, untimed: no plant; stability-search; "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("reachable.X2: violated\n    symbolic, untimed: no plant; stability-search; "),
+              std::string::npos)
+        << result.out;
     EXPECT_NE(result.out.find("so with every plant, in grain atomic"), std::string::npos) << result.out;
     EXPECT_EQ(grafverif({"check", tank_sample, "--chart", "tanks", "--property", "reachable"}).code, ExitCode::Done);
 }
@@ -122,7 +131,8 @@ TEST(CheckUntimed, AskingForAnEngineThatKnowsNoTimeIsEnough) {
     EXPECT_NE(result.out.find("symbolic, untimed"), std::string::npos) << result.out;
     const Result wrong = grafverif({"check", tank_sample, "--engine", "timed", "--untimed"});
     EXPECT_EQ(wrong.code, ExitCode::Input);
-    EXPECT_NE(wrong.err.find("`--engine timed` checks timed models; leave out `--untimed`"), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find("`--engine timed` checks timed models; leave out `--untimed`"), std::string::npos)
+        << wrong.err;
 }
 
 TEST(CheckUntimed, AProgramThatIsNotThereIsNamedWithTheWayOut) {
@@ -135,11 +145,13 @@ TEST(CheckUntimed, AProgramThatIsNotThereIsNamedWithTheWayOut) {
 
 /// A program called NuSMV that answers the first property with `answer`, and nothing else.
 std::string install_nusmv(const Folder& folder, const std::string& answer) {
-    fs::permissions(folder.write("NuSMV", "#!/bin/sh\n"
-                                          "cat <<'END'\n"
-                                          "grafverif: fsm\nThe transition relation is total\n"
-                                          "grafverif: states\nreachable states: 36 (2^5.2) out of 64\n"
-                                          "grafverif: 0\nEND\n" + answer + "\necho 'grafverif: end'\n"),
+    fs::permissions(folder.write("NuSMV",
+                                 "#!/bin/sh\n"
+                                 "cat <<'END'\n"
+                                 "grafverif: fsm\nThe transition relation is total\n"
+                                 "grafverif: states\nreachable states: 36 (2^5.2) out of 64\n"
+                                 "grafverif: 0\nEND\n" +
+                                     answer + "\necho 'grafverif: end'\n"),
                     fs::perms::owner_all);
     return folder.file("");
 }
@@ -147,16 +159,20 @@ std::string install_nusmv(const Folder& folder, const std::string& answer) {
 std::string said(const std::string& text) { return "cat <<'END'\n" + text + "END"; }
 
 TEST(CheckUntimed, AProgramThatLiesIsNotBelieved) {
-    const std::string trace = "-- as demonstrated by the following execution sequence\nTrace Description: AG alpha Counterexample\n"
-                              "Trace Type: Counterexample\n  -> State: 1.1 <-\n";
-    const std::string initial = "    A = FALSE\n    B = FALSE\n    lamp.X_0 = TRUE\n    lamp.X_1 = FALSE\n    lamp.X_2 = FALSE\n";
+    const std::string trace =
+        "-- as demonstrated by the following execution sequence\nTrace Description: AG alpha Counterexample\n"
+        "Trace Type: Counterexample\n  -> State: 1.1 <-\n";
+    const std::string initial =
+        "    A = FALSE\n    B = FALSE\n    lamp.X_0 = TRUE\n    lamp.X_1 = FALSE\n    lamp.X_2 = FALSE\n";
     struct Case {
         const char* property;
         std::string answer, why;
     };
     for (const Case& one : {
-             Case{"never L", said("-- invariant !lamp.L  is false\n"), "engine-disagrees: the program shows no run for its verdict"},
-             {"reachable L", said("-- invariant !lamp.L  is false\n"), "engine-disagrees: the program shows no run for its verdict"},
+             Case{"never L", said("-- invariant !lamp.L  is false\n"),
+                  "engine-disagrees: the program shows no run for its verdict"},
+             {"reachable L", said("-- invariant !lamp.L  is false\n"),
+              "engine-disagrees: the program shows no run for its verdict"},
              {"never L", said("-- invariant !lamp.L  is true\n-- invariant !lamp.L  is false\n"),
               "engine-disagrees: the program gave more than one verdict"},
              {"never L", said("-- invariant a  is true\ngrafverif: 0\n-- invariant a  is true\n"),
@@ -165,15 +181,19 @@ TEST(CheckUntimed, AProgramThatLiesIsNotBelieved) {
               "engine-disagrees: the program shows no run for its verdict"},
              {"never L", said("-- invariant a  is false\n" + trace + "    lamp.X_0 = 17\n"),
               "engine-disagrees: state 1 of its trace gives `lamp.X_0` a value outside its range"},
-             {"never L", said("-- invariant a  is false\n" + trace + "    lamp.X_1 = TRUE\n"), "engine-disagrees: state 1 of its trace "},
-             {"never X2", said("-- invariant a  is false\n" + trace + initial + "  -> State: 1.2 <-\n    lamp.X_2 = TRUE\n"),
+             {"never L", said("-- invariant a  is false\n" + trace + "    lamp.X_1 = TRUE\n"),
               "engine-disagrees: state 1 of its trace "},
-             {"inevitable X1", said("-- specification AF lamp.X_1  is false\n" + trace + initial), "engine-disagrees: "},
+             {"never X2",
+              said("-- invariant a  is false\n" + trace + initial + "  -> State: 1.2 <-\n    lamp.X_2 = TRUE\n"),
+              "engine-disagrees: state 1 of its trace "},
+             {"inevitable X1", said("-- specification AF lamp.X_1  is false\n" + trace + initial),
+              "engine-disagrees: "},
              {"never L", "echo 'grafverif: 7'; echo '-- invariant a  is true'", "the program gave no verdict"},
              {"never L", said("my hovercraft is full of eels\n"), "the program gave no verdict"},
              {"never L", "exec yes 'my hovercraft is full of eels'", "the program wrote more than is read"},
              {"never L", "echo '-- invariant a  is true'; exit 0", "the program gave no verdict"},
-             {"never L", "echo '-- invariant a  is true'; echo 'grafverif: end'; kill -SEGV $$", "the program was ended by signal 11"},
+             {"never L", "echo '-- invariant a  is true'; echo 'grafverif: end'; kill -SEGV $$",
+              "the program was ended by signal 11"},
          }) {
         SCOPED_TRACE(one.answer);
         const Folder folder;
@@ -189,7 +209,8 @@ TEST(CheckUntimed, AProgramThatLiesIsNotBelieved) {
 
 TEST(CheckUntimed, AnswersToWhatWasNotAskedAreNotReported) {
     const Folder folder;
-    const Path path(install_nusmv(folder, said("-- invariant a  is true\ngrafverif: 1\n-- invariant b  is false\n")) + ":/usr/bin:/bin");
+    const Path path(install_nusmv(folder, said("-- invariant a  is true\ngrafverif: 1\n-- invariant b  is false\n")) +
+                    ":/usr/bin:/bin");
     const std::string file = folder.write("lamp.grafcet", lamp("property P: never L && M;"));
     const Result result = grafverif({"check", file, "--engine", "NuSMV"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
@@ -198,7 +219,8 @@ TEST(CheckUntimed, AnswersToWhatWasNotAskedAreNotReported) {
 
 TEST(CheckUntimed, AFormulaThatNamesWhatTheModelHasNotSpoilsNoOther) {
     const Folder folder;
-    const std::string file = folder.write("lamp.grafcet", lamp("property F: ctl \"AG EF lamp.X_9\"; property P: never L && M;"));
+    const std::string file =
+        folder.write("lamp.grafcet", lamp("property F: ctl \"AG EF lamp.X_9\"; property P: never L && M;"));
     const Result result = grafverif({"check", file, "--untimed"});
     EXPECT_EQ(result.code, ExitCode::Unknown);
     EXPECT_NE(result.out.find("why: the model has nothing called `lamp.X_9`"), std::string::npos) << result.out;

@@ -45,11 +45,11 @@ Function random_function(const BddSpace& space, Random& random, int depth = 4) {
     const Function f = random_function(space, random, depth - 1);
     const Function g = random_function(space, random, depth - 1);
     switch (random_number(random, 0, 5)) {
-    case 0:  return {f.bdd & g.bdd, f.table & g.table};
-    case 1:  return {f.bdd | g.bdd, f.table | g.table};
-    case 2:  return {f.bdd ^ g.bdd, f.table ^ g.table};
-    case 3:  return {~f.bdd, ~f.table};
-    case 4:  return {implies(f.bdd, g.bdd), ~f.table | g.table};
+    case 0: return {f.bdd & g.bdd, f.table & g.table};
+    case 1: return {f.bdd | g.bdd, f.table | g.table};
+    case 2: return {f.bdd ^ g.bdd, f.table ^ g.table};
+    case 3: return {~f.bdd, ~f.table};
+    case 4: return {implies(f.bdd, g.bdd), ~f.table | g.table};
     default: return {iff(f.bdd, g.bdd), ~(f.table ^ g.table)};
     }
 }
@@ -78,7 +78,8 @@ TEST(Bdd, ConnectivesAgreeWithTablesOfTruth) {
     Random random(1);
     for (int i = 0; i < 200; ++i) {
         SCOPED_TRACE(i);
-        const Function f = random_function(space, random), g = random_function(space, random), h = random_function(space, random);
+        const Function f = random_function(space, random), g = random_function(space, random),
+                       h = random_function(space, random);
         EXPECT_EQ(table_of(f.bdd), f.table);
         EXPECT_EQ(table_of(ite(f.bdd, g.bdd, h.bdd)), (f.table & g.table) | (~f.table & h.table));
         EXPECT_EQ(f.bdd == g.bdd, f.table == g.table) << "equal functions are equal handles";
@@ -101,7 +102,9 @@ TEST(Bdd, QuantifiersAndCofactorsAgreeWithTablesOfTruth) {
         EXPECT_EQ(and_exists(f.bdd, g.bdd, quantified), exists(f.bdd & g.bdd, quantified));
         const Bdd half = cofactor(f.bdd, cube(space, std::vector<BddLiteral>{{1, true}, {4, false}}));
         EXPECT_EQ(table_of(half), table([&](unsigned n) { return at(f.table, (n | 0b10U) & ~0b10000U); }));
-        if (!g.bdd.is_false()) { EXPECT_EQ(simplify(f.bdd, g.bdd) & g.bdd, f.bdd & g.bdd); }
+        if (!g.bdd.is_false()) {
+            EXPECT_EQ(simplify(f.bdd, g.bdd) & g.bdd, f.bdd & g.bdd);
+        }
     }
 }
 
@@ -111,7 +114,8 @@ TEST(Bdd, RenamingActsOnAllVariablesAtOnce) {
     const BddRenaming swapped(std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 5}, {5, 0}, {2, 3}, {3, 2}});
     const auto swap_bits = [](unsigned n) {
         const std::vector<bool> v = assignment(n);
-        return (v[5] ? 1U : 0U) | (v[1] ? 2U : 0U) | (v[3] ? 4U : 0U) | (v[2] ? 8U : 0U) | (v[4] ? 16U : 0U) | (v[0] ? 32U : 0U);
+        return (v[5] ? 1U : 0U) | (v[1] ? 2U : 0U) | (v[3] ? 4U : 0U) | (v[2] ? 8U : 0U) | (v[4] ? 16U : 0U) |
+               (v[0] ? 32U : 0U);
     };
     Random random(3);
     for (int i = 0; i < 200; ++i) {
@@ -138,7 +142,9 @@ TEST(Bdd, CubesAreDisjointAndMakeUpTheFunction) {
         EXPECT_EQ(together, f.bdd);
         const auto first = one_cube(f.bdd);
         ASSERT_EQ(first.has_value(), !f.bdd.is_false());
-        if (first) { EXPECT_TRUE(implies(cube(space, *first), f.bdd).is_true()); }
+        if (first) {
+            EXPECT_TRUE(implies(cube(space, *first), f.bdd).is_true());
+        }
     }
 }
 
@@ -160,10 +166,12 @@ TEST(Bdd, CountsAreExact) {
     }
     space.add_variables(200 - variable_count);
     const std::vector<std::uint32_t> many = all_variables(200);
-    EXPECT_EQ(count(Bdd::constant(true), many), "1606938044258990275541962092341162602522202993782792835301376") << "2 to the 200";
+    EXPECT_EQ(count(Bdd::constant(true), many), "1606938044258990275541962092341162602522202993782792835301376")
+        << "2 to the 200";
     EXPECT_EQ(count(Bdd::constant(false), many), "0");
     EXPECT_EQ(count(~cube(space, std::vector<BddLiteral>{{0, true}, {70, false}}), all_variables(100)),
-              "950737950171172051122527404032") << "three quarters of 2 to the 100";
+              "950737950171172051122527404032")
+        << "three quarters of 2 to the 100";
     EXPECT_FALSE(small_count(Bdd::constant(true), many));
     EXPECT_EQ(small_count(space.variable(3), std::vector<std::uint32_t>{3, 150}), 2u);
 }

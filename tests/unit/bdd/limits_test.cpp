@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a space promises about memory, time, depth and its neighbours.
 #include <gtest/gtest.h>
-
 #include <sys/resource.h>
 
 #include <atomic>
@@ -41,7 +40,7 @@ struct TakenApart {
     BddRenaming renaming;
 };
 
-constexpr std::uint32_t many = 30;   // 2^30 nodes: as good as endless
+constexpr std::uint32_t many = 30;  // 2^30 nodes: as good as endless
 
 BddExhausted::Cause cause_of(const std::function<void()>& work) {
     try {
@@ -74,9 +73,10 @@ TEST(BddLimits, TheMemoryBoundHoldsWithinAnOperationAndNothingIsLost) {
 TEST(BddLimits, ASpaceWithoutAnyMemorySaysSo) {
     BddSpace space({.memory = 1000});
     EXPECT_EQ(cause_of([&] {
-        space.add_variables(3);
-        (void)space.variable(0);
-    }), BddExhausted::Cause::Memory);
+                  space.add_variables(3);
+                  (void)space.variable(0);
+              }),
+              BddExhausted::Cause::Memory);
     EXPECT_LE(space.bytes(), 1000u);
 }
 
@@ -126,7 +126,7 @@ TEST(BddLimits, OneLongOperationStopsWhenSomebodyElseAsks) {
     space.add_variables(2 * many);
     const Bdd f = neighbours(space, many);
     const TakenApart apart(many);
-    for (const int wait : {1, 10, 40, 160}) {   // in growth, in collection, among nodes
+    for (const int wait : {1, 10, 40, 160}) {  // in growth, in collection, among nodes
         std::thread other([&] {
             std::this_thread::sleep_for(std::chrono::milliseconds(wait));
             stop = true;
@@ -153,7 +153,7 @@ TEST(BddLimits, StoppingAtAnyPointLeavesTheSpaceWhole) {
         try {
             for (;;) {
                 try {
-                    (void)apart.renaming(f);   // 2^20 nodes do not fit: collections abound
+                    (void)apart.renaming(f);  // 2^20 nodes do not fit: collections abound
                 } catch (const BddExhausted& exhausted) {
                     if (exhausted.cause() == BddExhausted::Cause::Stopped) throw;
                 }
@@ -174,7 +174,7 @@ TEST(BddLimits, DiagramsAreAsDeepAsTheyLike) {
     constexpr std::uint32_t depth = 20'000;
     BddSpace space;
     space.add_variables(depth + 1);
-    Bdd odd, others;   // of the first `depth` variables; of those but the first
+    Bdd odd, others;  // of the first `depth` variables; of those but the first
     for (std::uint32_t i = depth; i-- > 0;) {
         others = odd;
         odd = odd ^ space.variable(i);

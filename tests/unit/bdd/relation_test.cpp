@@ -31,7 +31,8 @@ struct Steps {
     Bdd function(Random& random, const std::vector<std::uint32_t>& of) {
         Bdd result = Bdd::constant(chance(random, 50));
         for (int k = 0; k < 6; ++k) {
-            const Bdd one = space.variable(of[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(of.size()) - 1))]);
+            const Bdd one = space.variable(
+                of[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(of.size()) - 1))]);
             result = chance(random, 50) ? result ^ one : chance(random, 50) ? result & one : result | one;
         }
         return result;
@@ -54,7 +55,8 @@ struct Steps {
     template <class Visit>
     void for_each(const Visit& visit) const {
         for (std::uint32_t state = 0; state < 1U << bits; ++state)
-            for (std::uint32_t chosen = 0; chosen < 1U << choices; ++chosen) visit(state, chosen, assignment(state, chosen));
+            for (std::uint32_t chosen = 0; chosen < 1U << choices; ++chosen)
+                visit(state, chosen, assignment(state, chosen));
     }
 };
 
@@ -72,9 +74,10 @@ TEST(Relation, LeadsWhereStepsLeadOneByOne) {
         const Bdd chosen = relation.image(from & steps.offered, relation.quantified(steps.before));
         steps.for_each([&](std::uint32_t state, std::uint32_t choice, const std::vector<bool>& values) {
             EXPECT_EQ(evaluate(image, values), led[state]) << "seed " << seed;
-            const bool leads = evaluate(steps.offered, values) && evaluate(to, steps.assignment(steps.after(values), 0));
+            const bool leads =
+                evaluate(steps.offered, values) && evaluate(to, steps.assignment(steps.after(values), 0));
             EXPECT_EQ(evaluate(preimage, values), leads) << "seed " << seed;
-            bool chosen_leads = false;   // by that choice alone
+            bool chosen_leads = false;  // by that choice alone
             for (std::uint32_t origin = 0; origin < 1U << Steps::bits; ++origin) {
                 const std::vector<bool> there = steps.assignment(origin, choice);
                 chosen_leads = chosen_leads || (evaluate(from & steps.offered, there) && steps.after(there) == state);
@@ -105,7 +108,8 @@ TEST(Rings, HoldTheStatesByTheirDistanceAndShortestPathsLeadBackThroughThem) {
         const Relation::Quantified all = relation.quantified(steps.all);
         const auto only = [&](std::uint32_t state) {
             std::vector<BddLiteral> literals;
-            for (std::uint32_t bit = 0; bit < Steps::bits; ++bit) literals.push_back({2 * bit, (state >> bit & 1U) != 0});
+            for (std::uint32_t bit = 0; bit < Steps::bits; ++bit)
+                literals.push_back({2 * bit, (state >> bit & 1U) != 0});
             return cube(steps.space, literals);
         };
         Rings rings;
@@ -117,12 +121,13 @@ TEST(Rings, HoldTheStatesByTheirDistanceAndShortestPathsLeadBackThroughThem) {
             const std::optional<std::size_t> ring = rings.nearest(only(state));
             ASSERT_EQ(ring ? static_cast<int>(*ring) : -1, distance[state]) << state;
             if (!ring) continue;
-            const std::vector<std::uint32_t> path = path_back(*ring, state, [&](std::size_t before, std::uint32_t next) {
-                const Bdd found = rings.each[before] & relation.preimage(only(next));
-                std::uint32_t origin = 0;
-                while ((found & only(origin)).is_false()) ++origin;
-                return origin;
-            });
+            const std::vector<std::uint32_t> path =
+                path_back(*ring, state, [&](std::size_t before, std::uint32_t next) {
+                    const Bdd found = rings.each[before] & relation.preimage(only(next));
+                    std::uint32_t origin = 0;
+                    while ((found & only(origin)).is_false()) ++origin;
+                    return origin;
+                });
             ASSERT_EQ(path.size(), *ring + 1);
             for (std::size_t k = 0; k < path.size(); ++k) EXPECT_EQ(distance[path[k]], static_cast<int>(k));
         }

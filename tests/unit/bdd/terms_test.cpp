@@ -35,12 +35,12 @@ struct World {
         }
         const auto operand = [&] { return random_integer(random, depth - 1); };
         switch (random_number(random, 0, 6)) {
-        case 0:  return exprs.apply(Op::Plus, operand(), operand());
-        case 1:  return exprs.apply(Op::Minus, operand(), operand());
-        case 2:  return exprs.apply(Op::Times, operand(), operand());
-        case 3:  return exprs.apply(Op::Divide, operand(), operand());
-        case 4:  return exprs.apply(Op::Modulo, operand(), operand());
-        case 5:  return exprs.apply(Op::Negate, std::vector{operand()});
+        case 0: return exprs.apply(Op::Plus, operand(), operand());
+        case 1: return exprs.apply(Op::Minus, operand(), operand());
+        case 2: return exprs.apply(Op::Times, operand(), operand());
+        case 3: return exprs.apply(Op::Divide, operand(), operand());
+        case 4: return exprs.apply(Op::Modulo, operand(), operand());
+        case 5: return exprs.apply(Op::Negate, std::vector{operand()});
         default: return exprs.conditional(random_boolean(random, depth - 1), operand(), operand());
         }
     }
@@ -93,9 +93,9 @@ TEST(BddTerms, RandomTermsHaveTheValuesThatEvaluateGives) {
 
 TEST(BddTerms, ResultsOutside64BitsAreUndefined) {
     World world;
-    Id<Expr> power = world.exprs.leaf(Op::Variable, 3);   // 0 to 5
-    for (int i = 0; i < 4; ++i) power = world.exprs.apply(Op::Times, power, power);   // to the 16th
-    const Id<Expr> more = world.exprs.apply(Op::Times, power, power);                 // to the 32nd: 5 is too much
+    Id<Expr> power = world.exprs.leaf(Op::Variable, 3);                              // 0 to 5
+    for (int i = 0; i < 4; ++i) power = world.exprs.apply(Op::Times, power, power);  // to the 16th
+    const Id<Expr> more = world.exprs.apply(Op::Times, power, power);                // to the 32nd: 5 is too much
     BddTerms terms(world.exprs, [&](const Expr& node) { return world.leaf(node); });
     expect_same(world, more, terms(more));
     EXPECT_FALSE(terms(more).undefined.is_false());
@@ -104,7 +104,7 @@ TEST(BddTerms, ResultsOutside64BitsAreUndefined) {
 
 TEST(BddTerms, WordsCodeTheValuesOfTheirRange) {
     World world;
-    const BddWord& word = world.words[2];   // -3 to 4
+    const BddWord& word = world.words[2];  // -3 to 4
     ASSERT_EQ(word.bits.size(), 3u);
     Bdd any;
     for (std::int64_t value = -3; value <= 4; ++value) {

@@ -32,7 +32,7 @@ Network sample(const std::string& path, const Ablations& ablations = {}, std::op
 }
 
 TEST(Urgency, ASensorOfTheTestingStationIsNeverLate) {
-    const auto late = [](Network network) {   // Fig. 12b: H = 4 and H_IN still true
+    const auto late = [](Network network) {  // Fig. 12b: H = 4 and H_IN still true
         const Id<Expr> four = network.exprs.apply(Op::Equal, is(network, "H"), network.exprs.integer(4));
         ask(network, "late", Pattern::Reachable, {network.exprs.conjunction(four, is(network, "H_IN"))});
         return told(checked(network), "late");
@@ -58,7 +58,7 @@ TEST(Flags, WithoutThemTimeNeverPassesAndUppaalSeesNoDeadlock) {
 }
 
 TEST(Stable, APressAtRestIsAlwaysAnswered) {
-    const auto answered = [](Network network) {   // Fig. 26, 27: START pressed during step 23
+    const auto answered = [](Network network) {  // Fig. 26, 27: START pressed during step 23
         const Id<Expr> pressed = network.exprs.conjunction(is(network, "X_0"), is(network, "START"));
         const Id<Expr> gone = network.exprs.negation(pressed);
         ask(network, "answered", Pattern::LeadsTo, {pressed, gone});
@@ -66,7 +66,8 @@ TEST(Stable, APressAtRestIsAlwaysAnswered) {
     };
     EXPECT_EQ(answered(sample(station)), "holds");
     EXPECT_EQ(answered(sample(station, {.cycle_unless_stable = true})), "violated");
-    EXPECT_EQ(answered(read_sample(station, {.mode = ExecutionMode::EveryCycle}).network), "holds") << "the mode is not to blame";
+    EXPECT_EQ(answered(read_sample(station, {.mode = ExecutionMode::EveryCycle}).network), "holds")
+        << "the mode is not to blame";
 }
 
 TEST(Stable, WithoutItTheStationNeedNotComeBackToRest) {
@@ -100,7 +101,8 @@ TEST(Timers, ThePulseChartLetsTimePassUnderOursAndNotUnderThoseOfFigure33b) {
         const TimedResult cured = checked(read_loop(pulse, {.grain = grain}).network);
         EXPECT_EQ(told(cured, "no_timelock"), "holds");
         EXPECT_EQ(told(cured, "time_goes_on"), "holds");
-        const TimedResult bare = checked(read_loop(pulse, {.grain = grain, .ablations = {.timers_as_published = true}}).network);
+        const TimedResult bare =
+            checked(read_loop(pulse, {.grain = grain, .ablations = {.timers_as_published = true}}).network);
         EXPECT_EQ(told(bare, "time_goes_on"), "violated");
         EXPECT_EQ(told(bare, "no_deadlock"), "holds");
         EXPECT_EQ(told(bare, "no_timelock"), "holds") << "a timer that happens to be quick enough lets time pass";
@@ -116,14 +118,16 @@ TEST(Timers, ThePulseChartLetsTimePassUnderOursAndNotUnderThoseOfFigure33b) {
 Network faulty(const std::string& seconds) {
     std::ifstream file(std::string(GRAFVERIF_SOURCE_DIR) + "/samples/testing_station/faulty.grafcet");
     std::string text{std::istreambuf_iterator<char>(file), {}};
-    for (std::size_t at = text.find("12s/X"); at != std::string::npos; at = text.find("12s/X", at + 1)) text.replace(at, 3, seconds);
+    for (std::size_t at = text.find("12s/X"); at != std::string::npos; at = text.find("12s/X", at + 1))
+        text.replace(at, 3, seconds);
     return read_loop(text).network;
 }
 
 TEST(Watchdogs, MissAFaultInTheInstantOfArrivalAndNoOther) {
     const TimedResult result = checked(faulty("12s"));
     EXPECT_EQ(told(result, "P16"), "violated") << "published as holding; see the sample's README";
-    for (const char* property : {"P15", "P16_settled", "P16_under_way", "P16_or_rest", "no_false_alarm", "no_deadlock", "no_timelock"})
+    for (const char* property :
+         {"P15", "P16_settled", "P16_under_way", "P16_or_rest", "no_false_alarm", "no_deadlock", "no_timelock"})
         EXPECT_EQ(told(result, property), "holds") << property;
     const Verdict escaped = verdict(result, "P16");
     ASSERT_TRUE(escaped.run->loop);

@@ -13,7 +13,8 @@ Id<Network::Variable> Sketch::boolean(const std::string& name, bool initial) {
     return network.variables.add({.name = name, .initial = initial ? 1 : 0});
 }
 
-Id<Network::Variable> Sketch::integer(const std::string& name, std::int64_t low, std::int64_t high, std::int64_t initial) {
+Id<Network::Variable> Sketch::integer(const std::string& name, std::int64_t low, std::int64_t high,
+                                      std::int64_t initial) {
     return network.variables.add({.name = name, .type = integer_type(low, high), .initial = initial});
 }
 
@@ -28,7 +29,8 @@ Id<Network::Process> Sketch::process(const std::string& name, std::uint32_t loca
 
 void Sketch::invariant(Id<Network::Process> process, std::uint32_t location, Constraint bound) {
     const Id<Expr> value = number(bound.bound);
-    network.templates[network.processes[process].automaton].locations[{location}].invariant.push_back({{bound.clock}, bound.relation, value});
+    network.templates[network.processes[process].automaton].locations[{location}].invariant.push_back(
+        {{bound.clock}, bound.relation, value});
 }
 
 void Sketch::edge(Id<Network::Process> process, const Arrow& arrow) {
@@ -56,10 +58,13 @@ void confirm(const Network& network, const Property& property, const Verdict& ve
     const auto states = replay(network, *verdict.run);
     ASSERT_TRUE(states) << "the run does not replay";
     const NetworkState& last = states->back();
-    const auto holds = [&](std::size_t operand, const NetworkState& state) { return holds_at(network, property, operand, state); };
+    const auto holds = [&](std::size_t operand, const NetworkState& state) {
+        return holds_at(network, property, operand, state);
+    };
     const bool settled = !property.at_stable || value(network, last, network.settled).value_or(0) != 0;
     const bool ends = enabled(network, last).empty() && !may_delay(network, last);
-    const auto count = std::ranges::count_if(property.operands, [&](Id<Expr> operand) { return value(network, last, operand).value_or(0) != 0; });
+    const auto count = std::ranges::count_if(
+        property.operands, [&](Id<Expr> operand) { return value(network, last, operand).value_or(0) != 0; });
     switch (property.pattern) {
     case Pattern::Always: EXPECT_TRUE(settled && value(network, last, property.operands[0]) == 0); return;
     case Pattern::Never:
@@ -73,15 +78,19 @@ void confirm(const Network& network, const Property& property, const Verdict& ve
         EXPECT_TRUE(verdict.run->loop || ends);
         bool shown = false;
         for (std::size_t i = 0; i < states->size() && !shown; ++i)
-            shown = holds(0, (*states)[i]) && std::none_of(states->begin() + static_cast<std::ptrdiff_t>(i), states->end(),
-                                                           [&](const NetworkState& state) { return holds(1, state); });
+            shown =
+                holds(0, (*states)[i]) && std::none_of(states->begin() + static_cast<std::ptrdiff_t>(i), states->end(),
+                                                       [&](const NetworkState& state) { return holds(1, state); });
         EXPECT_TRUE(shown);
         return;
     }
     case Pattern::NoDeadlock: EXPECT_TRUE(enabled(network, last).empty()); return;
     case Pattern::NoTimelock: EXPECT_FALSE(may_delay(network, last)); return;
-    case Pattern::ReachableAllSteps: case Pattern::AlwaysPossible:
-    case Pattern::RawUppaal: case Pattern::RawCtl: case Pattern::RawLtl: return;
+    case Pattern::ReachableAllSteps:
+    case Pattern::AlwaysPossible:
+    case Pattern::RawUppaal:
+    case Pattern::RawCtl:
+    case Pattern::RawLtl: return;
     }
 }
 
@@ -95,7 +104,9 @@ TimedResult checked(const Network& network, const TimedOptions& options) {
         EXPECT_EQ(verdict.outcome == Outcome::Unknown, verdict.obstacle != Obstacle::None);
         EXPECT_EQ(verdict.outcome == Outcome::Unknown, !verdict.reason.empty());
         EXPECT_EQ(verdict.about.valid(), verdict.declared);
-        if (verdict.about.valid()) { EXPECT_TRUE(verdict.property.starts_with(network.properties[verdict.about].name)); }
+        if (verdict.about.valid()) {
+            EXPECT_TRUE(verdict.property.starts_with(network.properties[verdict.about].name));
+        }
         if (!verdict.run) continue;
         const auto property = std::ranges::find(network.properties, verdict.property, &Property::name);
         if (property != network.properties.end()) confirm(network, *property, verdict);
@@ -121,7 +132,8 @@ std::string told(const TimedResult& result, const std::string& property) {
 Network refined(Network network, std::int64_t factor) {
     const Id<Expr> times = network.exprs.integer(factor);
     const auto refine = [&](std::vector<Network::ClockConstraint>& constraints) {
-        for (Network::ClockConstraint& constraint : constraints) constraint.bound = network.exprs.apply(Op::Times, constraint.bound, times);
+        for (Network::ClockConstraint& constraint : constraints)
+            constraint.bound = network.exprs.apply(Op::Times, constraint.bound, times);
     };
     for (Network::Template& automaton : network.templates) {
         for (Network::Location& location : automaton.locations) refine(location.invariant);

@@ -21,14 +21,15 @@ public:
     struct Arrow {
         std::uint32_t from = 0, to = 0;
         bool urgent = false;
-        Id<Expr> guard = {};                       // not valid: true
+        Id<Expr> guard = {};  // not valid: true
         std::vector<Constraint> when = {};
         std::vector<std::pair<Id<Network::Variable>, Id<Expr>>> set = {};
         std::vector<std::uint32_t> reset = {};
     };
 
     Id<Network::Variable> boolean(const std::string& name, bool initial = false);
-    Id<Network::Variable> integer(const std::string& name, std::int64_t low, std::int64_t high, std::int64_t initial = 0);
+    Id<Network::Variable> integer(const std::string& name, std::int64_t low, std::int64_t high,
+                                  std::int64_t initial = 0);
     /// Locations `l0`, `l1`, ... and clocks `c0`, `c1`, ...
     Id<Network::Process> process(const std::string& name, std::uint32_t locations, std::uint32_t clocks = 0);
     void invariant(Id<Network::Process> process, std::uint32_t location, Constraint bound);
@@ -36,12 +37,15 @@ public:
 
     Id<Expr> is(Id<Network::Variable> variable) { return network.exprs.leaf(Op::Variable, variable.index); }
     Id<Expr> no(Id<Expr> term) { return network.exprs.negation(term); }
-    Id<Expr> at(Id<Network::Process> process, std::uint32_t location) { return network.exprs.at(process.index, location); }
+    Id<Expr> at(Id<Network::Process> process, std::uint32_t location) {
+        return network.exprs.at(process.index, location);
+    }
     Id<Expr> number(std::int64_t value) { return network.exprs.integer(value); }
     Id<Expr> yes() { return network.exprs.constant(true); }
     Id<Expr> op(Op op, Id<Expr> left, Id<Expr> right) { return network.exprs.apply(op, left, right); }
 
-    void property(const std::string& name, Pattern pattern, std::vector<Id<Expr>> operands = {}, bool at_stable = false);
+    void property(const std::string& name, Pattern pattern, std::vector<Id<Expr>> operands = {},
+                  bool at_stable = false);
 
     Network network = {};
 };

@@ -10,8 +10,10 @@ namespace {
 
 TEST(TimedEngineOnSamples, ProvesOfTheTestingStationWhatIsPublished) {
     for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
-        const TimedResult result = checked(read_sample("testing_station/testing_station.grafcet", {.grain = grain}).network);
-        for (const char* property : {"P14", "P15", "no_deadlock", "no_timelock"}) EXPECT_EQ(told(result, property), "holds") << property;
+        const TimedResult result =
+            checked(read_sample("testing_station/testing_station.grafcet", {.grain = grain}).network);
+        for (const char* property : {"P14", "P15", "no_deadlock", "no_timelock"})
+            EXPECT_EQ(told(result, property), "holds") << property;
         EXPECT_TRUE(result.errors.empty());
     }
 }
@@ -25,7 +27,8 @@ TEST(TimedEngineOnSamples, StoresTheTestingStationIn64BytesAState) {
 TEST(TimedEngineOnSamples, ProvesOfTheOvenDoorWhatIsPublished) {
     const TimedResult result = checked(read_sample("oven_door/oven_door.grafcet").network);
     EXPECT_GE(result.verdicts.size(), 5u);
-    for (const Verdict& verdict : result.verdicts) EXPECT_EQ(told(result, verdict.property), "holds") << verdict.property << verdict.reason;
+    for (const Verdict& verdict : result.verdicts)
+        EXPECT_EQ(told(result, verdict.property), "holds") << verdict.property << verdict.reason;
 }
 
 }  // namespace

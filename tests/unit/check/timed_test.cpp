@@ -60,7 +60,8 @@ TEST(TimedEngine, RefusesStatesOfMoreWordsThanItCanNumber) {
         constexpr std::int64_t of_its_own_word = std::int64_t{1} << 33U;
         for (int k = 0; k < (too_wide ? 1 << 16 : 1000); ++k) s.integer("v" + std::to_string(k), 0, of_its_own_word, 0);
         const Id<Network::Variable> last = s.integer("last", 0, of_its_own_word, 0);
-        s.edge(s.process("p", 1), {.urgent = true, .guard = s.op(Op::Equal, s.is(last), s.number(0)), .set = {{last, s.number(7)}}});
+        s.edge(s.process("p", 1),
+               {.urgent = true, .guard = s.op(Op::Equal, s.is(last), s.number(0)), .set = {{last, s.number(7)}}});
         s.property("first_changes", Pattern::Reachable, {s.op(Op::Equal, s.is({0}), s.number(7))});
         const Verdict found = verdict(checked(s.network), "first_changes");
         EXPECT_EQ(found.outcome, too_wide ? Outcome::Unknown : Outcome::Violated);
@@ -84,7 +85,9 @@ TEST(TimedEngine, PrefersOneLongDelayToManyMoves) {
     s.edge(p, {.from = 1, .to = 2});
     s.edge(p, {.from = 2, .to = 3});
     s.edge(p, {.from = 3, .to = 3, .guard = s.no(s.is(late)), .set = {{late, s.yes()}}});
-    s.edge(p, {.from = 0, .to = 0, .guard = s.no(s.is(late)), .when = {{0, Op::GreaterEqual, 50}}, .set = {{late, s.yes()}}});
+    s.edge(
+        p,
+        {.from = 0, .to = 0, .guard = s.no(s.is(late)), .when = {{0, Op::GreaterEqual, 50}}, .set = {{late, s.yes()}}});
     s.property("late", Pattern::Reachable, {s.is(late)});
     EXPECT_EQ(verdict(checked(s.network), "late").run->moves, (Moves{Delay{50}, fire(0, 4)}));
 }
@@ -107,7 +110,8 @@ TEST(TimedEngine, CountsStayingForEverAsARun) {
     const Verdict found = verdict(checked(lamp.s.network), "lit");
     EXPECT_EQ(found.outcome, Outcome::Violated);
     ASSERT_TRUE(found.run->loop);
-    EXPECT_EQ(Moves(found.run->moves.begin() + static_cast<std::ptrdiff_t>(*found.run->loop), found.run->moves.end()), (Moves{Delay{1}}));
+    EXPECT_EQ(Moves(found.run->moves.begin() + static_cast<std::ptrdiff_t>(*found.run->loop), found.run->moves.end()),
+              (Moves{Delay{1}}));
 }
 
 /// l0 is left within two units, l1 too: back and forth for ever.
@@ -177,7 +181,7 @@ TEST(TimedEngine, FindsTheLivelockOfUrgentEdgesThatIsNoDeadlock) {
 /// design: "never stuck at integers, stuck at x = 1.5, y = 2".
 Sketch hidden_lock() {
     Sketch s;
-    const auto p = s.process("p", 3, 2);   // clocks x, y
+    const auto p = s.process("p", 3, 2);  // clocks x, y
     s.invariant(p, 0, {1, Op::LessEqual, 2});
     s.invariant(p, 1, {1, Op::LessEqual, 2});
     s.edge(p, {.from = 0, .to = 1, .reset = {0}});
@@ -254,7 +258,8 @@ TEST(TimedEngine, KnowsOnlyOneSideOfStrictConstraints) {
     const TimedResult result = checked(s.network);
     EXPECT_EQ(told(result, "there"), "holds");
     EXPECT_EQ(told(result, "anywhere"), "unknown (inexact)");
-    EXPECT_NE(verdict(result, "anywhere").reason.find("strict constraint on clock `c0` of `p`, edge `l0 -> l1`"), std::string::npos)
+    EXPECT_NE(verdict(result, "anywhere").reason.find("strict constraint on clock `c0` of `p`, edge `l0 -> l1`"),
+              std::string::npos)
         << verdict(result, "anywhere").reason;
 }
 
@@ -413,7 +418,7 @@ TEST(TimedEngine, JudgesDeadlocksAtStableInSettledStatesOnly) {
     s.property("anywhere", Pattern::NoDeadlock);
     s.property("settled", Pattern::NoDeadlock, {}, true);
     s.property("time", Pattern::NoTimelock, {}, true);
-    s.network.settled = s.no(s.at(p, 1));   // it ends in l1
+    s.network.settled = s.no(s.at(p, 1));  // it ends in l1
     TimedResult result = checked(s.network);
     EXPECT_EQ(told(result, "anywhere"), "violated");
     EXPECT_EQ(told(result, "settled"), "holds");
@@ -489,7 +494,7 @@ TEST(TimedEngine, ForgetsClocksThatNobodyReadsBeforeTheirNextReset) {
     s.invariant(p, 1, {0, Op::LessEqual, 100});
     s.edge(p, {.from = 0, .to = 1, .reset = {0}});
     s.edge(p, {.from = 1, .to = 0, .when = {{0, Op::Equal, 100}}});
-    EXPECT_EQ(checked(s.network).states, 102u);   // l0 once, l1 with 0 to 100
+    EXPECT_EQ(checked(s.network).states, 102u);  // l0 once, l1 with 0 to 100
 }
 
 }  // namespace

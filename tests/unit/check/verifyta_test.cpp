@@ -14,7 +14,9 @@ namespace {
 
 using End = ProgramResult::End;
 
-ProgramResult printed(const std::string& out, int status = 0, const std::string& err = "") { return {End::Exited, status, out, err}; }
+ProgramResult printed(const std::string& out, int status = 0, const std::string& err = "") {
+    return {End::Exited, status, out, err};
+}
 
 TEST(Verifyta, ReadsTheDocumentedLines) {
     struct Case {
@@ -23,7 +25,8 @@ TEST(Verifyta, ReadsTheDocumentedLines) {
         Obstacle obstacle;
     };
     for (const Case& c : {
-             Case{"Options for the verification:\n  Generating no trace\n\nVerifying formula 1 at line 1\n -- Formula is satisfied.\n",
+             Case{"Options for the verification:\n  Generating no trace\n\nVerifying formula 1 at line 1\n -- Formula "
+                  "is satisfied.\n",
                   Outcome::Holds, Obstacle::None},
              Case{"Verifying formula 1 at line 1\n -- Formula is NOT satisfied.\n", Outcome::Violated, Obstacle::None},
              Case{"-- Formula is satisfied.", Outcome::Holds, Obstacle::None},
@@ -58,7 +61,8 @@ TEST(Verifyta, ExitCodesAreNotDocumentedAndDecideNothing) {
 TEST(Verifyta, WhatItComplainsOfIsTheReason) {
     EXPECT_EQ(read_verifyta(printed("", 1, "\n model.xml:1: [error] Syntax error.\nmore\n")).reason,
               "verifyta gave no verdict: model.xml:1: [error] Syntax error.");
-    EXPECT_EQ(read_verifyta(printed("", 1, "\033[31merror:\033[0m no licence\n")).reason, "verifyta gave no verdict: error: no licence");
+    EXPECT_EQ(read_verifyta(printed("", 1, "\033[31merror:\033[0m no licence\n")).reason,
+              "verifyta gave no verdict: error: no licence");
 }
 
 TEST(Verifyta, AProgramThatWasEndedGaveNoVerdict) {
@@ -75,9 +79,10 @@ struct Asked {
     Sketch s = {};
     std::vector<ExternalQuestion> questions = {};
     std::map<std::string, std::string> says = {};
-    std::vector<std::string> runs = {};   // the formulas it was run on
+    std::vector<std::string> runs = {};  // the formulas it was run on
 
-    void ask(const std::string& name, Pattern pattern, std::vector<Id<Expr>> operands, const std::string& formula, const std::string& said) {
+    void ask(const std::string& name, Pattern pattern, std::vector<Id<Expr>> operands, const std::string& formula,
+             const std::string& said) {
         s.property(name, pattern, std::move(operands));
         const Id<Property> last{static_cast<std::uint32_t>(s.network.properties.size() - 1)};
         questions.push_back({last, name, formula, formula.empty() ? "cannot be said" : ""});
@@ -90,7 +95,8 @@ struct Asked {
                                 }};
         std::string text;
         for (const Verdict& verdict : check_verifyta(s.network, questions, options))
-            text += verdict.property + ' ' + std::string(word(verdict.outcome)) + (verdict.declared ? "" : ", undeclared") + '\n';
+            text += verdict.property + ' ' + std::string(word(verdict.outcome)) +
+                    (verdict.declared ? "" : ", undeclared") + '\n';
         return text;
     }
 };
@@ -125,10 +131,11 @@ TEST(Verifyta, NothingIsAskedAfterTheUserHasStoppedIt) {
     asked.ask("a", Pattern::Always, {asked.s.yes()}, "A[] true", "");
     asked.ask("b", Pattern::Always, {asked.s.yes()}, "A[] 1", "");
     int runs = 0;
-    const auto verdicts = check_verifyta(asked.s.network, asked.questions, {{}, [&](const std::string&) {
-                                             ++runs;
-                                             return ProgramResult{End::Stopped, 0, " -- Formula is satisfied.\n", ""};
-                                         }});
+    const auto verdicts = check_verifyta(asked.s.network, asked.questions,
+                                         {{}, [&](const std::string&) {
+                                              ++runs;
+                                              return ProgramResult{End::Stopped, 0, " -- Formula is satisfied.\n", ""};
+                                          }});
     EXPECT_EQ(runs, 1);
     ASSERT_EQ(verdicts.size(), 3u);
     EXPECT_EQ(verdicts[1].obstacle, Obstacle::Stopped);

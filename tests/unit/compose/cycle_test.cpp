@@ -2,9 +2,9 @@
 // The structure that compose builds: CEP13 Fig. 33a and Fig. 33b with our repairs, the procedures, the flags.
 #include <gtest/gtest.h>
 
-#include "support/print_network.hpp"
 #include "hand_chart.hpp"
 #include "support/naive_tadd.hpp"
+#include "support/print_network.hpp"
 
 namespace grafverif {
 namespace {

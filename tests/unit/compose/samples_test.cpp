@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "support/print_network.hpp"
 #include "support/naive_tadd.hpp"
+#include "support/print_network.hpp"
 #include "support/read_loop.hpp"
 
 namespace grafverif {

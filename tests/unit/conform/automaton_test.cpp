@@ -47,7 +47,8 @@ TEST(LocationAutomaton, WhatALimitLeavesOfItAreLeastCountsOfWhatThereIs) {
             EXPECT_LE(part->looked_at, part->locations.size());
             EXPECT_LE(part->locations.size(), all.locations.size());
             EXPECT_LE(part->evolutions.size(), all.evolutions.size());
-            for (const auto& location : part->locations) EXPECT_NE(std::ranges::find(all.locations, location), all.locations.end());
+            for (const auto& location : part->locations)
+                EXPECT_NE(std::ranges::find(all.locations, location), all.locations.end());
             std::ostringstream out;
             print_automaton(out, *part, false);
             EXPECT_EQ(out.str().find("at least") != std::string::npos, !part->complete) << out.str();
@@ -69,7 +70,8 @@ TEST(LocationAutomaton, TellsTheCycleOfATotalInstability) {
 
 TEST(LocationAutomaton, ClearsAllThatCanBeClearedTogether) {
     EXPECT_EQ(told(automaton("input a, b; output O; initial step 1 { O; } initial step 2; step 3; step 4;"
-                             "transition t0: 1 -> 3 when a; transition t1: 2 -> 4 when a && b;", every_cycle)),
+                             "transition t0: 1 -> 3 when a; transition t1: 2 -> 4 when a && b;",
+                             every_cycle)),
               "0  INIT {1,2}\n"
               "    -> 1 {1,2}  when true\n"
               "\n"
@@ -84,45 +86,47 @@ TEST(LocationAutomaton, ClearsAllThatCanBeClearedTogether) {
 }
 
 TEST(LocationAutomaton, KeepsStoredVariablesInItsLocations) {
-    EXPECT_EQ(told(automaton("input a; output L; internal N: int 0..1 = 0; initial step 1 { N := 1 - N on deactivation; }"
-                             "step 2 { L := N == 1 on activation; }"
-                             "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;")),
-              "0  INIT {1}  L = 0  N = 0\n"
-              "    -> 2 {2}  when a\n"
-              "\n"
-              "1  {1}  L = 0  N = 0\n"
-              "    -> 2 {2}  when a\n"
-              "\n"
-              "2  {2}  L = 0  N = 1\n"     // L is stored with the old value of N
-              "    -> 3 {1}  when not a\n"
-              "\n"
-              "3  {1}  L = 0  N = 1\n"
-              "    -> 4 {2}  when a\n"
-              "\n"
-              "4  {2}  L = 1  N = 0  / L\n"
-              "    -> 5 {1}  when not a\n"
-              "\n"
-              "5  {1}  L = 1  N = 0  / L\n"
-              "    -> 2 {2}  when a\n");
+    EXPECT_EQ(
+        told(automaton("input a; output L; internal N: int 0..1 = 0; initial step 1 { N := 1 - N on deactivation; }"
+                       "step 2 { L := N == 1 on activation; }"
+                       "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;")),
+        "0  INIT {1}  L = 0  N = 0\n"
+        "    -> 2 {2}  when a\n"
+        "\n"
+        "1  {1}  L = 0  N = 0\n"
+        "    -> 2 {2}  when a\n"
+        "\n"
+        "2  {2}  L = 0  N = 1\n"  // L is stored with the old value of N
+        "    -> 3 {1}  when not a\n"
+        "\n"
+        "3  {1}  L = 0  N = 1\n"
+        "    -> 4 {2}  when a\n"
+        "\n"
+        "4  {2}  L = 1  N = 0  / L\n"
+        "    -> 5 {1}  when not a\n"
+        "\n"
+        "5  {1}  L = 1  N = 0  / L\n"
+        "    -> 2 {2}  when a\n");
 }
 
 TEST(LocationAutomaton, ReadsIntegerInputsByTheirValues) {
-    EXPECT_EQ(told(automaton("input level: int 0..5; output O; initial step 1; step 2 { O if level > 3; }"
-                             "transition t0: 1 -> 2 when level >= 2 && level <= 4; transition t1: 2 -> 1 when level == 0;")),
-              "0  INIT {1}\n"
-              "    -> 2 {2}  when level >= 2 and level <= 4\n"
-              "\n"
-              "1  {1}\n"
-              "    -> 2 {2}  when level >= 2 and level <= 4\n"
-              "\n"
-              "2  {2}  / O if level >= 4\n"
-              "    -> 1 {1}  when level == 0\n");
+    EXPECT_EQ(
+        told(automaton("input level: int 0..5; output O; initial step 1; step 2 { O if level > 3; }"
+                       "transition t0: 1 -> 2 when level >= 2 && level <= 4; transition t1: 2 -> 1 when level == 0;")),
+        "0  INIT {1}\n"
+        "    -> 2 {2}  when level >= 2 and level <= 4\n"
+        "\n"
+        "1  {1}\n"
+        "    -> 2 {2}  when level >= 2 and level <= 4\n"
+        "\n"
+        "2  {2}  / O if level >= 4\n"
+        "    -> 1 {1}  when level == 0\n");
 }
 
 TEST(LocationAutomaton, ATimerIsAnInputThatIsFalseInANewlyActiveStep) {
-    const LocationAutomaton found =
-        automaton("input a; output O; initial step 1; step 2 { O; } step 3;"
-                  "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 || !a; transition t2: 3 -> 2 when a;");
+    const LocationAutomaton found = automaton(
+        "input a; output O; initial step 1; step 2 { O; } step 3;"
+        "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 || !a; transition t2: 3 -> 2 when a;");
     EXPECT_EQ(told(found),
               "0  INIT {1}\n"
               "    -> 2 {2}  when a; starts T_X2_3s_Q\n"
@@ -152,7 +156,8 @@ TEST(LocationAutomaton, DelayedAndLimitedActionsAreOutputsThatReadTimers) {
 }
 
 TEST(LocationAutomaton, TheLevelThatATimerWatchesIsPartOfTheLocation) {
-    EXPECT_EQ(told(automaton("input a; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when a/2s; transition t1: 2 -> 1 when !a;",
+    EXPECT_EQ(told(automaton("input a; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when a/2s; "
+                             "transition t1: 2 -> 1 when !a;",
                              every_cycle)),
               "0  INIT {1}  V_a = 0\n"
               "    -> 1 {1}  when not a and not T_a_0s_2s_Q\n"
@@ -175,11 +180,12 @@ TEST(LocationAutomaton, TheLevelThatATimerWatchesIsPartOfTheLocation) {
 }
 
 TEST(LocationAutomaton, OfTimersOfOneStepNoneEndsBeforeAShorterOne) {
-    const LocationAutomaton found =
-        automaton("input a, b; output O; initial step 1; step 2 { O; } step 3; step 4;"
-                  "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 && !b; transition t2: 2 -> 4 when 5s/X2 && 3s/X2;"
-                  "transition t3: 3 -> 1 when !a; transition t4: 4 -> 1 when !a;");
-    bool seen = false;   // 5s/X2 says it all
+    const LocationAutomaton found = automaton(
+        "input a, b; output O; initial step 1; step 2 { O; } step 3; step 4;"
+        "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 && !b; transition t2: 2 -> 4 when 5s/X2 && "
+        "3s/X2;"
+        "transition t3: 3 -> 1 when !a; transition t4: 4 -> 1 when !a;");
+    bool seen = false;  // 5s/X2 says it all
     for (const LocationAutomaton::Evolution& evolution : found.evolutions)
         seen = seen || condition_text(found, evolution.condition) == "a and b and T_X2_5s_Q";
     EXPECT_TRUE(seen) << told(found);
@@ -199,21 +205,28 @@ TEST(LocationAutomaton, RefusesWhatCannotBeTested) {
     EXPECT_EQ(refusal("input a; initial step 1; step 2; transition t0: 1 -> 2 when a;"),
               "[nothing-to-test] `chart` has no outputs; a test drives inputs and compares outputs");
     EXPECT_EQ(refusal("input a; output O; constraint a; constraint !a; initial step 1 { O; }"),
-              "[excludes-every-input] no combination of inputs is left by this constraint and those before it; weaken one of them");
-    EXPECT_EQ(refusal("input a; output O; initial step 1 { O; } step 2; transition t0: 1 -> 2 when true; transition t1: 2 -> 1 when true;"),
-              "[never-stable] from the initial situation no combination of inputs leads to a stable one; with not a the situations "
+              "[excludes-every-input] no combination of inputs is left by this constraint and those before it; weaken "
+              "one of them");
+    EXPECT_EQ(refusal("input a; output O; initial step 1 { O; } step 2; transition t0: 1 -> 2 when true; transition "
+                      "t1: 2 -> 1 when true;"),
+              "[never-stable] from the initial situation no combination of inputs leads to a stable one; with not a "
+              "the situations "
               "{1} -> {2} -> {1} follow each other for ever");
 }
 
 TEST(LocationAutomaton, StopsAtRacesAndValuesThatDoNotFit) {
-    EXPECT_EQ(refusal("input a, b; output L; initial step 1; step 2 { L := true on activation; } initial step 3; step 4 { L := false on "
+    EXPECT_EQ(refusal("input a, b; output L; initial step 1; step 2 { L := true on activation; } initial step 3; step "
+                      "4 { L := false on "
                       "activation; } transition t0: 1 -> 2 when a; transition t1: 3 -> 4 when b;"),
-              "[action-race] two actions store different values in `L` at once: in {1,3} with a, b; make their conditions exclusive, or "
+              "[action-race] two actions store different values in `L` at once: in {1,3} with a, b; make their "
+              "conditions exclusive, or "
               "exclude these inputs by a `constraint`");
-    EXPECT_EQ(refusal("input a; output O; internal N: int 0..1 = 0; initial step 1; step 2 { O; N := N + 1 on activation; }"
-                      "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;"),
-              "[out-of-range] `N` would get the value 2, which is outside its range, in {1} with a");
-    EXPECT_EQ(refusal("input level: int 0..2; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when 2 / level == 1;"),
+    EXPECT_EQ(
+        refusal("input a; output O; internal N: int 0..1 = 0; initial step 1; step 2 { O; N := N + 1 on activation; }"
+                "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;"),
+        "[out-of-range] `N` would get the value 2, which is outside its range, in {1} with a");
+    EXPECT_EQ(refusal("input level: int 0..2; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when 2 / "
+                      "level == 1;"),
               "[no-value] this has no value in {1} with level = 0: division by zero, or a number too large");
     EXPECT_EQ(refusal("input level: int 0..2; output O; constraint level > 0; initial step 1; step 2 { O; }"
                       "transition t0: 1 -> 2 when 2 / level == 1;"),
@@ -225,21 +238,23 @@ TEST(LocationAutomaton, OfTwoValuesStoredAtOnceBothMustExist) {
                       "initial step 1 { O; N := 0 on activation; N := 1 % M on activation; }"),
               "[no-value] this has no value in {1} with not a: division by zero, or a number too large");
     EXPECT_EQ(refusal("input a; output O; internal N: int 0..3 = 0; internal M: int 0..3 = 0;"
-                      "initial step 1; step 2 { O; N := 0 on activation; N := 1 % M on activation; } transition t0: 1 -> 2 when a;"),
+                      "initial step 1; step 2 { O; N := 0 on activation; N := 1 % M on activation; } transition t0: 1 "
+                      "-> 2 when a;"),
               "[no-value] this has no value in {1} with a: division by zero, or a number too large");
 }
 
 TEST(LocationAutomaton, EndsAtItsLimits) {
     AutomatonOptions options;
     options.max_locations = 5;
-    EXPECT_EQ(refusal(tanks(), options), "[bound-reached] the location automaton has more than 5 locations; raise `--max-states`");
+    EXPECT_EQ(refusal(tanks(), options),
+              "[bound-reached] the location automaton has more than 5 locations; raise `--max-states`");
 }
 
 TEST(LocationAutomaton, ForgetsNoInstabilityThatStartsLate) {
     // {1} is stable without a; with a the chart goes 1 -> 2 -> 3 -> 2 -> ... for ever.
-    const LocationAutomaton found =
-        automaton("input a, b; output O; initial step 1; step 2 { O; } step 3;"
-                  "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when a && b; transition t2: 3 -> 2 when b;");
+    const LocationAutomaton found = automaton(
+        "input a, b; output O; initial step 1; step 2 { O; } step 3;"
+        "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when a && b; transition t2: 3 -> 2 when b;");
     ASSERT_FALSE(found.instabilities.empty());
     for (const LocationAutomaton::Instability& instability : found.instabilities) {
         ASSERT_EQ(instability.cycle.size(), 2U);

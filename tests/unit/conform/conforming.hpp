@@ -9,8 +9,8 @@
 #include "conform/automaton.hpp"
 #include "conform/mealy.hpp"
 #include "conform/test_sequence.hpp"
-#include "syntax/print/automaton.hpp"
 #include "support/play.hpp"
+#include "syntax/print/automaton.hpp"
 
 namespace grafverif {
 
@@ -66,7 +66,8 @@ inline MealyMachine least(const MealyMachine& machine) {
     return std::move(*found);
 }
 
-inline TestSequence test_of(const MealyMachine& machine, TestCover cover = TestCover::Transitions, bool one_cycle_each = false) {
+inline TestSequence test_of(const MealyMachine& machine, TestCover cover = TestCover::Transitions,
+                            bool one_cycle_each = false) {
     Diagnostics diagnostics;
     TestOptions options;
     options.cover = cover;

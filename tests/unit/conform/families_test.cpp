@@ -8,7 +8,9 @@ namespace grafverif {
 namespace {
 
 /// The declarations of the one chart of `text`, its frame left out.
-std::string body(const std::string& text) { return text.substr(text.find('{') + 1, text.rfind('}') - text.find('{') - 1); }
+std::string body(const std::string& text) {
+    return text.substr(text.find('{') + 1, text.rfind('}') - text.find('{') - 1);
+}
 
 TEST(Families, HaveTheCountsOfThePublishedMethod) {
     const AutomatonCounts parallel = counts(automaton(body(bench::basic_parallel(3, 2))));

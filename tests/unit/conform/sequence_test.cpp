@@ -35,9 +35,13 @@ TEST(TestSequenceOfTanks, IsProvenLeast) {
         bool one_cycle_each;
         std::size_t steps, covered;
     };
-    for (const Case& one : {Case{search, false, 278, 279}, {search, true, 348, 279}, {every_cycle, false, 436, 320}, {every_cycle, true, 510, 320}}) {
+    for (const Case& one : {Case{search, false, 278, 279},
+                            {search, true, 348, 279},
+                            {every_cycle, false, 436, 320},
+                            {every_cycle, true, 510, 320}}) {
         SCOPED_TRACE(one.steps);
-        const TestSequence test = test_of(machine(automaton(tanks(), one.mode)), TestCover::Transitions, one.one_cycle_each);
+        const TestSequence test =
+            test_of(machine(automaton(tanks(), one.mode)), TestCover::Transitions, one.one_cycle_each);
         EXPECT_EQ(step_count(test), one.steps);
         EXPECT_EQ(test.lower_bound, one.steps);
         EXPECT_TRUE(test.proven_least);
@@ -71,7 +75,9 @@ std::size_t crossed(const MealyMachine& machine, const TestSequence& test) {
             for (std::uint32_t cycle = 0; cycle < step.cycles; ++cycle) {
                 pairs.emplace(state.index, step.inputs);
                 for (const MealyMachine::Transition& one : transitions_from(machine, state))
-                    if (evaluate(machine.exprs, one.condition, [&](const Expr& leaf) { return step.inputs[static_cast<std::size_t>(leaf.value)]; }) == 1) {
+                    if (evaluate(machine.exprs, one.condition, [&](const Expr& leaf) {
+                            return step.inputs[static_cast<std::size_t>(leaf.value)];
+                        }) == 1) {
                         EXPECT_EQ(machine.answers[one.answer].values, step.outputs);
                         state = one.to;
                         break;
@@ -92,7 +98,8 @@ TEST(TestSequenceOfTanks, CrossesEveryTransition) {
 
 TEST(TestSequenceOfTanks, CoversLessWhenAskedForLess) {
     const MealyMachine found = machine(automaton(tanks()));
-    const TestSequence evolutions = test_of(found, TestCover::Evolutions), locations = test_of(found, TestCover::Locations);
+    const TestSequence evolutions = test_of(found, TestCover::Evolutions),
+                       locations = test_of(found, TestCover::Locations);
     EXPECT_EQ(evolutions.to_cover, 54U);
     EXPECT_TRUE(evolutions.proven_least);
     EXPECT_LT(step_count(evolutions), 100U);
@@ -104,7 +111,8 @@ TEST(TestSequenceOfTanks, CoversLessWhenAskedForLess) {
 }
 
 TEST(TestSequence, StartsWithTheScanThatActivatesTheInitialSteps) {
-    const TestSequence test = test_of(machine(automaton("input a; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when a;", every_cycle)));
+    const TestSequence test = test_of(machine(
+        automaton("input a; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when a;", every_cycle)));
     EXPECT_EQ(csv(test),
               "sequence,step,wait,cycles,a,O,situation\n"
               "1,0,,1,0,0,{1}\n"
@@ -114,20 +122,22 @@ TEST(TestSequence, StartsWithTheScanThatActivatesTheInitialSteps) {
 }
 
 TEST(TestSequence, OfAMachineWithoutWayBackStartsAnewFromPowerOn) {
-    const std::string text = "input a, b; output O, P; initial step 1; step 2 { O; } step 3 { P; }"
-                             "transition t0: 1 -> 2 when a && !b; transition t1: 1 -> 3 when b;";
+    const std::string text =
+        "input a, b; output O, P; initial step 1; step 2 { O; } step 3 { P; }"
+        "transition t0: 1 -> 2 when a && !b; transition t1: 1 -> 3 when b;";
     const TestSequence test = test_of(machine(automaton(text)));
-    EXPECT_EQ(test.sequences.size(), 3U);   // a and not b, b, a and b leave {1}
-    EXPECT_EQ(step_count(test), 9U);        // 12 pairs, 3 of which the arrivals hold
+    EXPECT_EQ(test.sequences.size(), 3U);  // a and not b, b, a and b leave {1}
+    EXPECT_EQ(step_count(test), 9U);       // 12 pairs, 3 of which the arrivals hold
     EXPECT_TRUE(test.proven_least);
     EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
 }
 
 TEST(TestSequence, WaitsForTimersWithTheInputsHeld) {
-    const std::string text = "input a; output O; initial step 1; step 2 { O; }"
-                             "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when 3s/X2 && !a;";
+    const std::string text =
+        "input a; output O; initial step 1; step 2 { O; }"
+        "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when 3s/X2 && !a;";
     const MealyMachine found = machine(automaton(text));
-    ASSERT_EQ(found.states.size(), 3U);   // {1}, {2} before the timer ends, {2} after it
+    ASSERT_EQ(found.states.size(), 3U);  // {1}, {2} before the timer ends, {2} after it
     const TestSequence test = test_of(found);
     EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
     bool waits = false;
@@ -137,11 +147,11 @@ TEST(TestSequence, WaitsForTimersWithTheInputsHeld) {
 }
 
 TEST(TestSequence, WaitsForEveryKindOfTimer) {
-    for (const char* text : {"input a; output O; initial step 1 { O if 3s/a/2s; }",
-                             "input a; output O; initial step 1 { O if a/2s; }",
-                             "input a; output O; initial step 1 { O if 3s/a; }",
-                             "input a, b; output O, P; initial step 1; step 2 { O after 2s; P for 3s; }"
-                             "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when b/1s && !a;"})
+    for (const char* text :
+         {"input a; output O; initial step 1 { O if 3s/a/2s; }", "input a; output O; initial step 1 { O if a/2s; }",
+          "input a; output O; initial step 1 { O if 3s/a; }",
+          "input a, b; output O, P; initial step 1; step 2 { O after 2s; P for 3s; }"
+          "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when b/1s && !a;"})
         for (const ExecutionMode mode : {search, every_cycle}) {
             SCOPED_TRACE(text);
             const TestSequence test = test_of(machine(automaton(text, mode)));
@@ -159,7 +169,7 @@ TEST(TestSequence, OfAFallTimeSeesItRunAndEnd) {
               "1,1,,2,1,1,{1}\n"
               "1,2,,2,0,1,{1}\n"
               "1,3,,2,1,1,{1}\n"
-              "1,4,2s,2,1,1,{1}\n"   // a lasts longer than the fall time that ran
+              "1,4,2s,2,1,1,{1}\n"  // a lasts longer than the fall time that ran
               "1,5,,2,0,1,{1}\n"
               "1,6,,2,1,1,{1}\n"
               "1,7,,2,0,1,{1}\n"
@@ -169,7 +179,9 @@ TEST(TestSequence, OfAFallTimeSeesItRunAndEnd) {
 TEST(TestSequence, AsksForLessWhereTheInputsAreTooMany) {
     std::string text = "input i0";
     for (int k = 1; k < 40; ++k) text += ", i" + std::to_string(k);
-    text += "; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when i0 && i39; transition t1: 2 -> 1 when !i7;";
+    text +=
+        "; output O; initial step 1; step 2 { O; } transition t0: 1 -> 2 when i0 && i39; transition t1: 2 -> 1 when "
+        "!i7;";
     const MealyMachine found = machine(automaton(text));
     EXPECT_EQ(found.combinations, std::uint64_t{1} << 40U);
     Diagnostics diagnostics;
@@ -179,12 +191,13 @@ TEST(TestSequence, AsksForLessWhereTheInputsAreTooMany) {
 }
 
 TEST(MealyMachine, IsMinimisedByWhatItAnswers) {
-    const MealyMachine found = machine(automaton("input a; output O; initial step 1; step 2 { O; } step 3; step 4 { O; }"
-                                                 "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when !a;"
-                                                 "transition t2: 3 -> 4 when a; transition t3: 4 -> 1 when !a;"));
+    const MealyMachine found =
+        machine(automaton("input a; output O; initial step 1; step 2 { O; } step 3; step 4 { O; }"
+                          "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when !a;"
+                          "transition t2: 3 -> 4 when a; transition t3: 4 -> 1 when !a;"));
     EXPECT_EQ(found.states.size(), 4U);
     const MealyMachine smallest = least(found);
-    ASSERT_EQ(smallest.states.size(), 1U);   // O is a
+    ASSERT_EQ(smallest.states.size(), 1U);  // O is a
     EXPECT_EQ(smallest.states[smallest.initial].situation, "{1} or {2} or {3} or {4}");
     EXPECT_EQ(least(machine(automaton(tanks()))).states.size(), 9U);
 }
@@ -203,14 +216,16 @@ TEST(MealyMachine, IsMinimisedWithinItsBounds) {
 
 TEST(TestSequence, OfALeastMachineHoldsInputsOnlyWhereTheAnswerStaysTheSame) {
     // {1} answers what {1,2} does in the cycle after it: one state, which is entered with another answer.
-    const std::string text = "input a; output O, P; initial step 2 { O; } initial step 1 { P; } transition t0: 2 -> 1 when true;"
-                             "step 3; transition t1: 3 -> when fall(a);";
+    const std::string text =
+        "input a; output O, P; initial step 2 { O; } initial step 1 { P; } transition t0: 2 -> 1 when true;"
+        "step 3; transition t1: 3 -> when fall(a);";
     const TestSequence test = test_of(least(machine(automaton(text, every_cycle))));
     EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
 }
 
 TEST(TestSequence, ExpectsNoOutputWhoseInputsAConstraintExcludes) {
-    const std::string text = "input a, b; output O, P; constraint !a || !b; initial step 1 { O if a && b; P if !a || !b; }";
+    const std::string text =
+        "input a, b; output O, P; constraint !a || !b; initial step 1 { O if a && b; P if !a || !b; }";
     const LocationAutomaton found = automaton(text);
     for (const LocationAutomaton::Location& location : found.locations) EXPECT_LE(location.emissions.size(), 1U);
     const TestSequence test = test_of(machine(found));

@@ -24,7 +24,7 @@ TourArc arc(std::uint32_t from, std::uint32_t to) {
 
 /// The least number of arcs that cross all of them, found by trying everything; several sequences if `restarts`.
 std::uint64_t tried_length(std::uint32_t start, const std::vector<TourArc>& arcs, bool restarts) {
-    using Situation = std::pair<std::uint32_t, std::uint32_t>;   // node, arcs crossed
+    using Situation = std::pair<std::uint32_t, std::uint32_t>;  // node, arcs crossed
     std::map<Situation, std::uint64_t> length{{{start, 0}, 0}};
     std::deque<Situation> open{{start, 0}};
     const std::uint32_t all = (1U << arcs.size()) - 1;
@@ -52,7 +52,8 @@ std::vector<TourArc> random_arcs(Random& random, std::uint32_t nodes) {
     std::vector<std::uint32_t> reached{0};
     const std::size_t count = 2 + random() % 7;
     while (arcs.size() < count) {
-        const std::uint32_t from = reached[random() % reached.size()], to = static_cast<std::uint32_t>(random() % nodes);
+        const std::uint32_t from = reached[random() % reached.size()],
+                            to = static_cast<std::uint32_t>(random() % nodes);
         arcs.push_back(arc(from, to));
         if (std::ranges::find(reached, to) == reached.end()) reached.push_back(to);
     }
@@ -63,7 +64,8 @@ std::vector<TourArc> random_arcs(Random& random, std::uint32_t nodes) {
 std::uint32_t renumbered(std::vector<TourArc>& arcs) {
     std::map<std::uint32_t, std::uint32_t> number{{0, 0}};
     for (TourArc& one : arcs)
-        for (std::uint32_t* node : {&one.from, &one.to}) *node = number.emplace(*node, static_cast<std::uint32_t>(number.size())).first->second;
+        for (std::uint32_t* node : {&one.from, &one.to})
+            *node = number.emplace(*node, static_cast<std::uint32_t>(number.size())).first->second;
     return static_cast<std::uint32_t>(number.size());
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "syntax/print/dialect.hpp"
 #include "support/play.hpp"
 #include "support/run_equations.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 namespace {
@@ -34,8 +34,9 @@ std::vector<std::string> names(const Equations& equations) {
 }
 
 TEST(Derive, NamesVariablesAfterStepsTransitionsAndTimers) {
-    const Equations e = equations("input a; output O; initial step 1; step 2; transition T0: 1 -> 2 when 3s/X1;"
-                                  "partial G { initial step 1; step 7; transition t9: 1 -> 7 when 250ms/X1; }");
+    const Equations e = equations(
+        "input a; output O; initial step 1; step 2; transition T0: 1 -> 2 when 3s/X1;"
+        "partial G { initial step 1; step 7; transition t9: 1 -> 7 when 250ms/X1; }");
     EXPECT_EQ(names(e), (std::vector<std::string>{"a", "O", "X_1", "X_2", "X_G_1", "X_G_7", "CF_T0", "CF_t9",
                                                   "T_X1_3s_Q", "T_G_X1_250ms_Q"}));
     EXPECT_EQ(e.timers[0].name, "T_X1_3s");
@@ -66,8 +67,9 @@ TEST(Derive, MakesNoTimerThatNobodyWaitsFor) {
 }
 
 TEST(Derive, FollowsEquationElevenForEveryKindOfTransition) {
-    const Equations e = equations("input a; initial step 1; initial step 2; step 3; transition join: 1, 2 -> 3 when a;"
-                                  "transition src: -> 1 when a; transition sink: 3 -> when true;");
+    const Equations e = equations(
+        "input a; initial step 1; initial step 2; step 3; transition join: 1, 2 -> 3 when a;"
+        "transition src: -> 1 when a; transition sink: 3 -> when true;");
     EXPECT_EQ(firing(e, 0), "X_1 and X_2 and a");
     EXPECT_EQ(firing(e, 1), "a");
     EXPECT_EQ(firing(e, 2), "X_3");
@@ -96,16 +98,18 @@ TEST(Derive, FollowsEquationThirteenForEveryOutput) {
 }
 
 TEST(Derive, ReplacesAnOutputReadInAConditionByItsEquation) {
-    const Equations e = equations("input a; output O, P; initial step 1 { P if O || a; } step 2 { O if a; }"
-                                  "transition t0: 1 -> 2 when !O; transition t1: 2 -> 1 when P;");
+    const Equations e = equations(
+        "input a; output O, P; initial step 1 { P if O || a; } step 2 { O if a; }"
+        "transition t0: 1 -> 2 when !O; transition t1: 2 -> 1 when P;");
     EXPECT_EQ(output(e, "P"), "X_1 and ((X_2 and a) or a)");
     EXPECT_EQ(firing(e, 0), "X_1 and not (X_2 and a)");
     EXPECT_EQ(firing(e, 1), "X_2 and X_1 and ((X_2 and a) or a)");
 }
 
 TEST(Derive, LeavesAStoredOutputReadInAConditionAsItIs) {
-    const Equations e = equations("output LOCK; initial step 1; step 2 { LOCK := true on activation; }"
-                                  "transition t0: 1 -> 2 when !LOCK;");
+    const Equations e = equations(
+        "output LOCK; initial step 1; step 2 { LOCK := true on activation; }"
+        "transition t0: 1 -> 2 when !LOCK;");
     EXPECT_EQ(firing(e, 0), "X_1 and not LOCK");
     EXPECT_EQ(output(e, "LOCK"), "no equation");
     EXPECT_EQ(text(e, e.stored[0].next), "(CF_t0 and not X_2) or LOCK");
@@ -121,11 +125,13 @@ TEST(Derive, WritesBooleanConstantsAsSetAndReset) {
 }
 
 TEST(Derive, WritesOtherValuesAsAChainOfChoices) {
-    const Equations e = equations("input a; internal N: int 0..9 = 0; initial step 1 { N := N + 1 on deactivation; }"
-                                  "step 2 { N := 0 on activation; N := N + 1 on deactivation; }"
-                                  "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when a;");
-    EXPECT_EQ(text(e, e.stored[0].next), "(X_1 and CF_t0 and not CF_t1) or (X_2 and CF_t1 and not CF_t0) ? N + 1 : "
-                                         "CF_t0 and not X_2 ? 0 : N");
+    const Equations e = equations(
+        "input a; internal N: int 0..9 = 0; initial step 1 { N := N + 1 on deactivation; }"
+        "step 2 { N := 0 on activation; N := N + 1 on deactivation; }"
+        "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when a;");
+    EXPECT_EQ(text(e, e.stored[0].next),
+              "(X_1 and CF_t0 and not CF_t1) or (X_2 and CF_t1 and not CF_t0) ? N + 1 : "
+              "CF_t0 and not X_2 ? 0 : N");
 }
 
 TEST(Derive, ARaceOfEqualValuesIsNone) {
@@ -191,14 +197,15 @@ TEST(Refused, EdgesWhereNothingIsAnInstant) {
     EXPECT_EQ(refusals("input a; initial step 1; transition t0: 1 -> 1 when 3s/(a && rise(a));"),
               std::vector<std::string>{"[edge-under-time] an edge lasts for one evolution and has no duration; write "
                                        "the variable itself under the time"});
-    EXPECT_EQ(refusals("input a; initial step 1; transition t0: 1 -> 1 when rise(a && !fall(a));"),
-              std::vector<std::string>{"[edge-of-edge] an edge lasts for one evolution and has no edges of its own; write "
-                                       "the variable itself"});
+    EXPECT_EQ(
+        refusals("input a; initial step 1; transition t0: 1 -> 1 when rise(a && !fall(a));"),
+        std::vector<std::string>{"[edge-of-edge] an edge lasts for one evolution and has no edges of its own; write "
+                                 "the variable itself"});
     for (const char* event : {"a", "a || rise(a)", "!rise(a)", "3s/X1"})
-        EXPECT_EQ(refusals(std::string("input a; internal M = false; initial step 1 { M := true on event ") + event +
-                           "; }")
-                      .size(),
-                  1U)
+        EXPECT_EQ(
+            refusals(std::string("input a; internal M = false; initial step 1 { M := true on event ") + event + "; }")
+                .size(),
+            1U)
             << event;
 }
 

@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "syntax/print/equations.hpp"
 #include "support/play.hpp"
+#include "syntax/print/equations.hpp"
 
 namespace grafverif {
 namespace {

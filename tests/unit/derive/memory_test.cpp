@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "syntax/print/equations.hpp"
 #include "support/play.hpp"
+#include "syntax/print/equations.hpp"
 
 namespace grafverif {
 namespace {
@@ -17,9 +17,10 @@ std::string notation(std::string_view text) {
 }
 
 TEST(Memory, AnEdgeComparesWithThePreviousValue) {
-    EXPECT_EQ(notation("input a; initial step 1; step 2;"
-                       "transition t0: 1 -> 2 when rise(a); transition t1: 2 -> 1 when fall(a) || rise(!a) || rise(X2);"),
-              R"(Equations of chart
+    EXPECT_EQ(
+        notation("input a; initial step 1; step 2;"
+                 "transition t0: 1 -> 2 when rise(a); transition t1: 2 -> 1 when fall(a) || rise(!a) || rise(X2);"),
+        R"(Equations of chart
 
 (a) Firing conditions
 CF_t0 = X_1 and a and not P_a
@@ -95,32 +96,37 @@ P_a = a
 std::string kept_in(const Equations& equations) {
     std::string text;
     for (const Kept& each : kept(equations))
-        text += (text.empty() ? "" : ", ") + equations.variables[each.variable].name + (each.first.valid() ? " first" : "") +
-                (each.after ? " after" : "");
+        text += (text.empty() ? "" : ", ") + equations.variables[each.variable].name +
+                (each.first.valid() ? " first" : "") + (each.after ? " after" : "");
     return text;
 }
 
 TEST(Memory, WhatACycleLeavesForTheNextStandsInOneList) {
-    const char* const rest = "step 2; transition t0: 1 -> 2 when rise(a); transition t1: 2 -> 1 when 3s/b do S := false;";
-    const Equations acts = equations("input a, b; output S; initial step 1 { S := true on activation; }" + std::string(rest));
+    const char* const rest =
+        "step 2; transition t0: 1 -> 2 when rise(a); transition t1: 2 -> 1 when 3s/b do S := false;";
+    const Equations acts =
+        equations("input a, b; output S; initial step 1 { S := true on activation; }" + std::string(rest));
     EXPECT_EQ(kept_in(acts), "S first, P_a first, X_1, X_2, V_b first after");
     EXPECT_TRUE(acts_at_first(acts));
     EXPECT_EQ(remembered(acts).size(), 2U);
-    const Equations idle = equations("input a, b; output S; initial step 1 { S := true on deactivation; }" + std::string(rest));
+    const Equations idle =
+        equations("input a, b; output S; initial step 1 { S := true on deactivation; }" + std::string(rest));
     EXPECT_EQ(kept_in(idle), "S, P_a first, X_1, X_2, V_b first after");
     EXPECT_FALSE(acts_at_first(idle));
 }
 
 TEST(Memory, OnlyWhatCanGoWrongIsAFault) {
-    const std::string chart = "input a; internal N: int 0..9 = 0; initial step 1 { N := 1 on deactivation; }"
-                              "step 2 { N := 2 on activation; } transition t0: 1 -> 2 when a do N := ";
+    const std::string chart =
+        "input a; internal N: int 0..9 = 0; initial step 1 { N := 1 on deactivation; }"
+        "step 2 { N := 2 on activation; } transition t0: 1 -> 2 when a do N := ";
     const Equations races = equations(chart + "1;");
     ASSERT_EQ(faults(races).size(), 1U);
     EXPECT_EQ(races.variables[faults(races)[0].variable].name, "N");
     EXPECT_FALSE(is_false(races.exprs, faults(races)[0].condition));
     EXPECT_TRUE(is_false(races.exprs, faults(races)[0].first));
     EXPECT_TRUE(faults(equations("input a; internal N: int 0..9 = 0; initial step 1 { N := 1 on deactivation; }"
-                                 "transition t0: 1 -> 1 when a;")).empty());
+                                 "transition t0: 1 -> 1 when a;"))
+                    .empty());
 }
 
 }  // namespace

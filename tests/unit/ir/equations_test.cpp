@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "grafverif/ir/equations.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
-#include "grafverif/ir/equations.hpp"
 
 namespace grafverif {
 namespace {
@@ -55,8 +55,7 @@ TEST(VerifyEquations, NamesEachBrokenInvariant) {
               [](Small& s) { s.equations.firings[0].condition = s.leaf(s.fires); }},
              {"the value of `LAMP` reads a firing condition",
               [](Small& s) { s.equations.outputs[0].value = s.leaf(s.fires); }},
-             {"the activity of `X_1` is not Boolean",
-              [](Small& s) { s.equations.steps[0].next = s.leaf(s.count); }},
+             {"the activity of `X_1` is not Boolean", [](Small& s) { s.equations.steps[0].next = s.leaf(s.count); }},
              {"the activity of `X_1` is wrongly typed inside",
               [](Small& s) {
                   s.equations.steps[0].next = s.equations.exprs.disjunction(

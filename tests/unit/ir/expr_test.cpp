@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "grafverif/ir/expr.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <limits>
-
-#include "grafverif/ir/expr.hpp"
 
 namespace grafverif {
 namespace {
@@ -117,11 +117,14 @@ TEST(Exprs, AnOperationWithoutValueIsKeptAndHasNone) {
     Exprs exprs;
     const auto greatest = exprs.integer(std::numeric_limits<std::int64_t>::max());
     const auto least = exprs.integer(std::numeric_limits<std::int64_t>::min());
-    const std::vector<Id<Expr>> terms{
-        exprs.apply(Op::Plus, greatest, exprs.integer(1)), exprs.apply(Op::Minus, least, exprs.integer(1)),
-        exprs.apply(Op::Times, greatest, exprs.integer(2)), exprs.apply(Op::Divide, exprs.integer(1), exprs.integer(0)),
-        exprs.apply(Op::Modulo, exprs.integer(1), exprs.integer(0)), exprs.apply(Op::Divide, least, exprs.integer(-1)),
-        exprs.apply(Op::Modulo, least, exprs.integer(-1)), exprs.apply(Op::Negate, std::array{least})};
+    const std::vector<Id<Expr>> terms{exprs.apply(Op::Plus, greatest, exprs.integer(1)),
+                                      exprs.apply(Op::Minus, least, exprs.integer(1)),
+                                      exprs.apply(Op::Times, greatest, exprs.integer(2)),
+                                      exprs.apply(Op::Divide, exprs.integer(1), exprs.integer(0)),
+                                      exprs.apply(Op::Modulo, exprs.integer(1), exprs.integer(0)),
+                                      exprs.apply(Op::Divide, least, exprs.integer(-1)),
+                                      exprs.apply(Op::Modulo, least, exprs.integer(-1)),
+                                      exprs.apply(Op::Negate, std::array{least})};
     for (const Id<Expr> term : terms) {
         EXPECT_TRUE(is_arithmetic(exprs[term].op));
         EXPECT_FALSE(value(exprs, term, {}).has_value());
@@ -135,7 +138,7 @@ TEST(Evaluate, FollowsEveryOperator) {
         Id<Expr> term;
         std::int64_t expected;
     };
-    const std::vector<std::int64_t> values{1, 0, 7};   // a, b, c
+    const std::vector<std::int64_t> values{1, 0, 7};  // a, b, c
     for (const Case& one : std::vector<Case>{
              {e.conjunction(t.a, t.b), 0},
              {e.disjunction(t.a, t.b), 1},

@@ -15,14 +15,15 @@ namespace {
 Model sound() {
     Sources sources;
     Diagnostics diagnostics;
-    const Id<Source> source = sources.add({"sound.grafcet",
-        "grafcet lamp {\n    input BUTTON;\n    output LAMP;\n    internal N: int 0..3 = 0;\n    initial step 0;\n"
-        "    step 1 { LAMP; N := N + 1 on activation; }\n    transition t0: 0 -> 1 when BUTTON;\n"
-        "    transition t1: 1 -> 0 when 3s/X1;\n    partial G2 { initial step 2; }\n}\n"
-        "component button(output OUT; GAP = 1s) {\n    clock t;\n    initial location idle invariant t <= GAP;\n"
-        "    timed idle -> idle when t == GAP && !OUT do OUT := !OUT, t := 0;\n    urgent idle -> idle when OUT;\n}\n"
-        "closed_loop room {\n    controller lamp;\n    environment Button = button(OUT = BUTTON);\n"
-        "    property P: never LAMP && X0;\n}\n"});
+    const Id<Source> source = sources.add(
+        {"sound.grafcet",
+         "grafcet lamp {\n    input BUTTON;\n    output LAMP;\n    internal N: int 0..3 = 0;\n    initial step 0;\n"
+         "    step 1 { LAMP; N := N + 1 on activation; }\n    transition t0: 0 -> 1 when BUTTON;\n"
+         "    transition t1: 1 -> 0 when 3s/X1;\n    partial G2 { initial step 2; }\n}\n"
+         "component button(output OUT; GAP = 1s) {\n    clock t;\n    initial location idle invariant t <= GAP;\n"
+         "    timed idle -> idle when t == GAP && !OUT do OUT := !OUT, t := 0;\n    urgent idle -> idle when OUT;\n}\n"
+         "closed_loop room {\n    controller lamp;\n    environment Button = button(OUT = BUTTON);\n"
+         "    property P: never LAMP && X0;\n}\n"});
     auto model = read_text(source, sources, {}, diagnostics);
     EXPECT_TRUE(model);
     return model ? *model : Model{};

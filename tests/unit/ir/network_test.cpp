@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <functional>
 
-#include "support/print_network.hpp"
 #include "support/law_size.hpp"
 #include "support/naive_tadd.hpp"
+#include "support/print_network.hpp"
 #include "support/random_network.hpp"
 
 namespace grafverif {

@@ -50,7 +50,9 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
         {"no main module", [](Small& s) { s.system.main = {}; }},
         {"`a` has no name of its own", [](Small& s) { s.inner().symbols[s.define].name = "a"; }},
         {"`x` has not one name for each value",
-         [](Small& s) { s.inner().symbols[s.state].values = {"off", "on"}; }},
+         [](Small& s) {
+             s.inner().symbols[s.state].values = {"off", "on"};
+         }},
         {"the initial value of `x` reads a choice",
          [](Small& s) {
              const auto choice = s.inner().symbols.add({"e", {}, System::ChoiceSymbol{}, "", {}});
@@ -94,11 +96,11 @@ TEST(VerifyTransitionSystem, NamesEachBrokenInvariant) {
              s.system.properties[{0}].pattern = Pattern::NoDeadlock;
              s.system.properties[{0}].operands.clear();
          }},
-        {"operand is not Boolean",
-         [](Small& s) { s.system.properties[{0}].operands = {s.system.exprs.integer(1)}; }},
+        {"operand is not Boolean", [](Small& s) { s.system.properties[{0}].operands = {s.system.exprs.integer(1)}; }},
         {"operand is wrongly typed inside",
          [](Small& s) {
-             const auto nested = s.system.exprs.apply(Op::Less, s.system.exprs.leaf(Op::Variable, 0), s.system.exprs.integer(1));
+             const auto nested =
+                 s.system.exprs.apply(Op::Less, s.system.exprs.leaf(Op::Variable, 0), s.system.exprs.integer(1));
              s.system.properties[{0}].operands = {s.system.exprs.negation(nested)};
          }},
         {"settled is not Boolean", [](Small& s) { s.system.settled = s.system.exprs.integer(1); }},

@@ -5,9 +5,9 @@
 
 #include <functional>
 
-#include "support/print_network.hpp"
 #include "support/component_builder.hpp"
 #include "support/naive_tadd.hpp"
+#include "support/print_network.hpp"
 
 namespace grafverif {
 namespace {

@@ -10,8 +10,8 @@
 #include "fixtures.hpp"
 #include "read/formats.hpp"
 #include "read/text.hpp"
-#include "syntax/language/format.hpp"
 #include "support/law_size.hpp"
+#include "syntax/language/format.hpp"
 
 namespace grafverif {
 namespace {
@@ -30,7 +30,7 @@ void check_damaged(const std::string& text, bool lossy) {
     const auto model = read_text(source, sources, context, diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
     std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);   // every place can be shown
+    render_text(diagnostics.all(), sources, Colour::Plain, said);  // every place can be shown
     if (!model) return;
     ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
     Diagnostics none;

@@ -121,7 +121,8 @@ inline const std::string plcopen = R"(<?xml version="1.0" encoding="utf-8"?>
 </project>
 )";
 
-inline const std::string plcopen_text = R"(// A Sequential Function Chart makes one evolution a scan: check it with `--mode every-cycle`.
+inline const std::string plcopen_text =
+    R"(// A Sequential Function Chart makes one evolution a scan: check it with `--mode every-cycle`.
 grafcet press {
     input start, stop;
     output down, lamp;

@@ -8,8 +8,8 @@
 #include "fixtures.hpp"
 #include "read/formats.hpp"
 #include "read/text.hpp"
-#include "syntax/language/format.hpp"
 #include "support/print_model.hpp"
+#include "syntax/language/format.hpp"
 
 namespace grafverif {
 namespace {
@@ -66,7 +66,8 @@ TEST(Import, TakesUtf16ForXmlOnlyWhereThereIsXml) {
     EXPECT_EQ(format_of(utf16(" <project/>")), FileFormat::Xml);
     EXPECT_EQ(format_of(utf16("grafcet g {}")), FileFormat::Unknown);
     for (const std::string& text : {utf16("grafcet g { initial step 0; }"), utf16("PROGRAM p END_PROGRAM").substr(2)})
-        EXPECT_NE(imported(text).said.find("this text is UTF-16; save the file as UTF-8 text [invalid-utf8]"), std::string::npos)
+        EXPECT_NE(imported(text).said.find("this text is UTF-16; save the file as UTF-8 text [invalid-utf8]"),
+                  std::string::npos)
             << imported(text).said;
 }
 
@@ -79,9 +80,11 @@ TEST(Import, TakesOverInternalVariablesThatContinuousActionsDriveAsOutputs) {
     std::string driven = fixtures::agrafe;
     const std::string output = "name=\"M\" variableDeclarationType=\"output\"";
     driven.replace(driven.find(output), output.size(), "name=\"M\" variableDeclarationType=\"internal\"");
-    const std::string edge = "<transitions id=\"2\"><term xsi:type=\"t:FallingEdge\"><subterm xsi:type=\"t:Variable\" variableDeclaration=\"//@variableDeclarationContainer/@variableDeclarations.3\"/>";
+    const std::string edge =
+        "<transitions id=\"2\"><term xsi:type=\"t:FallingEdge\"><subterm xsi:type=\"t:Variable\" "
+        "variableDeclaration=\"//@variableDeclarationContainer/@variableDeclarations.3\"/>";
     const std::size_t at = driven.find(edge) + edge.size() - 4;
-    driven[at] = '1';   // the transition reads M
+    driven[at] = '1';  // the transition reads M
     const Imported result = imported(driven);
     std::string wanted = fixtures::agrafe_text;
     wanted.replace(wanted.find("fall(G1.X1)"), 11, "fall(M)");
@@ -120,10 +123,11 @@ TEST(Import, TakesOverPlcopenWithPrioritiesInTheConditions) {
 
 TEST(Import, TakesOverTextualChartsWithTheirActionBlocks) {
     const Imported result = imported(fixtures::sfc);
-    for (const char* line : {"// a press", "step Left { down; lamp := true on activation; }", "initial step Wait { lamp := false on activation; }",
-                             "horn_limited := true on activation;", "horn_pulse := false on event rise(horn_pulse);",
-                             "horn if horn_limited && !(3s/horn_limited);", "transition both: Wait -> Left, Right when go;",
-                             "transition Left, Right -> Wait when done != go;"})
+    for (const char* line :
+         {"// a press", "step Left { down; lamp := true on activation; }",
+          "initial step Wait { lamp := false on activation; }", "horn_limited := true on activation;",
+          "horn_pulse := false on event rise(horn_pulse);", "horn if horn_limited && !(3s/horn_limited);",
+          "transition both: Wait -> Left, Right when go;", "transition Left, Right -> Wait when done != go;"})
         EXPECT_NE(result.text.find(line), std::string::npos) << line << "\n" << result.text << result.said;
     EXPECT_NE(result.said.find("R of `lamp`"), std::string::npos) << result.said;
 }
@@ -145,33 +149,38 @@ std::string connected(const std::string& network) {
            network + "</SFC></body></pou></project>";
 }
 
-std::string block(const std::string& type, const std::string& first, const std::string& second, const std::string& output) {
+std::string block(const std::string& type, const std::string& first, const std::string& second,
+                  const std::string& output) {
     const auto pin = [](const std::string& marks, const char* source) {
-        return "<variable " + marks + "><connectionPointIn><connection refLocalId=\"" + source + "\"/></connectionPointIn></variable>";
+        return "<variable " + marks + "><connectionPointIn><connection refLocalId=\"" + source +
+               "\"/></connectionPointIn></variable>";
     };
     return "<block localId=\"9\" typeName=\"" + type + "\"><inputVariables>" + pin(first, "6") + pin(second, "7") +
            "</inputVariables><outputVariables><variable " + output + "/></outputVariables></block>";
 }
 
 std::string contact(const std::string& marks, const std::string& wire = "<connection refLocalId=\"5\"/>") {
-    return "<contact localId=\"9\" " + marks + "><connectionPointIn>" + wire + "</connectionPointIn><variable>a</variable></contact>";
+    return "<contact localId=\"9\" " + marks + "><connectionPointIn>" + wire +
+           "</connectionPointIn><variable>a</variable></contact>";
 }
 
 TEST(Import, KeepsEveryNegationOfANetwork) {
     struct Case {
         std::string network = {}, condition = {};
     };
-    const Case cases[] = {{block("AND", "", "", ""), "a && !b"},
-                          {block("and", "negated=\"true\"", "", ""), "!a && !b"},
-                          {block("OR", "", "negated=\"true\"", "negated=\"1\""), "!(a || !!b)"},
-                          {block("XOR", "", "negated=\"0\"", "negated=\"false\""), "a != !b"},
-                          {contact(""), "a"},
-                          {contact("negated=\"true\""), "!a"},
-                          {"<inOutVariable localId=\"9\" negatedOut=\"true\"><expression>a</expression></inOutVariable>", "!a"}};
+    const Case cases[] = {
+        {block("AND", "", "", ""), "a && !b"},
+        {block("and", "negated=\"true\"", "", ""), "!a && !b"},
+        {block("OR", "", "negated=\"true\"", "negated=\"1\""), "!(a || !!b)"},
+        {block("XOR", "", "negated=\"0\"", "negated=\"false\""), "a != !b"},
+        {contact(""), "a"},
+        {contact("negated=\"true\""), "!a"},
+        {"<inOutVariable localId=\"9\" negatedOut=\"true\"><expression>a</expression></inOutVariable>", "!a"}};
     for (const Case& one : cases) {
         SCOPED_TRACE(one.network);
         const Imported result = imported(connected(one.network));
-        EXPECT_NE(result.text.find("S1 -> S2 when " + one.condition + ";"), std::string::npos) << result.text << result.said;
+        EXPECT_NE(result.text.find("S1 -> S2 when " + one.condition + ";"), std::string::npos)
+            << result.text << result.said;
     }
 }
 
@@ -197,8 +206,9 @@ TEST(Import, RefusesNetworksThatRememberOrLackAWire) {
 }
 
 TEST(Import, MakesNothingOfAConditionThatItTakesOverInPartOnly) {
-    const std::string behind_an_edge = R"(<contact localId="8" edge="rising"><connectionPointIn><connection refLocalId="5"/></connectionPointIn><variable>b</variable></contact>)" +
-                                       contact("", "<connection refLocalId=\"8\"/>");
+    const std::string behind_an_edge =
+        R"(<contact localId="8" edge="rising"><connectionPointIn><connection refLocalId="5"/></connectionPointIn><variable>b</variable></contact>)" +
+        contact("", "<connection refLocalId=\"8\"/>");
     const Imported result = imported(connected(behind_an_edge), true);
     EXPECT_NE(result.text.find("S1 -> S2 when unknown_condition;"), std::string::npos) << result.text << result.said;
 }
@@ -213,9 +223,13 @@ TEST(Import, RefusesStatementsUnderTheQualifiersThatOutliveTheirStep) {
 }
 
 TEST(Import, ReadsOtherEncodings) {
-    std::string latin = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<!-- Gr\xFC\xDF" "e -->\n" + fixtures::agrafe.substr(fixtures::agrafe.find("<g:"));
+    std::string latin =
+        "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<!-- Gr\xFC\xDF"
+        "e -->\n" +
+        fixtures::agrafe.substr(fixtures::agrafe.find("<g:"));
     EXPECT_FALSE(imported(latin).text.empty());
-    EXPECT_EQ(imported(utf16(fixtures::plcopen.substr(fixtures::plcopen.find("<project")))).text, fixtures::plcopen_text);
+    EXPECT_EQ(imported(utf16(fixtures::plcopen.substr(fixtures::plcopen.find("<project")))).text,
+              fixtures::plcopen_text);
 }
 
 TEST(Import, LeavesOutOnlyWhenAskedTo) {

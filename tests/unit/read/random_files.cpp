@@ -385,11 +385,11 @@ std::string mutated(const std::string& text, FileRandom& random) {
             line->replace(line->find(old), old.size(), dice.pick(by));
         };
         switch (dice.below(6)) {
-            case 0: lines.erase(line); break;
-            case 1: lines.insert(line, lines[dice.below(lines.size())]); break;
-            case 2: std::swap(*line, lines[dice.below(lines.size())]); break;
-            case 3: replace(word, words); break;
-            default: replace(value, values); break;
+        case 0: lines.erase(line); break;
+        case 1: lines.insert(line, lines[dice.below(lines.size())]); break;
+        case 2: std::swap(*line, lines[dice.below(lines.size())]); break;
+        case 3: replace(word, words); break;
+        default: replace(value, values); break;
         }
     }
     std::string result;

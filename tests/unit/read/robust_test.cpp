@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "read/text.hpp"
+#include "support/law_size.hpp"
+#include "support/print_model.hpp"
+#include "support/random_chart.hpp"
 #include "syntax/language/format.hpp"
 #include "syntax/language/parse.hpp"
-#include "support/print_model.hpp"
-#include "support/law_size.hpp"
-#include "support/random_chart.hpp"
 
 namespace grafverif {
 namespace {
@@ -49,7 +49,7 @@ void check(const std::string& text) {
     const auto model = read_text(sources.add({"damaged.grafcet", text}), sources, {}, diagnostics);
     ASSERT_EQ(model.has_value(), !diagnostics.has_errors()) << text;
     std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);   // every place can be shown
+    render_text(diagnostics.all(), sources, Colour::Plain, said);  // every place can be shown
     if (!model) return;
     ASSERT_EQ(verify(*model), std::vector<std::string>{}) << text;
     Diagnostics none;
@@ -104,10 +104,11 @@ TEST(PrintModel, PrintsRandomChartsSoThatTheyReadBackAsThemselves) {
         Sources sources;
         Diagnostics diagnostics;
         const auto model = read_text(sources.add({"printed.grafcet", once.str()}), sources, {}, diagnostics);
-        if (!model) {   // the language refuses some charts for what they are
+        if (!model) {  // the language refuses some charts for what they are
             for (const Diagnostic& diagnostic : diagnostics.all())
                 ASSERT_TRUE(diagnostic.code == "unreachable-step" || diagnostic.code == "no-initial-step")
-                    << "seed " << seed << ' ' << diagnostic.code << '\n' << once.str();
+                    << "seed " << seed << ' ' << diagnostic.code << '\n'
+                    << once.str();
             continue;
         }
         print(twice, *model->charts.begin());

@@ -34,11 +34,12 @@ Reading read(const std::string& text, const Files& files = {}) {
     Sources sources;
     Diagnostics diagnostics;
     const ReadContext context{[&](const std::string& path, std::string& why) -> std::optional<std::string> {
-        const auto found = files.find(path);
-        if (found != files.end()) return found->second;
-        why = "there is no such file";
-        return {};
-    }, library};
+                                  const auto found = files.find(path);
+                                  if (found != files.end()) return found->second;
+                                  why = "there is no such file";
+                                  return {};
+                              },
+                              library};
     Reading reading;
     reading.model = read_text(sources.add({"main.grafcet", text}), sources, context, diagnostics);
     std::ostringstream said;
@@ -80,7 +81,7 @@ TEST(ReadChart, NamesTransitionsByPosition) {
     const Chart chart = *model(lamp).charts.begin();
     std::vector<std::string> names;
     for (const Chart::Transition& transition : chart.transitions) names.push_back(transition.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"t1_2", "t1", "t3"}));   // t1 is taken
+    EXPECT_EQ(names, (std::vector<std::string>{"t1_2", "t1", "t3"}));  // t1 is taken
 }
 
 TEST(ReadChart, SharesEqualTimeConditions) {
@@ -94,17 +95,19 @@ TEST(ReadChart, SharesEqualTimeConditions) {
 }
 
 TEST(ReadChart, LooksForStepsInItsPartialChartFirst) {
-    const Chart chart = *model("grafcet g {\n"
-                               "    input a;\n"
-                               "    initial step 1;\n"
-                               "    step 2;\n"
-                               "    transition t: 1 -> 2 when X1 && p.X1 && X7;\n"
-                               "    partial p {\n"
-                               "        initial step 1;\n"
-                               "        step 7;\n"
-                               "        transition u: 1 -> 7 when X1 && g.X1 && X2;\n"
-                               "    }\n"
-                               "}\n").charts.begin();
+    const Chart chart = *model(
+                             "grafcet g {\n"
+                             "    input a;\n"
+                             "    initial step 1;\n"
+                             "    step 2;\n"
+                             "    transition t: 1 -> 2 when X1 && p.X1 && X7;\n"
+                             "    partial p {\n"
+                             "        initial step 1;\n"
+                             "        step 7;\n"
+                             "        transition u: 1 -> 7 when X1 && g.X1 && X2;\n"
+                             "    }\n"
+                             "}\n")
+                             .charts.begin();
     const auto steps = [&](Id<Chart::Transition> transition) {
         std::string names;
         for (const Id<Expr> leaf : leaves(chart.exprs, chart.transitions[transition].condition))
@@ -155,7 +158,8 @@ TEST(ReadChart, ActivatesWhatForcingEnclosingAndMacroStepsActivate) {
                      "    step 7;\n"
                      "    transition t7: 7 -> when a;\n"
                      "    partial p { step 20; step 21; transition u: 20 -> 21 when a; }\n"
-                     "}\n").model);
+                     "}\n")
+                    .model);
 }
 
 // -- one cause, one error ---------------------------------------------------------------------------------------------
@@ -224,14 +228,16 @@ TEST(ReadComponent, TakesTheTypesOfConstantsFromTheirDefaults) {
 }
 
 TEST(ReadComponent, PartsClocksFromData) {
-    const Component component = *model("component c(input A; output O; T = 1s) {\n"
-                                       "    clock t;\n"
-                                       "    initial location l invariant t <= T && t < 2 * T;\n"
-                                       "    timed l -> l when A && (T <= t && !O) && t == 3s do O := A, t := 0;\n"
-                                       "}\n").components.begin();
+    const Component component = *model(
+                                     "component c(input A; output O; T = 1s) {\n"
+                                     "    clock t;\n"
+                                     "    initial location l invariant t <= T && t < 2 * T;\n"
+                                     "    timed l -> l when A && (T <= t && !O) && t == 3s do O := A, t := 0;\n"
+                                     "}\n")
+                                     .components.begin();
     const Component::Edge& edge = component.edges[{0}];
     ASSERT_EQ(edge.constraint.size(), 2u);
-    EXPECT_EQ(edge.constraint[0].relation, Op::GreaterEqual);   // turned round
+    EXPECT_EQ(edge.constraint[0].relation, Op::GreaterEqual);  // turned round
     EXPECT_EQ(edge.constraint[1].relation, Op::Equal);
     EXPECT_EQ(component.exprs.operands(edge.guard).size(), 2u);
     EXPECT_EQ(edge.resets.size(), 1u);
@@ -274,7 +280,7 @@ TEST(ReadLoop, BindsArgumentsAndDefaults) {
     EXPECT_EQ(level.type, integer_type(0, 9));
     EXPECT_EQ(std::get<std::int64_t>(loop.instances[{2}].arguments[1]), 1000);
     EXPECT_EQ(loop.symbols.size(), 5u);
-    EXPECT_EQ(read.components.size(), 3u);   // `button` came from the library
+    EXPECT_EQ(read.components.size(), 3u);  // `button` came from the library
 }
 
 TEST(ReadLoop, LetsControllersShareInputsAndReadEachOther) {

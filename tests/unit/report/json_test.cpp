@@ -37,9 +37,8 @@ TEST(Json, HasTheKeysThatItsReadersKnow) {
     const Json& trace = document["properties"][1]["trace"];
     EXPECT_EQ(keys(trace), (std::vector<std::string>{"loop_from", "steps", "run"}));
     for (const Json& step : trace["steps"])
-        EXPECT_EQ(keys(step),
-                  (std::vector<std::string>{"time", "kind", "component", "inputs", "fired", "situation", "outputs",
-                                            "moment"}));
+        EXPECT_EQ(keys(step), (std::vector<std::string>{"time", "kind", "component", "inputs", "fired", "situation",
+                                                        "outputs", "moment"}));
     EXPECT_EQ(keys(trace["run"]),
               (std::vector<std::string>{"version", "name", "timed", "controllers", "steps", "transitions", "timers",
                                         "signals", "instances", "moments", "loop"}));

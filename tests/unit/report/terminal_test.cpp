@@ -72,8 +72,7 @@ TEST(Terminal, SaysUnderEachVerdictWhatItRestsOn) {
 
 TEST(Terminal, ShowsWitnessesOnlyWhereAskedFor) {
     Report report = sample_report();
-    report.answers = {
-        {{.property = "R", .pattern = Pattern::Reachable, .outcome = Outcome::Holds}, "", sample_run()}};
+    report.answers = {{{.property = "R", .pattern = Pattern::Reachable, .outcome = Outcome::Holds}, "", sample_run()}};
     EXPECT_EQ(text(report).find("witness"), std::string::npos);
     EXPECT_NE(text(report, true).find("witness:\n"), std::string::npos);
 }

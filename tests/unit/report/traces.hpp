@@ -43,7 +43,8 @@ inline Report sample_report() {
                      .states = "12",
                      .transitions = 20,
                      .seconds = 0.25};
-    Verdict unknown{.property = "P3", .obstacle = Obstacle::Bound, .reason = "12 states are not enough", .states = "12"};
+    Verdict unknown{
+        .property = "P3", .obstacle = Obstacle::Bound, .reason = "12 states are not enough", .states = "12"};
     Verdict timelock{.property = "no_timelock",
                      .pattern = Pattern::NoTimelock,
                      .obstacle = Obstacle::Inexact,

@@ -8,8 +8,9 @@ namespace grafverif {
 namespace {
 
 TEST(Edges, TwoSuccessiveTransitionsOnOneEdgeNeedTwoPresses) {
-    Play chart = play("input a; initial step 1; step 2; step 3;"
-                      "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> 3 when rise(a);");
+    Play chart = play(
+        "input a; initial step 1; step 2; step 3;"
+        "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> 3 when rise(a);");
     run(chart);
     run(chart, "a");
     EXPECT_EQ(situation(chart), "2");
@@ -21,8 +22,9 @@ TEST(Edges, TwoSuccessiveTransitionsOnOneEdgeNeedTwoPresses) {
 }
 
 TEST(Edges, ThereIsNoneAtPowerOn) {
-    Play chart = play("input a; initial step 1; step 2;"
-                      "transition t1: 1 -> 2 when rise(a) || rise(X1) || fall(a);");
+    Play chart = play(
+        "input a; initial step 1; step 2;"
+        "transition t1: 1 -> 2 when rise(a) || rise(X1) || fall(a);");
     run(chart, "a");
     EXPECT_EQ(situation(chart), "1");
     run(chart);
@@ -30,8 +32,9 @@ TEST(Edges, ThereIsNoneAtPowerOn) {
 }
 
 TEST(Edges, OfAStepAreTrueInTheEvolutionAfterItsChange) {
-    Play chart = play("input a; initial step 1; step 2; initial step 8; step 9;"
-                      "transition t1: 1 -> 2 when a; transition t8: 8 -> 9 when rise(X2);");
+    Play chart = play(
+        "input a; initial step 1; step 2; initial step 8; step 9;"
+        "transition t1: 1 -> 2 when a; transition t8: 8 -> 9 when rise(X2);");
     run(chart);
     EXPECT_EQ(fired(chart, run(chart, "a")), "t1; t8; ; ");
     EXPECT_EQ(situation(chart), "2 9");
@@ -46,43 +49,47 @@ TEST(Edges, ASituationIsStableOnlyOnceTheyAreOver) {
 }
 
 TEST(Edges, OfATermCompareItsValueAsAWhole) {
-    Play chart = play("input a, b; initial step 1; internal N: int 0..9 = 0;"
-                      "transition t1: 1 -> 1 when rise(a || b) do N := N + 1;");
+    Play chart = play(
+        "input a, b; initial step 1; internal N: int 0..9 = 0;"
+        "transition t1: 1 -> 1 when rise(a || b) do N := N + 1;");
     run(chart);
     run(chart, "a");
-    run(chart, "b");   // no edge: a or b was true and is
+    run(chart, "b");  // no edge: a or b was true and is
     run(chart);
     run(chart, "a b");
     EXPECT_EQ(value(chart, "N"), 2);
 }
 
 TEST(Events, RunTheirActionOncePerEdgeWhileTheStepIsActive) {
-    Play chart = play("input a, b; internal N: int 0..9 = 0; initial step 1; step 2 { N := N + 1 on event rise(a); }"
-                      "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> 1 when rise(b);");
+    Play chart = play(
+        "input a, b; internal N: int 0..9 = 0; initial step 1; step 2 { N := N + 1 on event rise(a); }"
+        "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> 1 when rise(b);");
     run(chart);
-    run(chart, "a");   // the edge that activates the step is not one that occurs while it is active
+    run(chart, "a");  // the edge that activates the step is not one that occurs while it is active
     EXPECT_EQ(value(chart, "N"), 0);
     run(chart);
     run(chart, "a");
     run(chart, "a");
     EXPECT_EQ(value(chart, "N"), 1);
     run(chart);
-    run(chart, "a b");   // the step is active when the edge occurs, though it is left
+    run(chart, "a b");  // the step is active when the edge occurs, though it is left
     EXPECT_EQ(value(chart, "N"), 2);
     EXPECT_EQ(situation(chart), "1");
 }
 
 TEST(Clearing, RunsItsActionsAlsoWhereTheStepStaysActive) {
-    Play chart = play("input a; internal N: int 0..9 = 0; initial step 1 { N := 9 on activation; }"
-                      "transition t1: 1 -> 1 when rise(a) do N := N - 1;");
+    Play chart = play(
+        "input a; internal N: int 0..9 = 0; initial step 1 { N := 9 on activation; }"
+        "transition t1: 1 -> 1 when rise(a) do N := N - 1;");
     run(chart);
     run(chart, "a");
     EXPECT_EQ(value(chart, "N"), 8);
 }
 
 TEST(Clearing, OfTwoTransitionsAtOnceCanRace) {
-    Play chart = play("input a; internal N: int 0..9 = 0; initial step 1; initial step 2;"
-                      "transition t1: 1 -> when a do N := 1; transition t2: 2 -> when a do N := 2;");
+    Play chart = play(
+        "input a; internal N: int 0..9 = 0; initial step 1; initial step 2;"
+        "transition t1: 1 -> when a do N := 1; transition t2: 2 -> when a do N := 2;");
     run(chart);
     EXPECT_TRUE(run(chart, "a").race);
 }

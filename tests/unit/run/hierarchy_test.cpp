@@ -18,7 +18,7 @@ TEST(MacroSteps, AreEnteredAtTheirEntryAndLeftFromTheirExit) {
     run(chart);
     run(chart, "a");
     EXPECT_EQ(situation(chart), "M 10");
-    run(chart, "b");   // t2 needs the exit step
+    run(chart, "b");  // t2 needs the exit step
     EXPECT_EQ(situation(chart), "M 11");
     run(chart, "c");
     EXPECT_EQ(situation(chart), "M 12");
@@ -27,25 +27,27 @@ TEST(MacroSteps, AreEnteredAtTheirEntryAndLeftFromTheirExit) {
 }
 
 TEST(MacroSteps, StayActiveWhileTheirExpansionIs) {
-    Play chart = play("input a; internal N: int 0..9 = 0; initial step 1; macro step M expands E { N := N + 1 on activation; }"
-                      "transition t1: 1 -> 1, M when rise(a); transition t2: M -> when true;"
-                      "expansion E { entry step 10; step 11; exit step 12;"
-                      "transition e1: 10 -> 11 when fall(a); transition e2: 11 -> 12 when rise(a); }");
+    Play chart = play(
+        "input a; internal N: int 0..9 = 0; initial step 1; macro step M expands E { N := N + 1 on activation; }"
+        "transition t1: 1 -> 1, M when rise(a); transition t2: M -> when true;"
+        "expansion E { entry step 10; step 11; exit step 12;"
+        "transition e1: 10 -> 11 when fall(a); transition e2: 11 -> 12 when rise(a); }");
     run(chart);
     run(chart, "a");
     run(chart);
     EXPECT_EQ(situation(chart), "1 M 11");
-    run(chart, "a");   // 12 is left while 10 is entered anew
+    run(chart, "a");  // 12 is left while 10 is entered anew
     EXPECT_EQ(situation(chart), "1 M 10");
     EXPECT_EQ(value(chart, "N"), 1);
 }
 
 TEST(MacroSteps, HaveTheirOwnExpansionEachAlsoNested) {
-    Play chart = play("input a, b; initial macro step M1 expands E1; step 9; transition t1: M1 -> 9 when b;"
-                      "expansion E1 { entry macro step M2 expands E2; exit macro step M3 expands E3;"
-                      "transition e1: M2 -> M3 when a; }"
-                      "expansion E2 { entry step 20; exit step 21; transition e2: 20 -> 21 when true; }"
-                      "expansion E3 { entry step 30; exit step 31; transition e3: 30 -> 31 when true; }");
+    Play chart = play(
+        "input a, b; initial macro step M1 expands E1; step 9; transition t1: M1 -> 9 when b;"
+        "expansion E1 { entry macro step M2 expands E2; exit macro step M3 expands E3;"
+        "transition e1: M2 -> M3 when a; }"
+        "expansion E2 { entry step 20; exit step 21; transition e2: 20 -> 21 when true; }"
+        "expansion E3 { entry step 30; exit step 31; transition e3: 30 -> 31 when true; }");
     EXPECT_EQ(situation(chart), "M1 M2 20");
     run(chart);
     EXPECT_EQ(situation(chart), "M1 M2 21");
@@ -63,7 +65,7 @@ constexpr const char* enclosure =
 
 TEST(EnclosingSteps, ActivateTheirLinksAndNotTheInitialSteps) {
     Play chart = play(enclosure);
-    EXPECT_EQ(situation(chart), "1");   // 20 is no initial step of the situation at power-on: 6 is inactive
+    EXPECT_EQ(situation(chart), "1");  // 20 is no initial step of the situation at power-on: 6 is inactive
     run(chart);
     run(chart, "a");
     EXPECT_EQ(situation(chart), "6 21");
@@ -77,7 +79,7 @@ TEST(EnclosingSteps, ClearAllTheyEncloseWhateverFiresThere) {
     const Cycle left = run(chart, "b");
     EXPECT_EQ(fired(chart, left), "t2 g1; ; ");
     EXPECT_EQ(situation(chart), "1");
-    EXPECT_EQ(value(chart, "N"), 1);    // 22 was not activated
+    EXPECT_EQ(value(chart, "N"), 1);  // 22 was not activated
 }
 
 TEST(EnclosingSteps, EnableTheSourceTransitionsOfTheirChartsOnlyWhileActive) {
@@ -88,9 +90,10 @@ TEST(EnclosingSteps, EnableTheSourceTransitionsOfTheirChartsOnlyWhileActive) {
 }
 
 TEST(EnclosingSteps, Nest) {
-    Play chart = play("input a, b; initial step 1; enclosing step 2 encloses G; transition t1: 1 -> 2 when a;"
-                      "transition t2: 2 -> 1 when b;"
-                      "partial G { linked enclosing step 3 encloses H; } partial H { linked step 4; }");
+    Play chart = play(
+        "input a, b; initial step 1; enclosing step 2 encloses G; transition t1: 1 -> 2 when a;"
+        "transition t2: 2 -> 1 when b;"
+        "partial G { linked enclosing step 3 encloses H; } partial H { linked step 4; }");
     run(chart);
     run(chart, "a");
     EXPECT_EQ(situation(chart), "2 3 4");
@@ -100,7 +103,8 @@ TEST(EnclosingSteps, Nest) {
 
 /// The steps of `forced` after `order` came into force.
 std::string forced_to(const std::string& order, std::string* afterwards = nullptr) {
-    Play chart = play("input a, b; initial step 1; step 2 { force G := {" + order + "}; }"
+    Play chart = play("input a, b; initial step 1; step 2 { force G := {" + order +
+                      "}; }"
                       "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> 1 when fall(a);"
                       "partial G { initial step 20; step 21; step 22;"
                       "transition g1: 20 -> 21 when rise(b); transition g2: 21 -> 22 when rise(b); }");
@@ -109,7 +113,7 @@ std::string forced_to(const std::string& order, std::string* afterwards = nullpt
     run(chart);
     run(chart, "a");
     const std::string reached = situation(chart);
-    run(chart, "a b");   // held
+    run(chart, "a b");  // held
     EXPECT_EQ(situation(chart), reached);
     run(chart, "b");
     if (afterwards != nullptr) *afterwards = situation(chart);
@@ -122,13 +126,14 @@ TEST(ForcingOrders, OfTheFourKindsForceAndHold) {
     EXPECT_EQ(forced_to("INIT"), "2 20");
     EXPECT_EQ(forced_to("22, 20"), "2 20 22");
     EXPECT_EQ(forced_to("*", &afterwards), "2 21");
-    EXPECT_EQ(afterwards, "1 21");   // freed, and the edge is over
+    EXPECT_EQ(afterwards, "1 21");  // freed, and the edge is over
 }
 
 TEST(ForcingOrders, ForceInTheEvolutionThatActivatesTheirStep) {
-    Play chart = play("input a; internal N: int 0..9 = 0; initial step 1; step 2 { force G := {20}; }"
-                      "transition t1: 1 -> 2 when a;"
-                      "partial G { initial step 20; step 21 { N := 1 on activation; } transition g1: 20 -> 21 when a; }");
+    Play chart = play(
+        "input a; internal N: int 0..9 = 0; initial step 1; step 2 { force G := {20}; }"
+        "transition t1: 1 -> 2 when a;"
+        "partial G { initial step 20; step 21 { N := 1 on activation; } transition g1: 20 -> 21 when a; }");
     run(chart);
     EXPECT_EQ(fired(chart, run(chart, "a")), "t1 g1; ; ");
     EXPECT_EQ(situation(chart), "2 20");
@@ -136,9 +141,10 @@ TEST(ForcingOrders, ForceInTheEvolutionThatActivatesTheirStep) {
 }
 
 TEST(ForcingOrders, GoDownSeveralLevelsAtOnce) {
-    Play chart = play("input a; initial step 1; step 2 { force G := {21}; } transition t1: 1 -> 2 when a;"
-                      "partial G { initial step 20; step 21 { force H := {}; } transition g1: 21 -> 20 when a; }"
-                      "partial H { initial step 30; }");
+    Play chart = play(
+        "input a; initial step 1; step 2 { force G := {21}; } transition t1: 1 -> 2 when a;"
+        "partial G { initial step 20; step 21 { force H := {}; } transition g1: 21 -> 20 when a; }"
+        "partial H { initial step 30; }");
     run(chart);
     EXPECT_EQ(situation(chart), "1 20 30");
     EXPECT_EQ(fired(chart, run(chart, "a")), "t1; ; ");
@@ -152,8 +158,9 @@ TEST(ForcingOrders, AreObeyedAtPowerOn) {
 }
 
 TEST(ForcingOrders, ThatCannotBeObeyedTogetherAreAFaultOfTheChart) {
-    Play chart = play("input a; initial step 1; step 2 { force G := {}; } initial step 3; step 4 { force G := {20}; }"
-                      "transition t1: 1 -> 2 when a; transition t2: 3 -> 4 when a; partial G { initial step 20; }");
+    Play chart = play(
+        "input a; initial step 1; step 2 { force G := {}; } initial step 3; step 4 { force G := {20}; }"
+        "transition t1: 1 -> 2 when a; transition t2: 3 -> 4 when a; partial G { initial step 20; }");
     run(chart);
     const Cycle apart = run(chart, "a");
     ASSERT_TRUE(apart.fault.has_value());

@@ -15,8 +15,10 @@ TEST(PowerOn, InitialStepsAreActiveAndOutputsAreOff) {
 }
 
 TEST(FirstEvolution, RunsTheActivationActionsOfInitialStepsAndClearsNothing) {
-    Play chart = play("output O; internal N: int 0..5 = 1; initial step 1 { O; N := N + 1 on activation; }"
-                      "step 2; transition t1: 1 -> 2 when true;", every_cycle);
+    Play chart = play(
+        "output O; internal N: int 0..5 = 1; initial step 1 { O; N := N + 1 on activation; }"
+        "step 2; transition t1: 1 -> 2 when true;",
+        every_cycle);
     const Cycle first = run(chart);
     EXPECT_EQ(fired(chart, first), "; ");
     EXPECT_EQ(situation(chart), "1");
@@ -28,8 +30,9 @@ TEST(FirstEvolution, RunsTheActivationActionsOfInitialStepsAndClearsNothing) {
 }
 
 TEST(FirstEvolution, ReadsTheInputsOfThatMoment) {
-    Play chart = play("input a; internal M = false; initial step 1 { M := a on activation; }"
-                      "step 2; transition t1: 1 -> 2 when false;");
+    Play chart = play(
+        "input a; internal M = false; initial step 1 { M := a on activation; }"
+        "step 2; transition t1: 1 -> 2 when false;");
     run(chart, "a");
     EXPECT_EQ(value(chart, "M"), 1);
     run(chart);
@@ -37,8 +40,9 @@ TEST(FirstEvolution, ReadsTheInputsOfThatMoment) {
 }
 
 TEST(FirstEvolution, AnInitialStepThatIsLeftAndActivatedAnewRunsItsActionAnew) {
-    Play chart = play("input a, b; internal N: int 0..5 = 0; initial step 1 { N := N + 1 on activation; } step 2;"
-                      "transition t1: 1 -> 2 when a; transition t2: 2 -> 1 when b;");
+    Play chart = play(
+        "input a, b; internal N: int 0..5 = 0; initial step 1 { N := N + 1 on activation; } step 2;"
+        "transition t1: 1 -> 2 when a; transition t2: 2 -> 1 when b;");
     run(chart, "a");
     EXPECT_EQ(value(chart, "N"), 1);
     run(chart, "b");
@@ -46,9 +50,10 @@ TEST(FirstEvolution, AnInitialStepThatIsLeftAndActivatedAnewRunsItsActionAnew) {
 }
 
 TEST(Clearing, NeedsAllStepsUpstreamAndActivatesAllDownstream) {
-    Play chart = play("input a, b, c; initial step 1; step 2; step 3; step 4; step 5;"
-                      "transition split: 1 -> 2, 3 when a; transition on: 3 -> 4 when b;"
-                      "transition join: 2, 4 -> 5 when c;");
+    Play chart = play(
+        "input a, b, c; initial step 1; step 2; step 3; step 4; step 5;"
+        "transition split: 1 -> 2, 3 when a; transition on: 3 -> 4 when b;"
+        "transition join: 2, 4 -> 5 when c;");
     run(chart, "a");
     EXPECT_EQ(situation(chart), "2 3");
     run(chart, "c");
@@ -60,8 +65,9 @@ TEST(Clearing, NeedsAllStepsUpstreamAndActivatesAllDownstream) {
 }
 
 TEST(Clearing, AlternativesThatAreNotExclusiveAllFire) {
-    Play chart = play("input a, b; initial step 1; step 2; step 3;"
-                      "transition t1: 1 -> 2 when a; transition t2: 1 -> 3 when b;");
+    Play chart = play(
+        "input a, b; initial step 1; step 2; step 3;"
+        "transition t1: 1 -> 2 when a; transition t2: 1 -> 3 when b;");
     const Cycle cycle = run(chart, "a b");
     EXPECT_EQ(fired(chart, cycle), "; t1 t2; ; ");
     EXPECT_EQ(situation(chart), "2 3");
@@ -69,8 +75,10 @@ TEST(Clearing, AlternativesThatAreNotExclusiveAllFire) {
 
 TEST(Clearing, TransitionsFireTogetherFromTheOldSituation) {
     // Had t1 fired before t2 was looked at, X1 would be false by then.
-    Play chart = play("input a; initial step 1; step 2; initial step 3; step 4;"
-                      "transition t1: 1 -> 2 when a; transition t2: 3 -> 4 when a && X1;", every_cycle);
+    Play chart = play(
+        "input a; initial step 1; step 2; initial step 3; step 4;"
+        "transition t1: 1 -> 2 when a; transition t2: 3 -> 4 when a && X1;",
+        every_cycle);
     run(chart);
     run(chart, "a");
     EXPECT_EQ(situation(chart), "2 4");
@@ -83,9 +91,11 @@ TEST(Clearing, ASinkTransitionEmptiesTheChart) {
 }
 
 TEST(RuleFive, AStepActivatedAndDeactivatedAtOnceStaysActiveAndRunsNoAction) {
-    Play chart = play("input a; internal ON: int 0..9 = 0, OFF: int 0..9 = 0; initial step 1; initial step 2"
-                      "{ ON := ON + 1 on activation; OFF := OFF + 1 on deactivation; } step 3;"
-                      "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when a;", every_cycle);
+    Play chart = play(
+        "input a; internal ON: int 0..9 = 0, OFF: int 0..9 = 0; initial step 1; initial step 2"
+        "{ ON := ON + 1 on activation; OFF := OFF + 1 on deactivation; } step 3;"
+        "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when a;",
+        every_cycle);
     run(chart);
     EXPECT_EQ(value(chart, "ON"), 1);
     run(chart, "a");
@@ -95,8 +105,10 @@ TEST(RuleFive, AStepActivatedAndDeactivatedAtOnceStaysActiveAndRunsNoAction) {
 }
 
 TEST(RuleFive, AStepThatStaysActiveDoesNotRestartItsTimeCondition) {
-    Play chart = play("input a; initial step 1; step 2; transition again: 1 -> 1 when a;"
-                      "transition on: 1 -> 2 when 3s/X1;", every_cycle);
+    Play chart = play(
+        "input a; initial step 1; step 2; transition again: 1 -> 1 when a;"
+        "transition on: 1 -> 2 when 3s/X1;",
+        every_cycle);
     run(chart);
     wait(chart, 2000);
     run(chart, "a");
@@ -117,8 +129,10 @@ TEST(StabilitySearch, TransientStepsGiveNoOutputButStore) {
 }
 
 TEST(EveryCycle, WritesOutputsInTransientSituationsToo) {
-    Play chart = play("input a; output A, B; initial step 1; step 2 { A; } step 3 { B; }"
-                      "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when true;", every_cycle);
+    Play chart = play(
+        "input a; output A, B; initial step 1; step 2 { A; } step 3 { B; }"
+        "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when true;",
+        every_cycle);
     run(chart, "a");
     EXPECT_FALSE(run(chart, "a").stable);
     EXPECT_EQ(outputs(chart), "A");
@@ -142,8 +156,9 @@ TEST(StabilitySearch, AnAssignationConditionFollowsItsInputWhileTheSituationStay
 }
 
 TEST(TotalInstability, IsReportedWithItsCycleOfSituations) {
-    Play chart = play("input a; initial step 0; step 1; step 2; transition t0: 0 -> 1 when a;"
-                      "transition t1: 1 -> 2 when a; transition t2: 2 -> 1 when true; output O;");
+    Play chart = play(
+        "input a; initial step 0; step 1; step 2; transition t0: 0 -> 1 when a;"
+        "transition t1: 1 -> 2 when a; transition t2: 2 -> 1 when true; output O;");
     EXPECT_TRUE(run(chart).endless.empty());
     const Cycle cycle = run(chart, "a");
     ASSERT_EQ(cycle.endless.size(), 2U);
@@ -158,8 +173,9 @@ TEST(TotalInstability, ASourceTransitionOnALevelNeverStabilises) {
 }
 
 TEST(TotalInstability, ALongCountThatEndsIsNotTakenForIt) {
-    Play chart = play("internal N: int 0..100 = 0; initial step 1; step 2 { N := N + 1 on activation; }"
-                      "transition t1: 1 -> 2 when N < 100; transition t2: 2 -> 1 when true;");
+    Play chart = play(
+        "internal N: int 0..100 = 0; initial step 1; step 2 { N := N + 1 on activation; }"
+        "transition t1: 1 -> 2 when N < 100; transition t2: 2 -> 1 when true;");
     const Cycle cycle = run(chart);
     EXPECT_TRUE(cycle.endless.empty());
     EXPECT_TRUE(cycle.stable);
@@ -167,9 +183,10 @@ TEST(TotalInstability, ALongCountThatEndsIsNotTakenForIt) {
 }
 
 TEST(TotalInstability, AnInstantBeyondReasonIsGivenUp) {
-    Play chart = play("internal N: int 0..2000 = 0, M: int 0..2000 = 0; initial step 1;"
-                      "step 2 { N := (N + 1) % 2001 on activation; M := (M + (N + 1) / 2001) % 2001 on activation; }"
-                      "transition t1: 1 -> 2 when true; transition t2: 2 -> 1 when true;");
+    Play chart = play(
+        "internal N: int 0..2000 = 0, M: int 0..2000 = 0; initial step 1;"
+        "step 2 { N := (N + 1) % 2001 on activation; M := (M + (N + 1) / 2001) % 2001 on activation; }"
+        "transition t1: 1 -> 2 when true; transition t2: 2 -> 1 when true;");
     const Cycle cycle = run(chart);
     EXPECT_TRUE(cycle.gave_up);
     EXPECT_FALSE(cycle.stable);
@@ -177,16 +194,18 @@ TEST(TotalInstability, AnInstantBeyondReasonIsGivenUp) {
 }
 
 TEST(StoredActions, ReadOldValuesOnly) {
-    Play chart = play("input a; internal P: int 0..9 = 1, Q: int 0..9 = 2; initial step 1;"
-                      "step 2 { P := Q on activation; Q := P on activation; } transition t1: 1 -> 2 when a;");
+    Play chart = play(
+        "input a; internal P: int 0..9 = 1, Q: int 0..9 = 2; initial step 1;"
+        "step 2 { P := Q on activation; Q := P on activation; } transition t1: 1 -> 2 when a;");
     run(chart, "a");
     EXPECT_EQ(value(chart, "P"), 2);
     EXPECT_EQ(value(chart, "Q"), 1);
 }
 
 TEST(StoredActions, RunOnDeactivationAsTheStepIsLeft) {
-    Play chart = play("input a; internal N: int 0..9 = 0; initial step 1 { N := 7 on deactivation; } step 2;"
-                      "transition t1: 1 -> 2 when a;");
+    Play chart = play(
+        "input a; internal N: int 0..9 = 0; initial step 1 { N := 7 on deactivation; } step 2;"
+        "transition t1: 1 -> 2 when a;");
     run(chart);
     EXPECT_EQ(value(chart, "N"), 0);
     run(chart, "a");
@@ -213,8 +232,9 @@ TEST(StoredActions, OnOutputsHoldUntilTheyAreStoredAgain) {
 }
 
 TEST(StoredActions, TwoValuesForOneVariableInOneEvolutionAreARace) {
-    Play chart = play("input a; internal N: int 0..9 = 0; initial step 1 { N := 1 on deactivation; }"
-                      "step 2 { N := 2 on activation; } transition t1: 1 -> 2 when a;");
+    Play chart = play(
+        "input a; internal N: int 0..9 = 0; initial step 1 { N := 1 on deactivation; }"
+        "step 2 { N := 2 on activation; } transition t1: 1 -> 2 when a;");
     const Cycle cycle = run(chart, "a");
     ASSERT_TRUE(cycle.race.has_value());
     EXPECT_EQ(chart.chart.variables[cycle.race->variable].name, "N");
@@ -223,8 +243,9 @@ TEST(StoredActions, TwoValuesForOneVariableInOneEvolutionAreARace) {
 }
 
 TEST(StoredActions, OneValueStoredTwiceIsNoRace) {
-    Play chart = play("input a; internal N: int 0..9 = 0, M: int 0..9 = 2; initial step 1 { N := M on deactivation; }"
-                      "step 2 { N := 2 on activation; } transition t1: 1 -> 2 when a;");
+    Play chart = play(
+        "input a; internal N: int 0..9 = 0, M: int 0..9 = 2; initial step 1 { N := M on deactivation; }"
+        "step 2 { N := 2 on activation; } transition t1: 1 -> 2 when a;");
     EXPECT_FALSE(run(chart, "a").race.has_value());
     EXPECT_EQ(value(chart, "N"), 2);
 }
@@ -236,8 +257,9 @@ TEST(StoredActions, InitialStepsCanRaceToo) {
 }
 
 TEST(StoredActions, AValueOutsideTheRangeIsAFaultOfTheChart) {
-    Play chart = play("input a; internal N: int 0..2 = 2; initial step 1; step 2 { N := N + 1 on activation; }"
-                      "transition t1: 1 -> 2 when a;");
+    Play chart = play(
+        "input a; internal N: int 0..2 = 2; initial step 1; step 2 { N := N + 1 on activation; }"
+        "transition t1: 1 -> 2 when a;");
     const Cycle cycle = run(chart, "a");
     ASSERT_TRUE(cycle.fault.has_value());
     EXPECT_EQ(cycle.fault->kind, RunFault::Kind::OutOfRange);
@@ -256,8 +278,9 @@ TEST(StoredActions, DivisionByZeroIsAFaultOfTheChart) {
 
 TEST(Conditions, ThatReadAContinuousOutputMeanItsEquation) {
     // In the transient situation {2} nothing was written yet, and yet O is true in it.
-    Play chart = play("input a; output O; initial step 1; step 2 { O; } step 3; step 4; transition t1: 1 -> 2 when a;"
-                      "transition t2: 2 -> 3 when O; transition t3: 3 -> 4 when O;");
+    Play chart = play(
+        "input a; output O; initial step 1; step 2 { O; } step 3; step 4; transition t1: 1 -> 2 when a;"
+        "transition t2: 2 -> 3 when O; transition t3: 3 -> 4 when O;");
     run(chart, "a");
     EXPECT_EQ(situation(chart), "3");
 }
@@ -284,8 +307,9 @@ TEST(Conditions, ThatReadAStoredOutputReadTheImageBeforeTheEvolution) {
 }
 
 TEST(Conditions, OnlyThoseOfEnabledTransitionsAreLookedAt) {
-    Play chart = play("input a; internal M: int 0..9 = 0; initial step 1; step 2; step 3;"
-                      "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when 1 / M == 1;");
+    Play chart = play(
+        "input a; internal M: int 0..9 = 0; initial step 1; step 2; step 3;"
+        "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when 1 / M == 1;");
     EXPECT_FALSE(run(chart).fault.has_value());
     const Cycle cycle = run(chart, "a");
     ASSERT_TRUE(cycle.fault.has_value());
@@ -321,8 +345,9 @@ TEST(TimeConditions, StartAnewWhenTheStepIsLeftAndActivatedWithinOneInstant) {
 }
 
 TEST(PartialCharts, EvolveSideBySideAndReadEachOther) {
-    Play chart = play("input a; initial step 1; step 2; transition t1: 1 -> 2 when a;"
-                      "partial G { initial step 1; step 3; transition t2: 1 -> 3 when X2; }");
+    Play chart = play(
+        "input a; initial step 1; step 2; transition t1: 1 -> 2 when a;"
+        "partial G { initial step 1; step 3; transition t2: 1 -> 3 when X2; }");
     run(chart, "a");
     EXPECT_EQ(situation(chart), "2 3");
 }

@@ -24,7 +24,7 @@ TEST(TimeOfAnInput, CountsFromItsEdgesAndNeedsItToLast) {
     EXPECT_EQ(later(chart, 1999), "O");
     EXPECT_EQ(later(chart, 1), "");
     EXPECT_EQ(later(chart, 0, "a"), "");
-    EXPECT_EQ(later(chart, 2000), "");   // shorter than 3 s: it does not count
+    EXPECT_EQ(later(chart, 2000), "");  // shorter than 3 s: it does not count
     EXPECT_EQ(later(chart, 1000), "");
 }
 
@@ -42,7 +42,7 @@ TEST(TimeOfAnInput, EndsAtOnceWithoutAFallTime) {
     Play chart = play("input a; output O; initial step 1 { O if 3s/a; } step 2; transition t1: 1 -> 2 when 3s/a;");
     run(chart, "a");
     EXPECT_EQ(later(chart, 3000), "");
-    EXPECT_EQ(situation(chart), "1");   // the moment at which both are over is not one of 3s/a
+    EXPECT_EQ(situation(chart), "1");  // the moment at which both are over is not one of 3s/a
 }
 
 TEST(TimeOfAnInput, StartsAtOnceWithoutARiseTime) {
@@ -55,9 +55,10 @@ TEST(TimeOfAnInput, StartsAtOnceWithoutARiseTime) {
 }
 
 TEST(TimeOfAStep, LastsAfterItIsLeft) {
-    Play chart = play("input a; initial step 1; step 2; initial step 8; step 9; step 10;"
-                      "transition t1: 1 -> 2 when a; transition t8: 8 -> 9 when 3s/X1/2s && X2;"
-                      "transition t9: 9 -> 10 when !(3s/X1/2s);");
+    Play chart = play(
+        "input a; initial step 1; step 2; initial step 8; step 9; step 10;"
+        "transition t1: 1 -> 2 when a; transition t8: 8 -> 9 when 3s/X1/2s && X2;"
+        "transition t9: 9 -> 10 when !(3s/X1/2s);");
     run(chart);
     wait(chart, 3000);
     run(chart, "a");
@@ -71,26 +72,29 @@ TEST(TimeOfAStep, LastsAfterItIsLeft) {
 }
 
 TEST(TimeOfATerm, CountsItsLevelAsAWhole) {
-    Play chart = play("input a; output O; initial step 1; step 2; initial step 8 { O if 2s/(X1 || X2); }"
-                      "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> when fall(a);");
+    Play chart = play(
+        "input a; output O; initial step 1; step 2; initial step 8 { O if 2s/(X1 || X2); }"
+        "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> when fall(a);");
     run(chart);
-    EXPECT_EQ(later(chart, 1000, "a"), "");    // 1 is left for 2: the term stays true
+    EXPECT_EQ(later(chart, 1000, "a"), "");  // 1 is left for 2: the term stays true
     EXPECT_EQ(later(chart, 1000, "a"), "O");
     EXPECT_EQ(later(chart, 0), "");
 }
 
 TEST(DelayedActions, BeginWhenTheirStepHasBeenActiveForTheDelay) {
-    Play chart = play("input a; output O; initial step 1 { O after 3s; } step 2; transition t1: 1 -> 2 when a;"
-                      "transition t2: 2 -> 1 when true;");
+    Play chart = play(
+        "input a; output O; initial step 1 { O after 3s; } step 2; transition t1: 1 -> 2 when a;"
+        "transition t2: 2 -> 1 when true;");
     run(chart);
     EXPECT_EQ(later(chart, 2999), "");
     EXPECT_EQ(later(chart, 1), "O");
-    EXPECT_EQ(later(chart, 0, "a"), "O");      // total instability with a: nothing is written
+    EXPECT_EQ(later(chart, 0, "a"), "O");  // total instability with a: nothing is written
 }
 
 TEST(TimeLimitedActions, EndAfterTheirLimitAndBeginAnewWithTheStep) {
-    Play chart = play("input a; output O; initial step 1 { O for 5s; } step 2;"
-                      "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> 1 when fall(a);");
+    Play chart = play(
+        "input a; output O; initial step 1 { O for 5s; } step 2;"
+        "transition t1: 1 -> 2 when rise(a); transition t2: 2 -> 1 when fall(a);");
     run(chart);
     EXPECT_EQ(outputs(chart), "O");
     EXPECT_EQ(later(chart, 4999), "O");

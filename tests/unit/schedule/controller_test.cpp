@@ -67,8 +67,10 @@ TEST(ScheduleController, MakesOneCycleOfOneStep) {
 }
 
 TEST(ScheduleController, WritesOutputsOnlyWhenStableUnderStabilitySearch) {
-    Stepper s = start("input a; output A, B; initial step 1; step 2 { A; } step 3 { B; }"
-                      "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when true;", searching);
+    Stepper s = start(
+        "input a; output A, B; initial step 1; step 2 { A; } step 3 { B; }"
+        "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when true;",
+        searching);
     s.step({{"a", 1}});
     EXPECT_EQ(s["X_2"], 1);
     EXPECT_EQ(s["A"], 0) << "step 2 is transient: its output is never seen";
@@ -117,8 +119,10 @@ TEST(ScheduleController, SamplesTheInputsOfAnOutputInTheCycleThatWritesIt) {
 }
 
 TEST(ScheduleController, KeepsStoredOutputsInAnImageUntilTheyAreWritten) {
-    Stepper s = start("input a; output L, O; initial step 1; step 2 { L := true on activation; } step 3 { O; }"
-                      "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when true;", searching);
+    Stepper s = start(
+        "input a; output L, O; initial step 1; step 2 { L := true on activation; } step 3 { O; }"
+        "transition t1: 1 -> 2 when a; transition t2: 2 -> 3 when true;",
+        searching);
     s.step({{"a", 1}});
     EXPECT_EQ(s["L_image"], 1);
     EXPECT_EQ(s["L"], 0);
@@ -131,8 +135,9 @@ TEST(ScheduleController, KeepsStoredOutputsInAnImageUntilTheyAreWritten) {
 }
 
 TEST(ScheduleController, RunsTheActionsOfInitialStepsInTheFirstEvolution) {
-    const char* text = "input level: int 0..3; internal n: int 0..5 = 1, m: int 0..5 = 2;"
-                       "initial step 1 { n := level + 1 on activation; }";
+    const char* text =
+        "input level: int 0..3; internal n: int 0..5 = 1, m: int 0..5 = 2;"
+        "initial step 1 { n := level + 1 on activation; }";
     EXPECT_EQ(power_on(text, searching)["n"], 1);
     const Stepper s = start(text, searching, {{"level", 3}});
     EXPECT_EQ(s["n"], 4);
@@ -142,8 +147,10 @@ TEST(ScheduleController, RunsTheActionsOfInitialStepsInTheFirstEvolution) {
 }
 
 TEST(ScheduleController, ClearsNothingInTheFirstEvolutionAndIsNotSettledBeforeIt) {
-    Stepper s = power_on("input a; internal n = false; initial step 1 { n := true on activation; } step 2;"
-                         "transition t: 1 -> 2 when true;", searching);
+    Stepper s = power_on(
+        "input a; internal n = false; initial step 1 { n := true on activation; } step 2;"
+        "transition t: 1 -> 2 when true;",
+        searching);
     EXPECT_FALSE(s.settled());
     EXPECT_EQ(s["CF_t"], 0);
     s.step({{"a", 1}});
@@ -173,8 +180,10 @@ TEST(ScheduleController, EndsNoTimeBeforeTheFirstEvolution) {
 }
 
 TEST(ScheduleController, KeepsAValueThatWouldLeaveItsRangeAndRemembersTheFault) {
-    Stepper s = start("internal n: int 0..2 = 0; initial step 1; step 2 { n := n + 1 on activation; }"
-                      "transition t1: 1 -> 2 when true; transition t2: 2 -> 1 when true;", cyclic);
+    Stepper s = start(
+        "internal n: int 0..2 = 0; initial step 1; step 2 { n := n + 1 on activation; }"
+        "transition t1: 1 -> 2 when true; transition t2: 2 -> 1 when true;",
+        cyclic);
     for (const std::int64_t expected : {1, 1, 2, 2}) {
         s.step();
         EXPECT_EQ(s["n"], expected);
@@ -217,9 +226,11 @@ TEST(ScheduleController, CountsADivisionByZeroAsAFault) {
 }
 
 TEST(ScheduleController, RemembersARace) {
-    Stepper s = start("input a; internal n: int 0..2 = 0; initial step 1; initial step 2;"
-                      "step 3 { n := 1 on activation; } step 4 { n := 2 on activation; }"
-                      "transition t1: 1 -> 3 when a; transition t2: 2 -> 4 when true;", cyclic);
+    Stepper s = start(
+        "input a; internal n: int 0..2 = 0; initial step 1; initial step 2;"
+        "step 3 { n := 1 on activation; } step 4 { n := 2 on activation; }"
+        "transition t1: 1 -> 3 when a; transition t2: 2 -> 4 when true;",
+        cyclic);
     ASSERT_EQ(property_names(s.system), std::vector<std::string>{"no_race"});
     Stepper alone = s;
     alone.step();

@@ -59,8 +59,10 @@ TEST(Schedules, ConstraintsAreAssumedOfFreeInputsAndProvedOfAPlant) {
 TEST(Schedules, ConstraintsMayLeaveOneOfVeryManyCombinationsOfInputs) {
     std::string chart = "grafcet g { input n: int -32000..32000, m: int -32000..32000; output o; input ";
     std::string drivers;
-    std::string loop = "closed_loop l { controller g; environment N = free_integer(OUT = n, LOW = -32000, HIGH = 32000);"
-                       "environment M = free_integer(OUT = m, LOW = -32000, HIGH = 32000); property P: never o; constraint n == m && n % 3 == 2 && ";
+    std::string loop =
+        "closed_loop l { controller g; environment N = free_integer(OUT = n, LOW = -32000, HIGH = 32000);"
+        "environment M = free_integer(OUT = m, LOW = -32000, HIGH = 32000); property P: never o; constraint n == m && "
+        "n % 3 == 2 && ";
     for (int k = 0; k < 40; ++k) {
         const std::string name = "a" + std::to_string(k);
         chart += (k == 0 ? "" : ", ") + name;
@@ -69,9 +71,11 @@ TEST(Schedules, ConstraintsMayLeaveOneOfVeryManyCombinationsOfInputs) {
     }
     loop += "; " + drivers;
     chart += "; initial step 0; step 1 { o; } transition t: 0 -> 1 when a0 && n > m; }\n";
-    const auto found = verdicts(untimed_text(chart + loop + "constraint n > 31998; }", {.plant = PlantApproach::Constraints}));
+    const auto found =
+        verdicts(untimed_text(chart + loop + "constraint n > 31998; }", {.plant = PlantApproach::Constraints}));
     EXPECT_EQ(found.at("P"), Outcome::Holds);
-    EXPECT_THROW(untimed_text(chart + loop + "constraint n == 31999; }", {.plant = PlantApproach::Constraints}), std::invalid_argument);
+    EXPECT_THROW(untimed_text(chart + loop + "constraint n == 31999; }", {.plant = PlantApproach::Constraints}),
+                 std::invalid_argument);
 }
 
 /// WODES06 III.E, the cylinders and sensor of Fig. 3 alone: L1C comes in while L2C is out.
@@ -118,8 +122,7 @@ TEST(PickAndPlace, ShowsTheUnstableSituationWithoutTheSequencer) {
     const SymbolicResult result =
         check_symbolic(untimed_sample("pick_and_place/pick_and_place.grafcet", with(Schedule::Synchronous)));
     EXPECT_EQ(result.states, "1466");
-    for (const Verdict& verdict : result.verdicts)
-        EXPECT_EQ(verdict.outcome, Outcome::Holds) << verdict.property;
+    for (const Verdict& verdict : result.verdicts) EXPECT_EQ(verdict.outcome, Outcome::Holds) << verdict.property;
 }
 
 /// DESDES06 Table 1, one row per group of properties.
@@ -132,7 +135,7 @@ TEST(AssemblyStation, HasTheVerdictsOfTheTableInEachApproach) {
     };
     const Column columns[] = {
         {{}, Outcome::Violated, "4096"},
-        {{.plant = PlantApproach::Constraints}, Outcome::Violated, "2304"},   // 9/16, as in the table
+        {{.plant = PlantApproach::Constraints}, Outcome::Violated, "2304"},  // 9/16, as in the table
         {{.plant = PlantApproach::Automata}, Outcome::Holds, "116"},
     };
     for (const Column& column : columns) {

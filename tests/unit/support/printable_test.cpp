@@ -16,11 +16,13 @@ TEST(Printable, ShowsWhatATerminalWouldObey) {
     struct Case {
         std::string in, out;
     };
-    for (const Case& c : {Case{"plain text\tand \xC3\xBC \xE2\x86\x91 \xF0\x9F\x98\x80", "plain text\tand \xC3\xBC \xE2\x86\x91 \xF0\x9F\x98\x80"},
-                          Case{"\x1B[31m", "?[31m"}, Case{std::string("a\0b", 3), "a?b"}, Case{"a\r\nb\x7F", "a??b?"},
-                          Case{"\xC2\x9B", "?"}, Case{"\xC2\xA0", "\xC2\xA0"}, Case{"\xE2\x80\xAE\xE2\x81\xA9\xE2\x80\x8E\xD8\x9C", "????"},
-                          Case{"\xFF\xC3", "??"}, Case{"\xC0\xAF", "??"}, Case{"\xED\xA0\x80", "???"}, Case{"\xF4\x90\x80\x80", "????"},
-                          Case{"\xE2\x80", "??"}, Case{"", ""}}) {
+    for (const Case& c :
+         {Case{"plain text\tand \xC3\xBC \xE2\x86\x91 \xF0\x9F\x98\x80",
+               "plain text\tand \xC3\xBC \xE2\x86\x91 \xF0\x9F\x98\x80"},
+          Case{"\x1B[31m", "?[31m"}, Case{std::string("a\0b", 3), "a?b"}, Case{"a\r\nb\x7F", "a??b?"},
+          Case{"\xC2\x9B", "?"}, Case{"\xC2\xA0", "\xC2\xA0"},
+          Case{"\xE2\x80\xAE\xE2\x81\xA9\xE2\x80\x8E\xD8\x9C", "????"}, Case{"\xFF\xC3", "??"}, Case{"\xC0\xAF", "??"},
+          Case{"\xED\xA0\x80", "???"}, Case{"\xF4\x90\x80\x80", "????"}, Case{"\xE2\x80", "??"}, Case{"", ""}}) {
         EXPECT_EQ(printable(c.in), c.out);
         EXPECT_EQ(printable(printable(c.in)), printable(c.in));
     }
@@ -45,16 +47,24 @@ TEST(RenderText, PutsCaretsUnderTheColumnsOfATerminal) {
     struct Case {
         std::string before, marked, shown, blanks, carets;
     };
-    for (const Case& c : {Case{"\x1B[31m", "X12", "?[31mX12", "     ", "^^^"}, Case{"\xFF\x80", "X\x80", "??X?", "  ", "^^"},
-                          Case{"\xE2\x80\xAE", "\xC3\xBC", "?\xC3\xBC", " ", "^"}, Case{"\xE6\xBC\xA2", "\xE5\xAD\x97", "\xE6\xBC\xA2\xE5\xAD\x97", "  ", "^^"},
-                          Case{"e\xCC\x81", "e\xCC\x81", "e\xCC\x81" "e\xCC\x81", " ", "^"}, Case{"\t\xC3\xBC", "x", "\t\xC3\xBCx", "\t ", "^"}}) {
+    for (const Case& c :
+         {Case{"\x1B[31m", "X12", "?[31mX12", "     ", "^^^"}, Case{"\xFF\x80", "X\x80", "??X?", "  ", "^^"},
+          Case{"\xE2\x80\xAE", "\xC3\xBC", "?\xC3\xBC", " ", "^"},
+          Case{"\xE6\xBC\xA2", "\xE5\xAD\x97", "\xE6\xBC\xA2\xE5\xAD\x97", "  ", "^^"},
+          Case{"e\xCC\x81", "e\xCC\x81",
+               "e\xCC\x81"
+               "e\xCC\x81",
+               " ", "^"},
+          Case{"\t\xC3\xBC", "x", "\t\xC3\xBCx", "\t ", "^"}}) {
         SCOPED_TRACE(c.shown);
         Sources sources;
         const Id<Source> file = sources.add({"a\nb\x1B.grafcet", c.before + c.marked});
-        const auto begin = static_cast<std::uint32_t>(c.before.size()), end = begin + static_cast<std::uint32_t>(c.marked.size());
+        const auto begin = static_cast<std::uint32_t>(c.before.size()),
+                   end = begin + static_cast<std::uint32_t>(c.marked.size());
         std::ostringstream out;
         render_text({{Severity::Error, "code", {file, begin, end}, "message \x1B", {}}}, sources, Colour::Plain, out);
-        EXPECT_EQ(out.str(), "a?b?.grafcet:1:" + std::to_string(begin + 1) + ": error: message ? [code]\n    " + c.shown + "\n    " + c.blanks + c.carets + "\n");
+        EXPECT_EQ(out.str(), "a?b?.grafcet:1:" + std::to_string(begin + 1) + ": error: message ? [code]\n    " +
+                                 c.shown + "\n    " + c.blanks + c.carets + "\n");
     }
 }
 

@@ -7,7 +7,9 @@ namespace grafverif {
 namespace {
 
 TEST(Place, CountsLinesAndColumnsFromOne) {
-    struct Case { std::uint32_t offset, line, column; };
+    struct Case {
+        std::uint32_t offset, line, column;
+    };
     for (const Case& c : {Case{0, 1, 1}, {2, 1, 3}, {3, 2, 1}, {4, 3, 1}, {6, 3, 3}}) {
         SCOPED_TRACE(c.offset);
         const Place found = place("ab\n\ncd", c.offset);

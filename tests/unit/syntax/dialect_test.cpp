@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "syntax/print/dialect.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <ostream>
-
-#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 namespace {

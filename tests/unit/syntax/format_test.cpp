@@ -29,10 +29,12 @@ std::string formatted_text(const std::string& text) {
 std::string formatted_condition(const std::string& text) {
     Sources sources;
     Diagnostics diagnostics;
-    const Id<Source> source = sources.add({"test", "grafcet c { initial step 1; transition t: 1 -> 1 when " + text + "; }"});
+    const Id<Source> source =
+        sources.add({"test", "grafcet c { initial step 1; transition t: 1 -> 1 when " + text + "; }"});
     const tree::File file = parse_file(source, sources, diagnostics);
     if (file.broken) return "?";
-    return formatted(file, std::get<tree::Transition>(std::get<tree::Chart>(file.declarations.front()).items.back()).condition);
+    return formatted(
+        file, std::get<tree::Transition>(std::get<tree::Chart>(file.declarations.front()).items.back()).condition);
 }
 
 struct Case {
@@ -45,7 +47,7 @@ TEST(FormatCondition, UsesOneSpellingAndTheBracketsThatHelp) {
         {"not a or b", "!a || b"},
         {"((a))", "a"},
         {"(a) && (b == c)", "a && b == c"},
-        {"(a && b) || c", "(a && b) || c"},   // kept: tells the mixture apart
+        {"(a && b) || c", "(a && b) || c"},  // kept: tells the mixture apart
         {"a && b || c", "a && b || c"},
         {"(a || b) && c", "(a || b) && c"},
         {"(a && b) && c", "a && b && c"},
@@ -242,7 +244,7 @@ TEST(Format, ChangesNothingTheSecondTime) {
         SCOPED_TRACE(text);
         const std::string once = formatted_text(text);
         EXPECT_EQ(formatted_text(once), once);
-        for (const char* mark : {"/*", "//"}) {   // no comment is lost
+        for (const char* mark : {"/*", "//"}) {  // no comment is lost
             const auto count = [&](const std::string& in) {
                 std::size_t found = 0;
                 for (std::size_t at = in.find(mark); at != std::string::npos; at = in.find(mark, at + 2)) ++found;

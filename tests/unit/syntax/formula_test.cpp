@@ -19,22 +19,39 @@ std::string fault_of(FormulaLanguage language, const std::string& text, const Fo
 }
 
 TEST(Formula, TakesWhatNusmvTakes) {
-    for (const char* text :
-         {"AG EF press.X_0", "AG (a -> AF b)", "AG a -> b", "!EF !a", "! ! AX a & b", "A [a U b]", "E[a U E [b U c]]",
-          "A [ a BU 0..3 b ]", "EBF 0..7 a", "AG (n = 3 -> AX n = 4)", "n + 2 * m mod 4 >= -1", "press.loc = going_out",
-          "press.loc in {still, moving}", "n in 0..3", "a xor b xnor c <-> d -> e", "(a ? n : m) = 3", "count(a, b, c) = 1",
-          "max(n, abs(m)) < 3 & toint(a) = 1 & bool(n)", "(AX a) <-> b", "\tTRUE ", "A [(a ? b : c) U d]", "AG part_1.n.m != 2"})
+    for (const char* text : {"AG EF press.X_0",
+                             "AG (a -> AF b)",
+                             "AG a -> b",
+                             "!EF !a",
+                             "! ! AX a & b",
+                             "A [a U b]",
+                             "E[a U E [b U c]]",
+                             "A [ a BU 0..3 b ]",
+                             "EBF 0..7 a",
+                             "AG (n = 3 -> AX n = 4)",
+                             "n + 2 * m mod 4 >= -1",
+                             "press.loc = going_out",
+                             "press.loc in {still, moving}",
+                             "n in 0..3",
+                             "a xor b xnor c <-> d -> e",
+                             "(a ? n : m) = 3",
+                             "count(a, b, c) = 1",
+                             "max(n, abs(m)) < 3 & toint(a) = 1 & bool(n)",
+                             "(AX a) <-> b",
+                             "\tTRUE ",
+                             "A [(a ? b : c) U d]",
+                             "AG part_1.n.m != 2"})
         EXPECT_EQ(fault_of(Ctl, text), "") << text;
-    for (const char* text : {"G F press.X_0", "G (a -> F b)", "a U b U c", "a S b | O c & H d", "G [0, 3] a", "!X !Y a", "X next(a) = b",
-                             "a V b T c", "Z (a & n = 2)"})
+    for (const char* text : {"G F press.X_0", "G (a -> F b)", "a U b U c", "a S b | O c & H d", "G [0, 3] a", "!X !Y a",
+                             "X next(a) = b", "a V b T c", "Z (a & n = 2)"})
         EXPECT_EQ(fault_of(Ltl, text), "") << text;
 }
 
 TEST(Formula, TakesTheSymbolicQueriesOfUppaal) {
-    for (const char* text :
-         {"A[] not deadlock", "E<> Lamp.lit && x >= 3", "A<> a or b imply c", "E[] !a", "a --> b", "A [] (a ? b : c) == 2",
-          "A[] forall (i : int[0, 3]) a[i] <= i && i != 2", "E<> exists (i : int[0,N]) (x[i] >> 1 | 3) == 0", "A[] abs(n - 2) <? 3 < 7",
-          "(a && b) --> (c || d)", "A[] sum (i : int[0,1]) x[i] == 1", "E<> t >= 1.5"})
+    for (const char* text : {"A[] not deadlock", "E<> Lamp.lit && x >= 3", "A<> a or b imply c", "E[] !a", "a --> b",
+                             "A [] (a ? b : c) == 2", "A[] forall (i : int[0, 3]) a[i] <= i && i != 2",
+                             "E<> exists (i : int[0,N]) (x[i] >> 1 | 3) == 0", "A[] abs(n - 2) <? 3 < 7",
+                             "(a && b) --> (c || d)", "A[] sum (i : int[0,1]) x[i] == 1", "E<> t >= 1.5"})
         EXPECT_EQ(fault_of(Uppaal, text), "") << text;
 }
 
@@ -116,9 +133,11 @@ TEST(Formula, NamesAndTheirTypesAreThoseOfTheModel) {
     EXPECT_EQ(fault_of(Ctl, "AG (press.X_0 -> EF (n = 3 & press.loc = out))", names), "");
     EXPECT_EQ(fault_of(Ltl, "G F move", names), "");
     EXPECT_EQ(fault_of(Ctl, "AG press.X_1", names), "3-12: the model has nothing called `press.X_1`");
-    EXPECT_EQ(fault_of(Ctl, "AG move", names), "3-7: `move` is chosen anew in each step, and CTL speaks of states; LTL may read it");
+    EXPECT_EQ(fault_of(Ctl, "AG move", names),
+              "3-7: `move` is chosen anew in each step, and CTL speaks of states; LTL may read it");
     EXPECT_EQ(fault_of(Ctl, "AG n", names), "3-4: an operand of `AG` is a condition, this is a number");
-    EXPECT_EQ(fault_of(Ctl, "AG press.loc = n", names), "15-16: `=` has a named value on one side and a number on the other");
+    EXPECT_EQ(fault_of(Ctl, "AG press.loc = n", names),
+              "15-16: `=` has a named value on one side and a number on the other");
     EXPECT_EQ(fault_of(Ctl, "press.loc > 1", names), "0-9: an operand of `>` is a number, this is a named value");
     EXPECT_EQ(fault_of(Uppaal, "A[] forall (i : int[0, n]) i < n && press.X_0", names), "");
     EXPECT_EQ(fault_of(Uppaal, "A[] forall (i : int[0, n]) i < m", names), "31-32: the model has nothing called `m`");

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Structured Text and textual Sequential Function Charts: what is written is what stands in the tree.
+#include "syntax/st/parse_st.hpp"
+
 #include <gtest/gtest.h>
 
 #include <sstream>
 #include <string>
 
-#include "syntax/st/parse_st.hpp"
-
 namespace grafverif::st {
 namespace {
 
-constexpr const char* names[] = {"FALSE", "TRUE", "int", "time", "other", "name", "member", "address", "index", "deref",
-                                 "call", "arg", "result", "range", "NOT", "neg", "**", "*", "/", "MOD", "+", "-",
-                                 "<", "<=", ">", ">=", "=", "<>", "AND", "XOR", "OR"};
+constexpr const char* names[] = {
+    "FALSE", "TRUE",   "int",   "time", "other", "name", "member", "address", "index", "deref", "call",
+    "arg",   "result", "range", "NOT",  "neg",   "**",   "*",      "/",       "MOD",   "+",     "-",
+    "<",     "<=",     ">",     ">=",   "=",     "<>",   "AND",    "XOR",     "OR"};
 
 /// Prefix form: `(AND a (NOT b))`.
 std::string told(const File& file, Id<Expr> id) {

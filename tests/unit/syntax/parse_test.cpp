@@ -94,14 +94,9 @@ TEST(ParseCondition, BindsOperatorsAsTheLanguageSays) {
 
 TEST(ParseCondition, RefusesWhatIsNoCondition) {
     const std::vector<Case> cases = {
-        {"", "4:1 unexpected\n"},
-        {"a b", "3:3 unexpected\n"},
-        {"a < b < c", "3:7 unexpected\n"},
-        {"a = b", "3:3 single-equals\n"},
-        {"(a", "4:1 unexpected\n"},
-        {"a && 3x", "3:6 unknown-unit\n"},
-        {"always a", "3:1 unexpected\n"},
-        {"a <> b", "3:3 other-spelling\n"},
+        {"", "4:1 unexpected\n"},         {"a b", "3:3 unexpected\n"},        {"a < b < c", "3:7 unexpected\n"},
+        {"a = b", "3:3 single-equals\n"}, {"(a", "4:1 unexpected\n"},         {"a && 3x", "3:6 unknown-unit\n"},
+        {"always a", "3:1 unexpected\n"}, {"a <> b", "3:3 other-spelling\n"},
     };
     for (const Case& example : cases) {
         SCOPED_TRACE(example.in);
@@ -139,7 +134,8 @@ TEST(ParseProperty, KnowsEveryPattern) {
         Diagnostics diagnostics;
         const tree::File file = parse_file(Id<Source>{0}, sources, diagnostics);
         ASSERT_FALSE(file.broken) << errors(diagnostics, sources);
-        EXPECT_EQ(std::get<tree::Property>(std::get<tree::ClosedLoop>(file.declarations.front()).items.back()).pattern, pattern);
+        EXPECT_EQ(std::get<tree::Property>(std::get<tree::ClosedLoop>(file.declarations.front()).items.back()).pattern,
+                  pattern);
     }
 }
 
@@ -209,10 +205,10 @@ TEST(ParseFile, SkipsAByteOrderMark) { EXPECT_EQ(errors_of("\xEF\xBB\xBFgrafcet 
 
 TEST(ParseFile, RefusesBytesThatAreNoText) {
     using namespace std::string_literals;
-    EXPECT_EQ(errors_of("// \xC0\xAF\n"), "1:4 invalid-utf8\n");           // overlong
-    EXPECT_EQ(errors_of("// \xED\xA0\x80\n"), "1:4 invalid-utf8\n");       // surrogate
-    EXPECT_EQ(errors_of("// \xF4\x90\x80\x80\n"), "1:4 invalid-utf8\n");   // beyond U+10FFFF
-    EXPECT_EQ(errors_of("// \xE2\x86"), "1:4 invalid-utf8\n");             // cut
+    EXPECT_EQ(errors_of("// \xC0\xAF\n"), "1:4 invalid-utf8\n");          // overlong
+    EXPECT_EQ(errors_of("// \xED\xA0\x80\n"), "1:4 invalid-utf8\n");      // surrogate
+    EXPECT_EQ(errors_of("// \xF4\x90\x80\x80\n"), "1:4 invalid-utf8\n");  // beyond U+10FFFF
+    EXPECT_EQ(errors_of("// \xE2\x86"), "1:4 invalid-utf8\n");            // cut
     EXPECT_EQ(errors_of("grafcet a {\n    input a\0b;\n}\n"s), "2:12 unexpected-character\n");
     EXPECT_EQ(errors_of("// ünïcödé and ↑ in comments\ngrafcet a {\n    initial step 1;\n}\n"), "");
 }

@@ -2,11 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-
 #include <sstream>
 
-#include "syntax/print/equations.hpp"
 #include "support/play.hpp"
+#include "syntax/print/equations.hpp"
 
 namespace grafverif {
 namespace {

@@ -162,7 +162,8 @@ TEST(EmitNusmv, FormulasThatTheModelCannotAnswerAreOmittedInTheirPlaces) {
     small.ask(Pattern::RawLtl, {}, false, "G F move");
     small.ask(Pattern::RawCtl, {}, false, "EF move");
     small.ask(Pattern::Always, {small.a()});
-    for (const Id<Property> id : small.system.properties.ids()) small.system.properties[id].name = "P" + std::to_string(id.index);
+    for (const Id<Property> id : small.system.properties.ids())
+        small.system.properties[id].name = "P" + std::to_string(id.index);
     const System said = nusmv::sayable(small.system);
     ASSERT_EQ(said.properties.size(), 3u);
     EXPECT_EQ(said.properties[{0}].name, "P1");
@@ -201,8 +202,9 @@ TEST(EmitNusmv, AnotherPropertyMayHaveTheNameOfTheOpposite) {
     small.ask(Pattern::Reachable, {small.a()});
     small.ask(Pattern::Always, {small.b()});
     small.system.properties[{1}].name = "never_P";
-    expect_lines(emitted(small.system), "-- P; holds where never_P is false\nINVARSPEC NAME never_P := !a;\n\n"
-                                        "-- never_P\nINVARSPEC NAME never_P_ := b;\n");
+    expect_lines(emitted(small.system),
+                 "-- P; holds where never_P is false\nINVARSPEC NAME never_P := !a;\n\n"
+                 "-- never_P\nINVARSPEC NAME never_P_ := b;\n");
 }
 
 TEST(EmitNusmv, LeavesACommentInThePlaceOfAnOmittedProperty) {
@@ -231,14 +233,15 @@ TEST(EmitNusmv, LegalisesNamesAndMapsThemInTheHeader) {
     small.ask(Pattern::Reachable, {small.system.settled});
     small.system.properties[{0}].name = "all.X1";
     const std::string text = emitted(small.system);
-    expect_lines(text, "-- names that NuSMV does not take as they are\n"
-                       "--   in module main:\n"
-                       "--     S is S_\n"
-                       "--     next is next_\n"
-                       "--   in module controller_press:\n"
-                       "--     S is S_\n"
-                       "--   of properties:\n"
-                       "--     never_all.X1 is never_all_X1\n");
+    expect_lines(text,
+                 "-- names that NuSMV does not take as they are\n"
+                 "--   in module main:\n"
+                 "--     S is S_\n"
+                 "--     next is next_\n"
+                 "--   in module controller_press:\n"
+                 "--     S is S_\n"
+                 "--   of properties:\n"
+                 "--     never_all.X1 is never_all_X1\n");
     expect_lines(text, "  next_ : controller_press(S_);\n");
     expect_lines(text, "-- all.X1; holds where never_all_X1 is false\nINVARSPEC NAME never_all_X1 := !next_.X_1;\n");
     expect_lines(text, "  next(X_1) := S_;\n");
@@ -292,8 +295,8 @@ TEST(EmitNusmv, ChoicesAreInputVariablesAndNamedValuesAreWords) {
     const auto choice = inner.symbols.add({"edge", integer_type(0, 1), System::ChoiceSymbol{}, "", {}, {"go", "stay"}});
     const auto location = inner.symbols.add({"location", integer_type(0, 1), {}, "", {}, {"in", "out"}});
     const Id<Expr> goes = exprs.apply(Op::Equal, small.leaf(choice), exprs.integer(0));
-    inner.symbols[location].kind = System::StateSymbol{
-        exprs.integer(0), exprs.conditional(goes, exprs.integer(1), small.leaf(location))};
+    inner.symbols[location].kind =
+        System::StateSymbol{exprs.integer(0), exprs.conditional(goes, exprs.integer(1), small.leaf(location))};
     inner.transitions.push_back(exprs.disjunction(exprs.negation(goes), small.leaf(small.parameter)));
     ASSERT_EQ(verify(small.system), std::vector<std::string>{});
     std::ostringstream out;

@@ -53,7 +53,8 @@ TEST(StructuredTextForm, TheXmlHasTheElementsOfTheSchemaInItsOrder) {
 
 TEST(StructuredTextForm, AChartWithoutOutputsHasNoEmptyBranch) {
     for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle}) {
-        const std::string text = controller("input go; initial step 0; step 1; transition 0 -> 1 when go;", Form::Text, mode);
+        const std::string text =
+            controller("input go; initial step 0; step 1; transition 0 -> 1 when go;", Form::Text, mode);
         EXPECT_EQ(text.find("FAULT = 0 THEN\n"), std::string::npos) << text;
         SmallPlc plc({text}, "chart");
         plc.set("go", 1);
@@ -77,15 +78,16 @@ TEST(StructuredTextForm, BothFormsAreTheSameProgram) {
 }
 
 TEST(StructuredTextForm, NamesAreThoseOfIecAndToldInTheHeader) {
-    const std::string text = controller("input step_, END_IF, go; output GO__2, FAULT; initial step 0; step 1 { FAULT; }\n"
-                                        "transition TON: 0 -> 1 when step_ && END_IF && go; step 2 { GO__2; }\n"
-                                        "transition ton: 1 -> 2 when go;",
-                                        Form::Text);
+    const std::string text = controller(
+        "input step_, END_IF, go; output GO__2, FAULT; initial step 0; step 1 { FAULT; }\n"
+        "transition TON: 0 -> 1 when step_ && END_IF && go; step 2 { GO__2; }\n"
+        "transition ton: 1 -> 2 when go;",
+        Form::Text);
     EXPECT_NE(text.find("(* END_IF is END_IF_2 *)"), std::string::npos) << text;
     EXPECT_NE(text.find("(* step_ is step_0 *)"), std::string::npos) << text;
     EXPECT_NE(text.find("(* GO__2 is GO_2 *)"), std::string::npos) << text;
     EXPECT_NE(text.find("    FAULT_2 : INT := 0;"), std::string::npos) << text;
-    SmallPlc plc({text}, "chart");   // no name is declared twice
+    SmallPlc plc({text}, "chart");  // no name is declared twice
     for (const char* input : {"step_0", "END_IF_2", "go"}) plc.set(input, 1);
     plc.call(0);
     EXPECT_EQ(plc.value("GO_2"), 1);
@@ -111,19 +113,21 @@ TEST(StructuredTextForm, WhatAPlcMayComputeOtherwiseIsRefused) {
              Case{"N * 30000 * 30000 * 30000", "a value that may need more than 32 bits"},
          }) {
         Diagnostics diagnostics;
-        const Equations found =
-            equations("input level: int 1..7; output L; internal N: int 0..7 = 1; initial step 0 { L; }\n"
-                      "step 1 { N := " + std::string(c.value) + " on activation; } transition a: 0 -> 1 when true;");
+        const Equations found = equations(
+            "input level: int 1..7; output L; internal N: int 0..7 = 1; initial step 0 { L; }\n"
+            "step 1 { N := " +
+            std::string(c.value) + " on activation; } transition a: 0 -> 1 when true;");
         EXPECT_FALSE(structured_text::expressible(found, diagnostics));
         ASSERT_FALSE(diagnostics.all().empty());
         EXPECT_TRUE(diagnostics.all()[0].message.starts_with(c.reason)) << diagnostics.all()[0].message;
         EXPECT_TRUE(diagnostics.all()[0].where.source.valid()) << "no place";
     }
     Diagnostics none;
-    EXPECT_TRUE(structured_text::expressible(equations("input level: int -7..7; output L; internal N: int -9..9 = 1;\n"
-                                                       "initial step 0 { L; } step 1 { N := level / 2 + N % 3 on activation; }\n"
-                                                       "transition a: 0 -> 1 when true;"),
-                                             none));
+    EXPECT_TRUE(structured_text::expressible(
+        equations("input level: int -7..7; output L; internal N: int -9..9 = 1;\n"
+                  "initial step 0 { L; } step 1 { N := level / 2 + N % 3 on activation; }\n"
+                  "transition a: 0 -> 1 when true;"),
+        none));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 using structured_text::Form;
 
-constexpr std::int64_t tick = 250;   ///< milliseconds between two calls that wait
+constexpr std::int64_t tick = 250;  ///< milliseconds between two calls that wait
 
 TestSequence without_steps(const Chart& chart, ExecutionMode mode) {
     TestSequence test;
@@ -30,7 +30,8 @@ TestSequence without_steps(const Chart& chart, ExecutionMode mode) {
     return test;
 }
 
-std::vector<std::int64_t> values_of(const Chart& chart, Chart::VariableKind kind, const std::vector<std::int64_t>& values) {
+std::vector<std::int64_t> values_of(const Chart& chart, Chart::VariableKind kind,
+                                    const std::vector<std::int64_t>& values) {
     std::vector<std::int64_t> picked;
     for (const Id<Chart::Variable> id : chart.variables.ids())
         if (chart.variables[id].kind == kind) picked.push_back(values[id.index]);

@@ -23,9 +23,10 @@ constexpr std::string_view pulse =
     "transition a: 1 -> 2 when 5s/X1; transition b: 2 -> 1 when true;";
 
 TEST(StructuredTextTimers, AStepLeftAndActivatedAnewWithinOneCycleStartsItsTimerAnew) {
-    const std::string text = "output L; internal N: int 0..9 = 0; initial step 1 { L if N > 0; }\n"
-                             "step 2 { N := N + 1 on activation; }\n"
-                             "transition a: 1 -> 2 when 5s/X1; transition b: 2 -> 1 when true;";
+    const std::string text =
+        "output L; internal N: int 0..9 = 0; initial step 1 { L if N > 0; }\n"
+        "step 2 { N := N + 1 on activation; }\n"
+        "transition a: 1 -> 2 when 5s/X1; transition b: 2 -> 1 when true;";
     SmallPlc plc({controller(text, ExecutionMode::StabilitySearch)}, "chart");
     for (const std::int64_t now : {0, 4999, 5000, 5001, 9999, 10000}) {
         plc.call(now);
@@ -49,12 +50,14 @@ TEST(StructuredTextTimers, ATimerDoesNotEndWithinACycleThatTakesLong) {
     const std::string text = controller("output L; initial step 1; step 2 { L; } transition a: 1 -> 2 when 5s/X1;",
                                         ExecutionMode::StabilitySearch);
     EXPECT_NE(text.find("T_X1_5s_Q := T_X1_5s_Q AND X_1;"), std::string::npos)
-        << "an end that is sampled can only fall within the cycle\n" << text;
+        << "an end that is sampled can only fall within the cycle\n"
+        << text;
 }
 
 TEST(StructuredTextController, StopsAtTheBoundOfEvolutionsAndKeepsItsOutputs) {
-    const std::string text = "input a; output L; initial step 1 { L; } step 2;\n"
-                             "transition t: 1 -> 2 when a; transition u: 2 -> 1 when a;";
+    const std::string text =
+        "input a; output L; initial step 1 { L; } step 2;\n"
+        "transition t: 1 -> 2 when a; transition u: 2 -> 1 when a;";
     SmallPlc plc({controller(text, ExecutionMode::StabilitySearch, 20)}, "chart");
     plc.call(0);
     EXPECT_EQ(plc.value("L"), 1);
@@ -69,9 +72,10 @@ TEST(StructuredTextController, StopsAtTheBoundOfEvolutionsAndKeepsItsOutputs) {
 }
 
 TEST(StructuredTextController, ComputesNewValuesFromOldOnes) {
-    const std::string text = "input go; output A: int 0..9, B: int 0..9; internal M: int 0..9 = 1, N: int 0..9 = 2;\n"
-                             "initial step 1; step 2 { M := N on activation; N := M on activation; A := M on activation; }\n"
-                             "transition t: 1 -> 2 when go; transition u: 2 -> 1 when !go;";
+    const std::string text =
+        "input go; output A: int 0..9, B: int 0..9; internal M: int 0..9 = 1, N: int 0..9 = 2;\n"
+        "initial step 1; step 2 { M := N on activation; N := M on activation; A := M on activation; }\n"
+        "transition t: 1 -> 2 when go; transition u: 2 -> 1 when !go;";
     SmallPlc plc({controller(text, ExecutionMode::StabilitySearch)}, "chart");
     plc.call(0);
     for (const int swaps : {1, 2, 3}) {
