@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// The front door of the library, used as somebody does who has its header alone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "grafverif/grafverif.hpp"
+
+namespace {
+
+using namespace grafverif;
+
+const std::string samples = GRAFVERIF_SOURCE_DIR "/samples/";
+
+constexpr const char* lamp_text = R"(grafcet lamp_chart {
+    input a;
+    output o;
+    initial step 0;
+    step 1 { o; }
+    transition t0: 0 -> 1 when a;
+    transition t1: 1 -> 0 when 2s/X1;
+}
+closed_loop lamp_loop {
+    controller lamp_chart with stability_search;
+    plant Lamp = lamp(ON = o);
+    environment A = push_button(OUT = a);
+    property lit: reachable X1 && o;
+    property never_lit: never o;
+}
+)";
+
+Reading lamp_reading() {
+    Reading reading = read_string(lamp_text, "lamp.grafcet");
+    EXPECT_TRUE(reading.model) << reading.complaints();
+    return reading;
+}
+
+Outcome outcome(const Report& report, std::string_view property) {
+    for (const Answer& answer : report.answers)
+        if (answer.verdict.property == property) return answer.verdict.outcome;
+    ADD_FAILURE() << "no answer to " << property;
+    return Outcome::Unknown;
+}
+
+TEST(FrontDoor, TellsWhatIsWrongWithATextAsTheProgramDoes) {
+    const Reading reading =
+        read_string("grafcet g { initial step 0; transition t: 0 -> 9 when true; }\n", "wrong.grafcet");
+    EXPECT_FALSE(reading.model);
+    EXPECT_NE(reading.complaints().find("wrong.grafcet:1:"), std::string::npos) << reading.complaints();
+    EXPECT_NE(reading.complaints().find('^'), std::string::npos);
+    const Reading missing = read_file("/nowhere/x.grafcet");
+    EXPECT_FALSE(missing.model);
+    EXPECT_NE(missing.complaints().find("no such file"), std::string::npos) << missing.complaints();
+}
+
+TEST(FrontDoor, IncludesComeFromWhereTheCallerSays) {
+    ReadOptions options;
+    std::vector<std::string> asked;
+    options.load = [&](const std::string& path, std::string& why) -> std::optional<std::string> {
+        asked.push_back(path);
+        if (path != "part.grafcet") return why = "it is not here", std::nullopt;
+        return "grafcet part { initial step 0; }\n";
+    };
+    const Reading reading = read_string("include \"part.grafcet\";\n", "main.grafcet", options);
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    EXPECT_EQ(asked, std::vector<std::string>{"part.grafcet"});
+    EXPECT_TRUE(find_chart(*reading.model, "part"));
+    EXPECT_FALSE(find_chart(*reading.model, "other"));
+    const Reading refused = read_string("include \"far.grafcet\";\n", "main.grafcet", options);
+    EXPECT_NE(refused.complaints().find("it is not here"), std::string::npos) << refused.complaints();
+}
+
+TEST(FrontDoor, DecidesALoopWithAndWithoutTime) {
+    Reading file = lamp_reading();
+    const auto loop = find_loop(*file.model, "lamp_loop");
+    ASSERT_TRUE(loop);
+    const auto timed = check(*file.model, *loop, {}, {}, file.diagnostics);
+    ASSERT_TRUE(timed) << file.complaints();
+    EXPECT_EQ(outcome(*timed, "lit"), Outcome::Holds);
+    EXPECT_EQ(outcome(*timed, "never_lit"), Outcome::Violated);
+    EXPECT_EQ(timed->failures, std::vector<std::string>{});
+    const auto violated =
+        std::ranges::find(timed->answers, "never_lit", [](const Answer& each) { return each.verdict.property; });
+    ASSERT_TRUE(violated->trace);
+    EXPECT_FALSE(violated->trace->rows.empty());
+    EXPECT_NE(text_of(*timed).find("never_lit: violated"), std::string::npos) << text_of(*timed);
+    EXPECT_NE(json_of(*timed).find("\"lamp_loop\""), std::string::npos);
+
+    const auto untimed = check_untimed(*file.model, *loop, {}, {}, file.diagnostics);
+    ASSERT_TRUE(untimed) << file.complaints();
+    EXPECT_EQ(outcome(*untimed, "lit"), Outcome::Holds);
+    EXPECT_FALSE(untimed->answers.front().carries.empty());
+}
+
+TEST(FrontDoor, APropertyThatIsNotThereIsAnErrorAndNoSilence) {
+    Reading file = lamp_reading();
+    const CheckOptions options{.properties = {"litt"}};
+    EXPECT_FALSE(check(*file.model, {0}, {}, options, file.diagnostics));
+    EXPECT_NE(file.complaints().find("litt"), std::string::npos) << file.complaints();
+    EXPECT_FALSE(check_untimed(*file.model, Id<ClosedLoop>{0}, {}, options, file.diagnostics));
+    EXPECT_FALSE(check_untimed(*file.model, Id<Chart>{0}, {}, options, file.diagnostics));
+}
+
+TEST(FrontDoor, BoundsEndTheWorkWithWhatIsKnown) {
+    Reading file = read_file(samples + "testing_station/testing_station.grafcet");
+    ASSERT_TRUE(file.model) << file.complaints();
+    CheckOptions options;
+    options.limits.states = 10;
+    const auto bounded = check(*file.model, {0}, {}, options, file.diagnostics);
+    ASSERT_TRUE(bounded);
+    EXPECT_TRUE(std::ranges::any_of(bounded->answers, [](const Answer& answer) {
+        return answer.verdict.outcome == Outcome::Unknown && answer.verdict.obstacle == Obstacle::Bound;
+    })) << text_of(*bounded);
+
+    const std::atomic<bool> stop = true;
+    options.limits = {.stop = &stop};
+    const auto stopped = check(*file.model, {0}, {}, options, file.diagnostics);
+    ASSERT_TRUE(stopped);
+    EXPECT_TRUE(std::ranges::any_of(stopped->answers, [](const Answer& answer) {
+        return answer.verdict.obstacle == Obstacle::Stopped;
+    })) << text_of(*stopped);
+}
+
+TEST(FrontDoor, ProgressIsToldAndMayEndTheWork) {
+    Reading file = read_file(samples + "tanks/tanks.grafcet");
+    ASSERT_TRUE(file.model) << file.complaints();
+    std::atomic<bool> stop = false;
+    std::string words;
+    CheckOptions options;
+    options.limits.stop = &stop;
+    options.limits.progress = [&](const Progress& now) {
+        words = now.words();
+        stop = true;
+    };
+    const auto report = check_untimed(*file.model, Id<ClosedLoop>{0}, {}, options, file.diagnostics);
+    ASSERT_TRUE(report);
+    EXPECT_NE(words.find("steps deep"), std::string::npos) << words;
+    EXPECT_TRUE(std::ranges::any_of(report->answers, [](const Answer& answer) {
+        return answer.verdict.obstacle == Obstacle::Stopped;
+    })) << text_of(*report);
+}
+
+TEST(FrontDoor, GivesModelsAsText) {
+    Reading file = lamp_reading();
+    const auto network = network_of(*file.model, {0}, {}, file.diagnostics);
+    const auto system = transition_system_of(*file.model, Id<ClosedLoop>{0}, {}, file.diagnostics);
+    const auto equations = equations_of(*file.model, {0}, file.diagnostics);
+    ASSERT_TRUE(network && system && equations) << file.complaints();
+    const UppaalProject uppaal = uppaal_project(*network, file.diagnostics);
+    EXPECT_NE(uppaal.project.find("<nta>"), std::string::npos);
+    EXPECT_NE(uppaal.queries.find("A[]"), std::string::npos) << uppaal.queries;
+    EXPECT_NE(nusmv_model(*system, file.diagnostics).find("MODULE main"), std::string::npos);
+    const auto block = structured_text_of(*equations, ExecutionMode::StabilitySearch, file.diagnostics);
+    ASSERT_TRUE(block);
+    EXPECT_NE(block->find("END_FUNCTION_BLOCK"), std::string::npos) << *block;
+}
+
+TEST(FrontDoor, AsksChartsAlone) {
+    Reading file = lamp_reading();
+    const auto report = check_untimed(*file.model, Id<Chart>{0}, {}, {}, file.diagnostics);
+    ASSERT_TRUE(report) << file.complaints();
+    EXPECT_EQ(outcome(*report, "reachable.X1"), Outcome::Holds);
+    EXPECT_EQ(outcome(*report, "stabilises"), Outcome::Holds);
+    const auto analysis = analysis_of(*file.model, {0}, {}, {}, file.diagnostics);
+    ASSERT_TRUE(analysis);
+    EXPECT_TRUE(analysis->open.empty());
+    const auto automaton = automaton_of(*file.model, {0}, {}, file.diagnostics);
+    const auto machine = mealy_of(*file.model, {0}, {}, file.diagnostics);
+    const auto test = test_of(*file.model, {0}, {}, file.diagnostics);
+    ASSERT_TRUE(automaton && machine && test) << file.complaints();
+    EXPECT_TRUE(automaton->complete);
+    EXPECT_TRUE(verify(*machine).empty());
+    EXPECT_FALSE(test->sequences.empty());
+}
+
+TEST(FrontDoor, OneModelServesSeveralThreads) {
+    const Reading file = lamp_reading();
+    std::vector<std::string> reports(4);
+    std::vector<std::thread> threads;
+    for (std::string& report : reports)
+        threads.emplace_back([&] {
+            Diagnostics diagnostics;
+            if (const auto made = check(*file.model, {0}, {}, {}, diagnostics)) report = text_of(*made);
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_NE(reports[0], "");
+    for (const std::string& report : reports) EXPECT_EQ(report, reports[0]);
+}
+
+}  // namespace
