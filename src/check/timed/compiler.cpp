@@ -316,14 +316,7 @@ std::uint32_t Compiler::comparison(Id<Expr> term, std::uint32_t yes, std::uint32
         if (op == Op::Greater) low = std::max(low, bound + 1);
         if (low > high) return no;
         if (low == type.low && high == type.high) return yes;
-        return emit({.mask = field.mask(),
-                     .value = static_cast<Word>(low - field.low),
-                     .span = static_cast<Word>(high - low),
-                     .yes = yes,
-                     .no = no,
-                     .word = field.word,
-                     .shift = field.shift,
-                     .op = Do::Within});
+        return emit(field_within(field, low - field.low, high - field.low, yes, no));
     }
     if (op == Op::Greater || op == Op::GreaterEqual) {
         std::swap(left, right);

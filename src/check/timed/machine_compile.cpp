@@ -15,14 +15,7 @@ std::uint32_t within(Compiler& compiler, const Field& field, const Interval& wan
     const std::int64_t high = std::min(wanted.high, std::max<std::int64_t>(cap, 0));
     if (low > high) return no;
     if (low == 0 && high >= cap) return yes;
-    return compiler.emit({.mask = field.mask(),
-                          .value = static_cast<Word>(low),
-                          .span = static_cast<Word>(high - low),
-                          .yes = yes,
-                          .no = no,
-                          .word = field.word,
-                          .shift = field.shift,
-                          .op = Do::Within});
+    return compiler.emit(field_within(field, low, high, yes, no));
 }
 
 bool resets(const Network::Edge& edge, std::uint32_t clock) {

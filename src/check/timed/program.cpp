@@ -119,4 +119,15 @@ Ran run(const Program& program, std::uint32_t start, Word* words, std::int64_t* 
     }
 }
 
+Instruction field_within(const Field& field, std::int64_t low, std::int64_t high, std::uint32_t yes, std::uint32_t no) {
+    return {.mask = field.mask(),
+            .value = static_cast<Word>(low),
+            .span = static_cast<Word>(high - low),
+            .yes = yes,
+            .no = no,
+            .word = field.word,
+            .shift = field.shift,
+            .op = Do::Within};
+}
+
 }  // namespace grafverif::timed

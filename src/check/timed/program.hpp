@@ -59,6 +59,9 @@ struct Instruction {
     Do op = Do::Yes;
 };
 
+/// The test that the bits of `field` are a number in low..high.
+Instruction field_within(const Field& field, std::int64_t low, std::int64_t high, std::uint32_t yes, std::uint32_t no);
+
 /// What a term without a value leaves in its register. No term of bounded variables has it as a value.
 inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min();
 
