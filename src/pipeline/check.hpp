@@ -19,9 +19,6 @@ namespace grafverif {
 /// `the counterexample of P15 does not replay: controller press, evolution 3: ...`
 std::string replay_failure(std::string_view what, const Disagreement& disagreement);
 
-/// Whether a property called `property` is one of those asked for; `S.X7` is asked for by `S` as well.
-bool is_asked(std::string_view property, const std::vector<std::string>& asked);
-
 /// What a check can be asked for by name; those that the model cannot be asked are answered too, as unknown.
 std::vector<std::string> property_names(const Network& network);
 std::vector<std::string> property_names(const TransitionSystem& system);
@@ -70,16 +67,6 @@ Report check(const SystemToCheck& check, const CheckOptions& options);
 
 /// Adds what a chart alone is asked: that each of its steps can be reached (`reachable.X2`).
 void ask_for_steps(TransitionSystem& system);
-
-/// The name of what a chart alone is asked under stability search, as `analyse` is: that its situation becomes stable
-/// whatever the inputs (code `total-instability`).
-inline constexpr const char* stabilises = "stabilises";
-
-bool asks_for_stability(const TransitionSystem& system);
-
-/// The system of a chart alone: its properties, and whether it stabilises where that is asked for.
-Report check(const Model& model, Id<Chart> chart, const Equations& equations, const SystemToCheck& check,
-             const CheckOptions& options);
 
 Analysis analysis_of(const Chart& chart, const Equations& equations, AnalyseOptions options, const Limits& limits);
 

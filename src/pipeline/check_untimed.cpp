@@ -28,11 +28,16 @@ std::string replay_failure(std::string_view what, const Disagreement& disagreeme
                        disagreement.what, disagreement.move);
 }
 
+namespace {
+
+/// Whether a property called `property` is one of those asked for; `S.X7` is asked for by `S` as well.
 bool is_asked(std::string_view property, const std::vector<std::string>& asked) {
     return std::ranges::any_of(asked, [&](const std::string& name) {
         return property == name || (property.starts_with(name) && property.substr(name.size()).starts_with('.'));
     });
 }
+
+}  // namespace
 
 bool all_known(const std::vector<std::string>& names, const std::vector<std::string>& known, Diagnostics& diagnostics) {
     for (const std::string& name : names) {
@@ -149,6 +154,10 @@ void ask_for_steps(TransitionSystem& system) {
 
 namespace {
 
+/// The name of what a chart alone is asked under stability search, as `analyse` is: that its situation becomes stable
+/// whatever the inputs (code `total-instability`).
+constexpr const char* stabilises = "stabilises";
+
 void add_stabilises(const Chart& chart, const Equations& equations, const Limits& limits, Report& report) {
     AnalyseOptions asked;
     asked.instability_only = true;
@@ -177,19 +186,6 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Limits
 
 }  // namespace
 
-bool asks_for_stability(const TransitionSystem& system) {
-    return system.controllers.front().words.mode == ExecutionMode::StabilitySearch;
-}
-
-Report check(const Model& model, Id<Chart> chart, const Equations& equations, const SystemToCheck& system,
-             const CheckOptions& options) {
-    Report report = check(system, options);
-    const bool asked = options.properties.empty() || is_asked(stabilises, options.properties);
-    if (asked && asks_for_stability(system.system))
-        add_stabilises(model.charts[chart], equations, options.limits, report);
-    return report;
-}
-
 std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> id, const ModelOptions& how,
                                     const CheckOptions& options, Diagnostics& diagnostics) {
     const auto system = transition_system_of(model, id, how, diagnostics);
@@ -204,10 +200,14 @@ std::optional<Report> check_untimed(const Model& model, Id<Chart> chart, const M
     if (!equations) return {};
     TransitionSystem system = transition_system_of(model, chart, *equations, how.mode);
     ask_for_steps(system);
+    const bool stability = system.controllers.front().words.mode == ExecutionMode::StabilitySearch;
     std::vector<std::string> known = property_names(system);
-    if (asks_for_stability(system)) known.emplace_back(stabilises);
+    if (stability) known.emplace_back(stabilises);
     if (!all_known(options.properties, known, diagnostics)) return {};
-    return check(model, chart, *equations, {system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, options);
+    Report report = check(SystemToCheck{system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, options);
+    if (stability && (options.properties.empty() || is_asked(stabilises, options.properties)))
+        add_stabilises(model.charts[chart], *equations, options.limits, report);
+    return report;
 }
 
 }  // namespace grafverif

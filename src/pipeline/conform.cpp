@@ -51,6 +51,9 @@ std::optional<LocationAutomaton> automaton_of(const Model& model, Id<Chart> char
     return location_automaton(*equations, options, diagnostics);
 }
 
+namespace {
+
+/// Of least size where `how` says so.
 std::optional<MealyMachine> mealy_of(const LocationAutomaton& automaton, Span chart, const ConformOptions& how,
                                      Diagnostics& diagnostics) {
     MealyOptions options;
@@ -67,6 +70,8 @@ std::optional<TestSequence> test_of(const MealyMachine& machine, Span chart, con
     options.one_cycle_each = how.one_cycle_each;
     return test_sequence(machine, options, chart, diagnostics);
 }
+
+}  // namespace
 
 std::optional<MealyMachine> mealy_of(const Model& model, Id<Chart> chart, const ConformOptions& options,
                                      Diagnostics& diagnostics) {

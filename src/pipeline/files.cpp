@@ -122,7 +122,7 @@ bool is_below(const fs::path& file, const fs::path& root) {
 
 std::string identity_of_existing(const std::string& path) {
     struct stat status = {};
-    return ::stat(path.c_str(), &status) == 0 ? fmt::format("{}:{}", status.st_dev, status.st_ino) : std::string();
+    return ::stat(path.c_str(), &status) == 0 ? device_and_node(status) : std::string();
 }
 
 Reach::Reach(const fs::path& main, const std::vector<std::string>& folders) {

@@ -38,12 +38,6 @@ UppaalQuestions uppaal_questions(const Network& network);
 /// TestSequence -> Structured Text.
 std::string structured_text_test(const TestSequence& test, structured_text::Form form);
 
-/// LocationAutomaton -> MealyMachine, of least size where `options` say so; MealyMachine -> TestSequence.
-std::optional<MealyMachine> mealy_of(const LocationAutomaton& automaton, Span chart, const ConformOptions& options,
-                                     Diagnostics& diagnostics);
-std::optional<TestSequence> test_of(const MealyMachine& machine, Span chart, const ConformOptions& options,
-                                    Diagnostics& diagnostics);
-
 /// What all engines take.
 template <class EngineOptions>
 void set_limits(EngineOptions& options, const Limits& limits) {

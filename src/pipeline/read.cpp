@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // text -> Model, files and components of the library included.
-#include <sys/stat.h>
-
-#include <algorithm>
 #include <sstream>
 #include <utility>
 
