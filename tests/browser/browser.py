@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: MIT
+"""A page as a user meets it: Chromium without a window, driven through chromedriver by Selenium.
+
+A file of tests is a Python program that ends in `browser.main()`. Each test is a `browser.Case`: it opens pages, presses
+keys and reads what is there. In the end of each test the console must hold no error, and no request may have left the
+machine. Where there is no Chromium the program says so and ends with 77: the test is skipped.
+"""
+import base64
+import contextlib
+import functools
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import urllib.parse
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.options import Options
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+except ImportError:
+    webdriver = By = Keys = None
+
+SKIPPED = 77
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("GRAFVERIF_PROGRAM", str(SOURCE / "build/dev/bin/grafverif"))
+SIZES = {"laptop": (1366, 768), "tablet": (820, 1180), "phone": (390, 844)}
+SCHEMES = ("light", "dark")
+SWITCHES = [
+    "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-dev-shm-usage",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-extensions",
+    # A request that leaves the machine is a fault; it is not to reach anybody either.
+    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1, EXCLUDE localhost",
+]
+# Both programs by their places: they are built together, and a wrapper of another system (a snap) is none of them.
+CHROMIUM, DRIVER = "/usr/bin/chromium", "/usr/bin/chromedriver"
+
+
+def why_not():
+    """Why no page can be looked at here; empty: it can."""
+    if webdriver is None:
+        return f"{sys.executable} has no Selenium (Debian: python3-selenium)"
+    for place, package in ((CHROMIUM, "chromium"), (DRIVER, "chromium-driver")):
+        if not os.access(place, os.X_OK):
+            return f"there is no {place} (Debian: {package})"
+    return ""
+
+
+def run(*arguments, code=0, folder=None):
+    """What grafverif prints; it must end with `code`, where one is given."""
+    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=folder, timeout=60)
+    assert code is None or done.returncode == code, f"grafverif {arguments} ends with {done.returncode}: {done.stdout}{done.stderr}"
+    return done.stdout
+
+
+def eventually(question, seconds=10, what=""):
+    """The first answer of `question` that counts as true; it is asked again until it gives one."""
+    end = time.monotonic() + seconds
+    while True:
+        answer = question()
+        if answer:
+            return answer
+        assert time.monotonic() < end, f"never within {seconds} s: {what or question}"
+        time.sleep(0.02)
+
+
+def leaves_the_machine(address):
+    parts = urllib.parse.urlsplit(address)
+    if parts.scheme not in ("http", "https", "ws", "wss", "ftp"):
+        return False  # file:, data:, blob:, about:, chrome:
+    return parts.hostname not in ("127.0.0.1", "::1", "localhost")
+
+
+@contextlib.contextmanager
+def folder_served(folder):
+    """The files of `folder` at the address that this gives."""
+    class Quiet(SimpleHTTPRequestHandler):
+        def log_message(self, *_):
+            pass
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(folder)))
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{server.server_port}/"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()
+
+
+class Page:
+    """One window, and what happened in it."""
+
+    def __init__(self, driver):
+        self.driver = driver
+
+    def open(self, address):
+        if isinstance(address, pathlib.Path):
+            address = address.resolve().as_uri()
+        self.driver.get(address)
+
+    # What is there
+
+    def script(self, text, *arguments):
+        return self.driver.execute_script(text, *arguments)
+
+    def find(self, selector):
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def all(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def text(self, selector):
+        return self.script("const e = document.querySelector(arguments[0]); return e ? e.textContent : null", selector)
+
+    def texts(self, selector):
+        return self.script("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector)
+
+    def wait_for(self, selector, seconds=10):
+        return eventually(lambda: self.all(selector), seconds, selector)[0]
+
+    def wait_for_text(self, selector, part, seconds=10):
+        eventually(lambda: part in (self.text(selector) or ""), seconds, f"`{part}` in {selector}")
+
+    def press(self, *keys):
+        """Keys go to whatever has the focus, as a user's do."""
+        self.driver.switch_to.active_element.send_keys(*keys)
+
+    # How it is looked at
+
+    def size(self, name):
+        width, height = SIZES[name]
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": name == "phone"})
+
+    def scheme(self, name):
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "features": [{"name": "prefers-color-scheme", "value": name}]})
+
+    def pdf(self):
+        return base64.b64decode(self.driver.execute_cdp_cmd("Page.printToPDF", {"printBackground": True})["data"])
+
+    def screenshot(self, name):
+        """Kept where GRAFVERIF_SCREENSHOTS names a folder."""
+        folder = os.environ.get("GRAFVERIF_SCREENSHOTS")
+        if folder:
+            self.driver.save_screenshot(str(pathlib.Path(folder) / f"{name}.png"))
+
+    # What happened
+
+    def errors(self):
+        """Of the console, since the last call."""
+        return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
+
+    def requests(self):
+        """Addresses asked for, since the last call."""
+        asked = []
+        for entry in self.driver.get_log("performance"):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent":
+                asked.append(message["params"]["request"]["url"])
+            elif message["method"] == "Network.webSocketCreated":
+                asked.append(message["params"]["url"])
+        return asked
+
+
+# What is wrong with the texts of an SVG, in words: out of the page, or over another text.
+SVG_FAULTS = """
+const svg = document.querySelector('svg'), page = svg.getBoundingClientRect();
+const texts = [...svg.querySelectorAll('text')].filter(t => t.textContent.trim())
+    .map(t => ({words: t.textContent, slanted: /rotate/.test(t.getAttribute('transform') || ''), box: t.getBoundingClientRect()}));
+const faults = [];
+for (const t of texts)
+    if (t.box.left < page.left - 1 || t.box.right > page.right + 1 || t.box.top < page.top - 1 || t.box.bottom > page.bottom + 1)
+        faults.push(`"${t.words}" reaches out of the page`);
+const level = texts.filter(t => !t.slanted).sort((a, b) => a.box.top - b.box.top);
+for (let i = 0; i < level.length; ++i)
+    for (let j = i + 1; j < level.length && level[j].box.top < level[i].box.bottom; ++j) {
+        const a = level[i].box, b = level[j].box, slack = 1.5;
+        if (a.left < b.right - slack && b.left < a.right - slack && a.bottom - slack > b.top && b.bottom - slack > a.top)
+            faults.push(`"${level[i].words}" lies over "${level[j].words}"`);
+    }
+return faults.slice(0, 20);
+"""
+
+# Texts whose contrast with what is behind them is less than 4.5 to 1, or 3 to 1 where they are large (WCAG 2.1, 1.4.3).
+FAINT_TEXTS = """
+const colour = text => { const n = text.match(/[\\d.]+/g).map(Number); return n.length < 4 ? [...n, 1] : n; };
+const over = (a, b) => [0, 1, 2].map(k => a[k] * a[3] + b[k] * (1 - a[3])).concat(1);
+const light = c => [0, 1, 2].map(k => c[k] / 255).map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
+    .reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0);
+const paper = e => {
+    const layers = [];
+    for (; e; e = e.parentElement) layers.push(colour(getComputedStyle(e).backgroundColor));
+    const dark = getComputedStyle(document.documentElement).colorScheme.includes('dark') &&
+        matchMedia('(prefers-color-scheme: dark)').matches;
+    return layers.reverse().reduce((below, layer) => over(layer, below), dark ? [18, 18, 18, 1] : [255, 255, 255, 1]);
+};
+const faults = [];
+for (const e of document.querySelectorAll('body *')) {
+    if (e.closest('svg') || ![...e.childNodes].some(n => n.nodeType === 3 && n.data.trim()) || !e.checkVisibility()) continue;
+    const style = getComputedStyle(e), below = paper(e), ink = over(colour(style.color), below);
+    const [low, high] = [light(ink), light(below)].sort((a, b) => a - b), ratio = (high + 0.05) / (low + 0.05);
+    const large = parseFloat(style.fontSize) >= 24 || (parseFloat(style.fontSize) >= 18.6 && style.fontWeight >= 700);
+    if (ratio < (large ? 3 : 4.5) && !e.matches(':disabled')) faults.push(`${ratio.toFixed(2)}: ${e.textContent.trim().slice(0, 60)}`);
+}
+return faults.slice(0, 20);
+"""
+
+# What a screen reader could not tell: things to press or fill in that have no name, pictures without one, a page without
+# language, title, main part or heading; ids that are there twice.
+UNNAMED = """
+const faults = [];
+const named = e => (e.getAttribute('aria-label') || e.textContent || e.title || '').trim() ||
+    (e.getAttribute('aria-labelledby') || '').split(' ').some(id => id && document.getElementById(id)?.textContent.trim()) ||
+    (e.labels && [...e.labels].some(l => l.textContent.trim()));
+for (const e of document.querySelectorAll('button, a[href], input, select, textarea, summary, [role=button], [role=slider], [role=tab], [tabindex="0"]'))
+    if (e.checkVisibility() && !named(e)) faults.push('no name: ' + e.outerHTML.slice(0, 80));
+for (const e of document.querySelectorAll('svg, img'))
+    if (e.checkVisibility() && e.getAttribute('aria-hidden') !== 'true' && !e.closest('[aria-hidden=true]') && !named(e) && !e.getAttribute('alt'))
+        faults.push('no name: ' + e.outerHTML.slice(0, 80));
+if (!document.documentElement.lang) faults.push('the page has no language');
+if (!document.title) faults.push('the page has no title');
+if (!document.querySelector('main, [role=main]')) faults.push('the page has no main part');
+if (!document.querySelector('h1')) faults.push('the page has no heading');
+const ids = new Set();
+for (const e of document.querySelectorAll('[id]')) { if (ids.has(e.id)) faults.push('twice: #' + e.id); ids.add(e.id); }
+return faults.slice(0, 20);
+"""
+
+# By how many pixels the page is wider than its window.
+EXCESS_WIDTH = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
+
+
+class Case(unittest.TestCase):
+    """Tests of one file share a browser; each has an empty window."""
+
+    allowed_errors = ()  # parts of messages of the console that a test provokes
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="grafverif-browser-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
+        options = Options()
+        options.binary_location = CHROMIUM
+        for switch in [*SWITCHES, f"--user-data-dir={cls.folder / 'profile'}"]:
+            options.add_argument(switch)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        cls.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
+        cls.addClassCleanup(cls.driver.quit)
+        cls.driver.set_page_load_timeout(30)
+        cls.driver.set_script_timeout(30)
+
+    def setUp(self):
+        first = self.driver.current_window_handle
+        self.driver.switch_to.new_window("tab")
+        fresh = self.driver.current_window_handle
+        self.driver.switch_to.window(first)
+        self.driver.close()
+        self.driver.switch_to.window(fresh)
+        self.page = Page(self.driver)
+        self.page.errors(), self.page.requests()
+        self.work = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+
+    def tearDown(self):
+        errors = [e for e in self.page.errors() if not any(part in e for part in self.allowed_errors)]
+        self.assertEqual(errors, [], "the console has errors")
+        away = [address for address in self.page.requests() if leaves_the_machine(address)]
+        self.assertEqual(away, [], "requests leave the machine")
+
+
+def main():
+    reason = why_not()
+    if reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+    unittest.main(verbosity=2)
+
+
+if __name__ == "__main__":
+    print(why_not())
