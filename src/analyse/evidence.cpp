@@ -6,6 +6,7 @@
 
 #include "analyse/moments.hpp"
 #include "run/interpreter.hpp"
+#include "run/project.hpp"
 
 namespace grafverif::analysis {
 
@@ -38,7 +39,7 @@ public:
         }
         if (!machine_.clocks().empty()) result_.timing = Finding::Timing::Confirmed;
         moments_ = *moments;
-        make_signals();
+        result_.trace = project(chart_, mode_);
         const std::size_t last = path_.instants.size() - 1;
         begin(0);
         add_row("power-on", {});
@@ -49,27 +50,6 @@ public:
 
 private:
     using Fired = std::vector<std::vector<Id<Chart::Transition>>>;
-
-    void make_signals() {
-        ChartRun& run = result_.trace;
-        ChartRun::Controller controller{.name = equations_.name, .mode = mode_};
-        run.name = equations_.name;
-        for (const Equations::StepActivity& step : equations_.steps)
-            controller.steps.push_back(run.steps.add({step.step, step.step, ""}));
-        shorten_names(run.steps);
-        for (const Chart::Transition& transition : chart_.transitions)
-            controller.transitions.push_back(run.transitions.add({transition.name}));
-        for (const Chart::Variable& variable : chart_.variables) {
-            const auto add = [&](ChartRun::Role role) { return run.signals.add({role, variable.name, variable.type}); };
-            switch (variable.kind) {
-            case Kind::Input: controller.inputs.push_back(add(ChartRun::Role::Input)); break;
-            case Kind::Output: controller.outputs.push_back(add(ChartRun::Role::Output)); break;
-            case Kind::Internal: controller.internals.push_back(add(ChartRun::Role::Internal)); break;
-            }
-        }
-        controller.images.resize(controller.outputs.size());
-        run.controllers.add(std::move(controller));
-    }
 
     /// Time passes, and the inputs of `instant` are there.
     void begin(std::size_t instant) {
@@ -182,16 +162,7 @@ private:
             if (!act.fired.empty()) row.fired.push_back(act.fired);
             moment.acts.push_back(std::move(act));
         }
-        moment.after.time_ms = time_;
-        for (const Id<Chart::Step> id : chart_.steps.ids())
-            if (state_.situation[id.index]) moment.after.situation.push_back({id.index});
-        for (const Id<Chart::Variable> id : chart_.variables.ids()) {
-            switch (chart_.variables[id].kind) {
-            case Kind::Input: moment.after.values.push_back(inputs_[id.index]); break;
-            case Kind::Output: moment.after.values.push_back(state_.outputs[id.index]); break;
-            case Kind::Internal: moment.after.values.push_back(state_.values[id.index]); break;
-            }
-        }
+        moment.after = project(chart_, state_, inputs_, time_);
         run.moments.push_back(std::move(moment));
         run.rows.push_back(std::move(row));
     }

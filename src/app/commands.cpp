@@ -16,16 +16,16 @@ std::string_view without_comment(std::string_view line) {
     return line.substr(0, std::min(line.find('#'), line.find("//")));
 }
 
-/// Words are separated by blanks; `=` is a word of its own.
+/// Words are separated by blanks; `=` and `,` are words of their own.
 std::vector<std::string> words(std::string_view line) {
     std::vector<std::string> list;
     bool open = false;
     for (const char c : line) {
         const bool blank = c == ' ' || c == '\t' || c == '\r';
-        if (c == '=') list.emplace_back("=");
+        if (c == '=' || c == ',') list.emplace_back(1, c);
         else if (!blank && open) list.back() += c;
         else if (!blank) list.emplace_back(1, c);
-        open = !blank && c != '=';
+        open = !blank && c != '=' && c != ',';
     }
     return list;
 }
@@ -45,11 +45,18 @@ Command wait_of(const std::vector<std::string>& list) {
 }
 
 Command set_of(const std::vector<std::string>& list) {
-    if (list.size() != 3) return BadCommand{"write `NAME = VALUE`"};
-    if (list[2] == "true" || list[2] == "false") return SetCommand{list[0], list[2] == "true"};
-    const std::optional<std::int64_t> value = number(list[2]);
-    if (!value) return BadCommand{fmt::format("`{}` is no value; write `true`, `false` or a whole number", list[2])};
-    return SetCommand{list[0], *value};
+    SetCommand set;
+    for (std::size_t k = 0; k < list.size(); k += 4) {
+        const bool whole = k + 2 < list.size() && list[k + 1] == "=" && (k + 3 == list.size() || list[k + 3] == ",");
+        if (!whole || k + 4 == list.size()) return BadCommand{"write `NAME = VALUE`"};
+        const std::string& value = list[k + 2];
+        const std::optional<std::int64_t> counted =
+            value == "true" || value == "false" ? value == "true" : number(value);
+        if (!counted)
+            return BadCommand{fmt::format("`{}` is no value; write `true`, `false` or a whole number", value)};
+        set.settings.push_back({list[k], *counted});
+    }
+    return set;
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The commands of `simulate`, one per line, typed or from a script:
 //
-//   NAME = VALUE         make an input (or a variable of the plant) true, false, or a number
+//   NAME = VALUE         make an input (or a variable of the plant) true, false, or a number; of a chart alone also
+//                        `NAME = VALUE, NAME = VALUE`, at once
 //   wait 3s              let time pass: ms, s or min;  `wait` alone: until something happens by itself, or can
 //   do INSTANCE          the instance does what it can;  `do INSTANCE LOCATION`: what leads it to the location
 //   3                    the third of the choices listed
@@ -16,12 +17,14 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
+
+#include "app/simulation/settings.hpp"
 
 namespace grafverif::app {
 
 struct SetCommand {
-    std::string name = {};
-    std::int64_t value = 0;
+    std::vector<Setting> settings = {};  ///< at least one
     bool operator==(const SetCommand&) const = default;
 };
 struct WaitCommand {

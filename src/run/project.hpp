@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// project: a run of a Network or of a TransitionSystem -> a ChartRun, without rows.
+// project: a run of a Network, of a TransitionSystem or of a Chart -> a ChartRun, without rows.
 //
 // What becomes what, of a Network:
 //   edge of an instance, of a timer    a moment; of a timer an internal one, unless a delay of it is over
@@ -8,17 +8,20 @@
 // Of a TransitionSystem, a step becomes what it did, in this order: time that passes; the controllers that did
 // something, with what they found; timers that ended; components that moved; inputs that changed by themselves. Its
 // moments are numbers of steps, or times where the system ticks. A step in which nothing shows is an internal moment.
+// Of a Chart that the interpreter runs, whoever runs it says what is a moment.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/chart_run.hpp"
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/verdict.hpp"
 #include "ir/flat_system.hpp"
 #include "ir/network_run.hpp"
+#include "run/interpreter.hpp"
 
 namespace grafverif {
 
@@ -82,6 +85,12 @@ private:
     std::vector<Id<Network::Variable>> end_of_ = {};           ///< per timer
     std::int64_t time_ms_ = 0;
 };
+
+/// A run of a chart that the interpreter runs, its inputs free: what there is to tell of it, and no moment yet. Its signals
+/// are the variables of the chart, in order; stored outputs have no images.
+ChartRun project(const Chart& chart, ExecutionMode mode);
+/// What such a run has in `state`.
+ChartRun::State project(const Chart& chart, const State& state, InputValues inputs, std::int64_t time_ms);
 
 /// Requires that the system or network is one that a stage of ours made, and of a SystemRun that it is one of `system`.
 ChartRun project(const Network& network, const Run& run);

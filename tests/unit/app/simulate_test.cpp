@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "app/commands.hpp"
 #include "run_program.hpp"
 
@@ -23,9 +25,13 @@ TEST(Commands, AreReadLineByLine) {
         Command command;
     };
     for (const Case& c : std::vector<Case>{
-             {"START = true", SetCommand{"START", 1}},
-             {"START=false // release", SetCommand{"START", 0}},
-             {"LEVEL = -3", SetCommand{"LEVEL", -3}},
+             {"START = true", SetCommand{{{"START", 1}}}},
+             {"START=false // release", SetCommand{{{"START", 0}}}},
+             {"LEVEL = -3", SetCommand{{{"LEVEL", -3}}}},
+             {"A = true, N = 3", SetCommand{{{"A", 1}, {"N", 3}}}},
+             {"A = true,B=false", SetCommand{{{"A", 1}, {"B", 0}}}},
+             {"A = true B = false", BadCommand{"write `NAME = VALUE`"}},
+             {"A = true,", BadCommand{"write `NAME = VALUE`"}},
              {"wait 3s", WaitCommand{3000}},
              {"wait 250 ms", WaitCommand{250}},
              {"wait 2min # long", WaitCommand{120'000}},
@@ -159,6 +165,139 @@ TEST(Simulate, WritesTheTraceItMade) {
                folder.file("w.svg")});
     EXPECT_NE(folder.read("w.vcd").find("$timescale"), std::string::npos);
     EXPECT_TRUE(folder.read("w.svg").starts_with("<svg"));
+}
+
+// A chart with a time condition, an edge, a stored action, an integer input, and a constraint.
+const std::string press =
+    "grafcet press { input UP, DOWN, GO, N: int 0..9; output MOVE; output LOCK; internal count: int 0..5;\n"
+    "constraint !(UP && DOWN);\n"
+    "initial step 0 { LOCK := false on activation; }\n"
+    "step 1 { MOVE; LOCK := true on activation; }\n"
+    "step 2 { count := count + 1 on activation; }\n"
+    "transition a: 0 -> 1 when rise(GO) && UP;\n"
+    "transition b: 1 -> 2 when 2s/X1 || N > 5;\n"
+    "transition c: 2 -> 0 when DOWN; }\n";
+
+TEST(SimulateChart, RunsOnTheRulesWithItsInputsSetByHand) {
+    const Folder folder;
+    const std::string file = folder.write("press.grafcet", press);
+    const Result result = grafverif(
+        {"simulate", file, "--script",
+         folder.write("a.txt", "UP = true\nGO = true\nwait 5s\nUP = false, DOWN = true, GO = false\nN = 7\n")});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    EXPECT_EQ(squeezed(result.out),
+              "time what happened inputs cleared situation outputs\n"
+              "0 s press: power on none 0 none\n"
+              "inputs change UP 0 none\n"
+              "inputs change GO\n"
+              "press a 1 MOVE, LOCK\n"
+              "2 s press: 2s/X1 is true\n"
+              "press: count 0 -> 1 b 2 LOCK\n"
+              "5 s 3 s pass 2 LOCK\n"
+              "5 s inputs change !UP, DOWN, !GO\n"
+              "press c 0 none\n"
+              "inputs change N = 7 0 none\n");
+}
+
+TEST(SimulateChart, DoesWhatALoopWithFreeInputsDoes) {
+    const Folder folder;
+    const std::string lone =
+        "grafcet c { input A, B; output P, Q; initial step 0; step 1 { P; } step 2 { Q := true on activation; } step "
+        "3;\n"
+        "transition a: 0 -> 1, 3 when rise(A); transition b: 1 -> 2 when 2s/X1/1s; transition d: 2, 3 -> 0 when "
+        "fall(A) || B; }\n";
+    const std::string chart = folder.write("chart.grafcet", lone);
+    const std::string loop =
+        folder.write("loop.grafcet", lone +
+                                         "closed_loop l { controller c with stability_search;\n"
+                                         "environment Ea = free(OUT = A); environment Eb = free(OUT = B); }\n");
+    // The situation and the outputs of the last row.
+    const auto end_of = [](const std::string& out) {
+        const std::size_t column = out.find("situation"), last = out.rfind('\n', out.size() - 2) + 1;
+        return squeezed(out.substr(last + column));
+    };
+    std::string script;
+    std::set<std::string> seen;
+    for (const char* line :
+         {"A = true", "wait 1s", "A = false", "A = true", "wait 1s", "wait 1s", "A = false", "wait 1s", "A = true",
+          "B = true", "wait 3s", "B = false", "A = false", "A = true", "wait 9s"}) {
+        script += std::string(line) + "\n";
+        for (const char* mode : {"stability-search", "every-cycle"}) {
+            SCOPED_TRACE(script + mode);
+            const std::string path = folder.write("s.txt", script);
+            const Result alone = grafverif({"simulate", chart, "--script", path, "--mode", mode});
+            const Result looped = grafverif({"simulate", loop, "--script", path, "--mode", mode});
+            EXPECT_EQ(alone.code, ExitCode::Done) << alone.err;
+            EXPECT_EQ(end_of(alone.out), end_of(looped.out)) << alone.out << looped.out;
+            seen.insert(end_of(alone.out));
+        }
+    }
+    EXPECT_GE(seen.size(), 4U);
+}
+
+TEST(SimulateChart, TellsWhichConstraintTheInputsBreakAndGoesOn) {
+    const Folder folder;
+    const std::string file = folder.write("press.grafcet", press);
+    const Result result =
+        grafverif({"simulate", file, "--script", folder.write("a.txt", "UP = true\nDOWN = true\nN = 1\nUP = false\n")});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    const std::string told = "! these inputs break the constraint `!(UP && DOWN)`\n";
+    ASSERT_NE(result.out.find(told), std::string::npos) << result.out;
+    EXPECT_EQ(result.out.find(told, result.out.find(told) + 1), std::string::npos) << "told once";
+    const Result talk = grafverif({"simulate", file}, "UP = true\nquit\n");
+    EXPECT_EQ(squeezed(talk.out).find("DOWN = true\n", talk.out.rfind("UP")), std::string::npos)
+        << "it is not offered: " << talk.out;
+}
+
+TEST(SimulateChart, RefusesWhatIsNoInputOrDoesNotFitAndUndoesTheLastCommand) {
+    const Folder folder;
+    const std::string file = folder.write("press.grafcet", press);
+    struct Case {
+        const char* script;
+        const char* complaint;
+    };
+    for (const Case& c : std::vector<Case>{
+             {"LOCK = true\n", ":1: error: there is no input `LOCK`\n"},
+             {"N = 10\n", ":1: error: `N` goes from 0 to 9\n"},
+             {"UP = false\n", ":1: error: `UP` is so already\n"},
+             {"do Press\n", ":1: error: there is no plant here, so no `Press`; inputs are set by `NAME = VALUE`\n"},
+             {"back\n", ":1: error: there is nothing to undo\n"},
+             {"wait\n", ":1: error: nothing will happen by itself; say how long to wait\n"},
+             {"UP = true\nGO = true\nback\nGO = false\n", ":4: error: `GO` is so already\n"},
+         }) {
+        SCOPED_TRACE(c.script);
+        const std::string script = folder.write("script.txt", c.script);
+        const Result result = grafverif({"simulate", file, "--script", script});
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_EQ(result.err, script + c.complaint);
+    }
+}
+
+TEST(SimulateChart, NoticesWhatNeverStabilisesInBothModes) {
+    const Folder folder;
+    const std::string file =
+        folder.write("endless.grafcet",
+                     "grafcet endless { input GO; output A, B; initial step 0; step 1 { A; } step 2 { B; }\n"
+                     "transition a: 0 -> 1 when GO; transition b: 1 -> 2 when GO; transition c: 2 -> 1 when GO; }\n");
+    for (const char* mode : {"stability-search", "every-cycle"}) {
+        const Result result = grafverif(
+            {"simulate", file, "--mode", mode, "--script", folder.write("go.txt", "GO = true\nGO = false\n")});
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find("go.txt:1: error: this goes on for ever"), std::string::npos) << mode << result.err;
+    }
+    const Result talk = grafverif({"simulate", file}, "GO = true\nGO = false\nback\nwait 1s\n");
+    EXPECT_NE(talk.out.find("! nothing more can happen; `back` undoes the last command"), std::string::npos);
+    EXPECT_NE(talk.out.find("back to:"), std::string::npos);
+}
+
+TEST(SimulateChart, WalksAtRandomWithinItsConstraints) {
+    const Folder folder;
+    const std::string file = folder.write("press.grafcet", press);
+    const Result first = grafverif({"simulate", file, "--random", "7", "--steps", "60"});
+    EXPECT_EQ(first.code, ExitCode::Done) << first.err;
+    EXPECT_EQ(grafverif({"simulate", file, "--random", "7", "--steps", "60"}).out, first.out);
+    EXPECT_EQ(first.out.find("UP, DOWN"), std::string::npos) << first.out;
+    EXPECT_NE(first.out.find("MOVE"), std::string::npos) << first.out;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Simulation: a closed loop, moved by hand. Whoever moves it chooses what the plant and its environment do, sets inputs
+// LoopSimulation: a closed loop, moved by hand. Whoever moves it chooses what the plant and its environment do, sets inputs
 // and lets time pass; the rest follows by itself, in a fixed order, until somebody has to choose again:
 //
 //   1  urgent edges of the plant and its environment, where an instance has one only: sensors follow the plant
@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/simulation/settings.hpp"
 #include "grafverif/ir/network.hpp"
 #include "ir/network_run.hpp"
 #include "report/tell.hpp"
@@ -23,40 +24,43 @@
 
 namespace grafverif::app {
 
-class Simulation {
+class LoopSimulation {
 public:
     /// `network` outlives the simulation.
-    Simulation(const Network& network, Detail detail);
+    LoopSimulation(const Network& network, Detail detail);
+    LoopSimulation(const LoopSimulation&) = delete;
+    LoopSimulation& operator=(const LoopSimulation&) = delete;
 
-    const Network& network() const { return network_; }
-    const NetworkState& state() const { return state_; }
-    const Run& run() const { return run_; }
     const ChartRun& told() const { return told_; }
+    ChartRun retold(Detail detail) const { return tell(project(network_, run_), detail); }
 
-    /// What may be chosen now; empty after a race.
-    std::vector<Fire> choices() const;
-    /// Whether the model has broken off, or a controller goes on for ever: nothing follows by itself any more.
-    bool broken() const { return broken_; }
+    /// Empty after a race.
+    std::vector<Choice> choices() const;
+    std::size_t choice_count() const { return fires().size(); }
+    Patience patience() const;
 
     /// Each of these is one command: it makes its moves and lets the rest follow. The answer says what went wrong;
     /// empty: all is well. A command that went wrong may have made some moves.
     std::string settle();
-    std::string choose(const Fire& fire);
-    std::string wait(std::int64_t units);
+    /// Of the choices, counted from 0.
+    std::string choose(std::size_t choice);
+    std::string wait(std::int64_t milliseconds);
     /// Until something changes by itself, or can.
     std::string wait();
-    /// Makes the first choice after which `name` has `value`.
-    std::string set(std::string_view name, std::int64_t value);
+    /// Makes the first choice after which the input, or variable of the plant, has its value.
+    std::string set(const std::vector<Setting>& settings);
     /// Makes the first choice of `instance` that leads to `location`; empty: the first.
     std::string act(std::string_view instance, std::string_view location);
     /// Undoes the last command; false: there is none.
     bool back();
 
-    /// One edge, nothing follows: what a random walk makes. False: it cannot be made, or broke the model off.
-    bool move(const Move& move, std::string& problem);
-
 private:
     void power_on();
+    std::vector<Fire> fires() const;
+    std::string choose(const Fire& fire);
+    /// One edge, nothing follows. False: it cannot be made, or broke the model off.
+    bool move(const Move& move, std::string& problem);
+    std::string command_of(const std::vector<Fire>& moves, std::size_t choice) const;
     std::string follow();
     std::optional<Fire> next_by_itself() const;
     std::string pass(std::int64_t units);

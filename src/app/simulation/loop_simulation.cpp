@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/simulation.hpp"
+#include "app/simulation/loop_simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -30,9 +30,11 @@ std::string listed(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Simulation::Simulation(const Network& network, Detail detail) : network_(network), detail_(detail) { power_on(); }
+LoopSimulation::LoopSimulation(const Network& network, Detail detail) : network_(network), detail_(detail) {
+    power_on();
+}
 
-void Simulation::power_on() {
+void LoopSimulation::power_on() {
     state_ = initial_state(network_);
     run_ = {};
     told_ = {};
@@ -40,7 +42,7 @@ void Simulation::power_on() {
     teller_.emplace(told_, detail_);
 }
 
-std::vector<Fire> Simulation::choices() const {
+std::vector<Fire> LoopSimulation::fires() const {
     if (network_.race.valid() && state_.variables[network_.race.index] != 0) return {};
     std::vector<Fire> moves = enabled(network_, state_);
     if (detail_ == Detail::Chart && !broken_)
@@ -48,7 +50,34 @@ std::vector<Fire> Simulation::choices() const {
     return moves;
 }
 
-std::string Simulation::problem_of(const Step& step, const Move& move) const {
+std::vector<Choice> LoopSimulation::choices() const {
+    std::vector<Choice> list;
+    const std::vector<Fire> moves = fires();
+    for (std::size_t k = 0; k < moves.size(); ++k)
+        list.push_back({choice_words(network_, state_, moves[k]), command_of(moves, k)});
+    return list;
+}
+
+/// By the name of the instance, where that is enough.
+std::string LoopSimulation::command_of(const std::vector<Fire>& moves, std::size_t choice) const {
+    const auto target = [&](const Fire& fire) { return edge_of(network_, fire).to; };
+    const auto same = [&](const Fire& other) {
+        return other.process == moves[choice].process && target(other) == target(moves[choice]);
+    };
+    if (std::ranges::find_if(moves, same) - moves.begin() != static_cast<std::ptrdiff_t>(choice))
+        return std::to_string(choice + 1);
+    const Network::Process& process = network_.processes[moves[choice].process];
+    return "do " + process.name + " " + network_.templates[process.automaton].locations[target(moves[choice])].name;
+}
+
+Patience LoopSimulation::patience() const {
+    const Leeway way = leeway(network_, state_);
+    return {network_.time_unit_ms, way.may_pass, way.limit, way.change};
+}
+
+std::string LoopSimulation::choose(std::size_t choice) { return choose(fires()[choice]); }
+
+std::string LoopSimulation::problem_of(const Step& step, const Move& move) const {
     if (step.result == Step::Result::Blocked) return "this cannot happen now";
     const Fire& fire = std::get<Fire>(move);
     const auto kind =
@@ -56,7 +85,7 @@ std::string Simulation::problem_of(const Step& step, const Move& move) const {
     return breakdown_of(network_, {kind, step.variable, fire.process, fire.edge, {}}, Detail::Chart).message;
 }
 
-bool Simulation::move(const Move& move, std::string& problem) {
+bool LoopSimulation::move(const Move& move, std::string& problem) {
     const NetworkState before = state_;
     const Step step = perform(network_, state_, move);
     if (step.result != Step::Result::Done) {
@@ -73,7 +102,7 @@ bool Simulation::move(const Move& move, std::string& problem) {
     return false;
 }
 
-std::optional<Fire> Simulation::next_by_itself() const {
+std::optional<Fire> LoopSimulation::next_by_itself() const {
     const std::vector<Fire> moves = enabled(network_, state_);
     std::vector<std::size_t> options(network_.processes.size(), 0);
     for (const Fire& fire : moves) ++options[fire.process.index];
@@ -95,7 +124,7 @@ std::optional<Fire> Simulation::next_by_itself() const {
 }
 
 /// What happens by itself within this instant. Brent's search notices when it goes on for ever.
-std::string Simulation::follow() {
+std::string LoopSimulation::follow() {
     if (detail_ == Detail::Everything) return {};
     NetworkState kept = state_;
     std::size_t since_kept = 0, patience = 1;
@@ -116,30 +145,30 @@ std::string Simulation::follow() {
     return {};
 }
 
-std::string Simulation::settle() {
+std::string LoopSimulation::settle() {
     std::string problem = follow();
     teller_->flush();
     return problem;
 }
 
-std::string Simulation::choose(const Fire& fire) {
+std::string LoopSimulation::choose(const Fire& fire) {
     commands_.push_back(run_.moves.size());
     std::string problem;
     if (!move(fire, problem)) return problem;
     return settle();
 }
 
-std::string Simulation::waiting_for() const {
+std::string LoopSimulation::waiting_for() const {
     const std::vector<Id<Network::Process>> hurried = impatient(network_, state_);
     std::vector<std::string> words;
-    for (const Fire& fire : choices())
+    for (const Fire& fire : fires())
         if (std::ranges::find(hurried, fire.process) != hurried.end())
             words.push_back(choice_words(network_, state_, fire));
     if (words.empty()) return "time cannot pass any more: nothing can happen that must";
     return "time cannot pass before one of these happens: " + listed(words);
 }
 
-std::string Simulation::pass(std::int64_t units) {
+std::string LoopSimulation::pass(std::int64_t units) {
     while (units > 0) {
         if (std::string problem = follow(); !problem.empty()) return problem;
         const Leeway way = leeway(network_, state_);
@@ -152,23 +181,28 @@ std::string Simulation::pass(std::int64_t units) {
     return follow();
 }
 
-std::string Simulation::wait(std::int64_t units) {
+std::string LoopSimulation::wait(std::int64_t milliseconds) {
+    const std::int64_t unit = network_.time_unit_ms;
+    if (milliseconds % unit != 0)
+        return fmt::format("the time unit of this loop is {}; wait a multiple of it", seconds_text(unit));
     commands_.push_back(run_.moves.size());
-    std::string problem = pass(units);
+    std::string problem = pass(milliseconds / unit);
     teller_->flush();
     return problem;
 }
 
-std::string Simulation::wait() {
+std::string LoopSimulation::wait() {
     const Leeway way = leeway(network_, state_);
     if (!way.may_pass) return waiting_for();
     const std::int64_t units = std::min(way.limit.value_or(0), way.change.value_or(0));
     const std::int64_t soonest = units > 0 ? units : std::max(way.limit.value_or(0), way.change.value_or(0));
     if (soonest == 0) return "nothing will happen by itself; say how long to wait";
-    return wait(soonest);
+    return wait(soonest * network_.time_unit_ms);
 }
 
-std::string Simulation::set(std::string_view name, std::int64_t value) {
+std::string LoopSimulation::set(const std::vector<Setting>& settings) {
+    if (settings.size() > 1) return "where there is a plant, set one input at a time";
+    const auto& [name, value] = settings.front();
     const auto found = std::ranges::find(network_.variables, name, &Network::Variable::name);
     const bool known = found != network_.variables.end() &&
                        (found->role == Network::Role::Input || found->role == Network::Role::Plant);
@@ -176,7 +210,7 @@ std::string Simulation::set(std::string_view name, std::int64_t value) {
     const auto index = static_cast<std::size_t>(found - network_.variables.begin());
     const std::string wish = !found->type.boolean ? std::to_string(value) : value != 0 ? "true" : "false";
     if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, wish);
-    for (const Fire& fire : choices()) {
+    for (const Fire& fire : fires()) {
         NetworkState after = state_;
         if (perform(network_, after, fire).result == Step::Result::Done && after.variables[index] == value)
             return choose(fire);
@@ -184,8 +218,8 @@ std::string Simulation::set(std::string_view name, std::int64_t value) {
     return fmt::format("nothing can make `{}` {} now", name, wish);
 }
 
-std::string Simulation::act(std::string_view instance, std::string_view location) {
-    for (const Fire& fire : choices()) {
+std::string LoopSimulation::act(std::string_view instance, std::string_view location) {
+    for (const Fire& fire : fires()) {
         const Network::Process& process = network_.processes[fire.process];
         const Network::Location& target = network_.templates[process.automaton].locations[edge_of(network_, fire).to];
         if (process.name == instance && (location.empty() || target.name == location)) return choose(fire);
@@ -193,7 +227,7 @@ std::string Simulation::act(std::string_view instance, std::string_view location
     return fmt::format("`{}`{} cannot happen now", instance, location.empty() ? "" : fmt::format(" to `{}`", location));
 }
 
-bool Simulation::back() {
+bool LoopSimulation::back() {
     if (commands_.empty()) return false;
     Run shorter = std::move(run_);
     shorter.moves.resize(commands_.back());

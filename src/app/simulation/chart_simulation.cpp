@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+#include "app/simulation/chart_simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "run/project.hpp"
+#include "run/reader.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/dialect.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+constexpr const char* for_ever =
+    "this goes on for ever within the instant: the situation never becomes stable with these inputs";
+
+/// Where the name and the type of a timer stand in conditions: `X2`, `a`; of longer terms empty.
+std::string watched_words(const Chart& chart, const TimedElement& element) {
+    if (element.step.valid()) return step_variable(chart, element.step);
+    const Expr& term = chart.exprs[element.watched];
+    if (term.op == Op::Step) return step_variable(chart, {static_cast<std::uint32_t>(term.value)});
+    if (term.op == Op::Variable) return chart.variables[{static_cast<std::uint32_t>(term.value)}].name;
+    return {};
+}
+
+std::optional<std::size_t> watched_step(const Chart& chart, const TimedElement& element) {
+    if (element.step.valid()) return element.step.index;
+    const Expr& term = chart.exprs[element.watched];
+    return term.op == Op::Step ? std::optional(static_cast<std::size_t>(term.value)) : std::nullopt;
+}
+
+/// What is wrong with a cycle, in words.
+std::string problem_in(const Chart& chart, const Cycle& cycle) {
+    if (cycle.race)
+        return fmt::format("two stored actions give `{}` different values in one evolution",
+                           chart.variables[cycle.race->variable].name);
+    if (cycle.fault && cycle.fault->kind == RunFault::Kind::OutOfRange)
+        return fmt::format("the value {} for `{}` is outside its range", cycle.fault->value,
+                           chart.variables[cycle.fault->variable].name);
+    if (cycle.fault && cycle.fault->kind == RunFault::Kind::ForcedApart)
+        return "two forcing orders that cannot be obeyed together are active";
+    if (cycle.fault) return "a condition or a stored value cannot be computed";
+    if (cycle.gave_up) return fmt::format("no situation is stable within {} evolutions", evolution_limit);
+    return cycle.endless.empty() ? "" : for_ever;
+}
+
+}  // namespace
+
+ChartSimulation::ChartSimulation(const Chart& chart, ExecutionMode mode, Detail detail)
+    : chart_(chart), mode_(mode), detail_(detail), elements_(timed_elements(chart)) {
+    power_on();
+}
+
+void ChartSimulation::power_on() {
+    state_ = grafverif::power_on(chart_);
+    time_ms_ = 0;
+    broken_ = false;
+    inputs_.assign(chart_.variables.size(), 0);
+    for (const Id<Chart::Variable> id : chart_.variables.ids())
+        inputs_[id.index] = std::clamp<std::int64_t>(0, chart_.variables[id].type.low, chart_.variables[id].type.high);
+    told_ = project(chart_, mode_);
+    ChartRun::Controller& controller = told_.controllers[{0}];
+    for (std::size_t k = 0; k < elements_.size(); ++k) {
+        const TimedElement& element = elements_[k];
+        controller.timers.push_back(
+            told_.timers.add({chart_.name, watched_words(chart_, element), watched_step(chart_, element),
+                              element.rise_ms, element.fall_ms, true}));
+        if (k < chart_.time_conditions.size()) controller.conditions.emplace_back(k);
+    }
+    teller_.emplace(told_, detail_);
+    add({});
+}
+
+void ChartSimulation::add(ChartRun::Moment moment) {
+    moment.move = told_.moments.size();
+    moment.after = project(chart_, state_, inputs_, time_ms_);
+    told_.moments.push_back(std::move(moment));
+    teller_->catch_up();
+}
+
+ChartRun ChartSimulation::retold(Detail detail) const {
+    ChartRun run = told_;
+    run.rows.clear();
+    return tell(std::move(run), detail);
+}
+
+std::vector<Id<Expr>> ChartSimulation::broken_by(const std::vector<std::int64_t>& inputs) const {
+    std::vector<Id<Expr>> broken;
+    const std::vector<bool> timed = time_conditions(chart_, state_);
+    Reader reader(chart_, state_, inputs, timed, nullptr);
+    for (const Chart::Constraint& constraint : chart_.constraints)
+        if (reader.value(constraint.condition) == 0) broken.push_back(constraint.condition);
+    return broken;
+}
+
+std::vector<Setting> ChartSimulation::settings() const {
+    std::vector<Setting> list;
+    if (broken_) return list;
+    const std::size_t broken_now = broken_by(inputs_).size();
+    for (const Id<Chart::Variable> id : chart_.variables.ids()) {
+        const Chart::Variable& variable = chart_.variables[id];
+        if (variable.kind != Chart::VariableKind::Input) continue;
+        for (const std::int64_t value : {inputs_[id.index] + 1, inputs_[id.index] - 1}) {
+            std::vector<std::int64_t> changed = inputs_;
+            changed[id.index] = value;
+            if (value < variable.type.low || value > variable.type.high) continue;
+            if (broken_by(changed).size() <= broken_now) list.push_back({variable.name, value});
+        }
+    }
+    return list;
+}
+
+std::vector<Choice> ChartSimulation::choices() const {
+    std::vector<Choice> list;
+    for (const Setting& setting : settings()) {
+        const auto found = std::ranges::find(chart_.variables, setting.name, &Chart::Variable::name);
+        const std::string value = !found->type.boolean ? std::to_string(setting.value)
+                                  : setting.value != 0 ? "true"
+                                                       : "false";
+        const std::string line = setting.name + " = " + value;
+        list.push_back({line, line});
+    }
+    return list;
+}
+
+Patience ChartSimulation::patience() const {
+    std::int64_t unit = 0;
+    for (const TimedElement& element : elements_) unit = std::gcd(std::gcd(unit, element.rise_ms), element.fall_ms);
+    if (unit == 0) unit = 1000;
+    const std::optional<std::int64_t> end = next_end();
+    return {unit, !broken_, {}, end ? std::optional(std::max<std::int64_t>(*end / unit, 1)) : std::nullopt};
+}
+
+std::vector<std::string> ChartSimulation::broken_constraints() const {
+    std::vector<std::string> broken;
+    for (const Id<Expr> condition : broken_by(inputs_))
+        broken.push_back(expr_text(chart_.exprs, condition, chart_spelling, [&](std::ostream& out, const Expr& leaf) {
+            out << chart_.variables[{static_cast<std::uint32_t>(leaf.value)}].name;
+        }));
+    return broken;
+}
+
+/// `reads`: it samples the inputs and the ends of timers.
+ChartRun::Act ChartSimulation::act_of(bool reads) const {
+    ChartRun::Act act{.controller = {0}};
+    for (const Id<Chart::Variable> id : chart_.variables.ids())
+        if (chart_.variables[id].kind == Chart::VariableKind::Input) act.inputs.push_back(inputs_[id.index]);
+    act.samples = reads;
+    if (reads) act.timers = time_conditions(chart_, state_);
+    return act;
+}
+
+/// Tells the evolutions of `made`, the cycle that follows, each with its situation, and what is written in the end.
+void ChartSimulation::tell_evolutions(const Cycle& made) {
+    for (std::size_t k = 0; k < made.fired.size(); ++k) {
+        const bool first = !state_.started;
+        ChartRun::Act act = act_of(!first);
+        act.begins = k == 0;
+        act.starts = first;
+        act.evolves = !first;
+        Evolution evolution = evolve(chart_, state_, inputs_, time_conditions(chart_, state_));
+        for (const Id<Chart::Transition> id : evolution.fired) act.fired.push_back({id.index});
+        if (!first) act.stable = evolution.stable;
+        act.race = false;
+        state_ = std::move(evolution.state);
+        ChartRun::Moment moment;
+        moment.acts.push_back(std::move(act));
+        add(std::move(moment));
+    }
+    ChartRun::Act write = act_of(true);
+    write.writes = ChartRun::Act::Writes::Yes;
+    state_ = made.state;
+    ChartRun::Moment moment;
+    moment.acts.push_back(std::move(write));
+    add(std::move(moment));
+}
+
+std::string ChartSimulation::cycle() {
+    const Cycle made = grafverif::cycle(chart_, state_, inputs_, mode_);
+    std::string problem = problem_in(chart_, made);
+    broken_ = !problem.empty();
+    if (!broken_) tell_evolutions(made);
+    return problem;
+}
+
+/// Cycles until one changes nothing. Where each cycle is one evolution, Brent's search notices when that is never.
+std::string ChartSimulation::follow() {
+    State kept = state_;
+    std::size_t since_kept = 0, patience = 1;
+    while (!broken_) {
+        const State before = state_;
+        if (std::string problem = cycle(); !problem.empty()) return problem;
+        if (state_ == before) return {};
+        broken_ = state_ == kept || told_.moments.size() > evolution_limit;
+        if (broken_) return for_ever;
+        if (++since_kept < patience) continue;
+        kept = state_;
+        since_kept = 0;
+        patience *= 2;
+    }
+    return {};
+}
+
+std::string ChartSimulation::settle() {
+    std::string problem = follow();
+    teller_->flush();
+    return problem;
+}
+
+/// How long until a delay is over.
+std::optional<std::int64_t> ChartSimulation::next_end() const {
+    std::optional<std::int64_t> soonest;
+    const auto offer = [&](std::int64_t left) {
+        if (left > 0) soonest = std::min(soonest.value_or(left), left);
+    };
+    for (std::size_t k = 0; k < elements_.size(); ++k) {
+        const Timing& timing = state_.timing[k];
+        if (timing.risen >= 0) offer(elements_[k].rise_ms - timing.risen);
+        if (timing.fallen >= 0) offer(elements_[k].fall_ms - timing.fallen);
+    }
+    return soonest;
+}
+
+void ChartSimulation::pass(std::int64_t milliseconds) {
+    const std::vector<bool> before = time_conditions(chart_, state_);
+    state_ = pass_time(std::move(state_), milliseconds);
+    time_ms_ += milliseconds;
+    add({.kind = ChartRun::Kind::Delay});
+    const std::vector<bool> after = time_conditions(chart_, state_);
+    for (std::uint32_t k = 0; k < elements_.size(); ++k)
+        if (before[k] != after[k]) add({.kind = ChartRun::Kind::Timer, .timer = {k}, .timer_holds = after[k]});
+}
+
+std::string ChartSimulation::make(const Made& command) {
+    if (broken_) return "nothing more can happen; `back` undoes the last command";
+    commands_.push_back(command);
+    std::string problem;
+    std::visit(overloaded{
+                   [&](const std::vector<Setting>& settings) {
+                       ChartRun::Moment moment{.kind = ChartRun::Kind::Environment};
+                       for (const Setting& setting : settings) {
+                           const auto found = std::ranges::find(chart_.variables, setting.name, &Chart::Variable::name);
+                           const auto index = static_cast<std::uint32_t>(found - chart_.variables.begin());
+                           if (std::exchange(inputs_[index], setting.value) != setting.value)
+                               moment.changed.push_back({index});
+                       }
+                       add(std::move(moment));
+                       problem = follow();
+                   },
+                   [&](std::int64_t milliseconds) {
+                       while (milliseconds > 0 && problem.empty()) {
+                           const std::int64_t step = std::min(milliseconds, next_end().value_or(milliseconds));
+                           pass(step);
+                           milliseconds -= step;
+                           problem = follow();
+                       }
+                   },
+               },
+               command);
+    teller_->flush();
+    return problem;
+}
+
+std::string ChartSimulation::choose(std::size_t choice) { return make(std::vector{settings()[choice]}); }
+
+std::string ChartSimulation::wait(std::int64_t milliseconds) { return make(milliseconds); }
+
+std::string ChartSimulation::wait() {
+    const std::optional<std::int64_t> end = next_end();
+    return end ? make(*end) : "nothing will happen by itself; say how long to wait";
+}
+
+std::string ChartSimulation::refusal(const Setting& setting) const {
+    const auto found = std::ranges::find(chart_.variables, setting.name, &Chart::Variable::name);
+    if (found == chart_.variables.end() || found->kind != Chart::VariableKind::Input)
+        return fmt::format("there is no input `{}`", setting.name);
+    const Type& type = found->type;
+    if (setting.value < type.low || setting.value > type.high)
+        return fmt::format("`{}` goes from {} to {}", setting.name, type.low, type.high);
+    return {};
+}
+
+std::string ChartSimulation::set(const std::vector<Setting>& settings) {
+    for (const Setting& setting : settings)
+        if (std::string problem = refusal(setting); !problem.empty()) return problem;
+    const auto is_so = [&](const Setting& setting) {
+        const auto found = std::ranges::find(chart_.variables, setting.name, &Chart::Variable::name);
+        return inputs_[static_cast<std::size_t>(found - chart_.variables.begin())] == setting.value;
+    };
+    if (std::ranges::all_of(settings, is_so)) return fmt::format("`{}` is so already", settings.front().name);
+    return make(settings);
+}
+
+std::string ChartSimulation::act(std::string_view instance, std::string_view) {
+    return fmt::format("there is no plant here, so no `{}`; inputs are set by `NAME = VALUE`", instance);
+}
+
+bool ChartSimulation::back() {
+    if (commands_.empty()) return false;
+    std::vector<Made> shorter = std::move(commands_);
+    shorter.pop_back();
+    commands_.clear();
+    power_on();
+    settle();
+    for (const Made& command : shorter) make(command);
+    return true;
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// ChartSimulation: a chart alone, moved by hand on the rules of IEC 60848. Whoever moves it sets inputs and lets time
+// pass; after each, cycles of the PLC follow until they change nothing more. Inputs set by one command change at once.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/simulation/settings.hpp"
+#include "grafverif/ir/chart.hpp"
+#include "report/tell.hpp"
+#include "run/interpreter.hpp"
+
+namespace grafverif::app {
+
+class ChartSimulation {
+public:
+    /// `chart`, one that `derive` accepts, outlives the simulation.
+    ChartSimulation(const Chart& chart, ExecutionMode mode, Detail detail);
+    ChartSimulation(const ChartSimulation&) = delete;
+    ChartSimulation& operator=(const ChartSimulation&) = delete;
+
+    const ChartRun& told() const { return told_; }
+    ChartRun retold(Detail detail) const;
+
+    /// The next values of each input that break no constraint, or none more.
+    std::vector<Choice> choices() const;
+    std::size_t choice_count() const { return settings().size(); }
+    Patience patience() const;
+    /// The constraints that the inputs break now; they are allowed to, in a simulation.
+    std::vector<std::string> broken_constraints() const;
+
+    /// As those of a loop. A command that went wrong may have changed inputs and let time pass.
+    std::string settle();
+    std::string choose(std::size_t choice);
+    std::string wait(std::int64_t milliseconds);
+    std::string wait();
+    std::string set(const std::vector<Setting>& settings);
+    std::string act(std::string_view instance, std::string_view location);
+    bool back();
+
+private:
+    using Made = std::variant<std::vector<Setting>, std::int64_t>;
+
+    void power_on();
+    std::vector<Setting> settings() const;
+    std::vector<Id<Expr>> broken_by(const std::vector<std::int64_t>& inputs) const;
+    std::string refusal(const Setting& setting) const;
+    std::string make(const Made& command);
+    std::string follow();
+    std::string cycle();
+    void tell_evolutions(const Cycle& made);
+    void pass(std::int64_t milliseconds);
+    std::optional<std::int64_t> next_end() const;
+    ChartRun::Act act_of(bool reads) const;
+    void add(ChartRun::Moment moment);
+
+    const Chart& chart_;
+    ExecutionMode mode_;
+    Detail detail_;
+    std::vector<TimedElement> elements_;
+    State state_ = {};
+    std::vector<std::int64_t> inputs_ = {};  ///< per variable
+    std::int64_t time_ms_ = 0;
+    ChartRun told_ = {};
+    std::optional<Teller> teller_;
+    std::vector<Made> commands_ = {};
+    bool broken_ = false;
+};
+
+}  // namespace grafverif::app

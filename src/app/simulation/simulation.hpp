@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Simulation: a closed loop or a chart alone, moved by commands. Whoever talks to a person, follows a script, walks at
+// random or answers a page does so with these.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/simulation/chart_simulation.hpp"
+#include "app/simulation/loop_simulation.hpp"
+
+namespace grafverif::app {
+
+class Simulation {
+public:
+    /// What is simulated outlives the simulation.
+    Simulation(const Network& network, Detail detail) : of_(std::in_place_type<LoopSimulation>, network, detail) {}
+    Simulation(const Chart& chart, ExecutionMode mode, Detail detail)
+        : of_(std::in_place_type<ChartSimulation>, chart, mode, detail) {}
+
+    /// What follows the power-on by itself; what went wrong, or empty.
+    std::string begin();
+    /// What went wrong; empty: all is well. Of commands that move nothing, nothing does.
+    std::string obey(const Command& command);
+
+    const ChartRun& told() const;
+    std::vector<Choice> choices() const;
+    std::size_t choice_count() const;
+    Patience patience() const;
+    /// Constraints of the chart that the inputs break now; with a plant they are claims about it, to be proved.
+    std::vector<std::string> broken_constraints() const;
+
+    /// The whole run told in one go: what one command did is not told apart from what the next one did.
+    ChartRun retold(Detail detail) const;
+
+private:
+    std::string choose(std::size_t number);
+
+    std::variant<LoopSimulation, ChartSimulation> of_;
+};
+
+/// One command after the other, each of those possible as likely as the others; how long time passes is drawn too.
+class RandomWalk {
+public:
+    explicit RandomWalk(std::uint64_t seed) : random_(seed) {}
+
+    /// Empty: nothing can happen any more.
+    std::optional<Command> draw(const Simulation& simulation);
+
+private:
+    std::mt19937_64 random_;
+};
+
+}  // namespace grafverif::app

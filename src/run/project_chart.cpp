@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "run/project.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Kind = Chart::VariableKind;
+
+std::string name_in_chart(const Chart& chart, Id<Chart::Step> step) {
+    const std::string& partial = chart.partial_charts[chart.steps[step].chart].name;
+    return partial.empty() ? chart.steps[step].name : partial + "." + chart.steps[step].name;
+}
+
+}  // namespace
+
+ChartRun project(const Chart& chart, ExecutionMode mode) {
+    ChartRun run{.name = chart.name};
+    ChartRun::Controller controller{.name = chart.name, .mode = mode};
+    for (const Id<Chart::Step> step : chart.steps.ids()) {
+        const std::string name = name_in_chart(chart, step);
+        controller.steps.push_back(run.steps.add({name, name, ""}));
+    }
+    shorten_names(run.steps);
+    for (const Chart::Transition& transition : chart.transitions)
+        controller.transitions.push_back(run.transitions.add({transition.name}));
+    for (const Chart::Variable& variable : chart.variables) {
+        const auto add = [&](ChartRun::Role role) { return run.signals.add({role, variable.name, variable.type}); };
+        switch (variable.kind) {
+        case Kind::Input: controller.inputs.push_back(add(ChartRun::Role::Input)); break;
+        case Kind::Output: controller.outputs.push_back(add(ChartRun::Role::Output)); break;
+        case Kind::Internal: controller.internals.push_back(add(ChartRun::Role::Internal)); break;
+        }
+    }
+    controller.images.resize(controller.outputs.size());
+    run.controllers.add(std::move(controller));
+    return run;
+}
+
+ChartRun::State project(const Chart& chart, const State& state, InputValues inputs, std::int64_t time_ms) {
+    ChartRun::State told{.time_ms = time_ms};
+    for (const Id<Chart::Step> id : chart.steps.ids())
+        if (state.situation[id.index]) told.situation.push_back({id.index});
+    for (const Id<Chart::Variable> id : chart.variables.ids()) {
+        switch (chart.variables[id].kind) {
+        case Kind::Input: told.values.push_back(inputs[id.index]); break;
+        case Kind::Output: told.values.push_back(state.outputs[id.index]); break;
+        case Kind::Internal: told.values.push_back(state.values[id.index]); break;
+        }
+    }
+    return told;
+}
+
+}  // namespace grafverif
