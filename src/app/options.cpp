@@ -234,6 +234,7 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
                   &Options::format, "form of the output (default: text)"),
         text(Accepts::Analysis, "exclusions", "FILE", &Options::exclusions,
              "pairs of inputs that are never true together, in CSV"),
+        text(Accepts::Date, "date", "TEXT", &Options::date, "the date to show (default: none)"),
         text(Accepts::Traces, "trace-vcd", "FILE", &Options::trace_vcd,
              "write the first trace as a waveform for GTKWave to FILE"),
         text(Accepts::Traces, "trace-svg", "FILE", &Options::trace_svg,

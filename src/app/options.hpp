@@ -61,6 +61,7 @@ struct Options {
     std::optional<std::uint64_t> timeout_ms = {};                        ///< a hundred years at most
     std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the same from the start of the run on
     std::optional<std::string> junit = {};
+    std::string date = {};  ///< of `report`, to be shown
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
     std::string against = {};                       ///< of `test`: the command that runs the controller
     std::optional<std::string> sequence = {};       ///< of `test`: the table to run; else it is made of the chart
@@ -105,7 +106,8 @@ enum class Accepts {
     FormatTest,
     Cover,
     Minimise,
-    Limits
+    Limits,
+    Date
 };
 
 struct Verb {

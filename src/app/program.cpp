@@ -37,6 +37,7 @@ constexpr std::array entries = {
     Entry{fmt_usage, fmt},
     Entry{import_usage, import_chart},
     Entry{check_usage, check},
+    Entry{report_usage, report},
     Entry{simulate_usage, simulate},
     Entry{analyse_usage, analyse},
     Entry{automaton_usage, automaton},

@@ -122,7 +122,8 @@ Json moment_json(const ChartRun& run, std::size_t index) {
     return object;
 }
 
-/// All that there is to know of the run; see docs/trace.md.
+}  // namespace
+
 Json run_json(const ChartRun& run) {
     Json moments = Json::array();
     for (std::size_t i = 0; i < run.moments.size(); ++i) moments.push_back(moment_json(run, i));
@@ -156,8 +157,6 @@ Json run_json(const ChartRun& run) {
         {"moments", std::move(moments)},
         {"loop", or_null(run.loop)}};
 }
-
-}  // namespace
 
 Json trace_json(const ChartRun& run) {
     Json steps = Json::array();

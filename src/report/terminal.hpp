@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <iosfwd>
+#include <string_view>
 
 #include "grafverif/ir/chart_run.hpp"
 #include "grafverif/support/diagnostic.hpp"
@@ -20,6 +21,9 @@ struct TextOptions {
     bool verbose = false;  ///< witnesses of `reachable` too, and how long it took
     Colour colour = Colour::Plain;
 };
+
+/// What is wrong where a finite counterexample ends; empty: the state there says it.
+std::string_view end_of(const Verdict& verdict);
 
 void print_report(const Report& report, const TextOptions& options, std::ostream& out);
 

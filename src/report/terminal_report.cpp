@@ -62,15 +62,7 @@ private:
         if (!answer.trace) return;
         const bool witness = verdict.outcome == Outcome::Holds;
         if (witness && !options_.verbose) return;
-        print_told(witness ? "witness" : "counterexample", *answer.trace, witness ? "" : end_of(verdict.pattern));
-    }
-
-    /// What is wrong where a finite counterexample ends.
-    static std::string_view end_of(Pattern pattern) {
-        if (pattern == Pattern::NoTimelock) return "from here on time cannot pass";
-        if (pattern == Pattern::NoDeadlock) return "from here on nothing can happen, but time may pass";
-        if (pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo) return "from here on nothing can happen";
-        return {};
+        print_told(witness ? "witness" : "counterexample", *answer.trace, end_of(verdict));
     }
 
     /// `end`: said of a trace that does not repeat.
@@ -110,6 +102,14 @@ private:
 };
 
 }  // namespace
+
+std::string_view end_of(const Verdict& verdict) {
+    if (verdict.outcome == Outcome::Holds) return {};
+    if (verdict.pattern == Pattern::NoTimelock) return "from here on time cannot pass";
+    if (verdict.pattern == Pattern::NoDeadlock) return "from here on nothing can happen, but time may pass";
+    const bool liveness = verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo;
+    return liveness ? "from here on nothing can happen" : "";
+}
 
 void print_report(const Report& report, const TextOptions& options, std::ostream& out) {
     Printer(report, options, out).print();

@@ -2,68 +2,23 @@
 // `check`: every property of a closed loop, decided on the spot.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ostream>
 #include <sstream>
 
-#include "app/engines.hpp"
+#include "app/decide.hpp"
 #include "app/outputs.hpp"
-#include "app/stop_words.hpp"
 #include "app/system/guard.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
-#include "pipeline/models.hpp"
 #include "report/json.hpp"
 #include "report/junit.hpp"
 #include "report/terminal.hpp"
-#include "support/messages.hpp"
 #include "support/overloaded.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif::app {
 
 namespace {
-
-CheckOptions check_options(const Options& options, const Limits& limits) {
-    const bool witnesses = options.verbose || options.format == Format::Json || options.trace_vcd || options.trace_svg;
-    return {options.properties, witnesses, options.verbose, limits};
-}
-
-/// What the engine asked for finds out; nothing after an error.
-std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
-    const auto network = network_of(model, id, job);
-    if (!network || !all_known(options.properties, property_names(*network), job.diagnostics)) return {};
-    const LoopToCheck loop{*network, charts_of(model, model.loops[id]), !job.options.cures_left_out.empty()};
-    return job.options.engine == Engine::Verifyta ? check_by_verifyta(loop, options, job.diagnostics)
-                                                  : check(loop, options);
-}
-
-/// The program on the PATH that the options ask of untimed models; empty: the embedded engine.
-std::string program_of(Engine engine) {
-    return engine == Engine::Nusmv ? "NuSMV" : engine == Engine::Nuxmv ? "nuXmv" : "";
-}
-
-std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
-    const ModelOptions how = model_options(job.options);
-    const std::string program = program_of(job.options.engine);
-    if (program.empty()) return check_untimed(model, id, how, options, job.diagnostics);
-    const auto system = transition_system_of(model, id, job);
-    if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
-    const ClosedLoop& loop = model.loops[id];
-    return check_by_nusmv({*system, charts_of(model, loop), abstraction_of(how, &loop)}, program, options,
-                          job.diagnostics);
-}
-
-std::optional<Report> chart_report(const Model& model, Id<Chart> chart, Job& job, const CheckOptions& options) {
-    const ModelOptions how = model_options(job.options);
-    const std::string program = program_of(job.options.engine);
-    if (program.empty()) return check_untimed(model, chart, how, options, job.diagnostics);
-    auto system = grafverif::transition_system_of(model, chart, how, job.diagnostics);
-    if (system) ask_for_steps(*system);
-    if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
-    return check_by_nusmv({*system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, program, options,
-                          job.diagnostics);
-}
 
 /// The trace that goes to files: of the first place where the model breaks off, of the first verdict against
 /// expectation, of the first that has one.
@@ -97,12 +52,6 @@ void write_reports(const Report& report, Job& job, const Streams& streams) {
     write_outputs(files, job, streams);
 }
 
-void say_who_stopped(Report& report, bool by_user, const Options& options) {
-    for (Answer& answer : report.answers)
-        if (answer.verdict.obstacle == Obstacle::Stopped)
-            answer.verdict.reason = with_who_stopped(std::move(answer.verdict.reason), by_user, options);
-}
-
 /// What a loop expects may be about the schedule that it names, which timed models do not have.
 void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& streams) {
     if (!loop.schedule || job.options.quiet) return;
@@ -112,36 +61,20 @@ void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& st
         loop.name, printable(job.options.operands[0]));
 }
 
-ExitCode exit_code(const Report& report, bool stopped) {
-    const Tally count = tally(report);
-    if (!report.failures.empty()) return ExitCode::Failure;
-    if (count.unexpected != 0 || !report.breakdowns.empty()) return ExitCode::Verdict;
-    return count.unknown != 0 || stopped ? ExitCode::Unknown : ExitCode::Done;
-}
-
 }  // namespace
 
 ExitCode check(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
     const Bounds bounds(job.options, streams);
-    const CheckOptions options = check_options(job.options, bounds.limits());
-    std::optional<Report> found;
-    std::optional<Id<ClosedLoop>> timed_loop;
-    const bool timed = job.options.engine == Engine::Timed || job.options.engine == Engine::Verifyta;
-    if (is_of_a_chart(*model, job.options) && !timed) {
-        const auto chart = chosen_chart(*model, job);
-        if (chart) found = chart_report(*model, *chart, job, options);
-        if (found && !job.options.quiet)
-            streams.err << "note: `" << model->charts[*chart].name
-                        << "` is no closed loop: its steps are checked with free inputs, untimed\n";
-    } else if (const auto loop = chosen_loop(*model, job)) {
-        if (!job.options.check_untimed) timed_loop = loop;
-        found = timed_loop ? timed_report(*model, *loop, job, options) : untimed_report(*model, *loop, job, options);
-    }
-    if (!found) return ExitCode::Input;
-    Report& report = *found;
-    say_who_stopped(report, bounds.interrupted(), job.options);
+    const Options& asked = job.options;
+    const bool witnesses = asked.verbose || asked.format == Format::Json || asked.trace_vcd || asked.trace_svg;
+    const auto decided = decide(*model, job, bounds, witnesses);
+    if (decided && decided->chart.valid() && !job.options.quiet)
+        streams.err << "note: `" << model->charts[decided->chart].name
+                    << "` is no closed loop: its steps are checked with free inputs, untimed\n";
+    if (!decided) return ExitCode::Input;
+    const Report& report = decided->report;
     work_is_done();
     if (job.options.format == Format::Json) print_json(report, streams.out);
     else
@@ -152,7 +85,7 @@ ExitCode check(Job& job, const Streams& streams) {
         streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
     write_reports(report, job, streams);
     const ExitCode code = exit_code(report, bounds.interrupted());
-    if (code != ExitCode::Done && timed_loop) point_to_schedule(model->loops[*timed_loop], job, streams);
+    if (code != ExitCode::Done && decided->timed) point_to_schedule(model->loops[decided->loop], job, streams);
     return code;
 }
 

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+# Writes OUTPUT, a C++ source that holds the style STYLE and the modules SCRIPTS as one script each, with their SHA-256 in
+# base64: a page allows what has that hash, and no other script. Modules become one by losing what joins them, the lines
+# `import` and the words `export`; their names are therefore unique.
+function(base64_of hex result)
+    set(letters "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")
+    string(APPEND hex "00")  # 32 bytes are two short of a multiple of three letters: 33, the last letter is padding
+    set(text "")
+    foreach(at RANGE 0 65 6)
+        string(SUBSTRING "${hex}" ${at} 6 three)
+        foreach(shift 18 12 6 0)
+            math(EXPR place "(0x${three} >> ${shift}) & 63")
+            string(SUBSTRING "${letters}" ${place} 1 letter)
+            string(APPEND text "${letter}")
+        endforeach()
+    endforeach()
+    string(SUBSTRING "${text}" 0 43 text)
+    set(${result} "${text}=" PARENT_SCOPE)
+endfunction()
+
+# A raw string may be 65,535 characters long: longer ones are several side by side.
+function(literal_of text result)
+    set(literal "")
+    string(LENGTH "${text}" length)
+    foreach(at RANGE 0 ${length} 8000)
+        string(SUBSTRING "${text}" ${at} 8000 piece)
+        string(APPEND literal "R\"~~~(${piece})~~~\"\n")
+    endforeach()
+    set(${result} "${literal}" PARENT_SCOPE)
+endfunction()
+
+file(READ "${STYLE}" style)
+set(script "")
+foreach(file IN LISTS SCRIPTS)
+    file(READ "${file}" module)
+    string(REGEX REPLACE "\nimport [^\n]*" "" module "${module}")
+    string(REGEX REPLACE "\nexport " "\n" module "${module}")
+    string(APPEND script "${module}")
+endforeach()
+foreach(each style script)
+    string(SHA256 hash "${${each}}")
+    base64_of("${hash}" ${each}_hash)
+    literal_of("${${each}}" ${each}_literal)
+endforeach()
+file(WRITE "${OUTPUT}" "// SPDX-License-Identifier: MIT
+#include \"page/web.hpp\"
+
+namespace grafverif {
+
+WebText page_style() { return {${style_literal}, \"${style_hash}\"}; }
+
+WebText page_script() { return {${script_literal}, \"${script_hash}\"}; }
+
+}  // namespace grafverif
+")

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "app/decide.hpp"
+
+#include "app/engines.hpp"
+#include "app/stop_words.hpp"
+#include "pipeline/models.hpp"
+#include "report/report.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// What the engine asked for finds out; nothing after an error.
+std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
+    const auto network = network_of(model, id, job);
+    if (!network || !all_known(options.properties, property_names(*network), job.diagnostics)) return {};
+    const LoopToCheck loop{*network, charts_of(model, model.loops[id]), !job.options.cures_left_out.empty()};
+    return job.options.engine == Engine::Verifyta ? check_by_verifyta(loop, options, job.diagnostics)
+                                                  : check(loop, options);
+}
+
+/// The program on the PATH that the options ask of untimed models; empty: the embedded engine.
+std::string program_of(Engine engine) {
+    return engine == Engine::Nusmv ? "NuSMV" : engine == Engine::Nuxmv ? "nuXmv" : "";
+}
+
+std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
+    const ModelOptions how = model_options(job.options);
+    const std::string program = program_of(job.options.engine);
+    if (program.empty()) return check_untimed(model, id, how, options, job.diagnostics);
+    const auto system = transition_system_of(model, id, job);
+    if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
+    const ClosedLoop& loop = model.loops[id];
+    return check_by_nusmv({*system, charts_of(model, loop), abstraction_of(how, &loop)}, program, options,
+                          job.diagnostics);
+}
+
+std::optional<Report> chart_report(const Model& model, Id<Chart> chart, Job& job, const CheckOptions& options) {
+    const ModelOptions how = model_options(job.options);
+    const std::string program = program_of(job.options.engine);
+    if (program.empty()) return check_untimed(model, chart, how, options, job.diagnostics);
+    auto system = grafverif::transition_system_of(model, chart, how, job.diagnostics);
+    if (system) ask_for_steps(*system);
+    if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
+    return check_by_nusmv({*system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, program, options,
+                          job.diagnostics);
+}
+
+void say_who_stopped(Report& report, bool by_user, const Options& options) {
+    for (Answer& answer : report.answers)
+        if (answer.verdict.obstacle == Obstacle::Stopped)
+            answer.verdict.reason = with_who_stopped(std::move(answer.verdict.reason), by_user, options);
+}
+
+}  // namespace
+
+std::optional<Decided> decide(const Model& model, Job& job, const Bounds& bounds, bool witnesses) {
+    const CheckOptions options = {job.options.properties, witnesses, job.options.verbose, bounds.limits()};
+    Decided decided;
+    std::optional<Report> found;
+    const bool timed = job.options.engine == Engine::Timed || job.options.engine == Engine::Verifyta;
+    if (is_of_a_chart(model, job.options) && !timed) {
+        const auto chart = chosen_chart(model, job);
+        if (!chart) return {};
+        decided.chart = *chart;
+        found = chart_report(model, *chart, job, options);
+    } else if (const auto loop = chosen_loop(model, job)) {
+        decided.loop = *loop;
+        decided.timed = !job.options.check_untimed;
+        found = decided.timed ? timed_report(model, *loop, job, options) : untimed_report(model, *loop, job, options);
+    }
+    if (!found) return {};
+    decided.report = std::move(*found);
+    say_who_stopped(decided.report, bounds.interrupted(), job.options);
+    return decided;
+}
+
+ExitCode exit_code(const Report& report, bool stopped) {
+    const Tally count = tally(report);
+    if (!report.failures.empty()) return ExitCode::Failure;
+    if (count.unexpected != 0 || !report.breakdowns.empty()) return ExitCode::Verdict;
+    return count.unknown != 0 || stopped ? ExitCode::Unknown : ExitCode::Done;
+}
+
+}  // namespace grafverif::app

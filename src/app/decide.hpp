@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What `check` and `report` share: the options choose a loop or a chart, a model of it and an engine, and the engine finds
+// out what it can.
+#pragma once
+
+#include <optional>
+
+#include "app/job.hpp"
+
+namespace grafverif::app {
+
+struct Decided {
+    Report report = {};
+    Id<ClosedLoop> loop = {};  ///< not valid: a chart alone
+    Id<Chart> chart = {};      ///< valid of a chart alone
+    bool timed = false;
+};
+/// Nothing after an error. `witnesses`: runs that show what holds, too.
+std::optional<Decided> decide(const Model& model, Job& job, const Bounds& bounds, bool witnesses);
+
+/// What the verdicts of a report make of a run of the program.
+ExitCode exit_code(const Report& report, bool stopped);
+
+}  // namespace grafverif::app

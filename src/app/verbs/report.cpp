@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// `report`: what `check` and `analyse` find out, the drawn charts, the plant and the equations, as one page.
+#include "report/report.hpp"
+
+#include <sstream>
+
+#include "app/decide.hpp"
+#include "app/stop_words.hpp"
+#include "app/system/guard.hpp"
+#include "app/verbs.hpp"
+#include "page/page.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+std::vector<Id<Chart>> charts_of(const Model& model, const Decided& decided) {
+    if (decided.chart.valid()) return {decided.chart};
+    std::vector<Id<Chart>> charts;
+    for (const ClosedLoop::Controller& controller : model.loops[decided.loop].controllers)
+        charts.push_back(controller.chart);
+    return charts;
+}
+
+/// Everything that is said of one chart alone; nothing after an error.
+std::optional<ChartContent> content_of(const Model& model, Id<Chart> chart, bool single, Job& job,
+                                       const Bounds& bounds) {
+    auto equations = equations_of(model, chart, job);
+    if (!equations) return {};
+    auto analysis = analysis_of(model, chart, job.options.mode, bounds.limits(), job.diagnostics);
+    if (!analysis) return {};
+    analysis->obstacle = with_who_stopped(std::move(analysis->obstacle), bounds.interrupted(), job.options);
+    ChartContent content{.chart = chart, .prefix = single ? "" : model.charts[chart].name + "."};
+    content.drawing = "";
+    content.equations = std::move(*equations);
+    content.analysis = std::move(*analysis);
+    return content;
+}
+
+std::string warnings_of(const Job& job) {
+    std::vector<Diagnostic> warnings;
+    for (const Diagnostic& diagnostic : job.diagnostics.all())
+        if (diagnostic.severity != Severity::Error) warnings.push_back(diagnostic);
+    std::ostringstream text;
+    render_text(warnings, job.sources, Colour::Plain, text);
+    return std::move(text).str();
+}
+
+}  // namespace
+
+ExitCode report(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    if (!model) return ExitCode::Input;
+    const Bounds bounds(job.options, streams);
+    auto decided = decide(*model, job, bounds, true);
+    if (!decided) return ExitCode::Input;
+    const std::vector<Id<Chart>> charts = charts_of(*model, *decided);
+    PageContent content{.model = *model, .sources = job.sources, .loop = decided->loop};
+    for (const Id<Chart> chart : charts) {
+        auto one = content_of(*model, chart, charts.size() == 1, job, bounds);
+        if (!one) return ExitCode::Input;
+        content.charts.push_back(std::move(*one));
+    }
+    content.file = job.options.operands[0];
+    content.version = GRAFVERIF_VERSION;
+    content.date = job.options.date;
+    content.report = std::move(decided->report);
+    content.warnings = warnings_of(job);
+    work_is_done();
+    deliver(page_of(content), job, streams);
+    return exit_code(content.report, bounds.interrupted());
+}
+
+Verb report_usage() {
+    return {
+        "report",
+        "FILE",
+        1,
+        1,
+        "write what there is to know of a loop or chart as one page, with a player of its runs",
+        "Writes one HTML file that needs nothing beside it and no network: the verdicts of `check` with what they "
+        "rest\n"
+        "on, the findings of `analyse`, the drawn charts, the plant, the equations, and a player that steps through\n"
+        "each counterexample, witness and evidence on the chart. A moment has an address: report.html#P16/23.\n"
+        "The same input gives the same bytes; a date stands in it where --date gives one. Exit codes are those of\n"
+        "`check`.",
+        {"grafverif report samples/testing_station/faulty.grafcet -o report.html",
+         "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html"},
+        {Accepts::Output, Accepts::Search, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain,
+         Accepts::Untimed, Accepts::Date}};
+}
+
+}  // namespace grafverif::app

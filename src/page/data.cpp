@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "page/data.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "page/terms.hpp"
+#include "report/json_trace.hpp"
+#include "report/table.hpp"
+#include "report/terminal.hpp"
+#include "support/json_text.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json charts_json(const PageContent& content) {
+    Json list = Json::array();
+    for (const ChartContent& each : content.charts) {
+        const Chart& chart = content.model.charts[each.chart];
+        const ElementIds ids = element_ids(chart, each.prefix);
+        Json one = {{"figure", "chart-" + std::to_string(list.size())},
+                    {"ids",
+                     {{"steps", ids.steps},
+                      {"transitions", ids.transitions},
+                      {"conditions", ids.conditions},
+                      {"continuous", ids.continuous},
+                      {"stored", ids.stored},
+                      {"forcing", ids.forcing}}}};
+        one.update(chart_json(chart));
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
+Json rows_json(const ChartRun& run) {
+    Json rows = Json::array();
+    for (std::size_t k = 0; k < run.rows.size(); ++k)
+        rows.push_back({{"moment", run.rows[k].moment},
+                        {"words", happening(run, k)},
+                        {"cleared", cleared_words(run, run.rows[k])},
+                        {"shown", is_shown(run, k)}});
+    return rows;
+}
+
+Json conditions_json(const ChartRun& run) {
+    Json list = Json::array();
+    for (const ChartRun::Controller& controller : run.controllers) {
+        Json timers = Json::array();
+        for (const std::optional<std::size_t>& timer : controller.conditions)
+            timers.push_back(timer ? Json(*timer) : Json(nullptr));
+        list.push_back(std::move(timers));
+    }
+    return list;
+}
+
+Json initial_json(const PageContent& content) {
+    Json places = Json::object();
+    if (!content.loop.valid()) return places;
+    for (const ClosedLoop::Instance& instance : content.model.loops[content.loop].instances)
+        places[instance.name] = instance.initial.index;
+    return places;
+}
+
+}  // namespace
+
+std::string evidence_name(const PageContent& content, const Analysis& analysis, const Finding& finding) {
+    std::string name = finding.code;
+    if (content.charts.size() > 1) name = analysis.chart + ":" + name;
+    if (!finding.subject.empty()) name += ":" + finding.subject;
+    const auto place = &finding - analysis.findings.data();
+    const auto same = [&](const Finding& other) {
+        return other.code == finding.code && other.subject == finding.subject;
+    };
+    const auto before = std::count_if(analysis.findings.begin(), analysis.findings.begin() + place, same);
+    return before == 0 ? name : name + ":" + std::to_string(before + 1);
+}
+
+std::vector<Playable> playable_runs(const PageContent& content) {
+    std::vector<Playable> runs;
+    std::vector<std::size_t> all;
+    for (std::size_t k = 0; k < content.charts.size(); ++k) all.push_back(k);
+    const auto add = [&](Playable run) {
+        if (!run.run->moments.empty() && !run.run->rows.empty()) runs.push_back(std::move(run));
+    };
+    for (std::size_t k = 0; k < content.report.breakdowns.size(); ++k) {
+        const Breakdown& each = content.report.breakdowns[k];
+        add({"breakdown-" + std::to_string(k + 1), "breakdown", "the model breaks off: " + each.code, each.message, "",
+             &each.trace, all});
+    }
+    for (const bool violated : {true, false})
+        for (const Answer& answer : content.report.answers) {
+            const Verdict& verdict = answer.verdict;
+            if (!answer.trace || (verdict.outcome == Outcome::Violated) != violated) continue;
+            const std::string kind = violated ? "counterexample" : "witness";
+            const std::string end = answer.trace->loop_from ? "" : std::string(end_of(verdict));
+            add({verdict.property, kind, verdict.property + ": " + kind, end, verdict.property, &*answer.trace, all});
+        }
+    for (std::size_t k = 0; k < content.charts.size(); ++k)
+        for (const Finding& finding : content.charts[k].analysis.findings)
+            if (finding.evidence) {
+                const std::string name = evidence_name(content, content.charts[k].analysis, finding);
+                add({name, "evidence", name + ": evidence", finding.evidence_shows, "", &*finding.evidence, {k}});
+            }
+    return runs;
+}
+
+std::string page_data(const PageContent& content) {
+    Json properties = Json::array(), runs = Json::array();
+    if (content.loop.valid()) {
+        const ClosedLoop& loop = content.model.loops[content.loop];
+        for (const Property& property : loop.properties)
+            properties.push_back(property_json(content.model, loop, property));
+    }
+    for (const Playable& playable : playable_runs(content)) {
+        const auto named = [&](const Json& property) { return property["name"] == playable.property; };
+        const auto property = std::ranges::find_if(properties, named);
+        const ChartRun& run = *playable.run;
+        runs.push_back(
+            {{"name", playable.name},
+             {"kind", playable.kind},
+             {"title", playable.title},
+             {"property", property == properties.end() ? Json(nullptr) : Json(property - properties.begin())},
+             {"charts", playable.charts},
+             {"conditions", conditions_json(run)},
+             {"initial", initial_json(content)},
+             {"end", playable.end},
+             {"loop_from", run.loop_from ? Json(*run.loop_from) : Json(nullptr)},
+             {"rows", rows_json(run)},
+             {"run", run_json(run)}});
+    }
+    const std::string text = json_text({{"version", 1},
+                                        {"charts", charts_json(content)},
+                                        {"properties", std::move(properties)},
+                                        {"runs", std::move(runs)}},
+                                       -1);
+    std::string safe;
+    safe.reserve(text.size());
+    for (const char c : text) {
+        if (c == '<') safe += "\\u003c";
+        else safe += c;
+    }
+    return safe;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: MIT
+#include "page/parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "page/data.hpp"
+#include "page/terms.hpp"
+#include "report/findings.hpp"
+#include "report/report.hpp"
+#include "report/terminal.hpp"
+#include "syntax/print/equations.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::size_t longest_table = 400;  // rows of a run as text
+
+std::string counted(std::size_t number, std::string_view one, std::string_view many) {
+    return fmt::format("{} {}", number, number == 1 ? one : many);
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+    return list;
+}
+
+/// `file:12`
+std::string place_of(const PageContent& content, const Span& where) {
+    if (!where.source.valid()) return {};
+    const Source& source = content.sources[where.source];
+    return fmt::format("{}:{}", source.name, place(source.text, where.begin).line);
+}
+
+/// The claim of the property of that name, or of the one that it is a part of (`S.X7`).
+std::string claim_of(const PageContent& content, const std::string& name) {
+    if (!content.loop.valid()) return {};
+    const ClosedLoop& loop = content.model.loops[content.loop];
+    for (const std::string& wanted : {name, name.substr(0, name.find('.'))})
+        for (const Property& property : loop.properties)
+            if (property.name == wanted) return claim_text(content.model, loop, property);
+    return {};
+}
+
+void begin_section(Html& html, const char* id, std::string_view title) {
+    html.open("section", {{"id", id}}).put("h2", title);
+}
+
+void add_play(Html& html, const std::string& run, std::string_view what) {
+    html.put("button", fmt::format("▶ Play the {}", what), {{"type", "button"}, {"class", "play"}, {"data-run", run}});
+}
+
+// -- head ----------------------------------------------------------------------------------------------------------------
+
+struct Glance {
+    const char* kind = "";
+    std::string words = {};
+};
+
+Glance glance_of(const Report& report) {
+    const Tally count = tally(report);
+    if (!report.failures.empty()) return {"bad", "The program is at fault: a run does not replay on the rules."};
+    if (!report.breakdowns.empty()) return {"bad", "The model breaks off."};
+    if (count.unexpected != 0)
+        return {"bad", fmt::format("{} against expectation.", counted(count.unexpected, "verdict is", "verdicts are"))};
+    if (count.unknown != 0)
+        return {"unknown", fmt::format("{} not decided.", counted(count.unknown, "property is", "properties are"))};
+    if (count.holds + count.violated == 0) return {"unknown", "There is nothing to prove."};
+    return {"ok", count.violated == 0 ? "Every property holds." : "Every verdict is as expected."};
+}
+
+std::string tally_words(const Report& report) {
+    const Tally count = tally(report);
+    std::vector<std::string> words;
+    if (count.holds != 0) words.push_back(counted(count.holds, "holds", "hold"));
+    if (count.violated != 0) words.push_back(fmt::format("{} violated", count.violated));
+    const std::size_t unknown = count.unknown + count.undeclared_unknown;
+    if (unknown != 0) words.push_back(fmt::format("{} unknown", unknown));
+    return listed(words);
+}
+
+/// What all verdicts rest on, a sentence each.
+std::vector<std::string> assumptions(const PageContent& content) {
+    const Basis& basis = content.report.basis;
+    std::vector<std::string> said;
+    if (basis.untimed.empty())
+        said.push_back(
+            fmt::format("Time: the {} engine looked at every run of the timed closed loop, in units of {}; a "
+                        "PLC cycle takes no time.",
+                        basis.engine, seconds_text(basis.time_unit_ms)));
+    else
+        said.push_back(
+            fmt::format("No time: the {} engine looked at the untimed model ({}). What that says of the "
+                        "timed loop stands with each verdict.",
+                        basis.engine, basis.untimed));
+    if (basis.mode == word(ExecutionMode::StabilitySearch))
+        said.push_back(
+            "The PLC searches for stability: it reads its inputs, evolves until nothing changes any more, "
+            "and writes its outputs then.");
+    else if (basis.mode == word(ExecutionMode::EveryCycle))
+        said.push_back("The PLC makes one evolution in a cycle and writes its outputs in each.");
+    else said.push_back(fmt::format("Modes of the controllers: {}.", basis.mode));
+    if (basis.grain == "phased")
+        said.push_back("Grain phased: the plant and the timers may move between the phases of one PLC cycle.");
+    else if (basis.grain == "atomic")
+        said.push_back(
+            "Grain atomic: the plant does not move while a cycle runs; verdicts are about that model alone, "
+            "unless they say more.");
+    if (!content.loop.valid()) {
+        said.push_back("There is no plant: every input may change at any time.");
+        for (const ChartContent& each : content.charts)
+            for (const Chart::Constraint& constraint : content.model.charts[each.chart].constraints)
+                said.push_back("The chart says of its inputs, always: " +
+                               term_text(content.model.charts[each.chart], constraint.condition));
+        return said;
+    }
+    const ClosedLoop& loop = content.model.loops[content.loop];
+    std::vector<std::string> environment;
+    for (const ClosedLoop::Instance& instance : loop.instances)
+        if (instance.environment)
+            environment.push_back(
+                fmt::format("{} ({})", instance.name, content.model.components[instance.component].name));
+    if (!environment.empty())
+        said.push_back("Environment, free to act as its components let it: " + listed(environment) + ".");
+    for (const ClosedLoop::Constraint& constraint : loop.constraints)
+        said.push_back(fmt::format("Constraint on the inputs, {}: {}", constraint.name,
+                                   term_text(content.model, loop, constraint.condition)));
+    return said;
+}
+
+// -- properties ----------------------------------------------------------------------------------------------------------
+
+std::string outcome_words(const Verdict& verdict) {
+    std::string words(word(verdict.outcome));
+    if (verdict.vacuous) words += ", vacuously";
+    if (verdict.expected_violated && verdict.outcome != Outcome::Unknown)
+        words += as_expected(verdict) ? ", as expected" : ", but expected to be violated";
+    return words;
+}
+
+/// Its class, and the mark that says the same.
+std::pair<const char*, const char*> look_of(const Verdict& verdict) {
+    if (verdict.outcome == Outcome::Unknown) return {"unknown", "?"};
+    const char* const mark = verdict.outcome == Outcome::Holds ? "✓" : "✗";
+    if (!as_expected(verdict)) return {"bad", mark};
+    return {verdict.outcome == Outcome::Holds ? "ok" : "expected", mark};
+}
+
+void add_answer(const PageContent& content, const Answer& answer, Html& html) {
+    const Verdict& verdict = answer.verdict;
+    const auto [kind, mark] = look_of(verdict);
+    const bool folded = verdict.outcome == Outcome::Holds && as_expected(verdict) && !verdict.vacuous;
+    Html::Attributes attributes = {{"class", std::string("property ") + kind}, {"id", "property-" + verdict.property}};
+    if (!folded) attributes.emplace_back("open", "");
+    html.open("details", attributes).open("summary");
+    html.put("span", mark, {{"class", "mark"}, {"aria-hidden", "true"}});
+    html.open("strong").text(verdict.property).close("strong");
+    if (!answer.text.empty()) html.put("span", answer.text, {{"class", "prose"}});
+    html.put("span", outcome_words(verdict), {{"class", "outcome"}}).close("summary");
+    if (const std::string formula = claim_of(content, verdict.property); !formula.empty())
+        html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
+    if (!verdict.declared) html.put("p", "The model does not ask for it; it is decided all the same.");
+    if (!verdict.reason.empty()) html.put("p", "Why: " + verdict.reason);
+    for (const std::string& note : verdict.notes) html.put("p", "Note: " + note);
+    if (!answer.carries.empty()) html.put("p", "What it says of the timed loop: " + answer.carries);
+    if (!verdict.states.empty())
+        html.put("p", "The engine looked at " + verdict.states + " states.", {{"class", "remark"}});
+    const bool witness = verdict.outcome == Outcome::Holds;
+    if (answer.trace) add_play(html, verdict.property, witness ? "witness" : "counterexample");
+    html.close("details");
+}
+
+void add_run_as_text(const Playable& playable, Html& html) {
+    html.put("h3", playable.title);
+    if (playable.run->rows.size() > longest_table) {
+        html.put("p", fmt::format("It has {} rows; `grafverif check` prints them.", playable.run->rows.size()));
+        return;
+    }
+    std::ostringstream table;
+    print_trace(*playable.run, table);
+    html.put("pre", table.str());
+    if (!playable.end.empty()) html.put("p", playable.end);
+}
+
+// -- findings, coverage --------------------------------------------------------------------------------------------------
+
+void add_finding(const PageContent& content, const Analysis& analysis, const Finding& finding, Html& html) {
+    html.open("li", {{"class", "finding"}});
+    html.put("strong", word(finding.level)).text(" " + finding.message + " ");
+    html.put("code", finding.code).put("span", " " + place_of(content, finding.origin), {{"class", "remark"}});
+    for (const Finding::Related& related : finding.related)
+        html.put("p", related.message + " (" + place_of(content, related.where) + ")", {{"class", "remark"}});
+    if (finding.accepted) html.put("p", "Accepted: " + *finding.accepted);
+    if (finding.timing == Finding::Timing::Unconfirmed)
+        html.put("p", "No times were found at which its evidence can happen: it may be none.");
+    if (finding.evidence) add_play(html, evidence_name(content, analysis, finding), "evidence");
+    html.close("li");
+}
+
+/// Names of what is in `used`, and of what is not.
+struct Used {
+    std::vector<std::string> yes = {}, no = {};
+    void add(const std::string& name, bool used) { (used ? yes : no).push_back(name); }
+};
+
+void add_used(std::string_view what, const Used& used, Html& html) {
+    const std::size_t all = used.yes.size() + used.no.size();
+    html.open("tr").put("th", what, {{"scope", "row"}}).put("td", fmt::format("{} of {}", used.yes.size(), all));
+    html.put("td", used.no.empty() ? "none" : listed(used.no)).close("tr");
+}
+
+void add_coverage_of(const PageContent& content, std::size_t place, Html& html) {
+    const Chart& chart = content.model.charts[content.charts[place].chart];
+    std::vector<bool> steps(chart.steps.size()), transitions(chart.transitions.size());
+    for (const Playable& playable : playable_runs(content))
+        for (std::size_t k = 0; k < playable.charts.size(); ++k) {
+            if (playable.charts[k] != place || k >= playable.run->controllers.size()) continue;
+            const ChartRun& run = *playable.run;
+            const ChartRun::Controller& controller = run.controllers[{static_cast<std::uint32_t>(k)}];
+            std::set<Id<ChartRun::Step>> active;
+            std::set<Id<ChartRun::Transition>> cleared;
+            for (const ChartRun::Moment& moment : run.moments) {
+                active.insert(moment.after.situation.begin(), moment.after.situation.end());
+                for (const ChartRun::Act& act : moment.acts)
+                    if (act.evolves) cleared.insert(act.fired.begin(), act.fired.end());
+            }
+            for (std::size_t s = 0; s < steps.size(); ++s) steps[s] = steps[s] || active.contains(controller.steps[s]);
+            for (std::size_t t = 0; t < transitions.size(); ++t)
+                transitions[t] = transitions[t] || cleared.contains(controller.transitions[t]);
+        }
+    Used used_steps, used_transitions;
+    for (const Id<Chart::Step> id : chart.steps.ids()) used_steps.add(step_variable(chart, id), steps[id.index]);
+    for (const Id<Chart::Transition> id : chart.transitions.ids())
+        used_transitions.add(chart.transitions[id].name, transitions[id.index]);
+    html.put("h3", chart.name).open("table");
+    html.open("thead").open("tr").put("th", "").put("th", "used").put("th", "not used").close("tr").close("thead");
+    html.open("tbody");
+    add_used("steps", used_steps, html);
+    add_used("transitions", used_transitions, html);
+    html.close("tbody").close("table");
+}
+
+}  // namespace
+
+void add_head(const PageContent& content, Html& html) {
+    html.open("header").put("h1", content.report.model);
+    html.open("p", {{"class", "about"}}).put("code", content.file).text(" · grafverif " + content.version);
+    if (!content.date.empty()) html.text(" · " + content.date);
+    html.close("p");
+    const Glance glance = glance_of(content.report);
+    html.open("p", {{"class", std::string("glance ") + glance.kind}}).put("strong", glance.words);
+    html.put("span", tally_words(content.report)).close("p");
+    for (const Breakdown& each : content.report.breakdowns)
+        html.put("p", "The model breaks off: " + each.message + " [" + each.code + "]", {{"class", "bad"}});
+    for (const std::string& failure : content.report.failures) html.put("p", failure, {{"class", "bad"}});
+    html.open("details", {{"class", "assumed"}, {"open", ""}}).put("summary", "What was assumed").open("ul");
+    for (const std::string& sentence : assumptions(content)) html.put("li", sentence);
+    html.close("ul").close("details");
+    if (!content.warnings.empty())
+        html.open("details", {{"class", "warnings"}, {"open", ""}})
+            .put("summary", "Warnings")
+            .put("pre", content.warnings)
+            .close("details");
+    html.close("header");
+}
+
+void add_verdicts(const PageContent& content, Html& html) {
+    begin_section(html, "verdicts", "Properties");
+    if (content.report.answers.empty()) html.put("p", "There are none.");
+    for (const Answer& answer : content.report.answers)
+        if (look_of(answer.verdict).first != std::string_view("ok")) add_answer(content, answer, html);
+    for (const Answer& answer : content.report.answers)
+        if (look_of(answer.verdict).first == std::string_view("ok")) add_answer(content, answer, html);
+    html.close("section");
+}
+
+void add_runs(const PageContent& content, Html& html) {
+    const std::vector<Playable> runs = playable_runs(content);
+    if (runs.empty()) return;
+    begin_section(html, "runs", "Runs");
+    html.open("div", {{"id", "player"}}).open("noscript");
+    html.put("p", "With a script engine the runs can be played on the drawn charts.");
+    html.close("noscript");
+    for (const Playable& playable : runs) add_run_as_text(playable, html);
+    html.close("div").close("section");
+}
+
+void add_findings(const PageContent& content, Html& html) {
+    begin_section(html, "findings", "Findings");
+    html.put("p",
+             "What can go wrong in a chart, and what never happens in it, whatever its inputs do: no plant is assumed.",
+             {{"class", "remark"}});
+    for (const ChartContent& each : content.charts) {
+        const Analysis& analysis = each.analysis;
+        html.put("h3", analysis.chart);
+        if (analysis.findings.empty()) html.put("p", "None.");
+        html.open("ul");
+        for (const Finding& finding : analysis.findings) add_finding(content, analysis, finding, html);
+        for (const OpenQuestion& open : analysis.open)
+            html.put("li", fmt::format("Not decided: {} {} ({})", open.code, open.subject, open_text(open)));
+        html.close("ul");
+        if (!analysis.obstacle.empty()) html.put("p", "Why questions are open: " + analysis.obstacle);
+        for (const std::string& note : analysis.notes) html.put("p", "Note: " + note, {{"class", "remark"}});
+        for (const std::string& failure : analysis.failures) html.put("p", failure, {{"class", "bad"}});
+    }
+    html.close("section");
+}
+
+void add_charts(const PageContent& content, Html& html) {
+    begin_section(html, "charts", "Charts");
+    for (std::size_t k = 0; k < content.charts.size(); ++k) {
+        html.open("figure", {{"id", "chart-" + std::to_string(k)}});
+        html.put("figcaption", content.model.charts[content.charts[k].chart].name);
+        html.open("div", {{"class", "drawing"}}).ours(content.charts[k].drawing).close("div").close("figure");
+    }
+    html.close("section");
+}
+
+void add_equations(const PageContent& content, Html& html) {
+    begin_section(html, "equations", "Equations");
+    html.put("p", "The meaning of each chart: what is proved is these.", {{"class", "remark"}});
+    for (const ChartContent& each : content.charts) {
+        std::ostringstream text;
+        print_equations(text, each.equations);
+        html.open("details").put("summary", each.equations.name).put("pre", text.str()).close("details");
+    }
+    html.close("section");
+}
+
+void add_coverage(const PageContent& content, Html& html) {
+    const std::size_t runs = playable_runs(content).size();
+    begin_section(html, "coverage", "Coverage");
+    html.put("p",
+             fmt::format("Which steps were active and which transitions were cleared in at least one of the {} of this "
+                         "page. It is no measure of the proofs: an engine that proves looks at every state there is.",
+                         counted(runs, "run", "runs")),
+             {{"class", "remark"}});
+    for (std::size_t k = 0; k < content.charts.size() && runs != 0; ++k) add_coverage_of(content, k, html);
+    html.close("section");
+}
+
+}  // namespace grafverif

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "page/terms.hpp"
+
+#include <ostream>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t longest_text = 160;
+
+const char* name_of(Op op) {
+    switch (op) {
+    case Op::False:
+    case Op::True:
+    case Op::Integer:
+    case Op::Duration: return "constant";
+    case Op::Variable:
+    case Op::Step:
+    case Op::Timed:
+    case Op::Parameter:
+    case Op::At: return "unknown";
+    case Op::Not: return "not";
+    case Op::And: return "and";
+    case Op::Or: return "or";
+    case Op::Rise: return "rise";
+    case Op::Fall: return "fall";
+    case Op::Equal: return "equal";
+    case Op::NotEqual: return "not-equal";
+    case Op::Less: return "less";
+    case Op::LessEqual: return "less-equal";
+    case Op::Greater: return "greater";
+    case Op::GreaterEqual: return "greater-equal";
+    case Op::Negate: return "negate";
+    case Op::Plus: return "plus";
+    case Op::Minus: return "minus";
+    case Op::Times: return "times";
+    case Op::Divide: return "divide";
+    case Op::Modulo: return "modulo";
+    case Op::Conditional: return "if";
+    }
+    unreachable();
+}
+
+bool is_number(Op op) { return op == Op::Integer || op == Op::Duration || is_arithmetic(op); }
+
+/// The place of a variable among those of its kind, as controllers list them.
+std::size_t place_of(const Chart& chart, Id<Chart::Variable> wanted) {
+    std::size_t place = 0;
+    for (const Id<Chart::Variable> id : chart.variables.ids()) {
+        if (id == wanted) break;
+        place += chart.variables[id].kind == chart.variables[wanted].kind ? 1U : 0U;
+    }
+    return place;
+}
+
+const char* kind_of(const Chart& chart, Id<Chart::Variable> id) {
+    switch (chart.variables[id].kind) {
+    case Chart::VariableKind::Input: return "input";
+    case Chart::VariableKind::Output: return "output";
+    case Chart::VariableKind::Internal: return "internal";
+    }
+    unreachable();
+}
+
+Json variable_json(const Chart& chart, Id<Chart::Variable> id) {
+    return {{"op", kind_of(chart, id)}, {"boolean", chart.variables[id].type.boolean}, {"place", place_of(chart, id)}};
+}
+
+// -- charts --------------------------------------------------------------------------------------------------------------
+
+class ChartTerms {
+public:
+    explicit ChartTerms(const Chart& chart)
+        : chart_(chart),
+          print_([this](std::ostream& out, const Expr& leaf) { print(out, leaf); }),
+          terms_(chart.exprs, print_, [this](const Expr& leaf) { return json(leaf); }) {}
+
+    Json json() {
+        Json steps = Json::array(), transitions = Json::array(), timed = Json::array();
+        for (const Id<Chart::Step> id : chart_.steps.ids()) steps.push_back(step_variable(chart_, id));
+        for (const Chart::Transition& each : chart_.transitions) {
+            Json from = Json::array();
+            for (const Id<Chart::Step> step : each.from) from.push_back(step.index);
+            transitions.push_back(
+                {{"name", each.name}, {"from", std::move(from)}, {"condition", terms_.add(each.condition)}});
+        }
+        for (const Chart::TimeCondition& each : chart_.time_conditions)
+            timed.push_back({{"rise", each.rise_ms}, {"fall", each.fall_ms}, {"watched", terms_.add(each.watched)}});
+        Json actions = Json::array(), orders = Json::array();
+        for (const Chart::ContinuousAction& action : chart_.continuous) actions.push_back(action.step.index);
+        for (const Chart::ForcingOrder& order : chart_.forcing) orders.push_back(order.step.index);
+        return {{"name", chart_.name},
+                {"steps", std::move(steps)},
+                {"transitions", std::move(transitions)},
+                {"timed", std::move(timed)},
+                {"terms", terms_.nodes()},
+                {"ownerOfAction", std::move(actions)},
+                {"ownerOfForcing", std::move(orders)}};
+    }
+
+    std::string text(Id<Expr> term) const { return expr_text(chart_.exprs, term, chart_spelling, print_); }
+
+private:
+    void print(std::ostream& out, const Expr& leaf) const {
+        const auto index = static_cast<std::uint32_t>(leaf.value);
+        if (leaf.op == Op::Variable) out << chart_.variables[{index}].name;
+        else if (leaf.op == Op::Step) out << step_variable(chart_, {index});
+        else if (leaf.op == Op::Timed) print(out, chart_.time_conditions[{index}]);
+    }
+    void print(std::ostream& out, const Chart::TimeCondition& timed) const {
+        const bool single = is_leaf(chart_.exprs[timed.watched].op);
+        if (timed.rise_ms > 0) out << duration_text(timed.rise_ms) << '/';
+        out << (single ? "" : "(") << text(timed.watched) << (single ? "" : ")");
+        if (timed.fall_ms > 0) out << '/' << duration_text(timed.fall_ms);
+    }
+
+    Json json(const Expr& leaf) {
+        const auto index = static_cast<std::uint32_t>(leaf.value);
+        if (leaf.op == Op::Step) return {{"op", "step"}, {"boolean", true}, {"place", index}};
+        if (leaf.op == Op::Timed) return {{"op", "timed"}, {"boolean", true}, {"place", index}};
+        if (leaf.op != Op::Variable) return {{"op", "unknown"}, {"boolean", true}};
+        Json node = variable_json(chart_, {index});
+        if (chart_.variables[{index}].kind == Chart::VariableKind::Output) add_output({index}, node);
+        return node;
+    }
+    /// A continuous output is read as what its actions say (CEP13 (13)).
+    void add_output(Id<Chart::Variable> output, Json& node) {
+        Json actions = Json::array();
+        for (const Chart::ContinuousAction& action : chart_.continuous)
+            if (action.output == output)
+                actions.push_back({{"step", action.step.index},
+                                   {"timed", action.delay_ms > 0 || action.limit_ms > 0},
+                                   {"condition", terms_.add(action.condition)}});
+        node["stored"] = actions.empty();
+        node["actions"] = std::move(actions);
+    }
+
+    const Chart& chart_;
+    LeafPrinter print_;
+    TermList terms_;
+};
+
+// -- loops ---------------------------------------------------------------------------------------------------------------
+
+/// What a name of a property stands for, and how the loop writes it.
+struct Named {
+    Json node = {};
+    std::string text = {};
+};
+
+Named named(const Model& model, const ClosedLoop& loop, const ClosedLoop::Symbol& symbol) {
+    const bool single = loop.controllers.size() == 1;
+    const auto of_chart = [&](Id<ClosedLoop::Controller> controller, Json node) {
+        node["controller"] = controller.index;
+        return node;
+    };
+    const auto chart_of = [&](Id<ClosedLoop::Controller> id) -> const Chart& {
+        return model.charts[loop.controllers[id].chart];
+    };
+    const auto before = [&](Id<ClosedLoop::Controller> id) {
+        return single ? std::string() : loop.controllers[id].name + ".";
+    };
+    return std::visit(
+        overloaded{
+            [&](const ClosedLoop::SharedSymbol& shared) -> Named {
+                const ClosedLoop::Shared& variable = loop.shared[shared.shared];
+                const auto controller = variable.writer.valid() ? variable.writer : variable.reader;
+                if (!controller.valid()) return {{{"op", "signal"}, {"boolean", variable.type.boolean}}, variable.name};
+                return {of_chart(controller, variable_json(chart_of(controller), variable.variable)), variable.name};
+            },
+            [&](const ClosedLoop::InternalSymbol& internal) -> Named {
+                const Chart& chart = chart_of(internal.controller);
+                return {of_chart(internal.controller, variable_json(chart, internal.variable)),
+                        before(internal.controller) + chart.variables[internal.variable].name};
+            },
+            [&](const ClosedLoop::StepSymbol& step) -> Named {
+                return {of_chart(step.controller, {{"op", "step"}, {"boolean", true}, {"place", step.step.index}}),
+                        before(step.controller) + step_variable(chart_of(step.controller), step.step)};
+            },
+            [&](const ClosedLoop::LocationSymbol& at) -> Named {
+                const ClosedLoop::Instance& instance = loop.instances[at.instance];
+                const std::string& location = model.components[instance.component].locations[at.location].name;
+                return {{{"op", "location"}, {"boolean", true}, {"instance", instance.name}, {"location", location}},
+                        instance.name + "." + location};
+            },
+            [&](const ClosedLoop::ObserverSymbol& at) -> Named {
+                const ClosedLoop::Observer& observer = loop.observers[at.observer];
+                return {{{"op", "unknown"}, {"boolean", true}},
+                        observer.name + "." + observer.locations[at.location].name};
+            },
+        },
+        symbol);
+}
+
+const ClosedLoop::Symbol& symbol_of(const ClosedLoop& loop, const Expr& leaf) {
+    return loop.symbols[{static_cast<std::uint32_t>(leaf.value)}];
+}
+
+LeafPrinter printer(const Model& model, const ClosedLoop& loop) {
+    return [&](std::ostream& out, const Expr& leaf) { out << named(model, loop, symbol_of(loop, leaf)).text; };
+}
+
+std::string claim_of(const Property& property, const std::function<std::string(std::size_t)>& operand) {
+    switch (property.pattern) {
+    case Pattern::Always: return "always " + operand(0);
+    case Pattern::Never: return "never " + operand(0);
+    case Pattern::Reachable: return "reachable " + operand(0);
+    case Pattern::Inevitable: return "inevitable " + operand(0);
+    case Pattern::LeadsTo: return operand(0) + " leads to " + operand(1);
+    case Pattern::NoDeadlock: return "no deadlock";
+    case Pattern::NoTimelock: return "no timelock";
+    case Pattern::ReachableAllSteps: return "reachable all steps";
+    case Pattern::AlwaysPossible: return "always possible " + operand(0);
+    case Pattern::RawUppaal: return "uppaal " + property.raw;
+    case Pattern::RawCtl: return "ctl " + property.raw;
+    case Pattern::RawLtl: return "ltl " + property.raw;
+    case Pattern::ExactlyOneOf: break;
+    }
+    std::string list;
+    for (std::size_t k = 0; k < property.operands.size(); ++k) list += (k == 0 ? "" : ", ") + operand(k);
+    return "exactly one of {" + list + "}";
+}
+
+const char* pattern_of(Pattern pattern) {
+    switch (pattern) {
+    case Pattern::Always: return "always";
+    case Pattern::Never: return "never";
+    case Pattern::Reachable: return "reachable";
+    case Pattern::Inevitable: return "inevitable";
+    case Pattern::LeadsTo: return "leads-to";
+    case Pattern::ExactlyOneOf: return "exactly-one";
+    case Pattern::AlwaysPossible: return "always-possible";
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock:
+    case Pattern::ReachableAllSteps:
+    case Pattern::RawUppaal:
+    case Pattern::RawCtl:
+    case Pattern::RawLtl: return "other";
+    }
+    unreachable();
+}
+
+}  // namespace
+
+std::size_t TermList::add(Id<Expr> term) {
+    if (const auto known = places_.find(term); known != places_.end()) return known->second;
+    const Expr& node = (*exprs_)[term];
+    Json made = {{"op", name_of(node.op)}, {"boolean", !is_number(node.op)}};
+    if (is_leaf(node.op)) made = leaf_(node);
+    else if (is_constant(node.op)) made["value"] = node.op == Op::True ? 1 : node.value;
+    else {
+        Json args = Json::array();
+        for (const Id<Expr> operand : exprs_->operands(term)) args.push_back(add(operand));
+        if (node.op == Op::Conditional) made["boolean"] = nodes_[args[1].get<std::size_t>()]["boolean"];
+        made["args"] = std::move(args);
+    }
+    std::string text = expr_text(*exprs_, term, chart_spelling, print_);
+    if (text.size() > longest_text) text = text.substr(0, longest_text) + " ...";
+    made["text"] = std::move(text);
+    nodes_.push_back(std::move(made));
+    return places_[term] = nodes_.size() - 1;
+}
+
+Json chart_json(const Chart& chart) { return ChartTerms(chart).json(); }
+
+Json property_json(const Model& model, const ClosedLoop& loop, const Property& property) {
+    TermList terms(loop.exprs, printer(model, loop),
+                   [&](const Expr& leaf) { return named(model, loop, symbol_of(loop, leaf)).node; });
+    Json operands = Json::array();
+    for (const Id<Expr> operand : property.operands) operands.push_back(terms.add(operand));
+    return {{"name", property.name},
+            {"pattern", pattern_of(property.pattern)},
+            {"at_stable", property.at_stable},
+            {"operands", std::move(operands)},
+            {"terms", terms.nodes()}};
+}
+
+std::string term_text(const Chart& chart, Id<Expr> term) { return ChartTerms(chart).text(term); }
+
+std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term) {
+    return expr_text(loop.exprs, term, chart_spelling, printer(model, loop));
+}
+
+std::string claim_text(const Model& model, const ClosedLoop& loop, const Property& property) {
+    const auto operand = [&](std::size_t k) { return term_text(model, loop, property.operands[k]); };
+    return claim_of(property, operand) + (property.at_stable ? " at stable" : "");
+}
+
+}  // namespace grafverif

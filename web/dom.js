@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Elements of the page, built of names, attributes and text alone: nothing that anybody wrote is ever read as markup.
+
+export function make(tag, attributes = {}, ...children) { return fill(document.createElement(tag), attributes, children); }
+
+export function draw(tag, attributes = {}, ...children) {
+    return fill(document.createElementNS("http://www.w3.org/2000/svg", tag), attributes, children);
+}
+
+function fill(element, attributes, children) {
+    for (const [name, value] of Object.entries(attributes))
+        if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+        else if (value === true) element.setAttribute(name, "");
+        else if (value !== false && value !== null && value !== undefined) element.setAttribute(name, value);
+    element.append(...children);
+    return element;
+}

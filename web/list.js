@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// A long list of which only what is in sight exists, so that ten thousand rows scroll as ten do.
+import {make} from "./dom.js";
+
+const height = 28;  // of a row, as page.css has it
+
+export class RowList {
+    // `row(k)`: the cells of row k. `choose(k)`: it was clicked.
+    constructor(label, count, row, choose) {
+        this.count = count;
+        this.row = row;
+        this.choose = choose;
+        this.current = 0;
+        this.space = make("div", {class: "rows-space", role: "presentation"});
+        this.space.style.height = `${count * height}px`;
+        this.element = make("div", {
+            class: "rows", role: "listbox", tabindex: 0, "aria-label": label,
+            onscroll: () => this.draw(), onclick: (event) => this.click(event),
+        }, this.space);
+        new ResizeObserver(() => this.draw()).observe(this.element);
+    }
+
+    draw() {
+        const first = Math.max(0, Math.floor(this.element.scrollTop / height) - 4);
+        const last = Math.min(this.count, Math.ceil((this.element.scrollTop + this.element.clientHeight) / height) + 4);
+        const rows = [];
+        for (let k = first; k < last; ++k) rows.push(this.make(k));
+        this.space.replaceChildren(...rows);
+        this.element.setAttribute("aria-activedescendant", `row-${this.current}`);
+    }
+    make(k) {
+        const current = k === this.current;
+        const row = make("div", {
+            class: current ? "row current" : "row", role: "option", id: `row-${k}`, "data-row": k,
+            "aria-selected": current, "aria-posinset": k + 1, "aria-setsize": this.count,
+        }, ...this.row(k));
+        row.style.top = `${k * height}px`;
+        return row;
+    }
+
+    click(event) {
+        const row = event.target.closest("[data-row]");
+        if (row) this.choose(Number(row.dataset.row));
+    }
+
+    show(k) {
+        this.current = k;
+        const top = k * height, {scrollTop, clientHeight} = this.element;
+        if (clientHeight > 0 && (top < scrollTop + height || top > scrollTop + clientHeight - 2 * height))
+            this.element.scrollTop = top - clientHeight / 2;
+        this.draw();
+    }
+}

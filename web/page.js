@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The page: which run is played, and at which moment, is the page's address. What the page knows stands in its element
+// `data`; see src/page/data.hpp.
+import {make} from "./dom.js";
+import {Player} from "./player.js";
+
+export class Page {
+    constructor(data, place) {
+        this.data = data;
+        this.place = place;
+        this.players = new Map();
+        this.select = make("select", {"aria-label": "Run to play", onchange: () => this.open(this.select.value)},
+            ...data.runs.map((run) => make("option", {value: run.name}, run.title)));
+        this.stage = make("div", {});
+        this.place.replaceChildren(make("p", {class: "pick-run"}, make("label", {}, "Run: ", this.select)), this.stage);
+        window.addEventListener("hashchange", () => this.follow(false));
+        if (data.runs.length > 0 && !this.follow(true)) this.open(data.runs[0].name, null, true);
+    }
+
+    // Where the address leads: `#P16/23`.
+    follow(quiet) {
+        let address = "";
+        try {
+            address = decodeURIComponent(location.hash.slice(1));
+        } catch {
+            return false;
+        }
+        const cut = address.lastIndexOf("/"), name = cut < 0 ? address : address.slice(0, cut);
+        if (!this.data.runs.some((run) => run.name === name)) return false;
+        if (this.player && this.current === name && `#${address}` === this.written) return true;
+        this.open(name, cut < 0 ? null : address.slice(cut + 1), quiet);
+        this.place.closest("section")?.scrollIntoView();
+        return true;
+    }
+
+    open(name, moment = null, quiet = false) {
+        this.player?.pause();
+        this.quiet = true;
+        this.current = name;
+        if (!this.players.has(name)) {
+            const run = this.data.runs.find((each) => each.name === name);
+            this.players.set(name, new Player(this.data, run, (address) => this.write(address)));
+        }
+        this.player = this.players.get(name);
+        this.select.value = name;
+        this.stage.replaceChildren(this.player.element);
+        const wanted = moment === null ? null : this.player.run.momentAt(moment);
+        if (wanted === null) this.player.go(this.player.visited ? this.player.moment : this.player.decisive ?? 0);
+        else this.player.go(wanted);
+        this.player.visited = true;
+        this.quiet = false;
+        if (!quiet) this.write(this.player.run.address(this.player.moment));
+    }
+
+    write(address) {
+        if (this.quiet) return;
+        this.written = `#${this.current}/${address}`;
+        history.replaceState(null, "", `#${encodeURIComponent(this.current)}/${address}`);
+    }
+}
+
+const element = document.getElementById("data"), place = document.getElementById("player");
+if (element && place) window.page = new Page(JSON.parse(element.textContent), place);
+for (const button of document.querySelectorAll("[data-run]"))
+    button.addEventListener("click", () => {
+        window.page.open(button.dataset.run);
+        place.closest("section").scrollIntoView();
+        place.querySelector("button, [tabindex]")?.focus({preventScroll: true});
+    });

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// The player of one run: the drawn chart, what happened, what is and what changed, why, and the timing diagram, all at
+// one moment. It is moved by buttons, a slider, keys, and addresses (`#P16/23`).
+import {ChartView} from "./chart.js";
+import {make} from "./dom.js";
+import {RowList} from "./list.js";
+import {Run} from "./run.js";
+import {Timing} from "./timing.js";
+import {decisiveMoment, whyProperty, whyTransition} from "./why.js";
+
+const keys = {
+    ArrowRight: (player) => player.step(1),
+    ArrowLeft: (player) => player.step(-1),
+    Home: (player) => player.go(0),
+    End: (player) => player.go(player.run.last),
+    " ": (player) => player.play(),
+    PageDown: (player) => player.step(10),
+    PageUp: (player) => player.step(-10),
+};
+
+export class Player {
+    // `moved(address)` is told where the player stands. `live`: a run that may grow, shown at its end.
+    constructor(page, data, moved) {
+        this.page = page;
+        this.run = new Run(data);
+        this.moved = moved;
+        this.property = data.property === null ? null : page.properties[data.property];
+        this.decisive = data.kind === "counterexample" ? decisiveMoment(this.run, this.property) : null;
+        this.moment = 0;
+        this.chosen = null;
+        this.everyMove = false;
+        this.timer = null;
+        this.build();
+        this.restep();
+    }
+
+    chartOf(controller) { return this.page.charts[this.run.data.charts[controller]]; }
+
+    build() {
+        this.views = this.run.controllers.map((_, controller) =>
+            new ChartView(this.chartOf(controller), this.run, controller, (place) => this.choose(controller, place)));
+        this.caption = make("p", {class: "caption", role: "status", "aria-live": "polite"});
+        this.why = make("div", {class: "why"});
+        this.claim = make("div", {class: "why"});
+        this.signals = make("div", {class: "signals"});
+        this.filter = make("input", {type: "search", placeholder: "filter", "aria-label": "Show signals whose name has",
+                                     oninput: () => this.showSignals()});
+        this.changedOnly = make("input", {type: "checkbox", onchange: () => this.showSignals()});
+        this.rows = new RowList("What happened, row by row", this.run.shown.length, (k) => this.row(k),
+                                (k) => this.go(this.run.rowMoments[this.run.shown[k]]));
+        this.timingPlace = make("div", {});
+        this.element = make("div", {class: "player", onkeydown: (event) => this.key(event)},
+            this.controls(), this.caption,
+            make("div", {class: "stage"},
+                make("div", {class: "charts"}, ...this.views.map((view) => view.element)),
+                make("div", {class: "side"},
+                    panel("What happens", this.rows.element),
+                    this.property?.operands.length > 0 ? panel(`Why: ${this.property.name}`, this.claim) : "",
+                    panel("Why: a transition", make("label", {class: "pick"}, "transition ", this.picker()), this.why),
+                    panel("Inputs, outputs, variables, plant",
+                        make("div", {class: "filters"}, this.filter, make("label", {}, this.changedOnly, " changed here only")),
+                        this.signals))),
+            panel("Timing diagram", this.timingPlace));
+    }
+
+    controls() {
+        const button = (label, text, action, key) => make("button", {type: "button", "aria-label": label,
+            title: key ? `${label} (${key})` : label, onclick: action}, text);
+        this.playButton = button("Play", "play", () => this.play(), "space");
+        this.slider = make("input", {type: "range", min: 0, step: 1, "aria-label": "Moment of the run",
+                                     oninput: () => this.go(this.stops[Number(this.slider.value)])});
+        this.place = make("output", {class: "place"});
+        const moves = make("input", {type: "checkbox", onchange: () => { this.everyMove = moves.checked; this.restep(); }});
+        const loop = this.run.loopMoment();
+        return make("div", {class: "controls", role: "toolbar", "aria-label": "Player"},
+            button("To the beginning", "|◀", () => this.go(0), "Home"),
+            button("Back", "◀", () => this.step(-1), "left"),
+            this.playButton,
+            button("Forward", "▶", () => this.step(1), "right"),
+            button("To the end", "▶|", () => this.go(this.run.last), "End"),
+            loop === null ? "" : button("To where it repeats for ever", "↻ loop", () => this.go(loop)),
+            this.decisive === null ? "" : button("To what decides it", "! decisive moment", () => this.go(this.decisive)),
+            this.slider, this.place,
+            make("label", {title: "Each phase of a PLC cycle and each evolution, one by one"}, moves, " every move"));
+    }
+
+    picker() {
+        this.pick = make("select", {"aria-label": "Transition", onchange: () => {
+            const [controller, place] = this.pick.value.split(" ").map(Number);
+            this.choose(controller, place);
+        }}, make("option", {value: ""}, "enabled and cleared ones"));
+        this.run.controllers.forEach((_, controller) => this.chartOf(controller).transitions.forEach((transition, place) =>
+            this.pick.append(make("option", {value: `${controller} ${place}`}, transition.name))));
+        return this.pick;
+    }
+
+    key(event) {
+        const plain = !event.altKey && !event.ctrlKey && !event.metaKey && !event.shiftKey;
+        const typing = event.target.closest("input:not([type=range]), select, summary") ||
+                       (event.key === " " && event.target.closest("button"));
+        const action = keys[event.key];
+        if (!plain || typing || !action) return;
+        event.preventDefault();
+        action(this);
+    }
+
+    // The moments at which the player stops: behind each row shown, or each move.
+    restep() {
+        this.stops = this.everyMove || this.run.shown.length === 0 ? this.run.times.map((_, m) => m)
+            : this.run.shown.map((row) => this.run.rowMoments[row]);
+        const loop = this.run.loopMoment();
+        const loopStop = loop === null ? null : Math.max(this.stops.findIndex((m) => m >= loop), 0);
+        this.slider.max = this.stops.length - 1;
+        this.timing = new Timing(this.run, this.stops, loopStop, (k) => this.go(this.stops[k]));
+        this.timingPlace.replaceChildren(this.timing.element);
+        this.go(this.moment);
+    }
+
+    // The last stop at `moment` or before it.
+    stop() {
+        let low = 0, high = this.stops.length;
+        while (low < high) {
+            const middle = (low + high) >> 1;
+            if (this.stops[middle] <= this.moment) low = middle + 1;
+            else high = middle;
+        }
+        return Math.max(low - 1, 0);
+    }
+
+    step(by) {
+        const stop = this.stop(), between = by < 0 && this.stops[stop] < this.moment ? 1 : 0;
+        this.go(this.stops[Math.min(Math.max(stop + by + between, 0), this.stops.length - 1)]);
+    }
+
+    play() {
+        if (this.timer !== null) return this.pause();
+        if (this.moment >= this.stops[this.stops.length - 1]) this.go(0);
+        this.playButton.textContent = "pause";
+        this.playButton.setAttribute("aria-label", "Pause");
+        this.timer = setInterval(() => this.tickOn(), 700);
+    }
+    tickOn() {
+        if (!this.element.isConnected) return this.pause();
+        const last = this.moment >= this.stops[this.stops.length - 1], loop = this.run.loopMoment();
+        if (last && loop !== null && loop < this.run.last) this.go(loop);
+        else if (last) this.pause();
+        else this.step(1);
+    }
+    pause() {
+        clearInterval(this.timer);
+        this.timer = null;
+        this.playButton.textContent = "play";
+        this.playButton.setAttribute("aria-label", "Play");
+    }
+
+    choose(controller, place) {
+        this.chosen = Number.isInteger(place) ? {controller, place} : null;
+        this.pick.value = this.chosen ? `${controller} ${place}` : "";
+        this.show();
+    }
+
+    go(moment) {
+        this.moment = Math.min(Math.max(moment ?? 0, 0), this.run.last);
+        this.show();
+        this.moved(this.run.address(this.moment));
+    }
+
+    // The moments that the stop sums up.
+    range() {
+        const stop = this.stop();
+        const begin = this.stops[stop] < this.moment ? this.stops[stop] + 1 : stop === 0 ? 0 : this.stops[stop - 1] + 1;
+        return {from: Math.min(begin, this.moment), to: this.moment};
+    }
+
+    show() {
+        const {from, to} = this.range(), stop = this.stop();
+        this.clearedNow = this.run.cleared(from, to);
+        this.views.forEach((view, controller) => {
+            view.show(this.moment, this.clearedNow, this.chosen?.controller === controller ? this.chosen.place : null);
+            view.follow();
+        });
+        this.slider.value = stop;
+        this.slider.setAttribute("aria-valuetext", `${this.run.address(this.moment)}, ${this.run.timeText(this.moment)}`);
+        this.place.textContent = `${this.run.address(this.moment)} of ${this.run.rows.length - 1} · ${this.run.timeText(this.moment)}`;
+        this.caption.textContent = this.words();
+        const row = this.run.rowOf(this.moment);
+        this.rows.show(Math.max(this.run.shown.findLastIndex((shown) => shown <= row), 0));
+        this.timing.show(stop);
+        this.showSignals();
+        this.showWhy();
+    }
+
+    words() {
+        const row = this.run.rows[this.run.rowOf(this.moment)];
+        const inside = row && row.moment !== this.moment ? " (under way)" : "";
+        const told = row ? [row.words, row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
+        const loop = this.run.loopMoment(), ever = loop !== null && this.moment >= loop ? " From here on for ever." : "";
+        const end = this.moment === this.run.last && this.run.data.end ? ` ${this.run.data.end}.` : "";
+        const move = this.everyMove ? ` [${this.moveWords()}]` : "";
+        return `${this.run.timeText(this.moment)}: ${told || "power on"}${inside}.${move}${ever}${end}`;
+    }
+    moveWords() {
+        const moment = this.run.trace.moments[this.moment];
+        const does = moment.acts.flatMap((act) => act.does);
+        const names = {begin: "a cycle begins", start: "power on", sample: "inputs are read", evolve: "an evolution",
+                       write: "outputs are written", "write-if-stable": "outputs are written if stable"};
+        if (does.length > 0) return does.map((each) => names[each]).join(", ");
+        return moment.kind === "controller" ? "the cycle goes on" : moment.kind === "delay" ? "time passes" : moment.kind;
+    }
+
+    row(k) {
+        const index = this.run.shown[k], row = this.run.rows[index];
+        const time = k > 0 && this.run.times[row.moment] === this.run.times[this.run.rowMoments[this.run.shown[k - 1]]]
+            ? "" : this.run.timeText(row.moment);
+        const loop = this.run.data.loop_from !== null && index >= this.run.data.loop_from;
+        const cell = (name, text) => make("span", {class: name, title: text}, text);
+        return [cell("loop-mark", loop ? "↻" : ""), cell("when", time), cell("what", row.words),
+                cell("fired", row.cleared ? `⇣ ${row.cleared}` : "")];
+    }
+
+    showSignals() {
+        const {from} = this.range(), before = Math.max(from - 1, 0);
+        const wanted = this.filter.value.toLowerCase(), changedOnly = this.changedOnly.checked;
+        const body = make("tbody", {});
+        const add = (kind, name, now, past, changed) => {
+            if ((changedOnly && !changed) || !name.toLowerCase().includes(wanted)) return;
+            body.append(make("tr", {class: changed ? "changed" : null},
+                make("td", {class: "kind"}, kind), make("th", {scope: "row"}, name),
+                make("td", {}, now, changed ? make("span", {class: "remark"}, ` was ${past}`) : "")));
+        };
+        const signals = this.run.trace.signals;
+        for (const role of ["input", "output", "internal", "plant", "image"])
+            signals.forEach((signal, k) => {
+                if (signal.role !== role) return;
+                const now = this.run.value(k, this.moment), past = this.run.value(k, before);
+                add(role === "image" ? "to be written" : role, signal.name, this.run.signalText(k, now),
+                    this.run.signalText(k, past), now !== past);
+            });
+        this.run.trace.instances.forEach((instance, k) => {
+            const text = (m) => instance.locations[this.run.locations[k].value(m)] ?? "–";
+            add(instance.kind, instance.name, text(this.moment), text(before), text(this.moment) !== text(before));
+        });
+        if (body.childElementCount === 0)
+            body.append(make("tr", {}, make("td", {colspan: 3}, "nothing to show")));
+        this.signals.replaceChildren(make("table", {}, make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "kind"),
+            make("th", {scope: "col"}, "name"), make("th", {scope: "col"}, "value"))), body));
+    }
+
+    showWhy() {
+        if (this.property?.operands.length > 0)
+            this.claim.replaceChildren(whyProperty(this.run, this.property, this.moment, (m) => this.go(m)));
+        const wanted = this.chosen ? [this.chosen] : this.interesting();
+        this.why.replaceChildren(...wanted.map(({controller, place}) => {
+            const id = this.run.controllers[controller].transitions[place];
+            return whyTransition(this.run, this.chartOf(controller), controller, place, this.moment, this.clearedNow.get(id));
+        }));
+        if (wanted.length === 0) this.why.textContent = "No transition is enabled.";
+    }
+    // Those cleared here, then those enabled.
+    interesting() {
+        const cleared = [], enabled = [];
+        this.run.controllers.forEach((controller, number) => this.chartOf(number).transitions.forEach((transition, place) => {
+            if (this.clearedNow.has(controller.transitions[place])) cleared.push({controller: number, place});
+            else if (transition.from.every((step) => this.run.isActive(controller.steps[step], this.moment)))
+                enabled.push({controller: number, place});
+        }));
+        return [...cleared, ...enabled].slice(0, 12);
+    }
+}
+
+function panel(title, ...content) {
+    return make("section", {class: "panel"}, make("h4", {}, title), ...content);
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// A run as the page asks for it: what everything was at a moment. Each signal, step and instance keeps the moments at
+// which it changed and what it became, so that any moment is found by bisection, however long the run.
+//
+// A moment is one thing that happened (docs/trace.md); a row sums up moments. The player stands at a moment: in steps of
+// rows, or of single moves.
+
+class History {
+    constructor(first) {
+        this.at = [0];
+        this.values = [first];
+    }
+    add(moment, value) {
+        if (value === this.values[this.values.length - 1]) return;
+        if (moment === this.at[this.at.length - 1]) this.values[this.values.length - 1] = value;
+        else {
+            this.at.push(moment);
+            this.values.push(value);
+        }
+    }
+    place(moment) { return lastAtMost(this.at, moment); }
+    value(moment) { return this.values[Math.max(this.place(moment), 0)]; }
+    since(moment) { return this.at[Math.max(this.place(moment), 0)]; }
+    changes() { return this.at.length > 1; }
+}
+
+// The place of the last number of a rising list that is at most `limit`; -1: none is.
+function lastAtMost(list, limit) {
+    let low = 0, high = list.length;
+    while (low < high) {
+        const middle = (low + high) >> 1;
+        if (list[middle] <= limit) low = middle + 1;
+        else high = middle;
+    }
+    return low - 1;
+}
+
+export class Run {
+    constructor(data) {
+        this.data = data;
+        this.name = data.name;
+        this.trace = data.run;
+        this.rows = data.rows;
+        this.controllers = data.run.controllers;
+        this.times = data.run.moments.map((moment) => moment.time);
+        this.last = data.run.moments.length - 1;
+        this.readMoments();
+        this.shown = data.rows.flatMap((row, index) => (row.shown ? [index] : []));
+        this.rowMoments = data.rows.map((row) => row.moment);
+    }
+
+    readMoments() {
+        const {steps, instances, moments} = this.trace;
+        this.signals = this.trace.signals.map(() => null);
+        this.steps = steps.map(() => new History(false));
+        this.locations = instances.map((instance) => new History(this.data.initial[instance.name] ?? null));
+        this.samples = this.controllers.map(() => []);
+        this.evolutions = this.controllers.map(() => []);
+        this.changed = moments.map(() => null);
+        let active = new Set();
+        moments.forEach((moment, m) => {
+            for (const [signal, value] of moment.values)
+                if (this.signals[signal]) this.signals[signal].add(m, value);
+                else this.signals[signal] = new History(value);
+            if (moment.situation) {
+                const now = new Set(moment.situation);
+                for (const step of active) if (!now.has(step)) this.steps[step].add(m, false);
+                for (const step of now) this.steps[step].add(m, true);
+                active = now;
+            }
+            if (moment.location !== null && moment.instance !== null)
+                this.locations[moment.instance].add(m, moment.location);
+            for (const act of moment.acts) this.readAct(act, m);
+        });
+    }
+
+    readAct(act, moment) {
+        if (act.inputs.length !== 0 || act.does.includes("sample")) this.samples[act.controller].push({moment, act});
+        if (act.does.includes("evolve") || act.does.includes("start"))
+            this.evolutions[act.controller].push({moment, act});
+    }
+
+    value(signal, moment) { return this.signals[signal].value(moment); }
+    isActive(step, moment) { return this.steps[step].value(moment); }
+    situation(moment) { return this.steps.flatMap((history, step) => (history.value(moment) ? [step] : [])); }
+
+    // What the controller last read, at `moment` or before.
+    sampled(controller, moment) { return this.lastOf(this.samples[controller], moment); }
+    evolved(controller, moment) { return this.lastOf(this.evolutions[controller], moment); }
+    lastOf(list, moment) {
+        let low = 0, high = list.length;
+        while (low < high) {
+            const middle = (low + high) >> 1;
+            if (list[middle].moment <= moment) low = middle + 1;
+            else high = middle;
+        }
+        return low === 0 ? null : list[low - 1];
+    }
+
+    // The row that tells `moment`: the first that ends there or behind.
+    rowOf(moment) { return Math.min(lastAtMost(this.rowMoments, moment - 1) + 1, this.rows.length - 1); }
+    // The first moment that belongs to the row.
+    beginOf(row) { return row === 0 ? 0 : this.rowMoments[row - 1] + 1; }
+
+    // The transitions cleared in a range of moments, with the moment of each.
+    cleared(from, to) {
+        const found = new Map();
+        for (let m = from; m <= to; ++m)
+            for (const act of this.trace.moments[m].acts)
+                if (act.does.includes("evolve")) for (const transition of act.fired) found.set(transition, m);
+        return found;
+    }
+
+    // `23` is the state behind row 23, `23+2` two moves later.
+    address(moment) {
+        const row = lastAtMost(this.rowMoments, moment);
+        const beyond = row < 0 ? moment : moment - this.rowMoments[row];
+        return beyond === 0 ? `${row}` : `${Math.max(row, 0)}+${beyond}`;
+    }
+    momentAt(address) {
+        const match = /^(\d{1,9})(?:\+(\d{1,9}))?$/.exec(address);
+        if (!match || this.rows.length === 0) return null;
+        const row = Math.min(Number(match[1]), this.rows.length - 1);
+        return Math.min(this.rowMoments[row] + Number(match[2] ?? 0), this.last);
+    }
+
+    loopMoment() {
+        const from = this.data.loop_from;
+        return from === null ? null : from < this.rows.length ? this.rowMoments[from] : this.last;
+    }
+
+    timeText(moment) {
+        const time = this.times[moment];
+        return this.trace.timed ? `${time / 1000} s` : `step ${time}`;
+    }
+
+    signalText(signal, value) {
+        return value === undefined ? "?" : this.trace.signals[signal].range ? `${value}` : value ? "1" : "0";
+    }
+}

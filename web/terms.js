@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// The value of a term, and of each term in it, at a moment of a run: so that "why was it not cleared" is answered by
+// pointing. A controller decides on what it last read of the plant, not on what the plant is now; properties are about
+// what is. What cannot be known of the run is `undefined`, never a guess.
+//
+// The rules are those of IEC 60848 as `run/reader.cpp` has them: an edge is true in the evolution behind the change,
+// `t1/v/t2` without t2 asks for v besides the end of its delay.
+
+// How the terms of one chart are to be read: by `controller` at `moment`.
+export class Decision {
+    // `before`: the evolution at `moment` has not yet been made.
+    constructor(run, chart, controller, moment, before) {
+        this.run = run;
+        this.chart = chart;
+        this.controller = run.controllers[controller];
+        this.number = controller;
+        this.state = before ? Math.max(moment - 1, 0) : moment;
+        this.read = run.sampled(controller, moment);
+        this.earlier = run.evolved(controller, before ? moment - 1 : moment);
+        this.known = new Map();
+    }
+
+    value(term) {
+        if (!this.known.has(term)) this.known.set(term, valueOf(this, this.chart.terms[term]));
+        return this.known.get(term);
+    }
+
+    leaf(node) {
+        switch (node.op) {
+        case "input": return this.read?.act.inputs[node.place];
+        case "internal": return this.run.value(this.controller.internals[node.place], this.state);
+        case "output": return this.output(node);
+        case "step": return Number(this.run.isActive(this.controller.steps[node.place], this.state));
+        case "timed": return this.timed(node.place);
+        case "rise":
+        case "fall": return this.edge(node);
+        }
+        return undefined;
+    }
+
+    edge(node) {
+        const now = this.value(node.args[0]), before = this.previous()?.value(node.args[0]);
+        if (now === undefined || before === undefined) return undefined;
+        return Number(node.op === "rise" ? !before && now : before && !now);
+    }
+    previous() {
+        if (this.earlier === null) return null;
+        this.past ??= new Decision(this.run, this.chart, this.number, this.earlier.moment, true);
+        return this.past;
+    }
+
+    timed(place) {
+        const condition = this.chart.timed[place], timer = this.run.data.conditions[this.number][place];
+        const over = timer === null ? false : this.read?.act.timers[timer] ?? false;
+        if (condition.rise > 0 && condition.fall > 0) return Number(over);
+        if (over === condition.fall > 0) return Number(over);
+        return this.value(condition.watched);
+    }
+
+    // A continuous output is what its actions say now, not what was written last; a stored one is its image.
+    output(node) {
+        if (node.stored) {
+            const image = this.controller.images[node.place];
+            return this.run.value(image ?? this.controller.outputs[node.place], this.state);
+        }
+        let unknown = false;
+        for (const action of node.actions) {
+            if (!this.run.isActive(this.controller.steps[action.step], this.state)) continue;
+            const value = action.timed ? undefined : this.value(action.condition);
+            if (value) return 1;
+            unknown ||= value === undefined;
+        }
+        return unknown ? undefined : 0;
+    }
+
+    // What else there is to say of a leaf.
+    remark(node) {
+        if (node.op === "input" && this.read) {
+            const signal = this.controller.inputs[node.place], now = this.run.value(signal, this.state);
+            if (now !== this.read.act.inputs[node.place])
+                return `as read at ${this.run.timeText(this.read.moment)}; it is ${this.run.signalText(signal, now)} by now`;
+        }
+        if (node.op === "timed") return this.age(this.chart.timed[node.place]);
+        return "";
+    }
+    age(condition) {
+        const watched = this.chart.terms[condition.watched];
+        if (watched.op !== "step" || !this.run.trace.timed) return "";
+        const history = this.run.steps[this.controller.steps[watched.place]];
+        if (!history.value(this.state)) return `${watched.text} is not active`;
+        const age = this.run.times[this.state] - this.run.times[history.since(this.state)];
+        return `${watched.text} has been active for ${age / 1000} s`;
+    }
+}
+
+// How the terms of a property are to be read: of the closed loop as it is at `moment`.
+export class Claim {
+    constructor(run, property, moment) {
+        this.run = run;
+        this.chart = property;
+        this.moment = moment;
+        this.known = new Map();
+    }
+
+    value(term) {
+        if (!this.known.has(term)) this.known.set(term, valueOf(this, this.chart.terms[term]));
+        return this.known.get(term);
+    }
+
+    leaf(node) {
+        const controller = this.run.controllers[node.controller];
+        switch (node.op) {
+        case "input": return this.signal(controller?.inputs[node.place]);
+        case "output": return this.signal(controller?.outputs[node.place]);
+        case "internal": return this.signal(controller?.internals[node.place]);
+        case "signal": return this.signal(this.run.trace.signals.findIndex(
+            (signal) => signal.name === node.text && signal.role !== "image"));
+        case "step": return controller ? Number(this.run.isActive(controller.steps[node.place], this.moment)) : undefined;
+        case "location": return this.location(node);
+        }
+        return undefined;
+    }
+    signal(place) { return place === undefined || place < 0 ? undefined : this.run.value(place, this.moment); }
+    location(node) {
+        const place = this.run.trace.instances.findIndex((instance) => instance.name === node.instance);
+        if (place < 0) return undefined;
+        const now = this.run.locations[place].value(this.moment);
+        return now === null ? undefined : Number(this.run.trace.instances[place].locations[now] === node.location);
+    }
+    remark() { return ""; }
+}
+
+// The moment from which on the term has had the value that it has at `moment`; at most so many moments are looked at.
+export function sinceWhen(property, term, run, moment, most = 20000) {
+    const now = new Claim(run, property, moment).value(term);
+    let m = moment;
+    while (m > 0 && moment - m < most && new Claim(run, property, m - 1).value(term) === now) --m;
+    return moment - m >= most ? null : m;
+}
+
+const arithmetic = {
+    plus: (a, b) => a + b,
+    minus: (a, b) => a - b,
+    times: (a, b) => a * b,
+    divide: (a, b) => (b === 0 ? undefined : Math.trunc(a / b)),
+    modulo: (a, b) => (b === 0 ? undefined : a % b),
+    equal: (a, b) => Number(a === b),
+    "not-equal": (a, b) => Number(a !== b),
+    less: (a, b) => Number(a < b),
+    "less-equal": (a, b) => Number(a <= b),
+    greater: (a, b) => Number(a > b),
+    "greater-equal": (a, b) => Number(a >= b),
+};
+
+// `reader` knows the values of terms, each worked out once, and of leaves.
+function valueOf(reader, node) {
+    if (node.op === "constant") return node.value;
+    if (node.op === "rise" || node.op === "fall" || !node.args) return reader.leaf(node);
+    if (node.op === "if") {
+        const condition = reader.value(node.args[0]);
+        return condition === undefined ? undefined : reader.value(node.args[condition ? 1 : 2]);
+    }
+    const values = node.args.map((each) => reader.value(each));
+    if (node.op === "and") return decided(values, 0);
+    if (node.op === "or") return decided(values, 1);
+    if (values.includes(undefined)) return undefined;
+    if (node.op === "not") return Number(!values[0]);
+    return node.op === "negate" ? -values[0] : arithmetic[node.op]?.(...values);
+}
+
+// One operand decides an `and` (false) or an `or` (true), whatever the others are.
+function decided(values, decisive) {
+    if (values.includes(decisive)) return decisive;
+    return values.includes(undefined) ? undefined : 1 - decisive;
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Why: a term unfolded into its terms, each with its value; a property with the term that made it false.
+import {make} from "./dom.js";
+import {Claim, Decision, sinceWhen} from "./terms.js";
+
+const signs = {and: "all of", or: "one of", not: "not", rise: "rises", fall: "falls"};
+
+function valueWords(node, value) {
+    if (value === undefined) return "not known";
+    return node.boolean ? (value ? "true" : "false") : `${value}`;
+}
+
+// `reader` gives values and remarks. Terms of a conjunction or disjunction are folded below it.
+export function termTree(terms, term, reader, open = true) {
+    const node = terms[term], value = reader.value(term);
+    const state = value === undefined ? "unknown" : node.boolean ? (value ? "true" : "false") : "number";
+    const line = [
+        make("span", {class: "mark", "aria-hidden": "true"}, {true: "✓", false: "✗", unknown: "?", number: "#"}[state]),
+        make("code", {}, node.text),
+        make("span", {class: "value"}, ` ${valueWords(node, value)}`),
+    ];
+    const remark = reader.remark(node);
+    if (remark) line.push(make("span", {class: "remark"}, ` (${remark})`));
+    const args = node.args ?? [];
+    if (args.length === 0) return make("li", {class: `term ${state}`}, ...line);
+    if (signs[node.op]) line.push(make("span", {class: "remark"}, ` ${signs[node.op]}:`));
+    const below = make("ul", {}, ...args.map((each) => termTree(terms, each, reader, args.length < 12)));
+    return make("li", {class: `term ${state}`}, make("details", {open}, make("summary", {}, ...line), below));
+}
+
+// Why the transition is cleared, or is not.
+export function whyTransition(run, chart, controller, place, moment, clearedAt) {
+    const transition = chart.transitions[place];
+    const before = clearedAt !== undefined;
+    const reader = new Decision(run, chart, controller, before ? clearedAt : moment, before);
+    const steps = run.controllers[controller].steps;
+    const missing = transition.from.filter((step) => !run.isActive(steps[step], reader.state));
+    const value = reader.value(transition.condition);
+    const list = make("ul", {class: "terms"});
+    for (const step of transition.from) {
+        const active = run.isActive(steps[step], reader.state);
+        list.append(make("li", {class: `term ${active}`},
+                         make("span", {class: "mark", "aria-hidden": "true"}, active ? "✓" : "✗"),
+                         make("span", {}, "step "), make("code", {}, chart.steps[step]),
+                         make("span", {class: "value"}, active ? " is active" : " is not active")));
+    }
+    list.append(termTree(chart.terms, transition.condition, reader));
+    return make("div", {}, make("p", {class: "answer"}, verdict(before, missing.length, value, transition, chart, missing)), list);
+}
+
+function verdict(cleared, missing, value, transition, chart, steps) {
+    const name = transition.name;
+    if (cleared) return `${name} is cleared here: before that, this is how its condition stood.`;
+    if (missing > 0) return `${name} cannot be cleared: ${steps.map((step) => chart.steps[step]).join(", ")} ` +
+                            `${missing > 1 ? "are" : "is"} not active.`;
+    if (value === undefined) return `${name} is enabled; whether its condition is true the run does not tell.`;
+    return value ? `${name} is enabled and its condition is true: the next evolution clears it, unless it is forced to stay.`
+                 : `${name} is enabled, but its condition is false.`;
+}
+
+const claims = {
+    always: ["must be true always"],
+    never: ["must never be true"],
+    reachable: ["is to become true"],
+    inevitable: ["must become true at some time"],
+    "leads-to": ["after this is true", "this must become true"],
+    "exactly-one": ["exactly one of these must be true"],
+    "always-possible": ["must stay possible"],
+};
+
+// What a property says, at `moment`, and since when.
+export function whyProperty(run, property, moment, go) {
+    const words = claims[property.pattern] ?? [];
+    const reader = new Claim(run, property, moment);
+    const parts = property.operands.map((term, k) => {
+        const since = sinceWhen(property, term, run, moment);
+        const value = reader.value(term);
+        const note = since === null || value === undefined ? null
+            : since === 0 ? make("span", {class: "remark"}, "so since power-on")
+            : make("button", {type: "button", class: "link", onclick: () => go(since)}, `so since ${run.timeText(since)}`);
+        const heading = make("p", {class: "answer"}, words[Math.min(k, words.length - 1)] ?? "", ": ");
+        if (note) heading.append(note);
+        return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader))];
+    });
+    return make("div", {}, ...parts.flat());
+}
+
+// The moment that decides a violated property: where the bad thing is, or from where the good one never comes.
+export function decisiveMoment(run, property) {
+    if (!property || property.operands.length === 0) return null;
+    const [p, q] = property.operands;
+    const value = (term, m) => new Claim(run, property, m).value(term);
+    const first = (wanted) => {
+        for (let m = 0; m <= run.last; ++m) if (Boolean(value(p, m)) === wanted && value(p, m) !== undefined) return m;
+        return null;
+    };
+    switch (property.pattern) {
+    case "never":
+    case "reachable": return first(true);
+    case "always": return property.at_stable ? run.last : first(false);
+    case "leads-to": {
+        let found = null;
+        for (let m = run.last; m >= 0 && run.last - m < 20000; --m) {
+            if (value(q, m) !== 0) break;
+            if (value(p, m) === 1) found = m;
+        }
+        return found;
+    }
+    case "exactly-one": return run.last;
+    }
+    return null;
+}
