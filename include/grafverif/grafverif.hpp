@@ -9,6 +9,7 @@
 //   uppaal_project, nusmv_model, structured_text_of   the same as text, for other tools
 //   check, check_untimed      -> Report: a Verdict per property, with the run that shows it
 //   analysis_of               Chart -> Analysis: what can go wrong in it, and what never happens
+//   drawing_of, svg_of        Chart -> Drawing, and the same as SVG
 //   automaton_of, mealy_of, test_of                 Chart -> LocationAutomaton, MealyMachine, TestSequence
 //
 // A user's mistakes are Diagnostics: a function that returns nothing has added at least one error. What the system refuses
@@ -25,6 +26,7 @@
 #include <vector>
 
 #include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/drawing.hpp"
 #include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/finding.hpp"
@@ -147,6 +149,10 @@ std::string json_of(const Report& report);
 /// What can go wrong in a chart and what never happens in it, whatever the inputs do.
 std::optional<Analysis> analysis_of(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode,
                                     const Limits& limits, Diagnostics& diagnostics);
+
+/// The chart as IEC 60848 draws it.
+Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options = {});
+std::string svg_of(const Drawing& drawing);
 
 struct ConformOptions {
     std::optional<ExecutionMode> mode = {};

@@ -197,6 +197,12 @@ std::vector<Option> options_for_forms() {
                       &Options::clock, "how time passes: by `wait` lines, or by itself (default: simulated)"),
         format(Accepts::FormatXml, {{"xml", F::Xml}, {"text", F::Text}},
                "PLCopen XML or a textual unit (default: xml)"),
+        text(Accepts::Drawing, "situation", "STEPS", &Options::situation,
+             "mark these steps as active, such as `3,5` or `G1.3`"),
+        number(Accepts::Drawing, "columns", "N", {}, &Options::columns,
+               "fold long charts into N columns (default: as many as a page takes)"),
+        choice<Notation>(Accepts::Drawing, "notation", {{"iec", Notation::Iec}, {"text", Notation::Text}},
+                         &Options::notation, "logic as the standard writes it, or as the file does (default: iec)"),
         number(Accepts::MaxEvolutions, "max-evolutions", "N", {}, &Options::max_evolutions,
                "evolutions of one cycle, beyond which it is unstable (default: 1000)"),
     };

@@ -12,6 +12,7 @@
 
 #include "compose/compose.hpp"
 #include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/drawing.hpp"
 #include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/test_sequence.hpp"
 
@@ -71,7 +72,10 @@ struct Options {
     std::optional<std::string> script = {};         ///< of `simulate`
     std::optional<std::string> exclusions = {};     ///< of `analyse`
     std::optional<std::uint64_t> random_seed = {};
-    std::uint64_t steps = 100;  ///< of a random walk
+    std::uint64_t steps = 100;   ///< of a random walk
+    std::string situation = {};  ///< of `draw`: names of steps, with commas
+    std::uint64_t columns = 0;   ///< of `draw`; 0: as many as a page takes
+    Notation notation = Notation::Iec;
 };
 
 /// The groups of options a verb may take besides those that all take; File: those of verbs that read one; Timeout: of those
@@ -107,7 +111,8 @@ enum class Accepts {
     Cover,
     Minimise,
     Limits,
-    Date
+    Date,
+    Drawing
 };
 
 struct Verb {

@@ -32,6 +32,7 @@ constexpr std::array entries = {
     Entry{build_usage, build},
     Entry{uppaal_usage, uppaal},
     Entry{nusmv_usage, nusmv},
+    Entry{draw_usage, draw},
     Entry{equations_usage, equations},
     Entry{components_usage, components},
     Entry{fmt_usage, fmt},

@@ -10,10 +10,12 @@ namespace grafverif {
 
 namespace {
 
-/// What an id cannot hold becomes `_`.
+/// What an id cannot hold becomes `_`; long names are cut.
 std::string word_of(std::string_view name) {
+    constexpr std::size_t longest = 80;
     std::string word;
-    for (const char c : name) word += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
+    for (const char c : name.substr(0, longest))
+        word += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
     return word;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "draw/chart.hpp"
+#include "draw/svg.hpp"
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/uppaal/uppaal.hpp"
 #include "pipeline/models.hpp"
@@ -44,6 +46,14 @@ UppaalQuestions uppaal_questions(const Network& network) {
     }
     result.project = written([&](std::ostream& out) { uppaal::emit(lowered, out); });
     return result;
+}
+
+Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options) {
+    return draw::drawing_of(model.charts[chart], options);
+}
+
+std::string svg_of(const Drawing& drawing) {
+    return written([&](std::ostream& out) { draw::print_svg(drawing, out); });
 }
 
 std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics) {

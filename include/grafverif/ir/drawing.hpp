@@ -77,9 +77,9 @@ enum class Notation { Iec, Text };
 
 struct DrawOptions {
     Notation notation = Notation::Iec;
-    std::vector<std::string> situation = {};  ///< steps to be marked as active, as the chart writes them: `3`, `G1.3`
-    int columns = 0;                          ///< into which long charts are folded; 0: as many as a page takes
-    std::string prefix = {};                  ///< before every id, where several charts stand on a page
+    std::vector<Id<Chart::Step>> situation = {};  ///< to be marked as active
+    int columns = 0;                              ///< into which long charts are folded; 0: as many as a page takes
+    std::string prefix = {};                      ///< before every id, where several charts stand on a page
 };
 
 /// The ids of a chart's elements in its drawing, in the order of the chart's tables. An id has letters, digits, `-` and

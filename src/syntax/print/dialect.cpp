@@ -132,7 +132,9 @@ struct Printer {
     /// A negative number reads like a prefixed term.
     int precedence(Id<Expr> id) const {
         const Expr& node = exprs[id];
-        return node.op == Op::Integer && node.value < 0 ? prefix_level : dialect(node.op).precedence;
+        if (node.op == Op::Integer && node.value < 0) return prefix_level;
+        const Spelling spelling = dialect(node.op);
+        return spelling.open.empty() ? spelling.precedence : atom_precedence;
     }
 
     /// `id`, in brackets where it binds looser than `least`.
@@ -184,13 +186,33 @@ struct Printer {
 
     void prefix(Id<Expr> id, Spelling spelling) const {
         out << spelling.token;
-        if (std::isalpha(static_cast<unsigned char>(spelling.token.back())) != 0) out << ' ';
+        if (ends_in_letter(spelling.token)) out << ' ';
         operand(exprs.operands(id)[0], spelling.precedence + 1);
     }
 
+    /// A function, or a sign before what needs no brackets.
+    void edge(Id<Expr> id, Spelling spelling) const {
+        const Id<Expr> watched = exprs.operands(id)[0];
+        out << spelling.token;
+        if (!ends_in_letter(spelling.token)) return operand(watched, atom_precedence);
+        out << '(';
+        term(watched);
+        out << ')';
+    }
+
+    static bool ends_in_letter(std::string_view token) {
+        return !token.empty() && std::isalpha(static_cast<unsigned char>(token.back())) != 0;
+    }
+
     void term(Id<Expr> id) const {
+        const Spelling spelling = dialect(exprs[id].op);
+        out << spelling.open;
+        inside(id, spelling);
+        out << spelling.close;
+    }
+
+    void inside(Id<Expr> id, Spelling spelling) const {
         const Expr& node = exprs[id];
-        const Spelling spelling = dialect(node.op);
         switch (node.op) {
         case Op::False:
         case Op::True: out << spelling.token; return;
@@ -202,11 +224,7 @@ struct Printer {
         case Op::Parameter:
         case Op::At: leaf(out, node); return;
         case Op::Rise:
-        case Op::Fall:
-            out << spelling.token << '(';
-            term(exprs.operands(id)[0]);
-            out << ')';
-            return;
+        case Op::Fall: edge(id, spelling); return;
         case Op::Not:
         case Op::Negate: prefix(id, spelling); return;
         case Op::Conditional: conditional(id, spelling); return;

@@ -19,10 +19,12 @@
 namespace grafverif {
 
 /// How a dialect writes an operator. Leaves and numbers have no token; their precedence says whether they need brackets
-/// below an operator (`3s/X2` does). A Conditional of precedence `atom_precedence` is always bracketed.
+/// below an operator (`3s/X2` does). A Conditional of precedence `atom_precedence` is always bracketed. What is enclosed,
+/// from `open` to `close`, needs no brackets around it; `precedence` is then that of its inside.
 struct Spelling {
     std::string_view token = {};
     int precedence = 0;
+    std::string_view open = {}, close = {};
 };
 
 inline constexpr int atom_precedence = 10;

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// drawing_of: a chart as a drawing. Partial charts stand side by side, named ones in a frame with their name; each is
+// laid out by itself: Flow, Order, Blocks, Columns, Routes. Equal charts give equal drawings, in linear time.
+#pragma once
+
+#include "grafverif/ir/chart.hpp"
+#include "grafverif/ir/drawing.hpp"
+
+namespace grafverif::draw {
+
+Drawing drawing_of(const Chart& chart, const DrawOptions& options);
+
+}  // namespace grafverif::draw

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Symbols: the steps, transitions, actions and forcing orders of a chart as IEC 60848 draws them (4.3 symbols 1 to 12,
+// 4.5 macro-steps and enclosing steps, 4.7 forcing orders, 4.8 actions), each around a centre of its own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draw/flow.hpp"
+#include "draw/writing.hpp"
+#include "grafverif/ir/chart.hpp"
+#include "grafverif/ir/drawing.hpp"
+
+namespace grafverif::draw {
+
+/// The marks of one node and of what hangs on it, around (0, 0).
+struct Symbol {
+    Room room = {};
+    int port = 0;  ///< from the centre up and down to where links begin
+    std::vector<Drawing::Element> elements = {};
+};
+
+class Symbols {
+public:
+    Symbols(const Chart& chart, const DrawOptions& options);
+
+    const ElementIds& ids() const { return ids_; }
+    Symbol step(Id<Chart::Step> step) const;
+    Symbol transition(Id<Chart::Transition> transition) const;
+    /// `T4: from 2 to 3, 4`.
+    std::string title(Id<Chart::Transition> transition) const;
+
+private:
+    struct Action;
+
+    Action continuous(Id<Chart::ContinuousAction> action) const;
+    Action stored(Id<Chart::StoredAction> action) const;
+    Action forcing(Id<Chart::ForcingOrder> order) const;
+    std::string names_of(const std::vector<Id<Chart::Step>>& steps) const;
+    void add_step_marks(Id<Chart::Step> step, int half, Drawing::Element& element) const;
+    void add_actions(std::vector<Action> actions, int left, Symbol& symbol) const;
+
+    const Chart& chart_;
+    Writing writing_;
+    ElementIds ids_;
+    std::vector<bool> active_ = {};                                          ///< per step
+    std::vector<std::vector<Id<Chart::ContinuousAction>>> continuous_ = {};  ///< per step
+    std::vector<std::vector<Id<Chart::StoredAction>>> stored_ = {};          ///< per step
+    std::vector<std::vector<Id<Chart::ForcingOrder>>> forcing_ = {};         ///< per step
+    std::vector<std::vector<Id<Chart::StoredAction>>> on_clearing_ = {};     ///< per transition
+};
+
+}  // namespace grafverif::draw
