@@ -248,6 +248,8 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
         text(Accepts::Walk, "script", "FILE", &Options::script, "take commands from FILE instead of standard input"),
         number(Accepts::Walk, "random", "SEED", {}, &Options::random_seed, "make a random walk instead"),
         number(Accepts::Walk, "steps", "N", {}, &Options::steps, "moves of the random walk (default: 100)"),
+        number(Accepts::Serve, "port", "N", {}, &Options::port, "listen on port N (default: any that is free)"),
+        toggle(Accepts::Serve, "open", &Options::open, "open the page in the browser"),
         toggle(Accepts::Verbose, "verbose,v", &Options::verbose, "tell what is internal too"),
     };
 }

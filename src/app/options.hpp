@@ -76,6 +76,8 @@ struct Options {
     std::string situation = {};  ///< of `draw`: names of steps, with commas
     std::uint64_t columns = 0;   ///< of `draw`; 0: as many as a page takes
     Notation notation = Notation::Iec;
+    std::uint64_t port = 0;  ///< of `serve`; 0: any that is free
+    bool open = false;       ///< of `serve`: in a browser, too
 };
 
 /// The groups of options a verb may take besides those that all take; File: those of verbs that read one; Timeout: of those
@@ -112,7 +114,8 @@ enum class Accepts {
     Minimise,
     Limits,
     Date,
-    Drawing
+    Drawing,
+    Serve
 };
 
 struct Verb {

@@ -40,6 +40,7 @@ constexpr std::array entries = {
     Entry{check_usage, check},
     Entry{report_usage, report},
     Entry{simulate_usage, simulate},
+    Entry{serve_usage, serve},
     Entry{analyse_usage, analyse},
     Entry{automaton_usage, automaton},
     Entry{mealy_usage, mealy},

@@ -28,6 +28,11 @@ Diagnostic cannot_read(std::string_view path, std::string_view why) {
 
 Diagnostic world_failed(std::string_view what) { return error("cannot-write", {}, std::string(what)); }
 
+Diagnostic cannot_listen(std::uint64_t port, std::string_view why) {
+    const std::string where = port == 0 ? "on any port" : fmt::format("on port {}", port);
+    return error("cannot-listen", {}, fmt::format("cannot listen {}: {}; `--port` names another one", where, why));
+}
+
 Diagnostic output_is_input(std::string_view output, std::string_view input) {
     return error(
         "output-is-input", {},

@@ -16,6 +16,7 @@ namespace grafverif::messages {
 // -- the command line and files ------------------------------------------------------------------------------------
 Diagnostic cannot_read(std::string_view path, std::string_view why);
 Diagnostic world_failed(std::string_view what);
+Diagnostic cannot_listen(std::uint64_t port, std::string_view why);
 Diagnostic output_is_input(std::string_view output, std::string_view input);
 Diagnostic output_twice(std::string_view one, std::string_view other);
 Diagnostic no_closed_loop();

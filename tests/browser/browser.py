@@ -23,12 +23,14 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 try:
     from selenium import webdriver
+    from selenium.common.exceptions import StaleElementReferenceException
     from selenium.webdriver.chrome.options import Options
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
 except ImportError:
     webdriver = By = Keys = None
+    StaleElementReferenceException = AssertionError
 
 SKIPPED = 77
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
@@ -63,10 +65,14 @@ def run(*arguments, code=0, folder=None):
 
 
 def eventually(question, seconds=10, what=""):
-    """The first answer of `question` that counts as true; it is asked again until it gives one."""
+    """The first answer of `question` that counts as true; it is asked again until it gives one. An element that the page
+    replaces meanwhile is no answer."""
     end = time.monotonic() + seconds
     while True:
-        answer = question()
+        try:
+            answer = question()
+        except StaleElementReferenceException:
+            answer = None
         if answer:
             return answer
         assert time.monotonic() < end, f"never within {seconds} s: {what or question}"
@@ -96,6 +102,29 @@ def folder_served(folder):
         server.shutdown()
         server.server_close()
         thread.join()
+
+
+def temporary_folder(case):
+    """A folder that is gone behind the test."""
+    folder = tempfile.mkdtemp(prefix="grafverif-browser-")
+    case.addCleanup(shutil.rmtree, folder, ignore_errors=True)
+    return pathlib.Path(folder)
+
+
+class Server:
+    """`grafverif serve FILE`, and where it is."""
+
+    def __init__(self, file):
+        self.process = subprocess.Popen([PROGRAM, "serve", str(file)], stdout=subprocess.PIPE, text=True)
+        line = self.process.stdout.readline()
+        self.address = line.split()[-1]
+        self.port = urllib.parse.urlsplit(self.address).port
+        self.token = urllib.parse.parse_qs(urllib.parse.urlsplit(self.address).query)["token"][0]
+
+    def stop(self):
+        self.process.terminate()
+        self.process.wait(20)
+        self.process.stdout.close()
 
 
 class Page:

@@ -48,9 +48,8 @@ std::vector<VerbRun> all_runs() {
         {{"nusmv", "FILE", "--plant", "constraints"}, Nusmv, true},
         {{"simulate", "FILE", "--random", "3", "--steps", "30", "--trace-vcd", "FOLDER/t.vcd", "--trace-svg",
           "FOLDER/t.svg"},
-         Text,
-         true},
-        {{"simulate", "FILE"}, Text, true, "1\nwait\nwait 1s\nback\n2\nin1 = true\ndo nobody\nquit\n"},
+         Text},
+        {{"simulate", "FILE"}, Text, false, "1\nwait\nwait 1s\nback\n2\nin1 = true\ndo nobody\nquit\n"},
     };
     for (const char* schedule : {"interleaved", "synchronous", "sequenced"})
         runs.push_back({{"nusmv", "FILE", "--plant", "automata", "--schedule", schedule}, Nusmv, true});

@@ -33,7 +33,8 @@ const std::set<std::string> of_the_world = {
     "cannot-read",      "cannot-write",    "too-large",     "no-closed-loop",         "no-such-choice",
     "ambiguous-choice", "not-expressible", "bad-sequence",  "not-in-structured-text", "cannot-run",
     "nothing-to-test",  "stopped",         "out-of-memory", "bound-reached",          "nothing-to-import",
-    "left-out",         "missing-program", "cure-left-out", "output-is-input",        "output-twice"};
+    "left-out",         "missing-program", "cure-left-out", "output-is-input",        "output-twice",
+    "cannot-listen"};
 
 TEST(House, EveryDiagnosticHasAReject) {
     const std::set<std::string> all = codes();

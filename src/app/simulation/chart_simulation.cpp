@@ -35,7 +35,7 @@ std::optional<std::size_t> watched_step(const Chart& chart, const TimedElement& 
 }
 
 /// What is wrong with a cycle, in words.
-std::string problem_in(const Chart& chart, const Cycle& cycle) {
+std::string problem_of_cycle(const Chart& chart, const Cycle& cycle) {
     if (cycle.race)
         return fmt::format("two stored actions give `{}` different values in one evolution",
                            chart.variables[cycle.race->variable].name);
@@ -182,7 +182,7 @@ void ChartSimulation::tell_evolutions(const Cycle& made) {
 
 std::string ChartSimulation::cycle() {
     const Cycle made = grafverif::cycle(chart_, state_, inputs_, mode_);
-    std::string problem = problem_in(chart_, made);
+    std::string problem = problem_of_cycle(chart_, made);
     broken_ = !problem.empty();
     if (!broken_) tell_evolutions(made);
     return problem;

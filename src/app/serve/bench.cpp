@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+#include "app/serve/bench.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "app/serve/watch.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+#include "support/json_text.hpp"
+#include "support/messages.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace std::chrono_literals;
+
+constexpr auto look_at_files_every = 50ms, tell_progress_every = 250ms;
+/// Who replaces a file may take it away first.
+constexpr auto absence = 100ms;
+
+bool is_in_a_loop(const Model& model, Id<Chart> chart) {
+    return std::ranges::any_of(model.loops, [&](const ClosedLoop& loop) {
+        return std::ranges::any_of(loop.controllers, [&](const auto& controller) { return controller.chart == chart; });
+    });
+}
+
+Json json_of(const Answer& answer, const std::string& prose) {
+    const Verdict& verdict = answer.verdict;
+    return {{"name", verdict.property},
+            {"prose", prose},
+            {"text", answer.text},
+            {"verdict", word(verdict.outcome)},
+            {"expected", verdict.expected_violated ? "violated" : "holds"},
+            {"as_expected", as_expected(verdict)},
+            {"declared", verdict.declared},
+            {"reason", verdict.reason},
+            {"notes", verdict.notes}};
+}
+
+}  // namespace
+
+class Bench::Work {
+public:
+    Work(const Options& options, std::function<void()> changed) : options_(options), changed_(std::move(changed)) {
+        worker_ = std::thread([this] { work(); });
+        watcher_ = std::thread([this] { watch(); });
+    }
+
+    ~Work() {
+        {
+            const std::lock_guard hold(door_);
+            over_ = stale_ = true;
+        }
+        wake_.notify_all();
+        worker_.join();
+        watcher_.join();
+    }
+
+    std::optional<std::string> newer(std::uint64_t known) const {
+        const std::lock_guard hold(door_);
+        return version_ == known ? std::nullopt : std::optional(state_);
+    }
+
+    std::shared_ptr<const Workpiece> workpiece() const {
+        const std::lock_guard hold(door_);
+        return piece_;
+    }
+
+private:
+    /// What is asked of one model, and the verdicts so far.
+    struct Proof {
+        bool is_loop = false;
+        std::uint32_t place = 0;  ///< among the loops or charts
+        std::string name = {}, state = "waiting", progress = {};
+        Json properties = Json::array(), breakdowns = Json::array();
+
+        Json json() const {
+            return {
+                {"kind", is_loop ? "loop" : "chart"}, {"name", name},        {"state", state}, {"progress", progress},
+                {"properties", properties},           {"errors", breakdowns}};
+        }
+    };
+
+    // One thread looks whether files have changed ...
+
+    void watch() {
+        while (sleep(look_at_files_every)) {
+            const std::lock_guard hold(watching_);
+            if (!watch_.changed()) continue;
+            const std::lock_guard wake(door_);
+            stale_ = true;
+            wake_.notify_all();
+        }
+    }
+
+    /// False: it is over.
+    bool sleep(std::chrono::milliseconds time) {
+        std::unique_lock hold(door_);
+        return !wake_.wait_for(hold, time, [this] { return over_.load(); });
+    }
+
+    // ... and another one reads them, and proves until they change.
+
+    void work() {
+        while (!over_) {
+            try {
+                read();
+                for (Proof& proof : proofs_)
+                    if (!stale_) prove(proof);
+            } catch (const std::bad_alloc&) {
+                give_up("there is not enough memory");
+            } catch (const std::system_error& failure) {
+                give_up(failure.what());
+            }
+            std::unique_lock hold(door_);
+            wake_.wait(hold, [this] { return stale_.load(); });
+        }
+    }
+
+    void read() {
+        auto piece = std::make_shared<Workpiece>();
+        const std::string& path = options_.operands[0];
+        {
+            const std::lock_guard hold(watching_);
+            watch_.clear();
+            stale_ = over_.load();
+            watch_.note(path);
+            std::string why;
+            auto text = content_of_file(path, why);
+            if (!text) std::this_thread::sleep_for(absence);
+            if (!text) text = content_of_file(path, why);
+            if (text) read(path, std::move(*text), *piece);
+            else piece->reading.diagnostics.add(messages::cannot_read(path, why));
+        }
+        if (piece->reading.model) make_networks(*piece);
+        piece_of_work_ = piece;
+        proofs_ = proofs_of(*piece);
+        ++readings_;
+        publish();
+    }
+
+    void read(const std::string& path, std::string text, Workpiece& piece) {
+        Reading& reading = piece.reading;
+        const Id<Source> file = reading.sources.add({path, std::move(text)});
+        const Reach reach(path, options_.include_folders);
+        ReadContext context = context_of(reach, options_.include_folders, false);
+        context.identity = [this](const std::string& included) {
+            watch_.note(included);  // where there is nothing, there may be something soon
+            return identity_of_existing(included);
+        };
+        reading.model = read_text(file, reading.sources, context, reading.diagnostics);
+    }
+
+    void make_networks(Workpiece& piece) const {
+        const Model& model = *piece.reading.model;
+        for (const Id<ClosedLoop> loop : model.loops.ids())
+            piece.networks.push_back(
+                network_of(model, loop, ModelOptions{options_.mode, options_.grain, {}}, piece.reading.diagnostics));
+        for (const Id<Chart> chart : model.charts.ids()) {
+            Diagnostics told_already;
+            Diagnostics& diagnostics = is_in_a_loop(model, chart) ? told_already : piece.reading.diagnostics;
+            piece.runs.push_back(equations_of(model, chart, diagnostics).has_value());
+        }
+    }
+
+    static std::vector<Proof> proofs_of(const Workpiece& piece) {
+        std::vector<Proof> proofs;
+        if (!piece.reading.model) return proofs;
+        const Model& model = *piece.reading.model;
+        for (const Id<ClosedLoop> loop : model.loops.ids())
+            if (piece.networks[loop.index])
+                proofs.push_back({.is_loop = true, .place = loop.index, .name = model.loops[loop].name});
+        for (const Id<Chart> chart : model.charts.ids())
+            if (piece.runs[chart.index] && !is_in_a_loop(model, chart))
+                proofs.push_back({.place = chart.index, .name = model.charts[chart].name});
+        return proofs;
+    }
+
+    void prove(Proof& proof) {
+        proof.state = "running";
+        publish();
+        auto told = std::chrono::steady_clock::now();
+        CheckOptions options{.witnesses = false, .limits = {options_.max_states, options_.max_memory, {}, &stale_, {}}};
+        options.limits.progress = [&](const Progress& now) {
+            if (std::chrono::steady_clock::now() - told < tell_progress_every) return;
+            told = std::chrono::steady_clock::now();
+            proof.progress = now.words();
+            publish();
+        };
+        const std::optional<Report> report = report_on(proof, options);
+        if (stale_) return;
+        proof.state = report ? "done" : "refused";
+        proof.progress.clear();
+        if (report) take_over(*report, proof);
+        publish();
+    }
+
+    std::optional<Report> report_on(const Proof& proof, const CheckOptions& options) const {
+        const Model& model = *piece_of_work_->reading.model;
+        if (proof.is_loop)
+            return check(
+                LoopToCheck{*piece_of_work_->networks[proof.place], charts_of(model, model.loops[{proof.place}])},
+                options);
+        Diagnostics told_already;
+        return check_untimed(model, Id<Chart>{proof.place}, {options_.mode, options_.grain, {}}, options, told_already);
+    }
+
+    void take_over(const Report& report, Proof& proof) const {
+        for (const Answer& answer : report.answers) {
+            const Id<Property> about = answer.verdict.about;
+            const bool asked = proof.is_loop && about.valid();
+            proof.properties.push_back(
+                json_of(answer, asked ? piece_of_work_->networks[proof.place]->properties[about].text : std::string()));
+        }
+        for (const Breakdown& breakdown : report.breakdowns)
+            proof.breakdowns.push_back({{"code", breakdown.code}, {"message", breakdown.message}});
+        for (const std::string& failure : report.failures)
+            proof.breakdowns.push_back({{"code", "internal-failure"}, {"message", failure}});
+    }
+
+    void give_up(const std::string& why) {
+        proofs_.clear();
+        auto piece = std::make_shared<Workpiece>();
+        piece->reading.diagnostics.add(messages::world_failed(why));
+        piece_of_work_ = piece;
+        ++readings_;
+        publish();
+    }
+
+    void publish() {
+        const Workpiece& piece = *piece_of_work_;
+        Json models = Json::array(), charts = Json::array();
+        for (const Proof& proof : proofs_) models.push_back(proof.json());
+        if (piece.reading.model)
+            for (const Id<Chart> chart : piece.reading.model->charts.ids())
+                charts.push_back({{"name", piece.reading.model->charts[chart].name},
+                                  {"runs", static_cast<bool>(piece.runs[chart.index])}});
+        Json state = {{"version", 0},
+                      {"reading", readings_},
+                      {"file", options_.operands[0]},
+                      {"readable", piece.reading.model.has_value()},
+                      {"errors", piece.reading.diagnostics.errors()},
+                      {"complaints", piece.reading.complaints()},
+                      {"charts", std::move(charts)},
+                      {"models", std::move(models)}};
+        {
+            const std::lock_guard hold(door_);
+            state["version"] = ++version_;
+            state_ = json_text(state, -1);
+            piece_ = piece_of_work_;
+        }
+        changed_();
+    }
+
+    const Options& options_;
+    std::function<void()> changed_;
+
+    std::mutex watching_ = {};  ///< taken before `door_`
+    Watch watch_ = {};
+
+    mutable std::mutex door_ = {};
+    std::condition_variable wake_ = {};
+    std::atomic<bool> over_ = false, stale_ = false;
+    std::uint64_t version_ = 0;
+    std::string state_ = {};
+    std::shared_ptr<const Workpiece> piece_ = std::make_shared<Workpiece>();
+
+    // Of the thread that reads and proves.
+    std::shared_ptr<const Workpiece> piece_of_work_ = piece_;
+    std::vector<Proof> proofs_ = {};
+    std::uint64_t readings_ = 0;
+
+    std::thread worker_ = {}, watcher_ = {};
+};
+
+Bench::Bench(const Options& options, std::function<void()> changed)
+    : work_(std::make_unique<Work>(options, std::move(changed))) {}
+Bench::~Bench() = default;
+std::optional<std::string> Bench::newer(std::uint64_t known) const { return work_->newer(known); }
+std::shared_ptr<const Workpiece> Bench::workpiece() const { return work_->workpiece(); }
+
+}  // namespace grafverif::app

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "app/serve/http.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ip/v6_only.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <chrono>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace grafverif::app {
+
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using Tcp = asio::ip::tcp;
+
+constexpr std::size_t largest_header = 16384;
+constexpr auto longest_transfer = std::chrono::seconds(5);
+constexpr int answering_threads = 2;
+
+/// The same time for all texts of one length.
+bool equal(std::string_view one, std::string_view other) {
+    bool same = one.size() == other.size();
+    for (std::size_t k = 0; k < one.size() && k < other.size(); ++k) same = (one[k] == other[k]) & same;
+    return same;
+}
+
+std::map<std::string, std::string> query_of(std::string_view text) {
+    std::map<std::string, std::string> query;
+    while (!text.empty()) {
+        const std::string_view part = text.substr(0, text.find('&'));
+        const std::size_t sign = std::min(part.find('='), part.size());
+        query[std::string(part.substr(0, sign))] = std::string(part.substr(std::min(sign + 1, part.size())));
+        text.remove_prefix(std::min(part.size() + 1, text.size()));
+    }
+    return query;
+}
+
+std::string_view text_of(boost::beast::string_view view) { return {view.data(), view.size()}; }
+
+[[noreturn]] void refuse(const boost::system::error_code& error, const std::string& what) {
+    throw std::system_error(error.value(), std::generic_category(), what);
+}
+
+/// What every answer carries: nobody keeps, embeds or guesses at it, and a page asks us alone.
+template <class Message>
+void set_headers(Message& message) {
+    message.set(http::field::cache_control, "no-store");
+    message.set("X-Content-Type-Options", "nosniff");
+    message.set("X-Frame-Options", "SAMEORIGIN");
+    message.set("Referrer-Policy", "no-referrer");
+    message.set("Cross-Origin-Resource-Policy", "same-origin");
+}
+
+}  // namespace
+
+class HttpServer::Impl {
+public:
+    Impl(const HttpOptions& options, HttpHandler handler) : options_(options), handler_(std::move(handler)) {
+        for (int tries = 0; acceptors_.empty(); ++tries) listen(tries);
+    }
+
+    ~Impl() {
+        context_.stop();
+        threads_.join();
+    }
+
+    std::uint16_t port() const { return acceptors_.front().local_endpoint().port(); }
+
+    void run(const std::atomic<bool>& stop) {
+        for (Tcp::acceptor& acceptor : acceptors_) accept(acceptor);
+        look_for(stop);
+        context_.run();
+        threads_.stop();
+        threads_.join();
+    }
+
+    void notify() {
+        asio::post(context_, [this] {
+            for (const std::shared_ptr<Connection>& waiting : std::exchange(waiting_, {})) waiting->ask(false);
+        });
+    }
+
+private:
+    /// One request and its answer.
+    class Connection : public std::enable_shared_from_this<Connection> {
+    public:
+        Connection(Impl& server, Tcp::socket socket)
+            : server_(server), stream_(std::move(socket)), timer_(server.context_) {
+            ++server_.connections_;
+        }
+        ~Connection() { --server_.connections_; }
+
+        void begin() {
+            parser_.header_limit(largest_header);
+            parser_.body_limit(server_.options_.largest_body);
+            stream_.expires_after(longest_transfer);
+            http::async_read_header(
+                stream_, buffer_, parser_,
+                [self = shared_from_this()](beast::error_code error, std::size_t) { self->header_is_read(error); });
+        }
+
+        /// The handler is asked, in one of its threads.
+        void ask(bool at_once) {
+            timer_.cancel();
+            asio::post(server_.threads_, [self = shared_from_this(), at_once] {
+                std::optional<HttpAnswer> answer;
+                try {
+                    answer = self->server_.handler_(self->request_, at_once);
+                } catch (const std::bad_alloc&) {
+                    answer = HttpAnswer{503, "text/plain", "there is not enough memory for the answer\n"};
+                } catch (const std::exception&) {
+                    answer = HttpAnswer{500, "text/plain", "there is no answer: a failure on our side\n"};
+                }
+                asio::post(self->server_.context_, [self, answer = std::move(answer)]() mutable {
+                    answer ? self->answer(std::move(*answer)) : self->wait();
+                });
+            });
+        }
+
+    private:
+        void header_is_read(beast::error_code error) {
+            if (error == http::error::end_of_stream || error == beast::error::timeout) return close();
+            if (error == http::error::body_limit) return refuse(413, "the request is too long");
+            if (error == http::error::header_limit) return refuse(431, "the header of the request is too long");
+            if (error) return refuse(400, "this is no request");
+            if (auto [status, why] = server_.objection(parser_.get()); status != 0) return refuse(status, why);
+            http::async_read(stream_, buffer_, parser_,
+                             [self = shared_from_this()](beast::error_code failure, std::size_t) {
+                                 if (failure == http::error::body_limit)
+                                     return self->refuse(413, "the request is too long");
+                                 if (failure) return self->close();
+                                 self->request_is_read();
+                             });
+        }
+
+        void request_is_read() {
+            const std::string_view target = text_of(parser_.get().target());
+            const std::size_t mark = std::min(target.find('?'), target.size());
+            request_.post = parser_.get().method() == http::verb::post;
+            request_.path = std::string(target.substr(0, mark));
+            request_.query = query_of(target.substr(std::min(mark + 1, target.size())));
+            request_.body = std::move(parser_.get().body());
+            last_moment_ = std::chrono::steady_clock::now() + std::chrono::seconds(server_.options_.longest_wait);
+            stream_.expires_never();
+            ask(false);
+        }
+
+        void wait() {
+            server_.waiting_.insert(shared_from_this());
+            timer_.expires_at(last_moment_);
+            timer_.async_wait([self = shared_from_this()](beast::error_code error) {
+                if (!error && self->server_.waiting_.erase(self) != 0) self->ask(true);
+            });
+        }
+
+        void refuse(unsigned status, const std::string& why) { answer({status, "text/plain", why + "\n"}); }
+
+        void answer(HttpAnswer answer) {
+            response_.version(11);
+            response_.result(answer.status);
+            set_headers(response_);
+            response_.set(http::field::content_type, answer.type + "; charset=utf-8");
+            response_.body() = std::move(answer.body);
+            response_.keep_alive(false);
+            response_.prepare_payload();
+            stream_.expires_after(longest_transfer);
+            http::async_write(stream_, response_,
+                              [self = shared_from_this()](beast::error_code, std::size_t) { self->linger(); });
+        }
+
+        /// What is still being sent is read and forgotten for a while: to close before would take the answer back.
+        void linger() {
+            beast::error_code ignored;
+            stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
+            if (parser_.is_done()) return close();
+            stream_.async_read_some(asio::buffer(rest_),
+                                    [self = shared_from_this()](beast::error_code error, std::size_t) {
+                                        error ? self->close() : self->linger();
+                                    });
+        }
+
+        void close() {
+            beast::error_code ignored;
+            stream_.socket().close(ignored);
+        }
+
+        Impl& server_;
+        beast::tcp_stream stream_;
+        asio::steady_timer timer_;
+        beast::flat_buffer buffer_ = beast::flat_buffer(largest_header * 2);
+        http::request_parser<http::string_body> parser_ = {};
+        http::response<http::string_body> response_ = {};
+        std::array<char, 4096> rest_ = {};
+        HttpRequest request_ = {};
+        std::chrono::steady_clock::time_point last_moment_ = {};
+    };
+
+    /// On both addresses, at one port; of ports to choose from another one where somebody has it on one of them.
+    void listen(int tries) {
+        std::vector<Tcp::acceptor> acceptors;
+        acceptors.push_back(listening({asio::ip::address_v4::loopback(), options_.port}));
+        const std::uint16_t port = acceptors.front().local_endpoint().port();
+        try {
+            acceptors.push_back(listening({asio::ip::address_v6::loopback(), port}));
+        } catch (const std::system_error& error) {
+            const bool in_use = error.code() == std::errc::address_in_use;
+            if (in_use && (options_.port != 0 || tries > 10)) throw;
+            if (in_use) return;
+        }
+        acceptors_ = std::move(acceptors);
+    }
+
+    Tcp::acceptor listening(const Tcp::endpoint& endpoint) {
+        const std::string where = "cannot listen on port " + std::to_string(endpoint.port());
+        boost::system::error_code error;
+        Tcp::acceptor acceptor(context_);
+        acceptor.open(endpoint.protocol(), error);
+        if (error) grafverif::app::refuse(error, where);
+        acceptor.set_option(asio::socket_base::reuse_address(true), error);
+        if (endpoint.address().is_v6()) acceptor.set_option(asio::ip::v6_only(true), error);
+        acceptor.bind(endpoint, error);
+        if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+        if (error) grafverif::app::refuse(error, where);
+        return acceptor;
+    }
+
+    void accept(Tcp::acceptor& acceptor) {
+        acceptor.async_accept([this, &acceptor](boost::system::error_code error, Tcp::socket socket) {
+            if (!error && connections_ < options_.most_connections)
+                std::make_shared<Connection>(*this, std::move(socket))->begin();
+            if (error != asio::error::operation_aborted) accept(acceptor);
+        });
+    }
+
+    /// Where we are is all that a request may call us.
+    bool is_ours(std::string_view host) const {
+        const std::string end = ":" + std::to_string(port());
+        return host == "127.0.0.1" + end || host == "[::1]" + end || host == "localhost" + end ||
+               (port() == 80 && (host == "127.0.0.1" || host == "[::1]" || host == "localhost"));
+    }
+
+    /// Why `request` is refused before its body is read; status 0: it is not.
+    template <class Request>
+    std::pair<unsigned, std::string> objection(const Request& request) const {
+        if (!is_ours(text_of(request[http::field::host])) || request.count(http::field::host) != 1)
+            return {421, "this server has another name"};
+        const std::string_view origin = text_of(request[http::field::origin]);
+        if (request.count(http::field::origin) > 1 ||
+            (!origin.empty() && !(origin.starts_with("http://") && is_ours(origin.substr(7)))))
+            return {403, "another page asks"};
+        if (request.method() != http::verb::get && request.method() != http::verb::post)
+            return {405, "only GET and POST are answered"};
+        const std::string_view target = text_of(request.target());
+        if (target.starts_with("/web/")) return {0, ""};  // the parts of every page, the same for everybody
+        const auto query = query_of(target.substr(std::min(target.find('?'), target.size() - 1) + 1));
+        const auto token = query.find("token");
+        const std::string_view given =
+            token != query.end() ? std::string_view(token->second) : text_of(request["X-Grafverif-Token"]);
+        if (!equal(given, options_.token))
+            return {403, "the token is missing; open the address that `grafverif serve` has printed"};
+        return {0, ""};
+    }
+
+    void look_for(const std::atomic<bool>& stop) {
+        if (stop) return context_.stop();
+        stop_timer_.expires_after(std::chrono::milliseconds(50));
+        stop_timer_.async_wait([this, &stop](boost::system::error_code) { look_for(stop); });
+    }
+
+    HttpOptions options_;
+    HttpHandler handler_;
+    std::size_t connections_ = 0;  ///< of the thread that reads and writes, like all that follows
+    asio::io_context context_ = asio::io_context(1);
+    std::vector<Tcp::acceptor> acceptors_ = {};
+    std::set<std::shared_ptr<Connection>> waiting_ = {};
+    asio::steady_timer stop_timer_ = asio::steady_timer(context_);
+    asio::thread_pool threads_ = asio::thread_pool(answering_threads);
+};
+
+HttpServer::HttpServer(const HttpOptions& options, HttpHandler handler)
+    : impl_(std::make_unique<Impl>(options, std::move(handler))) {}
+HttpServer::~HttpServer() = default;
+std::uint16_t HttpServer::port() const { return impl_->port(); }
+void HttpServer::run(const std::atomic<bool>& stop) { impl_->run(stop); }
+void HttpServer::notify() { impl_->notify(); }
+
+}  // namespace grafverif::app

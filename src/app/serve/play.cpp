@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "app/serve/play.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/simulation/simulation.hpp"
+#include "grafverif/ir/drawing.hpp"
+#include "pipeline/models.hpp"
+#include "report/table.hpp"
+#include "support/json_text.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/dialect.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a page asks for.
+struct Wish {
+    std::string loop = {}, chart = {};  ///< one of them
+    std::vector<std::string> moves = {};
+    std::uint64_t seed = 0, random = 0;  ///< moves to be drawn behind them
+    bool everything = false;             ///< of a loop: every edge is a choice
+};
+
+Json complaint(const std::string& words) { return {{"complaint", words}}; }
+
+std::optional<Wish> wish_of(const std::string& request) {
+    // No exceptions, no deep nesting: what is no request is none.
+    const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) { return depth < 4; };
+    const Json json = Json::parse(request, shallow, false);
+    if (!json.is_object()) return {};
+    Wish wish;
+    const auto text = [&](const char* key, std::string& into) {
+        if (json.contains(key) && json[key].is_string()) into = json[key].get<std::string>();
+    };
+    const auto number = [&](const char* key, std::uint64_t& into) {
+        if (json.contains(key) && json[key].is_number_unsigned()) into = json[key].get<std::uint64_t>();
+    };
+    text("loop", wish.loop);
+    text("chart", wish.chart);
+    number("seed", wish.seed);
+    number("random", wish.random);
+    wish.everything = json.contains("everything") && json["everything"] == true;
+    if (!json.contains("moves")) return wish;
+    if (!json["moves"].is_array()) return {};
+    for (const Json& move : json["moves"]) {
+        if (!move.is_string()) return {};
+        wish.moves.push_back(move.get<std::string>());
+    }
+    return wish;
+}
+
+/// The line of a script that says the same as a command that was drawn.
+std::string line_of(const Command& command, const Simulation& simulation) {
+    if (const auto* const wait = std::get_if<WaitCommand>(&command))
+        return "wait " + duration_text(*wait->milliseconds);
+    return simulation.choices()[std::get<ChooseCommand>(command).number - 1].command;
+}
+
+/// Makes the moves, one after the other, and keeps where each leads.
+class Player {
+public:
+    Player(Simulation& simulation, std::vector<ElementIds> ids) : simulation_(simulation), ids_(std::move(ids)) {}
+
+    Json play(const Wish& wish) {
+        problem_ = simulation_.begin();
+        ends_.push_back(rows());
+        for (const std::string& move : wish.moves)
+            if (problem_.empty()) make(move);
+        RandomWalk walk(wish.seed);
+        for (std::uint64_t k = 0; k < wish.random && problem_.empty(); ++k) {
+            const std::optional<Command> next = walk.draw(simulation_);
+            if (!next) break;
+            make(line_of(*next, simulation_));
+        }
+        return answer();
+    }
+
+private:
+    std::size_t rows() const { return simulation_.told().rows.size(); }
+
+    void make(const std::string& move) {
+        const Command command = command_of(move);
+        const bool moves = std::holds_alternative<SetCommand>(command) ||
+                           std::holds_alternative<WaitCommand>(command) || std::holds_alternative<DoCommand>(command) ||
+                           std::holds_alternative<ChooseCommand>(command);
+        problem_ = moves || std::holds_alternative<BadCommand>(command) ? simulation_.obey(command)
+                                                                        : "`" + move + "` is no move";
+        made_.push_back(move);
+        ends_.push_back(rows());
+    }
+
+    /// The ids, in the drawings of the charts, of the steps that are active.
+    Json lit(const ChartRun::State& state) const {
+        const ChartRun& run = simulation_.told();
+        Json list = Json::array();
+        for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
+            const ChartRun::Controller& controller = run.controllers[id];
+            for (std::size_t k = 0; k < controller.steps.size(); ++k)
+                if (std::ranges::binary_search(state.situation, controller.steps[k]))
+                    list.push_back(ids_[id.index].steps[k]);
+        }
+        return list;
+    }
+
+    Json cleared(const ChartRun::Row& row) const {
+        const ChartRun& run = simulation_.told();
+        Json list = Json::array();
+        for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
+            const auto& transitions = run.controllers[id].transitions;
+            for (std::size_t k = 0; k < transitions.size(); ++k)
+                for (const auto& evolution : row.fired)
+                    if (std::ranges::find(evolution, transitions[k]) != evolution.end())
+                        list.push_back(ids_[id.index].transitions[k]);
+        }
+        return list;
+    }
+
+    /// The last rows, as many as a page shows, each with the move that caused it.
+    Json rows_json() const {
+        const ChartRun& run = simulation_.told();
+        Json list = Json::array();
+        for (std::size_t k = run.rows.size() - std::min(run.rows.size(), most_rows); k < run.rows.size(); ++k) {
+            if (!is_shown(run, k)) continue;
+            const ChartRun::State& after = run.after(run.rows[k]);
+            const Cells words = cells(run, k, true);
+            list.push_back({{"move", std::ranges::upper_bound(ends_, k) - ends_.begin()},
+                            {"time", moment_text(run, after)},
+                            {"kind", word(run.rows[k].kind)},
+                            {"what", words[1]},
+                            {"inputs", words[2]},
+                            {"cleared", words[3]},
+                            {"situation", words[4]},
+                            {"outputs", words[5]},
+                            {"lit", lit(after)},
+                            {"fired", cleared(run.rows[k])}});
+        }
+        return list;
+    }
+
+    Json signals_json() const {
+        const ChartRun& run = simulation_.told();
+        const ChartRun::State& now = run.moments.back().after;
+        Json list = Json::array();
+        for (const Id<ChartRun::Signal> id : run.signals.ids()) {
+            const ChartRun::Signal& signal = run.signals[id];
+            const std::int64_t value = now.values[id.index];
+            if (signal.role == ChartRun::Role::Image) continue;
+            list.push_back({{"name", signal.name},
+                            {"role", word(signal.role)},
+                            {"value", signal.type.boolean ? Json(value != 0) : Json(value)},
+                            {"low", signal.type.low},
+                            {"high", signal.type.high}});
+        }
+        return list;
+    }
+
+    Json answer() const {
+        const Patience patience = simulation_.patience();
+        const auto milliseconds = [&](const std::optional<std::int64_t>& units) {
+            return units ? Json(*units * patience.unit_ms) : Json(nullptr);
+        };
+        Json choices = Json::array();
+        for (const Choice& choice : simulation_.choices())
+            choices.push_back({{"words", choice.words}, {"command", choice.command}});
+        return {{"moves", made_},
+                {"problem", problem_},
+                {"time", simulation_.told().moments.back().after.time_ms},
+                {"rows", rows_json()},
+                {"signals", signals_json()},
+                {"choices", std::move(choices)},
+                {"wait",
+                 {{"may", patience.may_pass},
+                  {"unit", patience.unit_ms},
+                  {"limit", milliseconds(patience.limit)},
+                  {"change", milliseconds(patience.change)}}},
+                {"broken_constraints", simulation_.broken_constraints()}};
+    }
+
+    Simulation& simulation_;
+    std::vector<ElementIds> ids_;
+    std::vector<std::string> made_ = {};
+    std::vector<std::size_t> ends_ = {};  ///< rows there were behind the power-on, and behind each move
+    std::string problem_ = {};
+};
+
+Json played(const Workpiece& piece, const Options& options, const Wish& wish) {
+    if (!piece.reading.model) return complaint("the file has errors; nothing can be simulated");
+    const Model& model = *piece.reading.model;
+    if (!wish.loop.empty()) {
+        const auto loop = find_loop(model, wish.loop);
+        if (!loop || !piece.networks[loop->index])
+            return complaint("there is no closed loop `" + wish.loop + "` that can be simulated");
+        std::vector<ElementIds> ids;
+        for (const ClosedLoop::Controller& controller : model.loops[*loop].controllers)
+            ids.push_back(element_ids(model.charts[controller.chart], drawing_prefix(controller.chart)));
+        Simulation simulation(*piece.networks[loop->index], wish.everything ? Detail::Everything : Detail::Chart);
+        return Player(simulation, std::move(ids)).play(wish);
+    }
+    const auto chart = find_chart(model, wish.chart);
+    if (!chart || !piece.runs[chart->index])
+        return complaint("there is no chart `" + wish.chart + "` that can be simulated");
+    Simulation simulation(model.charts[*chart], execution_mode(model, *chart, options.mode),
+                          wish.everything ? Detail::Everything : Detail::Chart);
+    return Player(simulation, {element_ids(model.charts[*chart], drawing_prefix(*chart))}).play(wish);
+}
+
+}  // namespace
+
+std::string drawing_prefix(Id<Chart> chart) { return "c" + std::to_string(chart.index) + "-"; }
+
+std::string play(const Workpiece& piece, const Options& options, const std::string& request) {
+    const std::optional<Wish> wish = wish_of(request);
+    Json answer;
+    if (!wish) answer = complaint("this is no request: an object with `loop` or `chart`, and `moves`, a list of texts");
+    else if (wish->moves.size() > most_moves || wish->random > most_random_moves)
+        answer = complaint("there are too many moves: " + std::to_string(most_moves) + " at most, and " +
+                           std::to_string(most_random_moves) + " at random in one go");
+    else answer = played(piece, options, *wish);
+    return json_text(answer, -1);
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "app/serve/watch.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <thread>
+
+namespace grafverif::app {
+
+Watch::Stamp Watch::stamp(const std::string& path) {
+    struct stat status = {};
+    if (::stat(path.c_str(), &status) != 0) return {};
+    return {true,
+            status.st_dev,
+            status.st_ino,
+            static_cast<std::uint64_t>(status.st_size),
+            status.st_mtim.tv_sec,
+            status.st_mtim.tv_nsec};
+}
+
+/// A file that has just been written may be written again without its time changing: it is given a moment first.
+void Watch::note(const std::string& path) {
+    constexpr std::int64_t tick = 20'000'000;
+    Stamp seen = stamp(path);
+    for (int tries = 0; tries < 5 && seen.there; ++tries) {
+        timespec now = {};
+        ::clock_gettime(CLOCK_REALTIME, &now);
+        const std::int64_t age = (now.tv_sec - seen.seconds) * 1'000'000'000 + now.tv_nsec - seen.nanoseconds;
+        if (age < 0 || age >= tick) break;
+        std::this_thread::sleep_for(std::chrono::nanoseconds(tick - age));
+        seen = stamp(path);
+    }
+    const auto [place, is_new] = seen_.try_emplace(path, seen);
+    if (!is_new && place->second != seen) place->second.nanoseconds = -1;  // noted before, and changed since
+}
+
+bool Watch::changed() const {
+    return std::ranges::any_of(seen_, [](const auto& seen) { return stamp(seen.first) != seen.second; });
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Watch: whether files have changed since they were read. It looks at size, time and identity, so it notices a file that
+// is written in place, replaced by another of its name, gone, or there again.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace grafverif::app {
+
+class Watch {
+public:
+    /// The file at `path` is about to be read.
+    void note(const std::string& path);
+    /// Forgets all files.
+    void clear() { seen_.clear(); }
+    /// Whether a noted file is not what it was.
+    bool changed() const;
+
+private:
+    struct Stamp {
+        bool there = false;
+        std::uint64_t device = 0, file = 0, size = 0;
+        std::int64_t seconds = 0, nanoseconds = 0;
+        bool operator==(const Stamp&) const = default;
+    };
+    static Stamp stamp(const std::string& path);
+
+    std::map<std::string, Stamp> seen_ = {};
+};
+
+}  // namespace grafverif::app

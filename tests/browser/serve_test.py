@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""The page of `serve`, used as a person uses it."""
+import shutil
+import time
+
+import browser
+
+OVEN = browser.SOURCE / "samples/oven_door/oven_door.grafcet"
+LAMP = """grafcet lamp { input ON, OFF, N: int 0..9; output LAMP; internal count: int 0..9; constraint !(ON && OFF);
+initial step 0; step 1 { LAMP; count := count + 1 on activation; }
+transition on: 0 -> 1 when ON; transition off: 1 -> 0 when OFF && !ON || 3s/X1; }
+"""
+
+
+class Serve(browser.Case):
+    def serve(self, text):
+        self.file = self.work / "file.grafcet"
+        self.file.write_text(text)
+        server = browser.Server(self.file)
+        self.addCleanup(server.stop)
+        self.page.open(server.address)
+        self.page.wait_for("#simulation select option")
+        return server
+
+    def press(self, words):
+        """The button that says so, when it is there; what it does has been done."""
+        def press():
+            for button in self.page.all("#simulation button"):
+                if button.text == words and button.is_enabled():
+                    button.click()
+                    return True
+        before = self.page.script("return page.simulator.answers")
+        browser.eventually(press, what=words)
+        browser.eventually(lambda: self.page.script("return page.simulator.answers") > before, what=f"the answer to {words}")
+
+    def last_row(self):
+        return (self.page.texts("#simulation tbody tr:last-child td") or [""])
+
+    def wait_for_row(self, part):
+        browser.eventually(lambda: part in " | ".join(self.last_row()), what=f"{part} in {self.last_row()}")
+
+    def test_the_oven_door_is_simulated_to_its_end(self):
+        self.serve(OVEN.read_text())
+        self.press("Next")
+        self.press("START is false")
+        self.wait_for_row("LIGHT")
+        self.press("Wait")  # a second, as the page proposes: the button lets go a second behind its press
+        self.press("START is true")
+        self.wait_for_row("CLOSE")
+        for _ in range(60):
+            if "0" == self.last_row()[3]:
+                break
+            self.press("Next")
+            self.page.wait_for_text("#simulation p", "moves")
+        outputs = {each.split()[0] for each in self.page.texts("#simulation .values .on")}
+        self.assertIn("LOCK", outputs)
+        self.assertNotIn("LIGHT", outputs)
+        browser.eventually(lambda: "as expected" in self.page.text("#status"), 30, "the verdicts")
+        self.page.screenshot("serve-oven")
+
+    def test_a_broken_save_shows_its_caret_and_a_mended_one_the_chart_again(self):
+        self.serve(LAMP)
+        self.assertFalse(self.page.find("#diagnostics").is_displayed())
+        began = time.monotonic()
+        self.file.write_text(LAMP.replace("when ON;", "when ONN;"))
+        browser.eventually(lambda: self.page.find("#diagnostics").is_displayed(), what="the diagnostics")
+        self.assertLess(time.monotonic() - began, 5)
+        complaints = self.page.text("#complaints")
+        self.assertIn("unknown variable", complaints)
+        self.assertIn("^", complaints.splitlines()[2])
+        self.assertIn("errors", self.page.text("#status"))
+        self.page.screenshot("serve-broken")
+        self.file.write_text(LAMP)
+        browser.eventually(lambda: not self.page.find("#diagnostics").is_displayed(), what="no diagnostics")
+
+    def test_a_chart_alone_is_played_with_and_its_session_is_an_address(self):
+        server = self.serve(LAMP)
+        self.press("ON is false")
+        self.wait_for_row("LAMP")
+        self.press("ON is true")
+        self.page.wait_for_text("#simulation p", "2 moves")
+        self.press("Next")
+        self.wait_for_row("none")
+        self.page.wait_for_text("#simulation p", "3 s since power-on, 3 moves")
+        address = self.page.driver.current_url
+        self.press("ON is false")
+        self.press("OFF is false")
+        browser.eventually(lambda: "break the constraint !(ON && OFF)" in " ".join(self.page.texts("#simulation .warning")))
+        self.page.script("page.simulator.move('NOBODY = true')")
+        browser.eventually(lambda: "there is no input `NOBODY`" in " ".join(self.page.texts("#simulation .problem")))
+        self.page.wait_for_text("#simulation p", "5 moves")
+        self.press("Back")
+        self.page.wait_for_text("#simulation p", "4 moves")
+        self.press("Restart")
+        self.page.wait_for_text("#simulation p", "0 moves")
+        self.page.open("about:blank")
+        self.page.open(address)
+        self.page.wait_for_text("#simulation p", "3 s since power-on, 3 moves")
+        self.press("Random")
+        self.page.wait_for_text("#simulation p", "23 moves")
+        self.page.find("#simulation .trace").click()
+        self.page.press(browser.Keys.HOME)
+        self.assertEqual(self.page.texts("tr[aria-selected=true] td")[1], "lamp: power on")
+        self.page.press(browser.Keys.ARROW_DOWN)
+        self.assertEqual(self.page.script("return page.simulator.cursor"), 1)
+
+    def test_moves_stay_where_the_file_changes(self):
+        self.serve(LAMP)
+        self.press("ON is false")
+        self.wait_for_row("LAMP")
+        self.file.write_text(LAMP.replace("LAMP", "BULB"))
+        self.wait_for_row("BULB")
+
+    def test_hostile_texts_are_texts(self):
+        hostile = "<img src=x onerror=alert(1)> \\u202e </pre><script>shout()</script>"
+        self.serve(LAMP + "closed_loop l { controller lamp with stability_search; environment A = free(OUT = ON); environment B = free(OUT = OFF);\n"
+                   "environment C = free_integer(OUT = N, HIGH = 9);\n"
+                   f'property P "{hostile}": reachable LAMP; }}\n')
+        browser.eventually(lambda: "onerror" in " ".join(self.page.texts("#models p")), what="the prose")
+        self.assertEqual(self.page.all("#models img") + self.page.all("#models script"), [])
+        self.file.write_text(LAMP + "<script>alert(1)</script>")
+        self.page.wait_for_text("#complaints", "<script>")
+        self.assertEqual(len(self.page.all("body script")), 0)
+
+    def test_it_can_be_read_at_every_size_in_both_schemes_and_by_a_screen_reader(self):
+        self.serve(LAMP)
+        self.press("ON is false")
+        self.wait_for_row("LAMP")
+        browser.eventually(lambda: "as expected" in self.page.text("#status"), 30, "the verdicts")
+        for size in browser.SIZES:
+            for scheme in browser.SCHEMES:
+                self.page.size(size)
+                self.page.scheme(scheme)
+                self.page.screenshot(f"serve-{size}-{scheme}")
+                with self.subTest(size=size, scheme=scheme):
+                    self.assertEqual(self.page.script(browser.FAINT_TEXTS), [])
+                    self.assertEqual(self.page.script(browser.UNNAMED), [])
+                    self.assertLessEqual(self.page.script(browser.EXCESS_WIDTH), 0)
+
+    def test_a_server_that_has_ended_is_said(self):
+        server = self.serve(LAMP)
+        server.stop()
+        self.page.wait_for_text("#status", "does not answer")
+        self.allowed_errors = ("ERR_CONNECTION", "Failed to load resource")
+
+
+if __name__ == "__main__":
+    browser.main()

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include "app/serve/bench.hpp"
+#include "app/serve/play.hpp"
+#include "app/serve/watch.hpp"
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+using Json = nlohmann::json;
+using namespace std::chrono_literals;
+
+const std::string lamp_text =
+    "grafcet lamp { input ON, OFF; output LAMP; constraint !(ON && OFF); initial step 0; step 1 { LAMP; }\n"
+    "transition on: 0 -> 1 when ON; transition off: 1 -> 0 when OFF && !ON || 3s/X1; }\n";
+const std::string lamp_in_a_loop =
+    lamp_text +
+    "closed_loop house { controller lamp with stability_search; environment On = push_button(OUT = ON);\n"
+    "environment Off = free(OUT = OFF); property LIT \"it can be lit\": reachable LAMP; property NEVER: never LAMP; "
+    "}\n";
+
+TEST(Watch, NoticesWhatAnEditorDoesToAFile) {
+    const Folder folder;
+    const std::string file = folder.write("a.grafcet", "one"), other = folder.file("b.grafcet");
+    Watch watch;
+    const auto look_again = [&] {
+        watch.clear();
+        watch.note(file);
+        watch.note(other);
+        EXPECT_FALSE(watch.changed());
+    };
+    look_again();
+    folder.write("a.grafcet", "two");  // in place, as long as before
+    EXPECT_TRUE(watch.changed());
+    look_again();
+    folder.write("a.new", "two");
+    fs::rename(folder.file("a.new"), file);  // another file of its name
+    EXPECT_TRUE(watch.changed());
+    look_again();
+    fs::remove(file);
+    EXPECT_TRUE(watch.changed());
+    look_again();
+    folder.write("a.grafcet", "two");
+    EXPECT_TRUE(watch.changed());
+    look_again();
+    folder.write("b.grafcet", "it was not there before");
+    EXPECT_TRUE(watch.changed());
+}
+
+TEST(Watch, NoticesAChangeBetweenTwoReadings) {
+    const Folder folder;
+    const std::string file = folder.write("a.grafcet", "one");
+    Watch watch;
+    watch.note(file);
+    folder.write("a.grafcet", "longer");
+    watch.note(file);
+    EXPECT_TRUE(watch.changed());
+}
+
+/// A bench on `file`, and its states as they come.
+class Bystander {
+public:
+    explicit Bystander(const std::string& file) {
+        options_.operands = {file};
+        bench_.emplace(options_, [] {});
+    }
+
+    /// The first state from now on that is as wanted.
+    Json wait_for(const std::function<bool(const Json&)>& wanted) {
+        for (int tries = 0; tries < 2000; ++tries) {
+            if (const auto newer = bench_->newer(known_)) {
+                state_ = Json::parse(*newer);
+                known_ = state_["version"].get<std::uint64_t>();
+            }
+            if (!state_.is_null() && wanted(state_)) return state_;
+            std::this_thread::sleep_for(10ms);
+        }
+        ADD_FAILURE() << "it never comes; the last state: " << state_.dump(1);
+        return state_;
+    }
+    Json wait_for_verdicts() {
+        return wait_for(
+            [](const Json& state) { return !state["models"].empty() && state["models"].back()["state"] == "done"; });
+    }
+    Json play(const Json& request) const {
+        return Json::parse(app::play(*bench_->workpiece(), options_, request.dump()));
+    }
+
+private:
+    Options options_ = {};
+    std::optional<Bench> bench_ = {};
+    Json state_ = {};
+    std::uint64_t known_ = 0;
+};
+
+TEST(ServeBench, TellsVerdictsAndWhatIsWrongAndFollowsTheFile) {
+    const Folder folder;
+    const std::string file = folder.write("lamp.grafcet", lamp_in_a_loop);
+    Bystander bystander(file);
+    const Json first = bystander.wait_for_verdicts();
+    EXPECT_EQ(first["complaints"], "");
+    const Json& properties = first["models"][0]["properties"];
+    ASSERT_GE(properties.size(), 2U);
+    EXPECT_EQ(properties[0]["name"], "LIT");
+    EXPECT_EQ(properties[0]["prose"], "it can be lit");
+    EXPECT_EQ(properties[0]["as_expected"], true);
+    EXPECT_EQ(properties[1]["verdict"], "violated");
+    EXPECT_EQ(properties[1]["as_expected"], false);
+
+    folder.write("lamp.grafcet", lamp_text + "nonsense");
+    const Json broken = bystander.wait_for([](const Json& state) { return state["readable"] == false; });
+    EXPECT_NE(broken["complaints"].get<std::string>().find("^"), std::string::npos) << "a caret";
+    EXPECT_EQ(bystander.play({{"chart", "lamp"}})["complaint"], "the file has errors; nothing can be simulated");
+
+    fs::remove(file);
+    bystander.wait_for([](const Json& state) {
+        return state["complaints"].get<std::string>().find("cannot-read") != std::string::npos;
+    });
+    folder.write("lamp.grafcet", lamp_text);
+    const Json back = bystander.wait_for_verdicts();
+    EXPECT_EQ(back["models"][0]["kind"], "chart");
+    EXPECT_EQ(back["complaints"], "");
+}
+
+TEST(ServeBench, FollowsWhatIsIncludedEvenBeforeItIsThere) {
+    const Folder folder;
+    Bystander bystander(folder.write("main.grafcet", "include \"parts/lamp.grafcet\";\n"));
+    bystander.wait_for([](const Json& state) { return state["readable"] == false; });
+    fs::create_directory(folder.file("parts"));
+    folder.write("parts/lamp.grafcet", lamp_text);
+    EXPECT_EQ(bystander.wait_for_verdicts()["charts"][0]["name"], "lamp");
+    folder.write("parts/lamp.grafcet", lamp_text + "grafcet");
+    bystander.wait_for([](const Json& state) { return state["readable"] == false; });
+}
+
+TEST(ServeBench, GivesUpTheProofsOfAnEarlierSave) {
+    const Folder folder;
+    // Six buttons, each with a clock of its own, that never fit together: more states than anybody waits for.
+    std::string hard =
+        "grafcet panel { input A, B, C, D, E, F; output O; initial step 0; step 1 { O; }\n"
+        "transition t: 0 -> 1 when A && B && C && D && E && F; transition u: 1 -> 0 when !A; }\n"
+        "closed_loop room { controller panel with stability_search;\n";
+    int gap = 900;
+    for (const char button : {'A', 'B', 'C', 'D', 'E', 'F'})
+        hard += fmt::format("environment E{0} = push_button(OUT = {0}, GAP = {1}ms);\n", button, gap += 7);
+    const std::string file = folder.write("room.grafcet", hard + "}\n");
+    Bystander bystander(file);
+    bystander.wait_for(
+        [](const Json& state) { return !state["models"].empty() && state["models"][0]["state"] == "running"; });
+    folder.write("room.grafcet", lamp_text);
+    EXPECT_EQ(bystander.wait_for_verdicts()["charts"][0]["name"], "lamp");
+}
+
+TEST(Play, MakesTheMovesFromThePowerOnEachTime) {
+    const Folder folder;
+    Bystander bystander(folder.write("lamp.grafcet", lamp_in_a_loop));
+    bystander.wait_for([](const Json& state) { return state["readable"] == true; });
+    const Json begun = bystander.play({{"chart", "lamp"}});
+    EXPECT_EQ(begun["moves"].size(), 0U);
+    EXPECT_EQ(begun["rows"].back()["lit"], Json({"c0-step-0"}));
+    EXPECT_EQ(begun["choices"][0]["command"], "ON = true");
+    const Json lit = bystander.play({{"chart", "lamp"}, {"moves", {"ON = true", "wait 1s"}}});
+    EXPECT_EQ(lit["time"], 1000);
+    EXPECT_EQ(lit["problem"], "");
+    EXPECT_EQ(lit["rows"].back()["lit"], Json({"c0-step-1"}));
+    EXPECT_EQ(lit["wait"]["change"], 3000) << "in units of 3 s, at least one";
+    EXPECT_EQ(bystander.play({{"chart", "lamp"}}), begun);
+    const Json both = bystander.play({{"chart", "lamp"}, {"moves", {"ON = true", "OFF = true"}}});
+    EXPECT_EQ(both["broken_constraints"], Json({"!(ON && OFF)"}));
+
+    const Json loop = bystander.play({{"loop", "house"}, {"moves", {"wait 1s", "ON = true"}}});
+    EXPECT_EQ(loop["problem"], "");
+    EXPECT_EQ(loop["rows"].back()["lit"], Json({"c0-step-1"}));
+    for (const Json& choice : loop["choices"]) {
+        const std::string command = choice["command"];
+        const Json next = bystander.play({{"loop", "house"}, {"moves", {"wait 1s", "ON = true", command}}});
+        EXPECT_EQ(next["problem"], "") << command;
+    }
+}
+
+TEST(Play, DrawsMovesThatAScriptTakes) {
+    const Folder folder;
+    const std::string file = folder.write("lamp.grafcet", lamp_in_a_loop);
+    Bystander bystander(file);
+    bystander.wait_for([](const Json& state) { return state["readable"] == true; });
+    for (const char* of : {"loop", "chart"}) {
+        const Json drawn =
+            bystander.play({{of, std::string(of) == "loop" ? "house" : "lamp"}, {"random", 40}, {"seed", 7}});
+        ASSERT_EQ(drawn["moves"].size(), 40U) << drawn["problem"];
+        std::string script;
+        for (const std::string move : drawn["moves"]) script += move + "\n";
+        const Result told =
+            grafverif({"simulate", file, std::string("--") + of, of == std::string("loop") ? "house" : "lamp",
+                       "--script", folder.write("script.txt", script)});
+        EXPECT_EQ(told.code, ExitCode::Done) << told.err;
+        EXPECT_EQ(
+            bystander.play({{of, std::string(of) == "loop" ? "house" : "lamp"}, {"moves", drawn["moves"]}})["rows"],
+            drawn["rows"]);
+    }
+}
+
+TEST(Play, AnswersWhateverIsAsked) {
+    const Folder folder;
+    Bystander bystander(folder.write("lamp.grafcet", lamp_in_a_loop));
+    bystander.wait_for([](const Json& state) { return state["readable"] == true; });
+    const auto complaint = [&](const Json& request) { return bystander.play(request).value("complaint", ""); };
+    for (const Json& request : std::vector<Json>{Json(), Json(3), Json::array(), {{"moves", 3}}, {{"moves", {1, 2}}}})
+        EXPECT_NE(complaint(request), "") << request;
+    EXPECT_EQ(complaint({{"chart", "nobody"}}), "there is no chart `nobody` that can be simulated");
+    EXPECT_EQ(complaint({{"loop", "lamp"}}), "there is no closed loop `lamp` that can be simulated");
+    EXPECT_NE(complaint({{"chart", "lamp"}, {"moves", std::vector<std::string>(most_moves + 1, "wait 1s")}}), "");
+    EXPECT_NE(complaint({{"chart", "lamp"}, {"random", most_random_moves + 1}}), "");
+    const Json stopped = bystander.play({{"chart", "lamp"}, {"moves", {"ON = true", "ON = 7", "OFF = true"}}});
+    EXPECT_EQ(stopped["moves"], Json({"ON = true", "ON = 7"}));
+    EXPECT_EQ(stopped["problem"], "`ON` goes from 0 to 1");
+    EXPECT_EQ(bystander.play({{"chart", "lamp"}, {"moves", {"back"}}})["problem"], "`back` is no move");
+    EXPECT_NE(Json::parse(play(Workpiece(), Options(), std::string(100'000, '['))).value("complaint", ""), "");
+}
+
+}  // namespace
+}  // namespace grafverif::app

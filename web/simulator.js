@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// The simulator: a list of moves, each a line of a script that `grafverif simulate` takes. The server makes them, from the
+// power-on on, and says what there is to see; going back is a shorter list, and the list is the page's address.
+
+import {make} from "./dom.js";
+
+const seconds = (milliseconds) => `${milliseconds / 1000} s`;
+
+export class Simulator {
+    // `ask(request)`: the answer of the server. `light(steps, transitions)`: ids to be lit in the drawings.
+    constructor(place, ask, light) {
+        Object.assign(this, {place, ask, light, of: null, moves: [], undone: [], answer: null, cursor: null, asked: 0, answers: 0, seed: 1});
+        this.build();
+        this.follow();
+        window.addEventListener("hashchange", () => { if (location.hash !== this.written) { this.follow(); this.play(); } });
+    }
+
+    // What stands there all the time
+
+    build() {
+        const button = (words, press, title) => make("button", {type: "button", onclick: press, title}, words);
+        this.select = make("select", {onchange: () => this.begin(this.select.value)});
+        this.buttons = {
+            restart: button("Restart", () => this.begin(this.of), "From power-on again"),
+            back: button("Back", () => this.back(), "Undo the last move"),
+            again: button("Again", () => this.again(), "Make the move again that was undone"),
+            next: button("Next", () => this.move("wait"), "Let time pass until something happens by itself, or can"),
+            wait: button("Wait", () => this.move(`wait ${this.time.value.trim()}`), "Let time pass"),
+            random: button("Random", () => this.random(), "Moves drawn at random"),
+            save: button("Save script", () => this.save(), "A file for `grafverif simulate --script`"),
+        };
+        this.time = make("input", {value: "1s", "aria-label": "How long to wait", onkeydown: (event) => {
+            if (event.key === "Enter") this.buttons.wait.click();
+        }});
+        this.count = make("input", {type: "number", min: 1, max: 1000, value: 20, "aria-label": "How many random moves"});
+        this.clock = make("p", {});
+        this.problem = make("p", {class: "problem", role: "alert"});
+        this.warning = make("p", {class: "warning", role: "status"});
+        const {restart, back, again, next, wait, random, save} = this.buttons;
+        this.controls = make("div", {},
+            make("div", {class: "row"}, make("label", {}, "Simulate ", this.select), restart, back, again, save),
+            make("div", {class: "row"}, next, wait, this.time, random, this.count));
+        this.panel = make("div", {});
+        this.rows = make("tbody", {});
+        this.table = make("div", {class: "trace", tabindex: 0, role: "region", "aria-label": "What has happened; arrow keys go through it",
+                                  onkeydown: (event) => this.key(event)},
+            make("table", {},
+                make("thead", {}, make("tr", {}, ...["time", "what happened", "cleared", "situation", "outputs"].map((title) => make("th", {scope: "col"}, title)))),
+                this.rows));
+        this.place.replaceChildren(this.controls, this.clock, this.problem, this.warning, this.panel, make("h3", {}, "What has happened"), this.table);
+    }
+
+    // The state of the file is another one: the same moves are made on it.
+    take(state) {
+        const known = JSON.stringify([state.readable, state.complaints, state.charts.map((chart) => chart.name), state.models.map((model) => model.name)]);
+        const first = this.seen === undefined;
+        if (state.readable) this.offer(state);
+        // Verdicts come one after the other; the file is what it was.
+        if (!first && known === this.seen && !this.changed(state)) return;
+        this.seen = known;
+        this.play();
+    }
+
+    changed(state) {
+        const fresh = state.reading !== this.reading;
+        this.reading = state.reading;
+        return fresh;
+    }
+
+    offer(state) {
+        this.reading ??= state.reading;
+        const all = [...state.models.filter((model) => model.kind === "loop").map((model) => [`loop:${model.name}`, `closed loop ${model.name}`]),
+                     ...state.charts.filter((chart) => chart.runs).map((chart) => [`chart:${chart.name}`, `chart ${chart.name}, inputs free`])];
+        if (JSON.stringify(all) !== this.offered) {
+            this.offered = JSON.stringify(all);
+            this.select.replaceChildren(...all.map(([value, words]) => make("option", {value}, words)));
+        }
+        if (!all.some(([value]) => value === this.of)) {
+            this.of = all.length > 0 ? all[0][0] : null;
+            this.moves = [];
+        }
+        if (this.of !== null) this.select.value = this.of;
+    }
+
+    // Moves
+
+    begin(of) {
+        this.of = of;
+        this.set([]);
+    }
+
+    set(moves, undone = []) {
+        this.moves = moves;
+        this.undone = undone;
+        this.play();
+    }
+
+    move(line) { this.set([...this.moves, line]); }
+    back() { if (this.moves.length > 0) this.set(this.moves.slice(0, -1), [this.moves.at(-1), ...this.undone]); }
+    again() { if (this.undone.length > 0) this.set([...this.moves, this.undone[0]], this.undone.slice(1)); }
+    random() {
+        this.seed = Math.floor(Math.random() * 2 ** 31);
+        this.play(Math.max(1, Math.min(1000, Number(this.count.value) || 1)));
+    }
+
+    async play(random = 0) {
+        if (this.of === null) return;
+        const [kind, name] = [this.of.slice(0, this.of.indexOf(":")), this.of.slice(this.of.indexOf(":") + 1)];
+        const turn = ++this.asked;
+        let answer = null;
+        try {
+            answer = await this.ask({[kind]: name, moves: this.moves, random, seed: this.seed});
+            const {problem, moves} = answer;
+            // A move that could not be made is no part of the list.
+            if (problem && moves.length > 0) answer = {...await this.ask({[kind]: name, moves: moves.slice(0, -1)}), problem};
+        } catch (error) {
+            answer = {complaint: error.message};
+        }
+        if (turn !== this.asked) return;  // another one was asked meanwhile
+        if (answer.complaint) {
+            this.problem.textContent = answer.complaint;
+            return;
+        }
+        this.show(answer);
+    }
+
+    show(answer) {
+        this.answer = answer;
+        ++this.answers;
+        this.moves = answer.moves;
+        this.problem.textContent = answer.problem;
+        this.warning.textContent = answer.broken_constraints.map((text) => `These inputs break the constraint ${text}.`).join(" ");
+        this.cursor = answer.rows.length - 1;
+        this.clock.textContent = `${seconds(answer.time)} since power-on, ${this.moves.length} ${this.moves.length === 1 ? "move" : "moves"}`;
+        this.showPanel(answer);
+        this.showRows(answer);
+        this.enable(answer);
+        this.write();
+    }
+
+    enable(answer) {
+        const {back, again, next, wait} = this.buttons;
+        back.disabled = this.moves.length === 0;
+        again.disabled = this.undone.length === 0;
+        wait.disabled = !answer.wait.may;
+        next.disabled = !answer.wait.may || (answer.wait.limit === null && answer.wait.change === null);
+    }
+
+    showPanel(answer) {
+        const held = document.activeElement?.dataset?.signal ?? document.activeElement?.dataset?.command;
+        const of = (role) => answer.signals.filter((signal) => signal.role === role);
+        const boolean = (signal) => typeof signal.value === "boolean";
+        const input = (signal) => boolean(signal)
+            ? make("button", {type: "button", "data-signal": signal.name, "aria-pressed": signal.value ? "true" : "false",
+                              onclick: () => this.move(`${signal.name} = ${!signal.value}`)}, `${signal.name} ${signal.value ? "is true" : "is false"}`)
+            : make("label", {}, `${signal.name} `, make("input", {type: "number", min: signal.low, max: signal.high, value: signal.value, "data-signal": signal.name,
+                              onchange: (event) => this.move(`${signal.name} = ${event.target.value}`)}));
+        const value = (signal) => make("li", {class: boolean(signal) ? (signal.value ? "on" : "off") : ""},
+            boolean(signal) ? make("span", {}, signal.name) : `${signal.name} = ${signal.value}`,
+            boolean(signal) ? make("span", {class: "remark"}, signal.value ? " true" : " false") : "");
+        const group = (title, list, element) => list.length === 0 ? [] : [make("h3", {}, title), element];
+        const values = (role) => make("ul", {class: "values"}, ...of(role).map(value));
+        const choices = answer.choices.filter((choice) => choice.words !== choice.command);
+        this.panel.replaceChildren(
+            ...group("Inputs", of("input"), make("div", {class: "row", id: "inputs"}, ...of("input").map(input))),
+            ...group("The plant can", choices, make("div", {class: "row", id: "choices"}, ...choices.map((choice) =>
+                make("button", {type: "button", "data-command": choice.command, onclick: () => this.move(choice.command)}, choice.words)))),
+            ...group("Outputs", of("output"), values("output")),
+            ...group("Internal variables", of("internal"), values("internal")),
+            ...group("Of the plant", of("plant"), values("plant")));
+        if (held) (this.panel.querySelector(`[data-signal="${CSS.escape(held)}"]`) ?? this.panel.querySelector(`[data-command="${CSS.escape(held)}"]`))?.focus();
+    }
+
+    // What has happened, row by row
+
+    showRows(answer) {
+        this.rows.replaceChildren(...answer.rows.map((row, place) => make("tr", {onclick: () => this.point(place)},
+            ...[row.time, row.inputs && row.inputs !== "none" ? `${row.what}: ${row.inputs}` : row.what, row.cleared, row.situation, row.outputs].map((text) => make("td", {}, text)))));
+        this.point(this.cursor);
+        this.table.scrollTop = this.table.scrollHeight;
+    }
+
+    point(place) {
+        if (place < 0 || place >= this.answer.rows.length) return;
+        this.cursor = place;
+        [...this.rows.children].forEach((row, at) => row.setAttribute("aria-selected", at === place ? "true" : "false"));
+        const row = this.rows.children[place], head = this.table.querySelector("thead").offsetHeight;
+        if (row.offsetTop < this.table.scrollTop + head) this.table.scrollTop = row.offsetTop - head;
+        const under = row.offsetTop + row.offsetHeight - this.table.clientHeight;
+        if (under > this.table.scrollTop) this.table.scrollTop = under;
+        this.light(this.answer.rows[place].lit, this.answer.rows[place].fired);
+    }
+
+    key(event) {
+        const to = {ArrowDown: this.cursor + 1, ArrowUp: this.cursor - 1, Home: 0, End: this.rows.children.length - 1}[event.key];
+        if (to === undefined) return;
+        event.preventDefault();
+        this.point(to);
+    }
+
+    // The session as an address, and as a script
+
+    write() {
+        this.written = `#sim=${encodeURIComponent([this.of, ...this.moves].join("\n"))}`;
+        history.replaceState(null, "", this.written);
+    }
+
+    follow() {
+        if (!location.hash.startsWith("#sim=")) return;
+        try {
+            [this.of, ...this.moves] = decodeURIComponent(location.hash.slice(5)).split("\n");
+            this.undone = [];
+        } catch {
+            this.problem.textContent = "The address is broken.";
+        }
+    }
+
+    save() {
+        const text = `// ${this.of}\n${this.moves.map((move) => `${move}\n`).join("")}`;
+        const link = make("a", {href: URL.createObjectURL(new Blob([text], {type: "text/plain"})), download: "simulation.txt"});
+        link.click();
+        URL.revokeObjectURL(link.href);
+    }
+}
