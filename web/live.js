@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page of `serve`: the newest state of the file, asked for again and again, and shown. Everything is built of text; what
 // anybody wrote in a file is never read as markup, save the drawings, which the server made and the browser reads as SVG.
-import {make} from "./dom.js";
+import {draw, make} from "./dom.js";
 import {Simulator} from "./simulator.js";
 
 const token = new URLSearchParams(location.search).get("token") ?? "";
@@ -21,33 +21,47 @@ export async function ask(path, body) {
 // The drawings of the charts, in which steps are lit.
 class Drawings {
     constructor(place) {
-        this.place = place;
-        this.drawn = "";
+        Object.assign(this, {place, reading: null, lit: [], fired: []});
     }
 
-    show(state) {
+    async show(state) {
         this.place.classList.toggle("stale", !state.readable);
-        if (!state.readable) return;
-        const all = JSON.stringify(state.charts);
-        if (all === this.drawn) return;
-        this.drawn = all;
-        this.place.replaceChildren(...state.charts.map((chart) => {
-            const drawing = make("div", {class: "drawing", tabindex: 0, role: "region", "aria-label": `Drawing of ${chart.name}`});
-            if (chart.svg) {
-                const svg = new DOMParser().parseFromString(chart.svg, "image/svg+xml").documentElement;
-                drawing.append(document.importNode(svg, true));
-            }
-            return make("figure", {style: "margin: 0"}, make("h3", {}, chart.name), chart.svg ? drawing : "");
-        }));
-        this.light(this.lit ?? [], this.fired ?? []);
+        if (!state.readable || state.reading === this.reading) return;
+        this.reading = state.reading;
+        const answer = await ask("/drawings");
+        if (answer.reading !== this.reading || answer.drawings.length !== state.charts.length) return;  // it has changed again
+        this.place.replaceChildren(...state.charts.map((chart, place) => make("figure", {},
+            make("figcaption", {}, make("h3", {}, chart.name)),
+            answer.drawings[place] === null ? make("p", {class: "remark"}, "It is too large to be drawn here.")
+                                            : this.element(chart.name, answer.drawings[place]))));
+        this.light(this.lit, this.fired);
     }
 
+    element(name, text) {
+        const svg = document.importNode(new DOMParser().parseFromString(text, "image/svg+xml").documentElement, true);
+        svg.setAttribute("role", "img");
+        svg.setAttribute("aria-label", `Chart ${name}; active steps carry a dot`);
+        svg.removeAttribute("aria-labelledby");
+        return make("div", {class: "drawing", tabindex: 0, role: "region", "aria-label": `Drawing of ${name}`}, svg);
+    }
+
+    // Active steps carry a dot, as the standard marks them; what was cleared, a mark beside it: colour never says it alone.
     light(lit, fired) {
-        this.lit = lit;
-        this.fired = fired;
+        Object.assign(this, {lit, fired});
+        for (const mark of this.place.querySelectorAll(".token, .tick")) mark.remove();
         for (const element of this.place.querySelectorAll(".lit, .fired")) element.classList.remove("lit", "fired");
-        for (const id of lit) document.getElementById(id)?.classList.add("lit");
-        for (const id of fired) document.getElementById(id)?.classList.add("fired");
+        this.mark(lit, "lit", (box) => draw("circle", {class: "token", cx: box.x + box.width / 2, cy: box.y + box.height - 7, r: 4}));
+        this.mark(fired, "fired", (box) => draw("path", {class: "tick",
+            d: `M${box.x + box.width / 2 - 7} ${box.y + box.height + 1}h14l-7 10z`}));
+    }
+
+    mark(ids, name, symbol) {
+        for (const id of ids) {
+            const element = document.getElementById(id), box = element?.querySelector("rect, polygon, path, line")?.getBBox();
+            if (!box) continue;
+            element.classList.add(name);
+            element.append(symbol(box));
+        }
     }
 }
 
@@ -68,11 +82,14 @@ function propertyElement(property) {
 
 const progress = {waiting: "Its turn comes.", refused: "It cannot be checked."};
 
+const reportAddress = (model) => `/report?token=${token}&${model.kind}=${encodeURIComponent(model.name)}`;
+
 function modelElement(model) {
     const running = model.state === "running" ? `Being checked${model.progress ? `: ${model.progress}` : ""} \u2026` : progress[model.state] ?? "";
     return make("div", {class: `model ${model.state}`},
         make("h3", {}, model.kind === "loop" ? `Closed loop ${model.name}` : `Chart ${model.name}: steps that can be reached`),
         running ? make("p", {class: "remark"}, running) : "",
+        model.state === "done" ? make("p", {}, make("a", {href: reportAddress(model), target: "_blank", rel: "noopener"}, "The whole report, with a player of its runs")) : "",
         ...model.errors.map((error) => make("p", {class: "problem"}, `\u2717 ${error.message} [${error.code}]`)),
         ...model.properties.map(propertyElement));
 }
@@ -103,7 +120,7 @@ class Page {
         by("status").textContent = `${{good: "\u2713 ", bad: "\u2717 "}[kind] ?? ""}${words}`;
         by("diagnostics").hidden = state.complaints === "";
         if (by("complaints").textContent !== state.complaints) by("complaints").textContent = state.complaints;
-        this.drawings.show(state);
+        this.drawings.show(state).catch((error) => this.lose(error));
         if (state.readable) by("models").replaceChildren(...state.models.map(modelElement));
         by("models").classList.toggle("stale", !state.readable);
         this.simulator.take(state);

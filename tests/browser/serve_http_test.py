@@ -67,10 +67,15 @@ class Serve(unittest.TestCase):
         status, page = self.status(f"/?token={self.server.token}", token=False)
         self.assertEqual(status, 200)
         self.assertIn("<h1", page)
-        for part in ("live.js", "simulator.js", "live.css"):
+        for part in ("live.js", "simulator.js", "dom.js", "live.css"):
             self.assertEqual(self.status(f"/web/{part}", token=False)[0], 200, part)
         self.assertEqual(self.status("/web/../secret", token=False)[0], 404)
         self.assertEqual(self.status("/nothing")[0], 404)
+        self.state(lambda state: state["readable"])
+        self.assertIn("<svg", json.loads(self.status("/drawings")[1])["drawings"][0])
+        self.assertEqual(self.status("/drawings", token=False)[0], 403)
+        self.assertIn("<html", self.status("/report?chart=la%6Dp")[1])
+        self.assertEqual(self.status("/report?chart=nobody")[0], 409)
         state = self.state(lambda state: state["models"] and state["models"][0]["state"] == "done")
         self.assertEqual([chart["name"] for chart in state["charts"]], ["lamp"])
 

@@ -41,9 +41,12 @@ class Serve(browser.Case):
 
     def test_the_oven_door_is_simulated_to_its_end(self):
         self.serve(OVEN.read_text())
+        self.page.wait_for("#c0-step-0.lit .token")
         self.press("Next")
         self.press("START is false")
         self.wait_for_row("LIGHT")
+        self.page.wait_for("#c0-step-1.lit .token")
+        self.assertEqual(self.page.all("#c0-step-0.lit"), [])
         self.press("Wait")  # a second, as the page proposes: the button lets go a second behind its press
         self.press("START is true")
         self.wait_for_row("CLOSE")
@@ -56,7 +59,17 @@ class Serve(browser.Case):
         self.assertIn("LOCK", outputs)
         self.assertNotIn("LIGHT", outputs)
         browser.eventually(lambda: "as expected" in self.page.text("#status"), 30, "the verdicts")
+        self.page.wait_for("#c0-step-0.lit .token")
+        self.page.script("scrollTo(0, 0)")
         self.page.screenshot("serve-oven")
+
+    def test_the_whole_report_is_one_click_away(self):
+        self.serve(LAMP)
+        link = browser.eventually(lambda: self.page.all(".model a"), 30, "the link")[0]
+        self.page.open(link.get_attribute("href"))
+        self.page.wait_for("#verdicts, #properties, h2", 30)
+        self.assertIn("lamp", self.page.text("body"))
+        self.assertGreater(len(self.page.all("svg")), 0)
 
     def test_a_broken_save_shows_its_caret_and_a_mended_one_the_chart_again(self):
         self.serve(LAMP)
@@ -77,6 +90,7 @@ class Serve(browser.Case):
         server = self.serve(LAMP)
         self.press("ON is false")
         self.wait_for_row("LAMP")
+        self.page.wait_for("#c0-transition-on.fired .tick")
         self.press("ON is true")
         self.page.wait_for_text("#simulation p", "2 moves")
         self.press("Next")

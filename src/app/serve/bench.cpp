@@ -140,10 +140,8 @@ private:
             else piece->reading.diagnostics.add(messages::cannot_read(path, why));
         }
         if (piece->reading.model) make_networks(*piece);
-        piece_of_work_ = piece;
         proofs_ = proofs_of(*piece);
-        ++readings_;
-        publish();
+        take_up(std::move(piece));
     }
 
     void read(const std::string& path, std::string text, Workpiece& piece) {
@@ -229,8 +227,12 @@ private:
         proofs_.clear();
         auto piece = std::make_shared<Workpiece>();
         piece->reading.diagnostics.add(messages::world_failed(why));
-        piece_of_work_ = piece;
-        ++readings_;
+        take_up(std::move(piece));
+    }
+
+    void take_up(std::shared_ptr<Workpiece> piece) {
+        piece->number = ++readings_;
+        piece_of_work_ = std::move(piece);
         publish();
     }
 
@@ -243,7 +245,7 @@ private:
                 charts.push_back({{"name", piece.reading.model->charts[chart].name},
                                   {"runs", static_cast<bool>(piece.runs[chart.index])}});
         Json state = {{"version", 0},
-                      {"reading", readings_},
+                      {"reading", piece.number},
                       {"file", options_.operands[0]},
                       {"readable", piece.reading.model.has_value()},
                       {"errors", piece.reading.diagnostics.errors()},

@@ -24,6 +24,7 @@ struct Workpiece {
     Reading reading = {};
     std::vector<std::optional<Network>> networks = {};  ///< per closed loop; empty: it is refused
     std::vector<bool> runs = {};                        ///< per chart: it can be simulated alone
+    std::uint64_t number = 0;                           ///< of the reading
 };
 
 class Bench {

@@ -26,7 +26,7 @@ using Tcp = asio::ip::tcp;
 
 constexpr std::size_t largest_header = 16384;
 constexpr auto longest_transfer = std::chrono::seconds(5);
-constexpr int answering_threads = 2;
+constexpr int answering_threads = 4;
 
 /// The same time for all texts of one length.
 bool equal(std::string_view one, std::string_view other) {
@@ -35,12 +35,30 @@ bool equal(std::string_view one, std::string_view other) {
     return same;
 }
 
+int digit_of(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    const char small = static_cast<char>(c | 0x20);
+    return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
+}
+
+/// `%41` is `A`.
+std::string decoded(std::string_view text) {
+    std::string plain;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const int high = text[k] == '%' && k + 2 < text.size() ? digit_of(text[k + 1]) : -1;
+        const int low = high >= 0 ? digit_of(text[k + 2]) : -1;
+        plain += low < 0 ? text[k] : static_cast<char>(high * 16 + low);
+        if (low >= 0) k += 2;
+    }
+    return plain;
+}
+
 std::map<std::string, std::string> query_of(std::string_view text) {
     std::map<std::string, std::string> query;
     while (!text.empty()) {
         const std::string_view part = text.substr(0, text.find('&'));
         const std::size_t sign = std::min(part.find('='), part.size());
-        query[std::string(part.substr(0, sign))] = std::string(part.substr(std::min(sign + 1, part.size())));
+        query[decoded(part.substr(0, sign))] = decoded(part.substr(std::min(sign + 1, part.size())));
         text.remove_prefix(std::min(part.size() + 1, text.size()));
     }
     return query;

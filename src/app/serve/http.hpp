@@ -20,7 +20,7 @@ namespace grafverif::app {
 struct HttpRequest {
     bool post = false;
     std::string path = {};                          ///< `/state`
-    std::map<std::string, std::string> query = {};  ///< as written, nothing decoded
+    std::map<std::string, std::string> query = {};  ///< decoded
     std::string body = {};
 };
 

@@ -214,6 +214,18 @@ Json played(const Workpiece& piece, const Options& options, const Wish& wish) {
 
 std::string drawing_prefix(Id<Chart> chart) { return "c" + std::to_string(chart.index) + "-"; }
 
+std::string drawings(const Workpiece& piece) {
+    constexpr std::size_t most_steps = 5'000;  // nobody looks at more at once
+    Json list = Json::array();
+    if (piece.reading.model)
+        for (const Id<Chart> id : piece.reading.model->charts.ids()) {
+            const bool is_drawn = piece.reading.model->charts[id].steps.size() <= most_steps;
+            const DrawOptions options{.prefix = drawing_prefix(id)};
+            list.push_back(is_drawn ? Json(svg_of(drawing_of(*piece.reading.model, id, options))) : Json(nullptr));
+        }
+    return json_text({{"reading", piece.number}, {"drawings", std::move(list)}}, -1);
+}
+
 std::string play(const Workpiece& piece, const Options& options, const std::string& request) {
     const std::optional<Wish> wish = wish_of(request);
     Json answer;

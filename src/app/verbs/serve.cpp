@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
+#include <mutex>
 #include <ostream>
 #include <random>
+#include <sstream>
 #include <system_error>
 
 #include "app/outputs.hpp"
@@ -45,6 +48,8 @@ HttpAnswer file_named(std::string_view name) {
     return {200, std::string(media_type(name)), std::string(found->text)};
 }
 
+constexpr auto longest_report = std::chrono::minutes(2);
+
 /// What is known already, of the query; whatever is no number knows nothing.
 std::uint64_t known_version(const HttpRequest& request) {
     std::uint64_t version = 0;
@@ -64,6 +69,8 @@ public:
             return request.post ? HttpAnswer{.body = play(*bench_->workpiece(), options_, request.body)}
                                 : HttpAnswer{405, "text/plain", "moves are posted\n"};
         if (request.post) return HttpAnswer{405, "text/plain", "nothing is posted here\n"};
+        if (request.path == "/drawings") return HttpAnswer{.body = drawings(*bench_->workpiece())};
+        if (request.path == "/report") return report_page(request);
         if (request.path == "/state") return state(known_version(request), at_once);
         if (request.path == "/") return file_named("live.html");
         return file_named(request.path.starts_with("/web/") ? request.path.substr(5) : "");
@@ -76,8 +83,26 @@ private:
         return {};
     }
 
+    /// What `report` writes, one at a time.
+    HttpAnswer report_page(const HttpRequest& request) const {
+        const std::unique_lock hold(reporting_, std::try_to_lock);
+        if (!hold) return {503, "text/plain", "another report is being made; try again when it is there\n"};
+        Job job{.options = options_};
+        if (const auto loop = request.query.find("loop"); loop != request.query.end()) job.options.loop = loop->second;
+        if (const auto chart = request.query.find("chart"); chart != request.query.end())
+            job.options.chart = chart->second;
+        job.options.deadline = std::chrono::steady_clock::now() + longest_report;
+        std::istringstream nothing;
+        std::ostringstream page, complaints;
+        report(job, {nothing, page, complaints});
+        if (!page.str().empty()) return {200, "text/html", std::move(page).str()};
+        render_text(job.diagnostics.all(), job.sources, Colour::Plain, complaints);
+        return {409, "text/plain", std::move(complaints).str()};
+    }
+
     const Options& options_;
     Bench* bench_ = nullptr;
+    mutable std::mutex reporting_ = {};
 };
 
 /// In the browser that the user has chosen; it lives on when we end.
