@@ -139,7 +139,7 @@ std::vector<std::string_view> headings(const System& system) {
             for (const System::Named& variable : *named) note(variable.variable, heading);
     }
     for (const System::Controller& controller : system.controllers)
-        for (const System::Named& step : controller.words.steps) note(step.variable, of_charts);
+        for (const auto& step : controller.words.steps) note(step.variable, of_charts);
     return found;
 }
 

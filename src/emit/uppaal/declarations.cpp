@@ -161,7 +161,7 @@ void write_system_line(std::ostream& out, const std::vector<std::string>& proces
     std::string list = "system";
     for (std::size_t i = 0; i < processes.size(); ++i) list += (i == 0 ? " " : ", ") + processes[i];
     bool first = true;
-    for (const std::string& line : wrapped(list + ';', 100)) {
+    for (const std::string& line : lines_of(list + ';', 100)) {
         out << (first ? "" : "\n    ") << line;
         first = false;
     }
@@ -213,7 +213,7 @@ void write_template_declarations(std::ostream& out, const Network& network, cons
     for (const auto& [name, body] : guards) {
         out << "\nbool " << name << "() {\n";
         std::string_view lead = "    return ";
-        for (const std::string& line : wrapped(body + ';', 100)) {
+        for (const std::string& line : lines_of(body + ';', 100)) {
             out << lead << line << '\n';
             lead = "           ";
         }

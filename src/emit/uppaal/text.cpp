@@ -2,8 +2,9 @@
 // Terms, constraints and assignments as UPPAAL writes them.
 #include "emit/uppaal/text.hpp"
 
-#include <algorithm>
 #include <ostream>
+
+#include "emit/wrapped_text.hpp"
 
 namespace grafverif::uppaal {
 namespace {
@@ -84,28 +85,11 @@ void Terms::write_statement(std::ostream& out, const Network::Assignment& assign
     out << ';';
 }
 
-std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
-    std::vector<std::string> lines;
-    std::string line, piece;
-    const auto flush = [&] {
-        if (!line.empty() && line.size() + 1 + piece.size() > width) {
-            lines.push_back(std::move(line));
-            line.clear();
-        }
-        if (!line.empty()) line += ' ';
-        line += piece;
-        piece.clear();
-    };
-    while (!text.empty()) {
-        const std::string_view word = text.substr(0, text.find(' '));
-        text.remove_prefix(std::min(text.size(), word.size() + 1));
-        if (!piece.empty()) piece += ' ';
-        piece += word;
-        if (word.ends_with(',') || word == "&&" || word == "||") flush();
-    }
-    if (!piece.empty()) flush();
-    if (!line.empty()) lines.push_back(std::move(line));
-    return lines;
+std::vector<std::string> lines_of(std::string_view text, std::size_t width) {
+    const auto lines = wrapped(text, width, [](std::string_view before) {
+        return before.ends_with(',') || before.ends_with(" &&") || before.ends_with(" ||");
+    });
+    return {lines.begin(), lines.end()};
 }
 
 }  // namespace grafverif::uppaal

@@ -51,6 +51,6 @@ std::string parameter_list(const Network::Template& automaton, const LocalNames&
 void write_system(std::ostream& out, const Network& network, const Names& names);
 
 /// `text` in lines of at most `width` columns where it can be broken: after a comma or a Boolean operator.
-std::vector<std::string> wrapped(std::string_view text, std::size_t width);
+std::vector<std::string> lines_of(std::string_view text, std::size_t width);
 
 }  // namespace grafverif::uppaal

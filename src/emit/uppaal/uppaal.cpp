@@ -65,17 +65,17 @@ private:
     Labels location(Id<Network::Location> id) const {
         Labels labels = {{"name", {local_.locations[id.index]}}};
         const auto& invariant = automaton_.locations[id].invariant;
-        if (!invariant.empty()) labels.push_back({"invariant", wrapped(terms_.text(invariant), label_width)});
+        if (!invariant.empty()) labels.push_back({"invariant", lines_of(terms_.text(invariant), label_width)});
         return labels;
     }
 
     Labels edge(const Network::Edge& edge) {
         Labels labels;
         if (const std::string text = guard(edge); !text.empty())
-            labels.push_back({"guard", wrapped(text, label_width)});
+            labels.push_back({"guard", lines_of(text, label_width)});
         if (edge.urgent) labels.push_back({"synchronisation", {names_.channel + '!'}});
         if (const std::string text = updates(edge); !text.empty())
-            labels.push_back({"assignment", wrapped(text, label_width)});
+            labels.push_back({"assignment", lines_of(text, label_width)});
         return labels;
     }
 
