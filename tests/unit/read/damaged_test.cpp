@@ -10,6 +10,7 @@
 #include "fixtures.hpp"
 #include "read/formats.hpp"
 #include "read/text.hpp"
+#include "support/damage.hpp"
 #include "support/law_size.hpp"
 #include "syntax/language/format.hpp"
 
@@ -52,18 +53,8 @@ TEST(DamagedImport, WithBytesChangedIsReadOrRefused) {
     std::mt19937 random(2);
     const std::string likely = "<>/\"=&;:()[] 0123456789ATNR.@#!\x80\xFF";
     for (int i = 0; i < law_size(1500); ++i) {
-        std::string text = fixture(random());
-        for (std::size_t flips = 1 + random() % 3; flips > 0; --flips) {
-            const std::size_t at = random() % text.size();
-            switch (random() % 4) {
-            case 0: text[at] = static_cast<char>(random() % 256); break;
-            case 1: text[at] = likely[random() % likely.size()]; break;
-            case 2: text.erase(at, 1 + random() % 8); break;
-            default: text.insert(at, text.substr(random() % text.size(), random() % 60));
-            }
-        }
         SCOPED_TRACE(i);
-        check_damaged(text, i % 2 == 0);
+        check_damaged(damaged(fixture(random()), {likely, 3, 60}, random), i % 2 == 0);
         if (::testing::Test::HasFatalFailure()) return;
     }
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "read/text.hpp"
+#include "support/damage.hpp"
 #include "support/law_size.hpp"
 #include "support/print_model.hpp"
 #include "support/random_chart.hpp"
@@ -79,18 +80,8 @@ TEST(DamagedText, WithBytesChangedIsReadOrRefused) {
     const std::vector<std::string> all = texts();
     const std::string likely = "{}();:,.=<>!&|+-*/%\"'_ \n\t0123456789aXs\\#\x80\xE2\xFF";
     for (int i = 0; i < law_size(2500); ++i) {
-        std::string text = all[random() % all.size()];
-        for (std::size_t flips = 1 + random() % 4; flips > 0 && !text.empty(); --flips) {
-            const std::size_t at = random() % text.size();
-            switch (random() % 4) {
-            case 0: text[at] = static_cast<char>(random() % 256); break;
-            case 1: text[at] = likely[random() % likely.size()]; break;
-            case 2: text.erase(at, 1 + random() % 8); break;
-            default: text.insert(at, text.substr(random() % text.size(), random() % 40));
-            }
-        }
         SCOPED_TRACE(i);
-        check(text);
+        check(damaged(all[random() % all.size()], {likely, 4, 40}, random));
         if (::testing::Test::HasFatalFailure()) return;
     }
 }

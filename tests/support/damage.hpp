@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Texts with bytes changed anywhere, for tests of what reads them.
+#pragma once
+
+#include <random>
+#include <string>
+#include <string_view>
+
+namespace grafverif {
+
+struct Damage {
+    std::string_view likely = {};    ///< bytes that mean something in such a text
+    std::size_t most_changes = 3;    ///< bytes changed or deleted, pieces copied elsewhere
+    std::size_t longest_piece = 60;  ///< of those copied, one less
+};
+
+inline std::string damaged(std::string text, const Damage& damage, std::mt19937& random) {
+    for (std::size_t left = 1 + random() % damage.most_changes; left > 0 && !text.empty(); --left) {
+        const std::size_t at = random() % text.size();
+        switch (random() % 4) {
+        case 0: text[at] = static_cast<char>(random() % 256); break;
+        case 1: text[at] = damage.likely[random() % damage.likely.size()]; break;
+        case 2: text.erase(at, 1 + random() % 8); break;
+        default: text.insert(at, text.substr(random() % text.size(), random() % damage.longest_piece));
+        }
+    }
+    return text;
+}
+
+}  // namespace grafverif
