@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/decide.hpp"
 
+#include <ostream>
+
 #include "app/engines.hpp"
 #include "app/stop_words.hpp"
 #include "pipeline/models.hpp"
@@ -54,7 +56,8 @@ void say_who_stopped(Report& report, bool by_user, const Options& options) {
 
 }  // namespace
 
-std::optional<Decided> decide(const Model& model, Job& job, const Bounds& bounds, bool witnesses) {
+std::optional<Decided> decide(const Model& model, Job& job, const Bounds& bounds, bool witnesses,
+                              const Streams& streams) {
     const CheckOptions options = {job.options.properties, witnesses, job.options.verbose, bounds.limits()};
     Decided decided;
     std::optional<Report> found;
@@ -62,6 +65,9 @@ std::optional<Decided> decide(const Model& model, Job& job, const Bounds& bounds
     if (is_of_a_chart(model, job.options) && !timed) {
         const auto chart = chosen_chart(model, job);
         if (!chart) return {};
+        if (!job.options.quiet)
+            streams.err << "note: `" << model.charts[*chart].name
+                        << "` is no closed loop: its steps are checked with free inputs, untimed\n";
         decided.chart = *chart;
         found = chart_report(model, *chart, job, options);
     } else if (const auto loop = chosen_loop(model, job)) {

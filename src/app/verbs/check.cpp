@@ -69,10 +69,7 @@ ExitCode check(Job& job, const Streams& streams) {
     const Bounds bounds(job.options, streams);
     const Options& asked = job.options;
     const bool witnesses = asked.verbose || asked.format == Format::Json || asked.trace_vcd || asked.trace_svg;
-    const auto decided = decide(*model, job, bounds, witnesses);
-    if (decided && decided->chart.valid() && !job.options.quiet)
-        streams.err << "note: `" << model->charts[decided->chart].name
-                    << "` is no closed loop: its steps are checked with free inputs, untimed\n";
+    const auto decided = decide(*model, job, bounds, witnesses, streams);
     if (!decided) return ExitCode::Input;
     const Report& report = decided->report;
     work_is_done();
