@@ -43,8 +43,8 @@ TransitionSystem stations(std::size_t count) {
     TransitionSystem system = schedule_controller(*equations, ExecutionMode::EveryCycle);
     const TransitionSystem::Controller& controller = system.controllers.front();
     const auto step = [&](const std::string& name) {
-        for (const TransitionSystem::Named& named : controller.words.steps)
-            if (named.name == name) return system.exprs.leaf(Op::Variable, named.variable.index);
+        for (const auto& named : controller.words.steps)
+            if (named.name.text() == name) return system.exprs.leaf(Op::Variable, named.variable.index);
         std::exit(2);
     };
     const std::string last = std::to_string(count);

@@ -18,7 +18,6 @@
 #include <utility>
 
 #include "compose/controller.hpp"
-#include "ir/step_names.hpp"
 #include "ir/words_of.hpp"
 
 namespace grafverif {
@@ -197,7 +196,7 @@ Id<Network::Template> template_for(Composition& composition, const Equations::Ti
 
 /// As conditions write it; of a longer term nothing.
 std::string watched_name(const Equations& equations, const Equations::Timer& timer) {
-    if (const auto step = watched_step(equations, timer)) return step_variable_name(equations.steps[*step].step);
+    if (const auto step = watched_step(equations, timer)) return equations.steps[*step].step.variable();
     const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
     const Expr& term = equations.exprs[watch->value];
     return term.op == Op::Variable ? equations.variables[{static_cast<std::uint32_t>(term.value)}].name : "";

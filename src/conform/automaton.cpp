@@ -327,7 +327,7 @@ void order_timers(const Equations& equations, const InputOf& inputs, InputSpace&
 bool declare(const Equations& equations, Automaton& automaton, Diagnostics& diagnostics) {
     for (const Equations::Variable& variable : equations.variables)
         if (variable.role == Role::Output) automaton.outputs.add({variable.name, variable.type});
-    for (const Equations::StepActivity& step : equations.steps) automaton.steps.add({step.step});
+    for (const Equations::StepActivity& step : equations.steps) automaton.steps.add({step.step.text()});
     for (const Kept& each : kept(equations))
         if (const Equations::Variable& variable = equations.variables[each.variable]; variable.role != Role::Step)
             automaton.stored.add({variable.name, variable.type, variable.initial});

@@ -351,7 +351,7 @@ void Moves::demand_value(const Bdd& undefined, const Bdd& within, Span where, co
 std::string Moves::circumstances(const Values& at, const Bdd& set) const {
     std::string situation = "{";
     for (const Equations::StepActivity& step : equations_.steps)
-        if (at[step.variable.index] != 0) situation += (situation.size() > 1 ? "," : "") + step.step;
+        if (at[step.variable.index] != 0) situation += (situation.size() > 1 ? "," : "") + step.step.text();
     return situation + "} with " + space_.witness_text(set);
 }
 

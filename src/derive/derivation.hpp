@@ -132,8 +132,8 @@ Id<Equations::Timer> timer(Derivation& derivation, Id<Equations::Variable> watch
 /// The end of `timer` as a term.
 Id<Expr> end_leaf(Derivation& derivation, Id<Equations::Timer> timer);
 
-/// `G2` + `separator` for a step of the named partial chart G2, else nothing.
-std::string qualifier(const Chart& chart, Id<Chart::Step> step, char separator);
+/// What the names of variables say of a step of the named partial chart G2, `G2_`; else nothing.
+std::string qualifier(const StepName& step);
 
 /// Counts `size` nodes towards the total; false once it is exceeded (an error is added the first time).
 bool afford(Derivation& derivation, std::uint64_t size);

@@ -118,7 +118,7 @@ void add_variables(Derivation& derivation) {
             {names.fresh(variable.name), role(variable.kind), variable.type, variable.initial, variable.origin});
     for (const Id<Chart::Step> id : chart.steps.ids()) {
         const Chart::Step& step = chart.steps[id];
-        const std::string name = names.fresh("X_" + qualifier(chart, id, '_') + step.name);
+        const std::string name = names.fresh("X_" + qualifier(name_of(chart, id)) + step.name);
         const bool initial = derivation.hierarchy.initial[id.index];
         derivation.steps.push_back(equations.variables.add({name, Role::Step, {}, initial ? 1 : 0, step.origin}));
         derivation.step_leaves.push_back(variable_leaf(derivation, derivation.steps.back()));
@@ -181,11 +181,7 @@ void derive_assumptions(Derivation& derivation) {
 
 }  // namespace
 
-std::string qualifier(const Chart& chart, Id<Chart::Step> step, char separator) {
-    const Id<Chart::PartialChart> partial = chart.steps[step].chart;
-    if (!partial.valid() || chart.partial_charts[partial].name.empty()) return {};
-    return chart.partial_charts[partial].name + separator;
-}
+std::string qualifier(const StepName& step) { return step.partial.empty() ? "" : step.partial + "_"; }
 
 std::optional<Equations> derive(const Chart& chart, Diagnostics& diagnostics) {
     if (misplaced_edges(chart, diagnostics)) return {};

@@ -71,7 +71,7 @@ public:
         }
         for (const Id<Chart::Step> id : chart_.steps.ids()) {
             steps[id.index].variable = derivation_.steps[id.index];
-            steps[id.index].step = qualifier(chart_, id, '.') + chart_.steps[id].name;
+            steps[id.index].step = name_of(chart_, id);
             steps[id.index].origin = chart_.steps[id].origin;
         }
     }

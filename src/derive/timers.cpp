@@ -22,7 +22,8 @@ std::string watched_name(const Derivation& derivation, Id<Equations::Variable> w
     const Equations::Variable& variable = derivation.equations.variables[watched];
     if (variable.role != Equations::Role::Step) return variable.name.substr(2);
     const Id<Chart::Step> step{watched.index - derivation.steps.front().index};
-    return qualifier(derivation.chart, step, '_') + "X" + derivation.chart.steps[step].name;
+    const StepName name = name_of(derivation.chart, step);
+    return qualifier(name) + "X" + name.step;
 }
 
 }  // namespace

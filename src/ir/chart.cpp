@@ -8,11 +8,12 @@
 
 namespace grafverif {
 
-std::string step_variable(const Chart& chart, Id<Chart::Step> step) {
+StepName name_of(const Chart& chart, Id<Chart::Step> step) {
     const Chart::Step& named = chart.steps[step];
-    const std::string& partial = chart.partial_charts[named.chart].name;
-    return partial.empty() ? "X" + named.name : partial + ".X" + named.name;
+    return {named.chart.valid() ? chart.partial_charts[named.chart].name : "", named.name};
 }
+
+std::string step_variable(const Chart& chart, Id<Chart::Step> step) { return name_of(chart, step).variable(); }
 
 namespace {
 

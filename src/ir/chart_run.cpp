@@ -118,13 +118,9 @@ std::string_view word(ChartRun::Role role) {
 }
 
 void shorten_names(Table<ChartRun::Step>& steps) {
-    const auto last_part = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
     std::unordered_map<std::string, int> uses;
-    for (const ChartRun::Step& step : steps) ++uses[last_part(step.full_name)];
-    for (ChartRun::Step& step : steps) {
-        step.short_name = last_part(step.full_name);
-        if (uses[step.short_name] > 1) step.short_name = step.full_name;
-    }
+    for (const ChartRun::Step& step : steps) ++uses[step.name.step];
+    for (ChartRun::Step& step : steps) step.short_name = uses[step.name.step] > 1 ? step.full_name() : step.name.step;
 }
 
 std::string moment_text(const ChartRun& run, const ChartRun::State& state) {

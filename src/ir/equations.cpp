@@ -86,8 +86,8 @@ struct Check {
         for (const Equations::StepActivity& step : equations.steps) {
             define(step.variable, step.next, "the activity");
             role(step.variable, Role::Step);
-            condition(step.activated, Sort::Boolean, "the activation of `" + step.step + "`");
-            condition(step.deactivated, Sort::Boolean, "the deactivation of `" + step.step + "`");
+            condition(step.activated, Sort::Boolean, "the activation of `" + step.step.text() + "`");
+            condition(step.deactivated, Sort::Boolean, "the deactivation of `" + step.step.text() + "`");
         }
         for (const Equations::Conflict& of : equations.conflicts)
             condition(of.condition, Sort::Boolean, "the condition of a conflict");

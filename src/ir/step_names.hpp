@@ -4,14 +4,10 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "grafverif/ir/network.hpp"
 
 namespace grafverif {
-
-/// The step variable of the step that equations and networks call `label`: `2` -> `X2`, `G2.2` -> `G2.X2`.
-std::string step_variable_name(std::string_view label);
 
 /// The step variable that `variable` of the network stands for. Requires its role to be Step.
 std::string step_variable_name(const Network& network, Id<Network::Variable> variable);

@@ -245,7 +245,8 @@ void check_names(const System& system, Sorts& sorts, Faults& faults) {
     for (const System::Controller& controller : system.controllers) {
         const ControllerWords<System::Symbol>& words = controller.words;
         const std::string where = "controller `" + words.name + "`";
-        for (const auto* list : {&words.steps, &words.transitions, &words.inputs, &words.outputs, &words.internals})
+        for (const auto& [name, variable] : words.steps) known(variable, where + ": `" + name.text() + "`");
+        for (const auto* list : {&words.transitions, &words.inputs, &words.outputs, &words.internals})
             each(*list, where);
         for (const auto& timer : words.timers) {
             known(timer.end, where + ": a timer end");

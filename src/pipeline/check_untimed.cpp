@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "check/symbolic/symbolic.hpp"
-#include "ir/step_names.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "report/report.hpp"
@@ -86,8 +85,8 @@ void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
     if (!told || verdict.outcome == Outcome::Unknown) run.reset();
     if (const auto found = run ? untimely(project(check_.system, *run)) : std::nullopt)
         verdict.notes.push_back(fmt::format("no plant gives this run: {}/{} is over in it, and {}/{} is not",
-                                            duration_text(found->longer_ms), step_variable_name(found->step),
-                                            duration_text(found->shorter_ms), step_variable_name(found->step)));
+                                            duration_text(found->longer_ms), found->step.variable(),
+                                            duration_text(found->shorter_ms), found->step.variable()));
     std::string carries = carries_words(check_, check_.system.properties[verdict.about], verdict, unproven_);
     Answer answer = answer_of(check_.system, std::move(verdict), run, detail(options_));
     answer.carries = std::move(carries);
@@ -145,8 +144,8 @@ Report check(const SystemToCheck& check, const CheckOptions& options) {
 
 void ask_for_steps(TransitionSystem& system) {
     for (const TransitionSystem::Controller& controller : system.controllers)
-        for (const TransitionSystem::Named& step : controller.words.steps) {
-            Property property{.name = "reachable." + step_variable_name(step.name), .pattern = Pattern::Reachable};
+        for (const auto& step : controller.words.steps) {
+            Property property{.name = "reachable." + step.name.variable(), .pattern = Pattern::Reachable};
             property.operands = {system.exprs.leaf(Op::Variable, step.variable.index)};
             system.properties.add(std::move(property));
         }

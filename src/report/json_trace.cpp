@@ -25,7 +25,7 @@ Json step(const ChartRun& run, const ChartRun::Row& row) {
     for (const std::vector<Id<ChartRun::Transition>>& evolution : row.fired)
         for (const Id<ChartRun::Transition> id : evolution) fired.push_back(run.transitions[id].name);
     Json situation = Json::array();
-    for (const Id<ChartRun::Step> active : after.situation) situation.push_back(run.steps[active].full_name);
+    for (const Id<ChartRun::Step> active : after.situation) situation.push_back(run.steps[active].full_name());
     return {{"time", run.timed ? Json(after.time_ms) : Json(nullptr)},
             {"kind", word(row.kind)},
             {"component", row.component.empty() ? Json(nullptr) : Json(row.component)},
@@ -127,35 +127,35 @@ Json moment_json(const ChartRun& run, std::size_t index) {
 Json run_json(const ChartRun& run) {
     Json moments = Json::array();
     for (std::size_t i = 0; i < run.moments.size(); ++i) moments.push_back(moment_json(run, i));
-    return {
-        {"version", 1},
-        {"name", run.name},
-        {"timed", run.timed},
-        {"controllers", listed(run.controllers, controller_json)},
-        {"steps",
-         listed(run.steps,
-                [](const ChartRun::Step& step) {
-                    return Json{{"name", step.name}, {"full_name", step.full_name}, {"short_name", step.short_name}};
-                })},
-        {"transitions", listed(run.transitions,
-                               [](const ChartRun::Transition& each) {
-                                   return Json::object({{"name", each.name}});
-                               })},
-        {"timers", listed(run.timers,
-                          [](const ChartRun::Timer& timer) {
-                              return Json{{"name", timer.name},
-                                          {"watched", timer.watched.empty() ? Json(nullptr) : Json(timer.watched)},
-                                          {"rise", timer.rise_ms},
-                                          {"fall", timer.fall_ms}};
-                          })},
-        {"signals", listed(run.signals, signal_json)},
-        {"instances",
-         listed(run.instances,
-                [](const ChartRun::Instance& each) {
-                    return Json{{"name", each.name}, {"kind", word(each.kind)}, {"locations", each.locations}};
-                })},
-        {"moments", std::move(moments)},
-        {"loop", or_null(run.loop)}};
+    return {{"version", 1},
+            {"name", run.name},
+            {"timed", run.timed},
+            {"controllers", listed(run.controllers, controller_json)},
+            {"steps", listed(run.steps,
+                             [](const ChartRun::Step& step) {
+                                 return Json{{"name", step.name.text()},
+                                             {"full_name", step.full_name()},
+                                             {"short_name", step.short_name}};
+                             })},
+            {"transitions", listed(run.transitions,
+                                   [](const ChartRun::Transition& each) {
+                                       return Json::object({{"name", each.name}});
+                                   })},
+            {"timers", listed(run.timers,
+                              [](const ChartRun::Timer& timer) {
+                                  return Json{{"name", timer.name},
+                                              {"watched", timer.watched.empty() ? Json(nullptr) : Json(timer.watched)},
+                                              {"rise", timer.rise_ms},
+                                              {"fall", timer.fall_ms}};
+                              })},
+            {"signals", listed(run.signals, signal_json)},
+            {"instances",
+             listed(run.instances,
+                    [](const ChartRun::Instance& each) {
+                        return Json{{"name", each.name}, {"kind", word(each.kind)}, {"locations", each.locations}};
+                    })},
+            {"moments", std::move(moments)},
+            {"loop", or_null(run.loop)}};
 }
 
 Json trace_json(const ChartRun& run) {

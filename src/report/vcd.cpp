@@ -84,15 +84,13 @@ private:
     void steps() {
         out_ << "$scope module steps $end\n";
         for (const ChartRun::Step& step : run_.steps) {
-            const std::string& name = step.full_name;
-            std::size_t begin = 0;
-            std::size_t depth = 0;
-            for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', begin), ++depth) {
-                out_ << "$scope module " << name.substr(begin, dot - begin) << " $end\n";
-                begin = dot + 1;
-            }
-            wire("X" + name.substr(begin), true);
-            for (; depth > 0; --depth) out_ << "$upscope $end\n";
+            const auto each_module = [&](const auto& print) {
+                for (const std::string* name : {&step.controller, &step.name.partial})
+                    if (!name->empty()) print(*name);
+            };
+            each_module([&](const std::string& name) { out_ << "$scope module " << name << " $end\n"; });
+            wire("X" + step.name.step, true);
+            each_module([&](const std::string&) { out_ << "$upscope $end\n"; });
         }
         out_ << "$upscope $end\n";
     }

@@ -3,8 +3,8 @@
 
 namespace grafverif {
 
-void ChartView::add_step(ChartRun::Controller& controller, const std::string& name, std::uint32_t key) {
-    controller.steps.push_back(run_->steps.add({name, alone_ ? name : controller.name + "." + name, ""}));
+void ChartView::add_step(ChartRun::Controller& controller, const StepName& name, std::uint32_t key) {
+    controller.steps.push_back(run_->steps.add({name, alone_ ? "" : controller.name, ""}));
     step_keys_.push_back(key);
 }
 

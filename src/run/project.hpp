@@ -50,7 +50,7 @@ public:
     ChartRun::State state(std::int64_t time_ms, const std::vector<std::int64_t>& values) const;
 
 private:
-    void add_step(ChartRun::Controller& controller, const std::string& name, std::uint32_t key);
+    void add_step(ChartRun::Controller& controller, const StepName& name, std::uint32_t key);
 
     ChartRun* run_;
     bool alone_;

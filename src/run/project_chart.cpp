@@ -7,20 +7,13 @@ namespace {
 
 using Kind = Chart::VariableKind;
 
-std::string name_in_chart(const Chart& chart, Id<Chart::Step> step) {
-    const std::string& partial = chart.partial_charts[chart.steps[step].chart].name;
-    return partial.empty() ? chart.steps[step].name : partial + "." + chart.steps[step].name;
-}
-
 }  // namespace
 
 ChartRun project(const Chart& chart, ExecutionMode mode) {
     ChartRun run{.name = chart.name};
     ChartRun::Controller controller{.name = chart.name, .mode = mode};
-    for (const Id<Chart::Step> step : chart.steps.ids()) {
-        const std::string name = name_in_chart(chart, step);
-        controller.steps.push_back(run.steps.add({name, name, ""}));
-    }
+    for (const Id<Chart::Step> step : chart.steps.ids())
+        controller.steps.push_back(run.steps.add({name_of(chart, step), "", ""}));
     shorten_names(run.steps);
     for (const Chart::Transition& transition : chart.transitions)
         controller.transitions.push_back(run.transitions.add({transition.name}));

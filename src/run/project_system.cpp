@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "ir/step_names.hpp"
 #include "run/project.hpp"
 #include "support/overloaded.hpp"
 
@@ -67,8 +66,8 @@ private:
             made.images.resize(made.outputs.size());
             for (const auto& timer : from.timers)
                 made.timers.push_back(
-                    made_.timers.add({from.name, timer.step ? step_variable_name(from.steps[*timer.step].name) : "",
-                                      timer.step, timer.rise_ms, timer.fall_ms, false}));
+                    made_.timers.add({from.name, timer.step ? from.steps[*timer.step].name.variable() : "", timer.step,
+                                      timer.rise_ms, timer.fall_ms, false}));
             made_.controllers.add(std::move(made));
         }
         shorten_names(made_.steps);
@@ -103,9 +102,10 @@ private:
         std::int64_t& shown = shown_[symbol.index];
         return std::exchange(shown, next[symbol.index]) != next[symbol.index];
     }
-    bool take(const std::vector<System::Named>& list, const Values& next) {
+    template <class Named>
+    bool take(const std::vector<Named>& list, const Values& next) {
         bool changed = false;
-        for (const System::Named& named : list) changed = take(named.variable, next) || changed;
+        for (const Named& named : list) changed = take(named.variable, next) || changed;
         return changed;
     }
 

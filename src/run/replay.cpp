@@ -147,8 +147,8 @@ private:
         std::vector<std::string> theirs, ours;
         for (const Id<Chart::Step> id : chart_.steps.ids()) {
             const Id<ChartRun::Step> step = controller_.steps[id.index];
-            if (std::ranges::binary_search(now.situation, step)) theirs.push_back(run_.steps[step].name);
-            if (state_.situation[id.index]) ours.push_back(run_.steps[step].name);
+            if (std::ranges::binary_search(now.situation, step)) theirs.push_back(run_.steps[step].name.text());
+            if (state_.situation[id.index]) ours.push_back(run_.steps[step].name.text());
         }
         if (theirs == ours) return {};
         return "situation " + listed(theirs) + ", by the rules " + listed(ours);

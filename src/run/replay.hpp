@@ -44,7 +44,7 @@ std::optional<Clash> clash(const ChartRun& run, std::span<const Chart* const> ch
 /// Of an untimed run: two times over one step, of which a cycle samples the longer as over and the shorter as not. No
 /// plant gives such a run.
 struct Untimely {
-    std::string step = {};  ///< as the chart names it
+    StepName step = {};
     std::int64_t longer_ms = 0, shorter_ms = 0;
 };
 std::optional<Untimely> untimely(const ChartRun& run);

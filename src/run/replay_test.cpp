@@ -21,7 +21,7 @@ public:
             if (std::string what = this->scan(step); !what.empty()) return what + " in scan " + std::to_string(scan);
         std::string situation = "{";
         for (const Id<Chart::Step> id : chart_.steps.ids())
-            if (state_.situation[id.index]) situation += (situation.size() > 1 ? "," : "") + qualified(id);
+            if (state_.situation[id.index]) situation += (situation.size() > 1 ? "," : "") + name_of(chart_, id).text();
         const std::string& expected = test_.situations[step.situation].text;
         const std::string between = " or ";
         const bool one_of =
@@ -32,12 +32,6 @@ public:
     void power_up() { state_ = power_on(chart_); }
 
 private:
-    std::string qualified(Id<Chart::Step> step) const {
-        const Id<Chart::PartialChart> partial = chart_.steps[step].chart;
-        const bool named = partial.valid() && !chart_.partial_charts[partial].name.empty();
-        return (named ? chart_.partial_charts[partial].name + '.' : "") + chart_.steps[step].name;
-    }
-
     std::string scan(const TestSequence::Step& step) {
         std::size_t input = 0;
         for (const Id<Chart::Variable> id : chart_.variables.ids())

@@ -26,6 +26,13 @@ struct Guarded {
     Id<Expr> guard = {};  ///< over symbols of main
 };
 
+/// Of `instance.symbol` in main the name of the symbol.
+const std::string& own_name(const System& system, const Symbol& symbol) {
+    const auto* const member = std::get_if<System::MemberSymbol>(&symbol.kind);
+    if (member == nullptr) return symbol.name;
+    return system.modules[system.instances[member->instance].module].symbols[member->symbol].name;
+}
+
 /// Per symbol of main that guards read: the parameter of the observer's module. The instance gets its arguments.
 std::unordered_map<std::uint32_t, Id<Symbol>> add_parameters(Main& main, Id<System::Instance> instance, Draft& draft,
                                                              const std::vector<Guarded>& edges) {
@@ -36,7 +43,7 @@ std::unordered_map<std::uint32_t, Id<Symbol>> add_parameters(Main& main, Id<Syst
             const auto [known, fresh] = parameters.try_emplace(outer);
             if (!fresh) continue;
             const Symbol& read = main.draft.module.symbols[{outer}];
-            known->second = draft.add(read.name.substr(read.name.rfind('.') + 1), read.type, System::ParameterSymbol{});
+            known->second = draft.add(own_name(main.system, read), read.type, System::ParameterSymbol{});
             draft.module.symbols[known->second].values = read.values;
             main.system.instances[instance].arguments.push_back({outer});
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "schedule/properties.hpp"
 
-#include "ir/step_names.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif::schedule {
@@ -70,7 +69,7 @@ void add_all_steps(const LoopMeaning& meaning, const Property& property) {
         const std::string chart = meaning.equations.size() > 1 ? equations.name + "." : "";
         for (const Equations::StepActivity& step : equations.steps) {
             Property one = property;
-            one.name = property.name + "." + step_variable_name(chart + step.step);
+            one.name = property.name + "." + chart + step.step.variable();
             one.pattern = Pattern::Reachable;
             one.operands = {meaning.main.draft.leaf(meaning.variable(controller, step.variable))};
             meaning.main.system.properties.add(std::move(one));

@@ -47,7 +47,7 @@ std::string disagreement(const Chart& chart, const Equations& equations, const C
     if (fault != 0) return {};
     for (std::size_t k = 0; k < equations.steps.size(); ++k)
         if (plc.value(equations.variables[equations.steps[k].variable].name) != (run.state.situation[k] ? 1 : 0))
-            return "step " + equations.steps[k].step;
+            return "step " + equations.steps[k].step.text();
     return {};
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/step_name.hpp"
 #include "grafverif/ir/type.hpp"
 #include "grafverif/support/source.hpp"
 #include "grafverif/support/table.hpp"
@@ -143,7 +144,9 @@ struct Chart {
     bool operator==(const Chart&) const = default;
 };
 
-/// The name of a step as its variable is written: `X2`, or `G2.X2` for a step of the named partial chart G2.
+StepName name_of(const Chart& chart, Id<Chart::Step> step);
+
+/// Its step variable: `X2`, or `G2.X2` for a step of the named partial chart G2.
 std::string step_variable(const Chart& chart, Id<Chart::Step> step);
 
 /// The invariants that do not hold, one sentence each; empty for a well-formed chart.

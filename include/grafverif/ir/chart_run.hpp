@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "grafverif/ir/execution.hpp"
+#include "grafverif/ir/step_name.hpp"
 #include "grafverif/ir/type.hpp"
 #include "grafverif/support/table.hpp"
 
@@ -42,9 +43,12 @@ struct ChartRun {
         bool operator==(const Signal&) const = default;
     };
     struct Step {
-        std::string name = {};        ///< in its chart: `2`, `G2.2`
-        std::string full_name = {};   ///< the same; of several controllers `press.2`
+        StepName name = {};           ///< in its chart
+        std::string controller = {};  ///< empty: there is one alone
         std::string short_name = {};  ///< without what is not needed to tell it from the others
+
+        /// `2`, `G2.2`; of several controllers `press.2`, `press.G2.2`.
+        std::string full_name() const { return (controller.empty() ? "" : controller + ".") + name.text(); }
         bool operator==(const Step&) const = default;
     };
     struct Transition {
@@ -160,7 +164,7 @@ std::string_view word(ChartRun::Kind kind);
 /// `input`, `output`, `internal`, `image`, `plant`.
 std::string_view word(ChartRun::Role role);
 
-/// Gives each step the last part of its full name for a short one, where that is enough to know it by.
+/// Gives each step its name without any partial chart and controller for a short one, where that is enough to know it by.
 void shorten_names(Table<ChartRun::Step>& steps);
 
 /// When a state is: its time, `12 s`, or the number of steps, `3`.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "grafverif/ir/execution.hpp"
+#include "grafverif/ir/step_name.hpp"
 #include "grafverif/support/id.hpp"
 
 namespace grafverif {
@@ -18,6 +19,11 @@ namespace grafverif {
 /// `Variable`: what a state of the model gives a value.
 template <class Variable>
 struct ControllerWords {
+    struct Step {
+        StepName name = {};
+        Id<Variable> variable = {};
+        bool operator==(const Step&) const = default;
+    };
     struct Named {
         std::string name = {};
         Id<Variable> variable = {};
@@ -32,7 +38,7 @@ struct ControllerWords {
 
     std::string name = {};
     ExecutionMode mode = ExecutionMode::StabilitySearch;
-    std::vector<Named> steps = {};        ///< `2`, `G2.2`
+    std::vector<Step> steps = {};
     std::vector<Named> transitions = {};  ///< its firing condition
     std::vector<Named> inputs = {};
     std::vector<Named> outputs = {};  ///< as written to the plant

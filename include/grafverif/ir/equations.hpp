@@ -30,6 +30,7 @@
 #include <vector>
 
 #include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/step_name.hpp"
 #include "grafverif/ir/type.hpp"
 #include "grafverif/support/source.hpp"
 #include "grafverif/support/table.hpp"
@@ -60,7 +61,7 @@ struct Equations {
         Id<Expr> next = {};
         Id<Expr> activated = {};    ///< X_s' and not X_s, over firing conditions and X_s
         Id<Expr> deactivated = {};  ///< X_s and not X_s'
-        std::string step = {};      ///< as the chart names it, qualified: `2`, `G2.2`
+        StepName step = {};
         Span origin = {};
         bool operator==(const StepActivity&) const = default;
     };

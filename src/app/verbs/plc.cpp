@@ -27,7 +27,7 @@ std::vector<Id<Chart::Variable>> variables_of_kind(const Chart& chart, Chart::Va
 std::string situation_text(const Chart& chart, const std::vector<bool>& situation) {
     std::string text;
     for (const Id<Chart::Step> step : chart.steps.ids())
-        if (situation[step.index]) text += (text.empty() ? "" : ", ") + step_variable(chart, step).substr(1);
+        if (situation[step.index]) text += (text.empty() ? "" : ", ") + name_of(chart, step).text();
     return "{" + text + "}";
 }
 

@@ -182,7 +182,9 @@ private:
     }
 
     void check_words(const ControllerWords<Network::Variable>& words, const std::string& where) {
-        for (const auto* list : {&words.steps, &words.transitions, &words.inputs, &words.outputs, &words.internals})
+        for (const auto& [name, variable] : words.steps)
+            if (!network_.variables.contains(variable)) fault(where + ": `" + name.text() + "` stands for no variable");
+        for (const auto* list : {&words.transitions, &words.inputs, &words.outputs, &words.internals})
             for (const auto& [name, variable] : *list)
                 if (!network_.variables.contains(variable)) fault(where + ": `" + name + "` stands for no variable");
         for (const auto& timer : words.timers) {

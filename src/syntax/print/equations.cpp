@@ -178,7 +178,7 @@ void print_equations_json(std::ostream& out, const Equations& equations) {
     Json steps = Json::array();
     for (const Equations::StepActivity& step : equations.steps)
         steps.push_back({{"variable", name(equations, step.variable)},
-                         {"step", step.step},
+                         {"step", step.step.text()},
                          {"initial", equations.variables[step.variable].initial != 0},
                          {"equation", plain(equations, step.next)}});
     Json stored = Json::array();

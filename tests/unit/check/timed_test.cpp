@@ -388,10 +388,11 @@ TEST(TimedEngine, ExpandsTheStepsOfAReachabilityProperty) {
     const auto two = s.network.variables.add({.name = "X_2", .role = Network::Role::Step});
     const auto three = s.network.variables.add({.name = "X_3", .role = Network::Role::Step});
     const auto p = s.process("p", 2);
-    s.network.controllers.add({.words = {.name = "press", .steps = {{"1", one}, {"G2.2", two}, {"3", three}}},
-                               .process = p,
-                               .waiting = {0},
-                               .stable = s.boolean("stable")});
+    s.network.controllers.add(
+        {.words = {.name = "press", .steps = {{{"", "1"}, one}, {{"G2", "2"}, two}, {{"", "3"}, three}}},
+         .process = p,
+         .waiting = {0},
+         .stable = s.boolean("stable")});
     s.edge(p, {.from = 0, .to = 1, .set = {{one, s.no(s.yes())}, {two, s.yes()}}});
     s.property("S", Pattern::ReachableAllSteps);
     const TimedResult result = checked(s.network);

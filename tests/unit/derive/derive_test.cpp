@@ -41,7 +41,7 @@ TEST(Derive, NamesVariablesAfterStepsTransitionsAndTimers) {
                                                   "T_X1_3s_Q", "T_G_X1_250ms_Q"}));
     EXPECT_EQ(e.timers[0].name, "T_X1_3s");
     EXPECT_EQ(e.timers[1].name, "T_G_X1_250ms");
-    EXPECT_EQ(e.steps[3].step, "G.7");
+    EXPECT_EQ(e.steps[3].step.text(), "G.7");
 }
 
 TEST(Derive, GivesATakenNameANumber) {

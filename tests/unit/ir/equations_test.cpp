@@ -26,7 +26,8 @@ struct Small {
         Exprs& exprs = equations.exprs;
         const Id<Expr> no = exprs.constant(false);
         equations.firings.push_back({fires, leaf(start), "t0", {}});
-        equations.steps.push_back({active, exprs.disjunction(leaf(fires), leaf(active)), leaf(fires), no, "1", {}});
+        equations.steps.push_back(
+            {active, exprs.disjunction(leaf(fires), leaf(active)), leaf(fires), no, {"", "1"}, {}});
         equations.stored.push_back({count, leaf(count), no, leaf(count), no, {}});
         equations.timers.push_back({"T_X1_1s", active, end, 1000, 0, {}});
         equations.outputs.push_back({lamp, leaf(active), {}});

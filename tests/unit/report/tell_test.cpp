@@ -197,7 +197,7 @@ TEST(Tell, NamesStepsInFullOnlyWhereThatIsNeeded) {
     const ChartRun trace = told(loop.network, {});
     std::vector<std::string> full, shorter;
     for (const ChartRun::Step& step : trace.steps) {
-        full.push_back(step.full_name);
+        full.push_back(step.full_name());
         shorter.push_back(step.short_name);
     }
     EXPECT_EQ(full, (std::vector<std::string>{"1", "2", "G2.2", "G2.3"}));

@@ -11,7 +11,8 @@ inline ChartRun sample_run() {
     using Kind = ChartRun::Kind;
     using Role = ChartRun::Role;
     ChartRun run;
-    for (const char* name : {"0", "1", "G2.2"}) run.steps.add({name, name, ""});
+    for (const StepName& name : {StepName{"", "0"}, StepName{"", "1"}, StepName{"G2", "2"}})
+        run.steps.add({name, "", ""});
     shorten_names(run.steps);
     for (const char* name : {"t1", "t2", "t3"}) run.transitions.add({name});
     run.signals.add({Role::Input, "START", {}});

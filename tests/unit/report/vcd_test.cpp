@@ -109,5 +109,15 @@ TEST(Vcd, HasCodesForMoreSignalsThanCharacters) {
     EXPECT_EQ(codes.size(), 20'010u);
 }
 
+TEST(Vcd, StepsStandInTheModulesOfTheirControllerAndPartialChart) {
+    ChartRun run = sample_run();
+    for (ChartRun::Step& step : run.steps) step.controller = "press";
+    std::ostringstream out;
+    print_vcd(run, out);
+    const Waves waves = read(out.str());
+    EXPECT_TRUE(waves.codes.contains("steps.press.X1"));
+    EXPECT_TRUE(waves.codes.contains("steps.press.G2.X2"));
+}
+
 }  // namespace
 }  // namespace grafverif

@@ -285,7 +285,7 @@ Network station() {
     for (const auto p : h.network.templates[timer_template].parameters.ids())
         if (p.index == 0) h.network.templates[timer_template].parameters[p].type = integer_type(0, 60000);
 
-    h.network.controllers.add({.words = {.name = "handling", .steps = {{"0", w.x0}, {"G2.1", w.x1}}},
+    h.network.controllers.add({.words = {.name = "handling", .steps = {{{"", "0"}, w.x0}, {{"G2", "1"}, w.x1}}},
                                .process = plc,
                                .waiting = {0},
                                .stable = w.stable,
