@@ -7,6 +7,7 @@
 
 #include "conform/input_space.hpp"
 #include "support/messages.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
@@ -215,11 +216,11 @@ private:
                 std::to_string(values[k]));
         for (std::size_t k = 0; k < levels_.size(); ++k)
             if (place.ages[k] >= 0 && levels_[k].longest > 0)
-                add(level_name(levels_[k]) + " for " + std::to_string(place.ages[k]) + " ms");
+                add(level_name(levels_[k]) + " for " + duration_text(place.ages[k]));
         for (const Timer& timer : timers_)
             if (timer.fall_ms > 0 && place.falls[timer.fall] >= 0)
                 add(automaton_.inputs[timer.input].name + " for " +
-                    std::to_string(timer.fall_ms - place.falls[timer.fall]) + " ms more");
+                    duration_text(timer.fall_ms - place.falls[timer.fall]) + " more");
         return text;
     }
 

@@ -63,9 +63,10 @@ Diagnostic too_many_pairs(Span where, std::size_t states, std::uint64_t limit) {
 Diagnostic too_many_nodes(std::size_t nodes, std::size_t limit) {
     return error(
         "too-large", {},
-        fmt::format("{} states make no drawing that a person could read, the limit is {}; `--format dot` is for "
-                    "Graphviz",
-                    nodes, limit));
+        fmt::format(
+            "{} states make no drawing or table that a person could read, the limit is {}; `--format dot` is for "
+            "Graphviz",
+            nodes, limit));
 }
 
 Diagnostic too_many_states(Span where, std::uint64_t limit) {

@@ -26,10 +26,14 @@ void print_to_output(Job& job, const Streams& streams, Print print) {
 
 /// False after an error.
 bool draw(const Diagram& drawn, Job& job, const Streams& streams) {
-    if (job.options.format == Format::Svg && drawn.nodes.size() > largest_drawing) {
-        job.diagnostics.add(messages::too_many_nodes(drawn.nodes.size(), largest_drawing));
+    const std::size_t nodes = job.options.format == Format::Svg ? drawn.nodes.size() : 0;
+    if (nodes > largest_table) {
+        job.diagnostics.add(messages::too_many_nodes(nodes, largest_table));
         return false;
     }
+    if (nodes > largest_drawing && !job.options.quiet)
+        streams.err << fmt::format("note: {} locations are more than a drawing shows, {}; a table is written instead\n",
+                                   nodes, largest_drawing);
     print_to_output(job, streams, [&](std::ostream& out) {
         job.options.format == Format::Svg ? emit_svg(drawn, out) : emit_dot(drawn, out);
     });

@@ -38,10 +38,12 @@ Diagram diagram(const LocationAutomaton& automaton);
 Diagram diagram(const MealyMachine& machine);
 
 void emit_dot(const Diagram& diagram, std::ostream& out);
-/// Requires a diagram that a person could look at: see `largest_drawing`.
+/// A drawing, or of more nodes than `largest_drawing` a table.
 void emit_svg(const Diagram& diagram, std::ostream& out);
 
-/// More nodes than this are not laid out here; Graphviz takes the DOT file.
-inline constexpr std::size_t largest_drawing = 200;
+/// More nodes than this make no drawing that a person could read.
+inline constexpr std::size_t largest_drawing = 60;
+/// And more than this no table; Graphviz takes the DOT file.
+inline constexpr std::size_t largest_table = 200;
 
 }  // namespace grafverif

@@ -49,6 +49,23 @@ TEST(Diagrams, ALongRingIsCheckedUntilTheTimeIsUp) {
     EXPECT_TRUE(result.code == ExitCode::Unknown || result.code == ExitCode::Done) << result.out << result.err;
 }
 
+TEST(Diagrams, AnAutomatonIsDrawnOrATableOrLeftToGraphviz) {
+    const Folder folder;
+    const auto drawn = [&](std::size_t steps) {
+        return grafverif({"automaton", folder.write("ring.grafcet", long_ring(steps)), "--format", "svg"});
+    };
+    const Result drawing = drawn(40), table = drawn(100), neither = drawn(300);
+    EXPECT_NE(drawing.out.find("<path class=\"arrow\""), std::string::npos);
+    EXPECT_EQ(drawing.err, "");
+    EXPECT_EQ(table.code, ExitCode::Done);
+    EXPECT_EQ(table.out.find("<path class=\"arrow\""), std::string::npos);
+    EXPECT_NE(table.out.find("to 7: "), std::string::npos);
+    EXPECT_EQ(table.err, "note: 101 locations are more than a drawing shows, 60; a table is written instead\n");
+    EXPECT_EQ(neither.code, ExitCode::Input);
+    EXPECT_EQ(neither.out, "");
+    EXPECT_NE(neither.err.find("[too-large]"), std::string::npos) << neither.err;
+}
+
 TEST(Diagrams, AChartWithoutInputsHasATest) {
     const Folder folder;
     const std::string file = folder.write("pulse.grafcet",

@@ -106,6 +106,9 @@ TEST(Plc, StopsWithAReasonWhereTheChartCannotGoOn) {
              Case{"input a; output L; initial step 0; step 1 { L; }\n"
                   "transition t: 0 -> 1 when a; transition u: 1 -> 0 when a;",
                   "total instability: with these inputs the situation never becomes stable: {1}, {0}, and so on"},
+             Case{"input a; output L; partial G2 { initial step 0; step 1 { L; }\n"
+                  "transition t: 0 -> 1 when a; transition u: 1 -> 0 when a; }",
+                  "total instability: with these inputs the situation never becomes stable: {G2.1}, {G2.0}, and so on"},
              Case{"input a; output L; internal N: int 0..3 = 0; initial step 0; step 1 { N := 1 on activation; L; }\n"
                   "step 2 { N := 2 on activation; } transition t: 0 -> 1, 2 when a;",
                   "race: two actions store different values in `N`"},

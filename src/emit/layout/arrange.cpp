@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: MIT
+// Orders and places by turns: each item is drawn to where its lines lead, first from the layer before it, then from the
+// one behind. The places of a layer are then the nearest ones that keep its order and leave gaps (isotonic regression:
+// what would overlap is merged into blocks that stand at the mean of their wishes). The turn with the shortest lines on
+// tracks wins.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "emit/layout/channels.hpp"
+
+namespace grafverif::layout {
+
+namespace {
+
+/// Lines of different nets that run side by side are at least so far apart.
+constexpr int line_gap = 4;
+
+int gap(const Item& above, const Item& below) {
+    return above.lane && below.lane ? 10 : above.lane || below.lane ? 13 : 24;
+}
+
+/// Where an item would like to begin.
+struct Wish {
+    double sum = 0, weight = 0;
+    void add(double place, double by) {
+        sum += by * place;
+        weight += by;
+    }
+};
+
+class Arranger {
+public:
+    explicit Arranger(Layers& layers) : layers_(layers), wishes_(layers.items.size()) {
+        for (std::vector<std::size_t>& order : layers_.order) place(order);
+        for (std::size_t node = 0; node < layers_.arrows.size(); ++node) lay_rows(node);
+    }
+
+    void arrange() {
+        constexpr int turns = 10;
+        const std::size_t count = layers_.order.size();
+        Layers best;
+        double shortest = std::numeric_limits<double>::infinity();
+        for (int turn = 0; turn < turns; ++turn) {
+            for (std::size_t layer = 1; layer < count; ++layer) draw(layer, true, false, true);
+            for (std::size_t layer = count; layer-- > 0;) draw(layer, false, true, true);
+            for (std::size_t node = 0; node < layers_.arrows.size(); ++node) lay_rows(node);
+            for (int again = 0; again < 2; ++again) {
+                for (std::size_t layer = 0; layer < count; ++layer) draw(layer, true, true, false);
+                for (std::size_t layer = count; layer-- > 0;) draw(layer, true, true, false);
+            }
+            const double now = cost();
+            if (now >= shortest) continue;
+            shortest = now;
+            best = layers_;
+        }
+        if (count > 0) layers_ = std::move(best);
+        for (std::size_t layer = 1; layer < count; ++layer) straighten_nodes(layer);
+        straighten_lanes();
+        for (std::size_t layer = 0; layer < count; ++layer) settle(layer);
+        to_origin();
+    }
+
+private:
+    /// Draws the items of a layer to where their lines lead, before and behind it; `anew`: in an order that fits.
+    void draw(std::size_t layer, bool before, bool behind, bool anew) {
+        std::vector<std::size_t>& order = layers_.order[layer];
+        for (const std::size_t item : order) wishes_[item] = {};
+        if (before && layer > 0)
+            for (const Net& net : layers_.channels[layer - 1]) wish_before(layer - 1, net);
+        if (behind)
+            for (const Net& net : layers_.channels[layer]) wish_behind(layer, net);
+        if (anew)
+            std::ranges::stable_sort(
+                order, {}, [this](std::size_t item) { return wished(item) + layers_.items[item].size / 2.0; });
+        place(order);
+    }
+
+    /// Lines that go forward are to be straight first, then lanes; nodes do not care much for those that go back.
+    double weight(std::size_t channel, const Net& net, std::size_t item) const {
+        if (layers_.depth[net.target] > channel) return 8;
+        return layers_.items[item].lane ? 2 : 0.25;
+    }
+
+    void wish_before(std::size_t channel, const Net& net) {
+        double sum = 0;
+        for (const Port& port : net.near) sum += near_place(layers_, port);
+        for (const Port& port : net.far)
+            wishes_[port.item].add(sum / static_cast<double>(net.near.size()) - layers_.items[port.item].entry,
+                                   weight(channel, net, port.item));
+    }
+
+    void wish_behind(std::size_t channel, const Net& net) {
+        double sum = 0;
+        for (const Port& port : net.near) sum += near_place(layers_, port);
+        for (const Port& port : net.far) sum += far_place(layers_, port);
+        const auto others = static_cast<double>(net.near.size() + net.far.size() - 1);
+        for (const Port& port : net.near) {
+            const double here = near_place(layers_, port);
+            wishes_[port.item].add((sum - here) / others - (here - layers_.items[port.item].at),
+                                   weight(channel, net, port.item));
+        }
+    }
+
+    double wished(std::size_t item) const {
+        const Wish& wish = wishes_[item];
+        return wish.weight == 0 ? layers_.items[item].at : wish.sum / wish.weight;
+    }
+
+    /// As near to the wishes as order and gaps allow.
+    void place(const std::vector<std::size_t>& order) {
+        struct Block {
+            double sum = 0, weight = 0;  ///< of the wishes for where the first item would begin
+            std::size_t items = 0;
+            double begin() const { return sum / weight; }
+        };
+        std::vector<Block> blocks;
+        std::vector<double> offsets;
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            const Item* const last = k > 0 ? &layers_.items[order[k - 1]] : nullptr;
+            offsets.push_back(last == nullptr ? 0 : offsets.back() + last->size + gap(*last, layers_.items[order[k]]));
+            const double weight = std::max(0.1, wishes_[order[k]].weight);
+            Block block{weight * (wished(order[k]) - offsets.back()), weight, 1};
+            for (; !blocks.empty() && blocks.back().begin() >= block.begin(); blocks.pop_back()) {
+                block.sum += blocks.back().sum;
+                block.weight += blocks.back().weight;
+                block.items += blocks.back().items;
+            }
+            blocks.push_back(block);
+        }
+        std::size_t k = 0;
+        for (const Block& block : blocks)
+            for (std::size_t left = block.items; left > 0; --left, ++k)
+                layers_.items[order[k]].at = block.begin() + offsets[k];
+    }
+
+    /// Rows are in the order of the places where their lines lead; loops come first, what leads nowhere last.
+    void lay_rows(std::size_t node) {
+        Item& item = layers_.items[node];
+        std::vector<std::size_t>& arrows = layers_.arrows[node];
+        std::ranges::stable_sort(arrows, {}, [&](std::size_t arrow) { return destination(node, arrow); });
+        if (arrows.size() == 1 && !item.is_reached_back) {
+            layers_.rows[arrows.front()].at = item.size / 2;
+            return;
+        }
+        int at = (item.size - item.rows) / 2;
+        if (item.is_reached_back) {
+            item.back_entry = at + back_room / 2;
+            at += back_room;
+        }
+        for (const std::size_t arrow : arrows) {
+            Row& row = layers_.rows[arrow];
+            row.at = at + row.before;
+            at = row.at + row.behind;
+        }
+    }
+
+    double destination(std::size_t node, std::size_t arrow) const {
+        constexpr double end = std::numeric_limits<double>::infinity();
+        const std::size_t to = layers_.rows[arrow].to;
+        if (to == node || to == nothing) return to == node ? -end : end;
+        const Net& net = layers_.net(layers_.depth[node], to);
+        const bool forward = layers_.depth[to] > layers_.depth[node];
+        return forward ? far_place(layers_, net.far.front()) : near_place(layers_, net.near.front());
+    }
+
+    /// Moves nodes to where a line from the layer before runs straight into them, where there is room for that.
+    void straighten_nodes(std::size_t layer) {
+        constexpr int corner = 10;
+        const std::vector<std::size_t>& order = layers_.order[layer];
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            Item& item = layers_.items[order[k]];
+            const auto known = layers_.net_of[layer - 1].find(item.node);
+            if (item.lane || known == layers_.net_of[layer - 1].end()) continue;
+            const double middle = item.at + item.size / 2;
+            double off = std::numeric_limits<double>::infinity();
+            for (const Port& port : layers_.channels[layer - 1][known->second].near)
+                if (const double here = near_place(layers_, port) - middle; std::abs(here) < std::abs(off)) off = here;
+            const Extent room = room_of(order, k);
+            const double at = std::max(room.low, std::min(room.high, item.at + off));
+            if (std::abs(item.at + off - at) <= item.size / 2 - corner) item.at = at;
+        }
+    }
+
+    /// Puts the lanes of a line that goes back in one line, as far as there is room between their neighbours.
+    void straighten_lanes() {
+        std::vector<std::size_t> place_of(layers_.items.size());
+        for (const std::vector<std::size_t>& order : layers_.order)
+            for (std::size_t k = 0; k < order.size(); ++k) place_of[order[k]] = k;
+        std::map<std::size_t, std::vector<std::size_t>> runs;  // lanes by target, and so by layers
+        for (std::size_t layer = 0; layer < layers_.order.size(); ++layer)
+            for (const std::size_t item : layers_.order[layer])
+                if (layers_.items[item].lane) runs[layers_.items[item].node].push_back(item);
+        for (const auto& [target, lanes] : runs) {
+            std::size_t layer = layers_.depth[target] + 1;
+            for (std::size_t begin = 0, end = 0; begin < lanes.size(); begin = end) {
+                Extent room = {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+                double sum = 0;
+                for (; end < lanes.size(); ++end) {
+                    const Extent here = room_of(layers_.order[layer + end], place_of[lanes[end]]);
+                    const Extent both = {std::max(room.low, here.low), std::min(room.high, here.high)};
+                    if (end > begin && both.low > both.high) break;
+                    room = both;
+                    sum += layers_.items[lanes[end]].at;
+                }
+                const double mean = sum / static_cast<double>(end - begin);
+                for (std::size_t k = begin; k < end; ++k)
+                    layers_.items[lanes[k]].at = std::max(room.low, std::min(room.high, mean));
+            }
+        }
+    }
+
+    /// Between which places the `k`th item of a layer can be moved.
+    Extent room_of(const std::vector<std::size_t>& order, std::size_t k) const {
+        constexpr double far = std::numeric_limits<double>::infinity();
+        const Item& item = layers_.items[order[k]];
+        const Item* const above = k > 0 ? &layers_.items[order[k - 1]] : nullptr;
+        const Item* const below = k + 1 < order.size() ? &layers_.items[order[k + 1]] : nullptr;
+        return {above == nullptr ? -far : above->at + above->size + gap(*above, item),
+                below == nullptr ? far : below->at - gap(item, *below) - item.size};
+    }
+
+    double cost() const {
+        double sum = 0;
+        for (const std::vector<Net>& channel : layers_.channels)
+            for (const Net& net : channel) {
+                const auto [low, high] = extent(layers_, net);
+                sum += high - low;
+            }
+        return sum;
+    }
+
+    /// Gives the items of a layer whole places, and nodes an entry, beside no line of another net.
+    void settle(std::size_t layer) {
+        std::map<int, std::size_t> lines;  // that come into the channel before the layer, with their targets
+        if (layer > 0)
+            for (const Net& net : layers_.channels[layer - 1])
+                for (const Port& port : net.near) lines[static_cast<int>(near_place(layers_, port))] = net.target;
+        const Item* last = nullptr;
+        for (const std::size_t k : layers_.order[layer]) {
+            Item& item = layers_.items[k];
+            int at = static_cast<int>(std::lround(item.at));
+            const int least = last == nullptr ? at - jog : static_cast<int>(last->at) + last->size + gap(*last, item);
+            at = std::max(at, least);
+            if (item.lane) at = continued(item, at, least, lines);
+            while (!enter(item, at, lines)) ++at;
+            item.at = at;
+            last = &item;
+        }
+    }
+
+    static constexpr int jog = 12;  ///< no lane turns for less
+
+    /// The place of the line that a lane goes on from, where that is near `at`.
+    static int continued(const Item& lane, int at, int least, const std::map<int, std::size_t>& lines) {
+        for (auto line = lines.lower_bound(std::max(least, at - jog)); line != lines.end() && line->first <= at + jog;
+             ++line)
+            if (line->second == lane.node) return line->first;
+        return at;
+    }
+
+    /// Finds an entry for lines to an item that begins at `at`: of a lane, there; of a node, straight on from a line to it,
+    /// else as near to its middle as can be.
+    static bool enter(Item& item, int at, const std::map<int, std::size_t>& lines) {
+        constexpr int corner = 8;
+        const auto is_free = [&](int place) {
+            const auto end = lines.lower_bound(place + line_gap);
+            return std::all_of(lines.lower_bound(place - line_gap + 1), end,
+                               [&](const auto& line) { return line.second == item.node; });
+        };
+        if (item.lane) return is_free(at);
+        int wish = item.size / 2;
+        const auto end = lines.upper_bound(at + item.size - corner);
+        for (auto line = lines.lower_bound(at + corner); line != end; ++line)
+            if (line->second == item.node) wish = line->first - at;
+        for (int away = 0; away < item.size; ++away)
+            for (const int entry : {wish - away, wish + away}) {
+                if (entry < corner || entry > item.size - corner || !is_free(at + entry)) continue;
+                item.entry = entry;
+                return true;
+            }
+        return false;
+    }
+
+    void to_origin() {
+        double low = std::numeric_limits<double>::infinity();
+        for (const Item& item : layers_.items) low = std::min(low, item.at);
+        for (Item& item : layers_.items) item.at -= low;
+    }
+
+    Layers& layers_;
+    std::vector<Wish> wishes_;
+};
+
+/// The places of a net on both sides of its track.
+struct Sides {
+    std::vector<double> near = {}, far = {};
+    Extent extent = {};
+};
+
+/// How many of `places` lie within `extent`.
+std::ptrdiff_t within(const std::vector<double>& places, Extent extent) {
+    return std::ranges::lower_bound(places, extent.high) - std::ranges::upper_bound(places, extent.low);
+}
+
+/// How many lines cross where the track of `first` comes before that of `second`.
+std::ptrdiff_t crossings_between(const Sides& first, const Sides& second) {
+    return within(first.far, second.extent) + within(second.near, first.extent);
+}
+
+std::vector<Sides> places_of_nets(const Layers& layers, const std::vector<Net>& channel) {
+    std::vector<Sides> list;
+    for (const Net& net : channel) {
+        Sides& each = list.emplace_back();
+        for (const Port& port : net.near) each.near.push_back(near_place(layers, port));
+        for (const Port& port : net.far) each.far.push_back(far_place(layers, port));
+        std::ranges::sort(each.near);
+        std::ranges::sort(each.far);
+        each.extent = extent(layers, net);
+    }
+    return list;
+}
+
+}  // namespace
+
+Extent extent(const Layers& layers, const Net& net) {
+    Extent extent{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    const auto include = [&extent](double place) {
+        extent = {std::min(extent.low, place), std::max(extent.high, place)};
+    };
+    for (const Port& port : net.near) include(near_place(layers, port));
+    for (const Port& port : net.far) include(far_place(layers, port));
+    return extent;
+}
+
+void arrange(Layers& layers) { Arranger(layers).arrange(); }
+
+std::size_t assign_tracks(const Layers& layers, std::vector<Net>& channel) {
+    constexpr int turns = 12, track_room = 6;
+    const std::vector<Sides> all = places_of_nets(layers, channel);
+    std::vector<std::size_t> order(channel.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&all](std::size_t net) { return all[net].extent.low; });
+    bool swapped = true;
+    for (int turn = 0; swapped && turn < turns; ++turn) {
+        swapped = false;
+        for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+            const Sides &first = all[order[k]], &second = all[order[k + 1]];
+            if (crossings_between(second, first) >= crossings_between(first, second)) continue;
+            std::swap(order[k], order[k + 1]);
+            swapped = true;
+        }
+    }
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        std::size_t& track = channel[order[k]].track;
+        const Extent here = all[order[k]].extent;
+        track = 0;
+        for (std::size_t before = 0; before < k; ++before) {
+            const Extent there = all[order[before]].extent;
+            if (there.low < here.high + track_room && here.low < there.high + track_room)
+                track = std::max(track, channel[order[before]].track + 1);
+        }
+        count = std::max(count, track + 1);
+    }
+    return count;
+}
+
+}  // namespace grafverif::layout
