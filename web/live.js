@@ -50,7 +50,7 @@ class Drawings {
         Object.assign(this, {lit, fired});
         for (const mark of this.place.querySelectorAll(".token, .tick")) mark.remove();
         for (const element of this.place.querySelectorAll(".lit, .fired")) element.classList.remove("lit", "fired");
-        this.mark(lit, "lit", (box) => draw("circle", {class: "token", cx: box.x + box.width / 2, cy: box.y + box.height - 7, r: 4}));
+        this.mark(lit, "lit", (box) => draw("circle", {class: "token", cx: box.x + box.width / 2, cy: box.y + box.height - 9, r: 3.5}));
         this.mark(fired, "fired", (box) => draw("path", {class: "tick",
             d: `M${box.x + box.width / 2 - 7} ${box.y + box.height + 1}h14l-7 10z`}));
     }
@@ -114,7 +114,8 @@ class Page {
 
     show(state) {
         document.title = `${state.file.split("/").pop()} \u2013 grafverif`;
-        by("file").textContent = state.file;
+        by("file").textContent = state.file.split("/").pop();
+        by("file").title = state.file;
         const [kind, words] = state.readable ? verdictWords(state) : ["bad", "it has errors"];
         by("status").className = kind;
         by("status").textContent = `${{good: "\u2713 ", bad: "\u2717 "}[kind] ?? ""}${words}`;

@@ -33,13 +33,15 @@ export class Simulator {
             if (event.key === "Enter") this.buttons.wait.click();
         }});
         this.count = make("input", {type: "number", min: 1, max: 1000, value: 20, "aria-label": "How many random moves"});
+        this.every = make("input", {type: "checkbox", onchange: () => this.setEvery(this.every.checked)});
         this.clock = make("p", {});
         this.problem = make("p", {class: "problem", role: "alert"});
         this.warning = make("p", {class: "warning", role: "status"});
         const {restart, back, again, next, wait, random, save} = this.buttons;
         this.controls = make("div", {},
             make("div", {class: "row"}, make("label", {}, "Simulate ", this.select), restart, back, again, save),
-            make("div", {class: "row"}, next, wait, this.time, random, this.count));
+            make("div", {class: "row"}, next, wait, this.time, random, this.count),
+            make("label", {class: "check", title: "Of a closed loop every edge is a choice then, the phases of the PLC included"}, this.every, " every evolution"));
         this.panel = make("div", {});
         this.rows = make("tbody", {});
         this.table = make("div", {class: "trace", tabindex: 0, role: "region", "aria-label": "What has happened; arrow keys go through it",
@@ -84,6 +86,12 @@ export class Simulator {
 
     // Moves
 
+    // Of a loop other moves are possible then.
+    setEvery(on) {
+        this.every.checked = on;
+        this.set(this.of?.startsWith("loop:") ? [] : this.moves);
+    }
+
     begin(of) {
         this.of = of;
         this.set([]);
@@ -106,13 +114,13 @@ export class Simulator {
     async play(random = 0) {
         if (this.of === null) return;
         const [kind, name] = [this.of.slice(0, this.of.indexOf(":")), this.of.slice(this.of.indexOf(":") + 1)];
-        const turn = ++this.asked;
+        const turn = ++this.asked, everything = this.every.checked;
         let answer = null;
         try {
-            answer = await this.ask({[kind]: name, moves: this.moves, random, seed: this.seed});
+            answer = await this.ask({[kind]: name, moves: this.moves, random, seed: this.seed, everything});
             const {problem, moves} = answer;
             // A move that could not be made is no part of the list.
-            if (problem && moves.length > 0) answer = {...await this.ask({[kind]: name, moves: moves.slice(0, -1)}), problem};
+            if (problem && moves.length > 0) answer = {...await this.ask({[kind]: name, moves: moves.slice(0, -1), everything}), problem};
         } catch (error) {
             answer = {complaint: error.message};
         }
@@ -201,14 +209,16 @@ export class Simulator {
     // The session as an address, and as a script
 
     write() {
-        this.written = `#sim=${encodeURIComponent([this.of, ...this.moves].join("\n"))}`;
+        this.written = `#${this.every.checked ? "every" : "sim"}=${encodeURIComponent([this.of, ...this.moves].join("\n"))}`;
         history.replaceState(null, "", this.written);
     }
 
     follow() {
-        if (!location.hash.startsWith("#sim=")) return;
+        const cut = location.hash.indexOf("="), kind = location.hash.slice(1, cut);
+        if (kind !== "sim" && kind !== "every") return;
         try {
-            [this.of, ...this.moves] = decodeURIComponent(location.hash.slice(5)).split("\n");
+            [this.of, ...this.moves] = decodeURIComponent(location.hash.slice(cut + 1)).split("\n");
+            this.every.checked = kind === "every";
             this.undone = [];
         } catch {
             this.problem.textContent = "The address is broken.";

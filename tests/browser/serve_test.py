@@ -118,6 +118,14 @@ class Serve(browser.Case):
         self.page.press(browser.Keys.ARROW_DOWN)
         self.assertEqual(self.page.script("return page.simulator.cursor"), 1)
 
+    def test_every_evolution_can_be_stepped_through(self):
+        self.serve(LAMP)
+        self.press("ON is false")
+        rows = len(self.page.all("#simulation tbody tr"))
+        self.page.find("#simulation .check input").click()
+        browser.eventually(lambda: len(self.page.all("#simulation tbody tr")) > rows, what="more rows")
+        self.assertIn("#every=", self.page.driver.current_url)
+
     def test_moves_stay_where_the_file_changes(self):
         self.serve(LAMP)
         self.press("ON is false")

@@ -104,6 +104,7 @@ public:
     }
 
     void notify() {
+        ++notices_;
         asio::post(context_, [this] {
             for (const std::shared_ptr<Connection>& waiting : std::exchange(waiting_, {})) waiting->ask(false);
         });
@@ -132,6 +133,7 @@ private:
         void ask(bool at_once) {
             timer_.cancel();
             asio::post(server_.threads_, [self = shared_from_this(), at_once] {
+                const std::uint64_t notices = self->server_.notices_;
                 std::optional<HttpAnswer> answer;
                 try {
                     answer = self->server_.handler_(self->request_, at_once);
@@ -140,8 +142,10 @@ private:
                 } catch (const std::exception&) {
                     answer = HttpAnswer{500, "text/plain", "there is no answer: a failure on our side\n"};
                 }
-                asio::post(self->server_.context_, [self, answer = std::move(answer)]() mutable {
-                    answer ? self->answer(std::move(*answer)) : self->wait();
+                asio::post(self->server_.context_, [self, notices, answer = std::move(answer)]() mutable {
+                    if (answer) return self->answer(std::move(*answer));
+                    // What has happened while the handler was asked may be what it waits for.
+                    self->server_.notices_ == notices ? self->wait() : self->ask(false);
                 });
             });
         }
@@ -298,6 +302,7 @@ private:
 
     HttpOptions options_;
     HttpHandler handler_;
+    std::atomic<std::uint64_t> notices_ = 0;
     std::size_t connections_ = 0;  ///< of the thread that reads and writes, like all that follows
     asio::io_context context_ = asio::io_context(1);
     std::vector<Tcp::acceptor> acceptors_ = {};
