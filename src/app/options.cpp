@@ -245,6 +245,12 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
              "write the first trace as a waveform for GTKWave to FILE"),
         text(Accepts::Traces, "trace-svg", "FILE", &Options::trace_svg,
              "write the first trace as a timing diagram to FILE"),
+        number(
+            Accepts::Traces, "from", "EVENT", {}, [](Options & options) -> auto& { return options.events.from; },
+            "the first event of the timing diagram, as it numbers them (default: 0)"),
+        number(
+            Accepts::Traces, "to", "EVENT", {}, [](Options & options) -> auto& { return options.events.to; },
+            "the last event of the timing diagram (default: that of the trace)"),
         text(Accepts::Walk, "script", "FILE", &Options::script, "take commands from FILE instead of standard input"),
         number(Accepts::Walk, "random", "SEED", {}, &Options::random_seed, "make a random walk instead"),
         number(Accepts::Walk, "steps", "N", {}, &Options::steps, "moves of the random walk (default: 100)"),
@@ -396,6 +402,7 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (!complaint.empty()) return {{}, complaint};
     if (options.help) return {options, {}};
     if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
+    if (options.events.from > options.events.to) return {{}, "`--from` is behind `--to`"};
     if (options.go_on && options.stop_on_failure) return {{}, "`--stop-on-failure` and `--go-on` exclude each other"};
     if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
     if (options.operands.size() > verb.most_operands)

@@ -15,6 +15,7 @@
 #include "grafverif/ir/drawing.hpp"
 #include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/test_sequence.hpp"
+#include "report/svg.hpp"
 
 namespace grafverif::app {
 
@@ -64,6 +65,7 @@ struct Options {
     std::optional<std::string> junit = {};
     std::string date = {};  ///< of `report`, to be shown
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
+    EventRange events = {};                         ///< of the trace as a timing diagram
     std::string against = {};                       ///< of `test`: the command that runs the controller
     std::optional<std::string> sequence = {};       ///< of `test`: the table to run; else it is made of the chart
     std::optional<std::uint64_t> patience_ms = {};  ///< of `test`: for one answer

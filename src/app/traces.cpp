@@ -17,7 +17,7 @@ std::vector<OutputFile> trace_files(const ChartRun& run, std::string_view title,
     }
     if (options.trace_svg) {
         std::ostringstream text;
-        print_svg(run, title, text);
+        print_svg(run, title, options.events, text);
         files.push_back({*options.trace_svg, std::move(text).str()});
     }
     return files;

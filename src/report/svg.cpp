@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Layout: the title, then the header with slanted labels, then the times, then the rows in groups, then the foot. All
-// lengths are in pixels; a character is taken as `character` wide.
+// Layout: the title, then strips of columns one below the other, then the foot. A strip has its header with slanted labels,
+// then the numbers of events and the times, then the rows in groups. All lengths are in pixels; a character is taken as
+// `character` wide.
 #include "report/svg.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ namespace {
 
 constexpr std::size_t character = 7, column_width = 36, row_height = 26, margin = 16;
 constexpr std::size_t longest_label = 56, longest_name = 32;
+constexpr std::size_t longest_strip = 40;            // columns
 constexpr std::size_t wave_high = 5, wave_low = 20;  // within a row
 /// What a character adds to a label's extent, upwards and to the right, in hundredths: at 60 degrees from the level.
 constexpr std::size_t rise_per_hundred = 87 * character, run_per_hundred = 50 * character;
@@ -64,10 +66,13 @@ Group steps(const ChartRun& run, const Columns& columns) {
 
 class Drawing {
 public:
-    Drawing(const ChartRun& run, std::string_view title) : run_(run), title_(title) {
+    Drawing(const ChartRun& run, std::string_view title, EventRange range) : run_(run), title_(title) {
+        const std::size_t last = run.rows.empty() ? 0 : run.rows.size() - 1;
         for (const std::size_t index : shown_rows(run)) {
-            if (run.loop_from == index) loop_from_ = columns_.size();
+            if (index < std::min(range.from, last) || index > range.to) continue;
+            if (run.loop_from && index >= *run.loop_from && !loop_from_) loop_from_ = columns_.size();
             columns_.push_back(&run.after(run.rows[index]));
+            events_.push_back(index);
             const std::string cleared = cleared_words(run, run.rows[index]);
             labels_.push_back(
                 shortened(happening(run, index) + (cleared.empty() ? "" : ": " + cleared), longest_label));
@@ -76,33 +81,26 @@ public:
                    group("outputs", columns_, run, ChartRun::Role::Output),
                    group("internals", columns_, run, ChartRun::Role::Internal),
                    group("plant", columns_, run, ChartRun::Role::Plant), steps(run, columns_)};
+        foot_.push_back("A column is an event, however long it lasts; time stands where it goes on.");
+        if (columns_.size() < shown_rows(run).size() && !columns_.empty())
+            foot_.push_back(fmt::format("Events {} to {} of {}.", events_.front(), events_.back(), last));
         drop_idle();
         measure();
     }
 
     void print(std::ostream& out) {
-        draw_header();
-        std::size_t y = top_;
-        for (const Group& group : groups_) {
-            if (group.rows.empty()) continue;
-            text(margin, y + wave_low, "title", group.title);
-            y += row_height;
-            for (const Row& each : group.rows) {
-                draw(each, group.style, y);
-                y += row_height;
-            }
-        }
+        text(margin, margin + wave_low, "heading", title_);
+        std::size_t y = margin + 2 * row_height;
+        const std::size_t strips = std::max<std::size_t>((columns_.size() + longest_strip - 1) / longest_strip, 1);
+        const std::size_t length = (columns_.size() + strips - 1) / strips;
+        for (std::size_t k = 0; k < strips; ++k)
+            y = draw_strip(k * length, std::min((k + 1) * length, columns_.size()), y);
         for (const std::string& line : foot_) text(margin, y += row_height, "foot", line);
-        const std::size_t height = y + margin;
         out << fmt::format(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n", width_,
-            height);
-        out << style << fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", width_, height);
-        draw_loop(out);
-        for (const std::size_t x : rules_)
-            out << fmt::format("<line class=\"rule\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", x,
-                               top_ - row_height, last_row_);
-        out << body_ << "</svg>\n";
+            y + margin);
+        out << style << fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", width_, y + margin);
+        out << ground_ << body_ << "</svg>\n";
     }
 
 private:
@@ -113,6 +111,8 @@ private:
         ".title { font-weight: bold; fill: #555 }\n"
         ".foot { fill: #777 }\n"
         ".time { font-size: 11px; fill: #555 }\n"
+        ".moment { font-size: 11px; fill: #555 }\n"
+        ".number { font-size: 10px; fill: #555; text-anchor: middle }\n"
         ".value { font-size: 11px; text-anchor: middle }\n"
         ".paper { fill: #fff }\n"
         ".loop { fill: #fff3d6 }\n"
@@ -139,20 +139,18 @@ private:
     }
 
     void measure() {
-        std::size_t name = 10, label = 4, past = 0;
+        std::size_t name = 10;
         for (const Group& group : groups_)
             for (const Row& row : group.rows) name = std::max(name, std::min(row.name.size(), longest_name));
         left_ = margin + name * character + margin;
+        const std::size_t strips = std::max<std::size_t>((columns_.size() + longest_strip - 1) / longest_strip, 1);
+        const std::size_t length = (columns_.size() + strips - 1) / strips;
+        width_ = x(length);
         for (std::size_t i = 0; i < columns_.size(); ++i) {
-            label = std::max(label, labels_[i].size());
-            past = std::max(past, x(i) + column_width / 2 + labels_[i].size() * run_per_hundred / 100);
+            label_ = std::max(label_, labels_[i].size());
+            width_ = std::max(width_, x(i % length) + column_width / 2 + labels_[i].size() * run_per_hundred / 100);
         }
-        top_ = margin + 2 * row_height + label * rise_per_hundred / 100 + row_height;
-        width_ = std::max(x(columns_.size()), past) + margin;
-        width_ = std::max(width_, margin * 2 + title_.size() * (character + 2));
-        last_row_ = top_;
-        for (const Group& group : groups_)
-            if (!group.rows.empty()) last_row_ += row_height * (1 + group.rows.size());
+        width_ = std::max(width_ + margin, margin * 2 + title_.size() * (character + 2));
         wrap_foot();
     }
 
@@ -163,7 +161,8 @@ private:
         foot_ = std::move(lines);
     }
 
-    std::size_t x(std::size_t column) const { return left_ + column * column_width; }
+    /// Of a column of the strip at hand.
+    std::size_t x(std::size_t column) const { return left_ + (column - first_) * column_width; }
 
     void text(std::size_t x, std::size_t y, std::string_view kind, std::string_view words) {
         body_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">", kind, x, y);
@@ -171,33 +170,59 @@ private:
         body_ += "</text>\n";
     }
 
-    void draw_header() {
-        text(margin, margin + wave_low, "heading", title_);
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
-            const std::size_t at = x(i) + column_width / 2, y = top_ - row_height - 4;
+    /// The columns from `first` to `end`, from `y` on; where they end.
+    std::size_t draw_strip(std::size_t first, std::size_t end, std::size_t y) {
+        first_ = first;
+        end_ = end;
+        const std::size_t top = y + label_ * rise_per_hundred / 100 + 2 * row_height;
+        std::size_t bottom = top;
+        for (const Group& group : groups_)
+            if (!group.rows.empty()) bottom += row_height * (1 + group.rows.size());
+        draw_loop(top, bottom);
+        draw_header(top, bottom);
+        y = top;
+        for (const Group& group : groups_) {
+            if (group.rows.empty()) continue;
+            text(margin, y + wave_low, "title", group.title);
+            y += row_height;
+            for (const Row& each : group.rows) {
+                draw(each, group.style, y);
+                y += row_height;
+            }
+        }
+        return bottom + (end == columns_.size() ? 0 : row_height);
+    }
+
+    void draw_header(std::size_t top, std::size_t bottom) {
+        text(margin, top - row_height - 8, "time", "event");
+        text(margin, top - 8, "time", run_.timed ? "time" : "step");
+        for (std::size_t i = first_; i < end_; ++i) {
+            const std::size_t at = x(i) + column_width / 2, y = top - 2 * row_height - 4;
             body_ += fmt::format("<text class=\"event\" transform=\"translate({},{}) rotate(-60)\">", at, y);
             escape_xml(labels_[i], body_);
             body_ += "</text>\n";
+            text(at, top - row_height - 8, "number", std::to_string(events_[i]));
             if (i > 0 && columns_[i]->time_ms == columns_[i - 1]->time_ms) continue;
-            rules_.push_back(x(i));
-            text(x(i) + 3, top_ - 8, "time", moment_text(run_, *columns_[i]));
+            ground_ += fmt::format("<line class=\"rule\" x1=\"{0}\" y1=\"{1}\" x2=\"{0}\" y2=\"{2}\"/>\n", x(i),
+                                   top - row_height, bottom);
+            text(x(i) + 3, top - 8, "moment", moment_text(run_, *columns_[i]));
         }
     }
 
-    void draw_loop(std::ostream& out) const {
-        if (!loop_from_) return;
-        const std::size_t from = x(*loop_from_), end = x(columns_.size());
-        out << fmt::format(
+    void draw_loop(std::size_t top, std::size_t bottom) {
+        if (!loop_from_ || *loop_from_ >= end_) return;
+        const std::size_t from = x(std::max(*loop_from_, first_));
+        ground_ += fmt::format(
             "<rect class=\"loop\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"><title>for ever</title></rect>\n", from,
-            top_ - row_height, end - from, last_row_ - top_ + row_height);
+            top - row_height, x(end_) - from, bottom - top + row_height);
     }
 
     void draw(const Row& each, const std::string& kind, std::size_t y) {
         text(margin, y + wave_low - 3, "name", shortened(each.name, longest_name));
-        for (std::size_t begin = 0; begin < each.values.size();) {
+        for (std::size_t begin = first_; begin < end_;) {
             std::size_t end = begin + 1;
-            while (end < each.values.size() && each.values[end] == each.values[begin]) ++end;
-            if (each.boolean) draw_level(begin, end, each.values[begin] != 0, begin > 0, kind, y);
+            while (end < end_ && each.values[end] == each.values[begin]) ++end;
+            if (each.boolean) draw_level(begin, end, each.values[begin] != 0, begin > first_, kind, y);
             else draw_value(begin, end, each.values[begin], kind, y);
             begin = end;
         }
@@ -229,13 +254,17 @@ private:
     std::optional<std::size_t> loop_from_ = {};  ///< a column
     std::vector<Group> groups_ = {};
     std::vector<std::string> labels_ = {}, foot_ = {};
-    std::vector<std::size_t> rules_ = {};  ///< where time goes on
-    std::size_t left_ = 0, top_ = 0, width_ = 0, last_row_ = 0;
+    std::vector<std::size_t> events_ = {};          ///< per column: the row of the run
+    std::size_t left_ = 0, width_ = 0, label_ = 4;  ///< label_: characters of the longest
+    std::size_t first_ = 0, end_ = 0;               ///< the strip at hand
+    std::string ground_ = {};                       ///< what stands behind everything
     std::string body_ = {};
 };
 
 }  // namespace
 
-void print_svg(const ChartRun& run, std::string_view title, std::ostream& out) { Drawing(run, title).print(out); }
+void print_svg(const ChartRun& run, std::string_view title, EventRange range, std::ostream& out) {
+    Drawing(run, title, range).print(out);
+}
 
 }  // namespace grafverif

@@ -19,9 +19,9 @@ struct Drawn {
     double width = 0, height = 0;
 };
 
-void draw(const ChartRun& run, Drawn& drawn) {
+void draw(const ChartRun& run, Drawn& drawn, EventRange range = {}) {
     std::ostringstream out;
-    print_svg(run, "station: P2 <violated>", out);
+    print_svg(run, "station: P2 <violated>", range, out);
     const auto parsed = drawn.document.load_string(out.str().c_str());
     ASSERT_TRUE(parsed) << parsed.description();
     drawn.svg = drawn.document.child("svg");
@@ -74,8 +74,8 @@ TEST(Svg, DrawsAWavePerSignalThatIsEverNotZeroAndNamesTheOthers) {
     for (const pugi::xml_node node : of_class(drawn, "name")) names.push_back(node.text().get());
     EXPECT_EQ(names, (std::vector<std::string>{"START", "LEVEL", "GO", "COUNT", "X", "0", "1", "2"}));
     const auto foot = of_class(drawn, "foot");
-    ASSERT_EQ(foot.size(), 1u);
-    EXPECT_STREQ(foot[0].text().get(), "0 throughout: IDLE");
+    ASSERT_EQ(foot.size(), 2u);
+    EXPECT_STREQ(foot[1].text().get(), "0 throughout: IDLE");
 }
 
 TEST(Svg, EveryWaveRunsFromTheFirstColumnToTheLastWithoutGaps) {
@@ -108,7 +108,7 @@ TEST(Svg, ShadesWhatRepeatsAndRulesWhereTimeGoesOn) {
     ASSERT_EQ(rules.size(), 2u);
     EXPECT_EQ(rules[1].attribute("x1").as_double() - rules[0].attribute("x1").as_double(), 3 * 36);
     std::vector<std::string> times;
-    for (const pugi::xml_node node : of_class(drawn, "time")) times.push_back(node.text().get());
+    for (const pugi::xml_node node : of_class(drawn, "moment")) times.push_back(node.text().get());
     EXPECT_EQ(times, (std::vector<std::string>{"0 s", "1.5 s"}));
     EXPECT_EQ(of_class(drawn, "event").size(), 5u);
     ChartRun finite = sample_run();
@@ -116,6 +116,56 @@ TEST(Svg, ShadesWhatRepeatsAndRulesWhereTimeGoesOn) {
     Drawn other;
     draw(finite, other);
     EXPECT_TRUE(of_class(other, "loop").empty());
+}
+
+TEST(Svg, SaysThatColumnsAreEventsAndNumbersThem) {
+    Drawn drawn;
+    draw(sample_run(), drawn);
+    std::vector<std::string> numbers;
+    for (const pugi::xml_node node : of_class(drawn, "number")) numbers.push_back(node.text().get());
+    EXPECT_EQ(numbers, (std::vector<std::string>{"0", "1", "2", "3", "4"}));
+    EXPECT_STREQ(of_class(drawn, "time")[0].text().get(), "event");
+    const auto foot = of_class(drawn, "foot");
+    ASSERT_FALSE(foot.empty());
+    EXPECT_TRUE(std::string(foot[0].text().get()).starts_with("A column is an event"));
+}
+
+TEST(Svg, DrawsTheEventsAskedForAndSaysWhichTheyAre) {
+    Drawn drawn;
+    draw(sample_run(), drawn, {1, 3});
+    std::vector<std::string> numbers;
+    for (const pugi::xml_node node : of_class(drawn, "number")) numbers.push_back(node.text().get());
+    EXPECT_EQ(numbers, (std::vector<std::string>{"1", "2", "3"}));
+    EXPECT_STREQ(of_class(drawn, "foot")[1].text().get(), "Events 1 to 3 of 4.");
+    ASSERT_EQ(of_class(drawn, "loop").size(), 1u) << "event 3 is in it";
+    EXPECT_EQ(of_class(drawn, "loop")[0].attribute("width").as_int(), 36);
+    Drawn behind;
+    draw(sample_run(), behind, {99, 100});
+    EXPECT_EQ(of_class(behind, "number").size(), 1u) << "the last one";
+}
+
+TEST(Svg, CutsALongTraceIntoStripsThatNameTheirRows) {
+    ChartRun run = sample_run();
+    run.loop = run.loop_from = {};
+    for (std::size_t k = 0; k < 95; ++k) {
+        ChartRun::Moment moment = run.moments.back();
+        moment.after.time_ms += 100;
+        moment.after.values[0] = static_cast<std::int64_t>(k % 2);
+        run.moments.push_back(moment);
+        run.rows.push_back({.kind = ChartRun::Kind::Plant, .component = "Slide", .moment = run.moments.size() - 1});
+    }
+    Drawn drawn;
+    draw(run, drawn);
+    EXPECT_EQ(of_class(drawn, "number").size(), 100u);
+    std::map<double, int> starts;
+    for (const pugi::xml_node name : of_class(drawn, "name"))
+        if (std::string(name.text().get()) == "START") ++starts[name.attribute("y").as_double()];
+    EXPECT_EQ(starts.size(), 3u);
+    EXPECT_LT(drawn.width, 2000);
+    double last = 0;
+    for (const pugi::xml_node number : of_class(drawn, "number"))
+        last = std::max(last, number.attribute("x").as_double());
+    EXPECT_LT(last, drawn.width);
 }
 
 }  // namespace
