@@ -3,12 +3,14 @@
 // `data`; see src/page/data.hpp.
 import {make} from "./dom.js";
 import {Player} from "./player.js";
+import {Decision} from "./terms.js";
 
 export class Page {
     constructor(data, place) {
         this.data = data;
         this.place = place;
         this.players = new Map();
+        this.Decision = Decision;  // for who wants to know what a term is worth
         this.select = make("select", {"aria-label": "Run to play", onchange: () => this.open(this.select.value)},
             ...data.runs.map((run) => make("option", {value: run.name}, run.title)));
         this.stage = make("div", {});

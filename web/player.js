@@ -71,6 +71,9 @@ export class Player {
                                      oninput: () => this.go(this.stops[Number(this.slider.value)])});
         this.place = make("output", {class: "place"});
         const moves = make("input", {type: "checkbox", onchange: () => { this.everyMove = moves.checked; this.restep(); }});
+        const whole = make("input", {type: "checkbox", onchange: () => {
+            for (const view of this.views) view.element.classList.toggle("whole", whole.checked);
+        }});
         const loop = this.run.loopMoment();
         return make("div", {class: "controls", role: "toolbar", "aria-label": "Player"},
             button("To the beginning", "|◀", () => this.go(0), "Home"),
@@ -81,6 +84,7 @@ export class Player {
             loop === null ? "" : button("To where it repeats for ever", "↻ loop", () => this.go(loop)),
             this.decisive === null ? "" : button("To what decides it", "! decisive moment", () => this.go(this.decisive)),
             this.slider, this.place,
+            make("label", {title: "The drawing as large as its place, not scrolled"}, whole, " whole chart"),
             make("label", {title: "Each phase of a PLC cycle and each evolution, one by one"}, moves, " every move"));
     }
 

@@ -97,6 +97,11 @@ export class Run {
         return low === 0 ? null : list[low - 1];
     }
 
+    // How many evolutions of the controller the moment sums up.
+    evolutionsIn(controller, moment) {
+        return this.trace.moments[moment].acts.filter((act) => act.controller === controller && act.does.includes("evolve")).length;
+    }
+
     // The row that tells `moment`: the first that ends there or behind.
     rowOf(moment) { return Math.min(lastAtMost(this.rowMoments, moment - 1) + 1, this.rows.length - 1); }
     // The first moment that belongs to the row.

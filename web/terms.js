@@ -14,6 +14,7 @@ export class Decision {
         this.chart = chart;
         this.controller = run.controllers[controller];
         this.number = controller;
+        this.moment = moment;
         this.state = before ? Math.max(moment - 1, 0) : moment;
         this.read = run.sampled(controller, moment);
         this.earlier = run.evolved(controller, before ? moment - 1 : moment);
@@ -27,7 +28,7 @@ export class Decision {
 
     leaf(node) {
         switch (node.op) {
-        case "input": return this.read?.act.inputs[node.place];
+        case "input": return this.input(node.place);
         case "internal": return this.run.value(this.controller.internals[node.place], this.state);
         case "output": return this.output(node);
         case "step": return Number(this.run.isActive(this.controller.steps[node.place], this.state));
@@ -38,6 +39,11 @@ export class Decision {
         return undefined;
     }
 
+    // A run that tells no readings (evidence of `analyse`) has one evolution behind the other on the inputs of the moment.
+    input(place) {
+        return this.read ? this.read.act.inputs[place] : this.run.value(this.controller.inputs[place], this.moment);
+    }
+
     edge(node) {
         const now = this.value(node.args[0]), before = this.previous()?.value(node.args[0]);
         if (now === undefined || before === undefined) return undefined;
@@ -45,13 +51,17 @@ export class Decision {
     }
     previous() {
         if (this.earlier === null) return null;
-        this.past ??= new Decision(this.run, this.chart, this.number, this.earlier.moment, true);
+        const {moment} = this.earlier, several = this.run.evolutionsIn(this.number, moment) > 1;
+        if (several && this.earlier.act.fired.length > 0) return null;
+        // The last of several evolutions changed nothing: what was before it is what is behind it.
+        this.past ??= new Decision(this.run, this.chart, this.number, moment, !several);
         return this.past;
     }
 
     timed(place) {
         const condition = this.chart.timed[place], timer = this.run.data.conditions[this.number][place];
-        const over = timer === null ? false : this.read?.act.timers[timer] ?? false;
+        if (timer === undefined || (timer !== null && !this.read)) return undefined;
+        const over = timer === null ? false : this.read.act.timers[timer] ?? false;
         if (condition.rise > 0 && condition.fall > 0) return Number(over);
         if (over === condition.fall > 0) return Number(over);
         return this.value(condition.watched);

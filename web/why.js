@@ -32,6 +32,9 @@ export function termTree(terms, term, reader, open = true) {
 export function whyTransition(run, chart, controller, place, moment, clearedAt) {
     const transition = chart.transitions[place];
     const before = clearedAt !== undefined;
+    if (before && run.evolutionsIn(controller, clearedAt) > 1)
+        return make("div", {}, make("p", {class: "answer"},
+            `${transition.name} is cleared in one of several evolutions of this instant, which the run does not tell apart.`));
     const reader = new Decision(run, chart, controller, before ? clearedAt : moment, before);
     const steps = run.controllers[controller].steps;
     const missing = transition.from.filter((step) => !run.isActive(steps[step], reader.state));

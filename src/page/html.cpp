@@ -6,6 +6,13 @@
 
 namespace grafverif {
 
+namespace {
+
+/// A line break behind it would be a blank on the page.
+bool inline_tag(std::string_view tag) { return tag == "code" || tag == "strong" || tag == "span"; }
+
+}  // namespace
+
 Html& Html::open(std::string_view tag, const Attributes& attributes) {
     (html_ += '<') += tag;
     for (const auto& [name, value] : attributes)
@@ -15,7 +22,7 @@ Html& Html::open(std::string_view tag, const Attributes& attributes) {
 }
 
 Html& Html::close(std::string_view tag) {
-    ((html_ += "</") += tag) += ">\n";
+    ((html_ += "</") += tag) += inline_tag(tag) ? ">" : ">\n";
     return *this;
 }
 
@@ -26,6 +33,17 @@ Html& Html::text(std::string_view words) {
 
 Html& Html::put(std::string_view tag, std::string_view words, const Attributes& attributes) {
     return open(tag, attributes).text(words).close(tag);
+}
+
+Html& Html::prose(std::string_view message) {
+    for (bool code = false;; code = !code) {
+        const std::size_t end = message.find('`');
+        const std::string_view part = message.substr(0, end);
+        if (code) put("code", part);
+        else text(part);
+        if (end == std::string_view::npos) return *this;
+        message.remove_prefix(end + 1);
+    }
 }
 
 Html& Html::ours(std::string_view markup) {

@@ -20,6 +20,8 @@ public:
     Html& text(std::string_view words);
     /// An element with nothing but text.
     Html& put(std::string_view tag, std::string_view words, const Attributes& attributes = {});
+    /// A message: what stands between backticks is code.
+    Html& prose(std::string_view message);
     /// Markup that we made ourselves.
     Html& ours(std::string_view markup);
 

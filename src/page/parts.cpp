@@ -165,11 +165,9 @@ void add_answer(const PageContent& content, const Answer& answer, Html& html) {
     if (const std::string formula = claim_of(content, verdict.property); !formula.empty())
         html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
     if (!verdict.declared) html.put("p", "The model does not ask for it; it is decided all the same.");
-    if (!verdict.reason.empty()) html.put("p", "Why: " + verdict.reason);
-    for (const std::string& note : verdict.notes) html.put("p", "Note: " + note);
-    if (!answer.carries.empty()) html.put("p", "What it says of the timed loop: " + answer.carries);
-    if (!verdict.states.empty())
-        html.put("p", "The engine looked at " + verdict.states + " states.", {{"class", "remark"}});
+    if (!verdict.reason.empty()) html.open("p").text("Why: ").prose(verdict.reason).close("p");
+    for (const std::string& note : verdict.notes) html.open("p").text("Note: ").prose(note).close("p");
+    html.put("p", "It rests on: " + basis_words(content.report, answer) + ".", {{"class", "remark"}});
     const bool witness = verdict.outcome == Outcome::Holds;
     if (answer.trace) add_play(html, verdict.property, witness ? "witness" : "counterexample");
     html.close("details");
@@ -191,10 +189,12 @@ void add_run_as_text(const Playable& playable, Html& html) {
 
 void add_finding(const PageContent& content, const Analysis& analysis, const Finding& finding, Html& html) {
     html.open("li", {{"class", "finding"}});
-    html.put("strong", word(finding.level)).text(" " + finding.message + " ");
+    html.put("strong", word(finding.level)).text(" ").prose(finding.message).text(" ");
     html.put("code", finding.code).put("span", " " + place_of(content, finding.origin), {{"class", "remark"}});
     for (const Finding::Related& related : finding.related)
-        html.put("p", related.message + " (" + place_of(content, related.where) + ")", {{"class", "remark"}});
+        html.open("p", {{"class", "remark"}})
+            .prose(related.message + " (" + place_of(content, related.where) + ")")
+            .close("p");
     if (finding.accepted) html.put("p", "Accepted: " + *finding.accepted);
     if (finding.timing == Finding::Timing::Unconfirmed)
         html.put("p", "No times were found at which its evidence can happen: it may be none.");
@@ -298,14 +298,17 @@ void add_findings(const PageContent& content, Html& html) {
     for (const ChartContent& each : content.charts) {
         const Analysis& analysis = each.analysis;
         html.put("h3", analysis.chart);
-        if (analysis.findings.empty()) html.put("p", "None.");
+        html.open("details", {{"open", ""}});
+        html.put("summary",
+                 analysis.findings.empty() ? "no findings" : counted(analysis.findings.size(), "finding", "findings"));
         html.open("ul");
         for (const Finding& finding : analysis.findings) add_finding(content, analysis, finding, html);
         for (const OpenQuestion& open : analysis.open)
             html.put("li", fmt::format("Not decided: {} {} ({})", open.code, open.subject, open_text(open)));
-        html.close("ul");
+        html.close("ul").close("details");
         if (!analysis.obstacle.empty()) html.put("p", "Why questions are open: " + analysis.obstacle);
-        for (const std::string& note : analysis.notes) html.put("p", "Note: " + note, {{"class", "remark"}});
+        for (const std::string& note : analysis.notes)
+            html.open("p", {{"class", "remark"}}).prose("Note: " + note).close("p");
         for (const std::string& failure : analysis.failures) html.put("p", failure, {{"class", "bad"}});
     }
     html.close("section");

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <iosfwd>
+#include <string>
 #include <string_view>
 
 #include "grafverif/ir/chart_run.hpp"
@@ -21,6 +22,9 @@ struct TextOptions {
     bool verbose = false;  ///< witnesses of `reachable` too, and how long it took
     Colour colour = Colour::Plain;
 };
+
+/// What a verdict rests on: engine, mode, grain, time, states; of an untimed one what it says of the timed loop.
+std::string basis_words(const Report& report, const Answer& answer);
 
 /// What is wrong where a finite counterexample ends; empty: the state there says it.
 std::string_view end_of(const Verdict& verdict);

@@ -38,25 +38,12 @@ private:
         return painted(text, as_expected(verdict) ? green : red);
     }
 
-    std::string basis(const Answer& answer) const {
-        const Basis& basis = report_.basis;
-        const Verdict& verdict = answer.verdict;
-        const std::string states = verdict.states.empty() ? "" : "; " + verdict.states + " states";
-        if (!basis.untimed.empty()) {
-            const std::string grain = basis.grain.empty() ? "" : ", " + basis.grain + " grain";
-            return fmt::format("{}, untimed: {}; {}{}{}{}", basis.engine, basis.untimed, basis.mode, grain, states,
-                               answer.carries.empty() ? "" : "; " + answer.carries);
-        }
-        return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero{}", basis.engine,
-                           basis.mode, basis.grain, seconds_text(basis.time_unit_ms), states);
-    }
-
     void print(const Answer& answer) {
         const Verdict& verdict = answer.verdict;
         out_ << verdict.property;
         if (!answer.text.empty()) out_ << " \"" << printable(answer.text) << '"';
         if (!verdict.declared) out_ << " (not declared)";
-        out_ << ": " << outcome(verdict) << "\n    " << basis(answer) << '\n';
+        out_ << ": " << outcome(verdict) << "\n    " << basis_words(report_, answer) << '\n';
         if (!verdict.reason.empty()) out_ << "    why: " << printable(verdict.reason) << '\n';
         for (const std::string& note : verdict.notes) out_ << "    note: " << printable(note) << '\n';
         if (!answer.trace) return;
@@ -102,6 +89,19 @@ private:
 };
 
 }  // namespace
+
+std::string basis_words(const Report& report, const Answer& answer) {
+    const Basis& basis = report.basis;
+    const Verdict& verdict = answer.verdict;
+    const std::string states = verdict.states.empty() ? "" : "; " + verdict.states + " states";
+    if (!basis.untimed.empty()) {
+        const std::string grain = basis.grain.empty() ? "" : ", " + basis.grain + " grain";
+        return fmt::format("{}, untimed: {}; {}{}{}{}", basis.engine, basis.untimed, basis.mode, grain, states,
+                           answer.carries.empty() ? "" : "; " + answer.carries);
+    }
+    return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero{}", basis.engine, basis.mode,
+                       basis.grain, seconds_text(basis.time_unit_ms), states);
+}
 
 std::string_view end_of(const Verdict& verdict) {
     if (verdict.outcome == Outcome::Holds) return {};
