@@ -202,6 +202,15 @@ void add_finding(const PageContent& content, const Analysis& analysis, const Fin
     html.close("li");
 }
 
+void add_open_questions(const Analysis& analysis, Html& html) {
+    if (analysis.open.empty()) return;
+    html.put("p", "Not everything is decided: " + analysis.obstacle + ".");
+    html.open("details").put("summary", counted(analysis.open.size(), "open question", "open questions")).open("ul");
+    for (const OpenQuestion& open : analysis.open)
+        html.put("li", fmt::format("{} {} ({})", open.code, open.subject, open_text(open)));
+    html.close("ul").close("details");
+}
+
 /// Names of what is in `used`, and of what is not.
 struct Used {
     std::vector<std::string> yes = {}, no = {};
@@ -303,10 +312,8 @@ void add_findings(const PageContent& content, Html& html) {
                  analysis.findings.empty() ? "no findings" : counted(analysis.findings.size(), "finding", "findings"));
         html.open("ul");
         for (const Finding& finding : analysis.findings) add_finding(content, analysis, finding, html);
-        for (const OpenQuestion& open : analysis.open)
-            html.put("li", fmt::format("Not decided: {} {} ({})", open.code, open.subject, open_text(open)));
         html.close("ul").close("details");
-        if (!analysis.obstacle.empty()) html.put("p", "Why questions are open: " + analysis.obstacle);
+        add_open_questions(analysis, html);
         for (const std::string& note : analysis.notes)
             html.open("p", {{"class", "remark"}}).prose("Note: " + note).close("p");
         for (const std::string& failure : analysis.failures) html.put("p", failure, {{"class", "bad"}});

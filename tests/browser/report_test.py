@@ -28,7 +28,7 @@ class Report(browser.Case):
     def setUpClass(cls):
         super().setUpClass()
         cls.made = cls.folder / "report.html"
-        browser.run("report", FAULTY, "--property", "P15", "--property", "P16", "-o", cls.made, code=0)
+        browser.run("report", FAULTY, "--property", "P15", "--property", "P16", "--timeout", "20s", "-o", cls.made, code=0)
 
     def at(self, address):
         self.page.open("about:blank")

@@ -31,7 +31,8 @@ std::optional<ChartContent> content_of(const Model& model, Id<Chart> chart, bool
     if (!analysis) return {};
     analysis->obstacle = with_who_stopped(std::move(analysis->obstacle), bounds.interrupted(), job.options);
     ChartContent content{.chart = chart, .prefix = single ? "" : model.charts[chart].name + "."};
-    content.drawing = "";
+    const DrawOptions options{.prefix = content.prefix};
+    content.drawing = svg_of(drawing_of(model, chart, options));
     content.equations = std::move(*equations);
     content.analysis = std::move(*analysis);
     return content;

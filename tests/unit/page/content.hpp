@@ -51,7 +51,7 @@ inline Made page_of_text(const std::string& text, const std::string& name = "tes
                                           : *check_untimed(model, charts[0], {}, {}, diagnostics);
     for (const Id<Chart> chart : charts)
         content.charts.push_back({.chart = chart,
-                                  .drawing = "",
+                                  .drawing = svg_of(drawing_of(model, chart)),
                                   .equations = *equations_of(model, chart, diagnostics),
                                   .analysis = *analysis_of(model, chart, {}, {}, diagnostics)});
     made.page = page_of(content);

@@ -51,6 +51,13 @@ std::vector<pugi::xml_node> of_class(const Drawn& drawn, const std::string& name
     return found;
 }
 
+/// What stands below the rows, however it is broken into lines.
+std::string foot_of(const Drawn& drawn) {
+    std::string words;
+    for (const pugi::xml_node line : of_class(drawn, "foot")) words += std::string(" ") + line.text().get();
+    return words;
+}
+
 TEST(Svg, DrawsEverythingInsideItsSheet) {
     Drawn drawn;
     draw(sample_run(), drawn);
@@ -73,9 +80,7 @@ TEST(Svg, DrawsAWavePerSignalThatIsEverNotZeroAndNamesTheOthers) {
     std::vector<std::string> names;
     for (const pugi::xml_node node : of_class(drawn, "name")) names.push_back(node.text().get());
     EXPECT_EQ(names, (std::vector<std::string>{"START", "LEVEL", "GO", "COUNT", "X", "0", "1", "2"}));
-    const auto foot = of_class(drawn, "foot");
-    ASSERT_EQ(foot.size(), 2u);
-    EXPECT_STREQ(foot[1].text().get(), "0 throughout: IDLE");
+    EXPECT_NE(foot_of(drawn).find(" 0 throughout: IDLE"), std::string::npos);
 }
 
 TEST(Svg, EveryWaveRunsFromTheFirstColumnToTheLastWithoutGaps) {
@@ -125,9 +130,7 @@ TEST(Svg, SaysThatColumnsAreEventsAndNumbersThem) {
     for (const pugi::xml_node node : of_class(drawn, "number")) numbers.push_back(node.text().get());
     EXPECT_EQ(numbers, (std::vector<std::string>{"0", "1", "2", "3", "4"}));
     EXPECT_STREQ(of_class(drawn, "time")[0].text().get(), "event");
-    const auto foot = of_class(drawn, "foot");
-    ASSERT_FALSE(foot.empty());
-    EXPECT_TRUE(std::string(foot[0].text().get()).starts_with("A column is an event"));
+    EXPECT_NE(foot_of(drawn).find("A column is an event"), std::string::npos);
 }
 
 TEST(Svg, DrawsTheEventsAskedForAndSaysWhichTheyAre) {
@@ -136,7 +139,7 @@ TEST(Svg, DrawsTheEventsAskedForAndSaysWhichTheyAre) {
     std::vector<std::string> numbers;
     for (const pugi::xml_node node : of_class(drawn, "number")) numbers.push_back(node.text().get());
     EXPECT_EQ(numbers, (std::vector<std::string>{"1", "2", "3"}));
-    EXPECT_STREQ(of_class(drawn, "foot")[1].text().get(), "Events 1 to 3 of 4.");
+    EXPECT_NE(foot_of(drawn).find("Events 1 to 3 of 4."), std::string::npos);
     ASSERT_EQ(of_class(drawn, "loop").size(), 1u) << "event 3 is in it";
     EXPECT_EQ(of_class(drawn, "loop")[0].attribute("width").as_int(), 36);
     Drawn behind;
@@ -156,7 +159,7 @@ TEST(Svg, CutsALongTraceIntoStripsThatNameTheirRows) {
     }
     Drawn drawn;
     draw(run, drawn);
-    EXPECT_EQ(of_class(drawn, "number").size(), 100u);
+    EXPECT_EQ(of_class(drawn, "number").size(), 99u) << "a delay is told by the row behind it";
     std::map<double, int> starts;
     for (const pugi::xml_node name : of_class(drawn, "name"))
         if (std::string(name.text().get()) == "START") ++starts[name.attribute("y").as_double()];
