@@ -32,6 +32,7 @@ export class Page {
         if (this.player && this.current === name && `#${address}` === this.written) return true;
         this.open(name, cut < 0 ? null : address.slice(cut + 1), quiet);
         this.place.closest("section")?.scrollIntoView();
+        this.player.element.focus({preventScroll: true});  // so that keys move it
         return true;
     }
 
@@ -67,5 +68,5 @@ for (const button of document.querySelectorAll("[data-run]"))
     button.addEventListener("click", () => {
         window.page.open(button.dataset.run);
         place.closest("section").scrollIntoView();
-        place.querySelector("button, [tabindex]")?.focus({preventScroll: true});
+        window.page.player.element.focus({preventScroll: true});
     });

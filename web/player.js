@@ -49,7 +49,7 @@ export class Player {
         this.rows = new RowList("What happened, row by row", this.run.shown.length, (k) => this.row(k),
                                 (k) => this.go(this.run.rowMoments[this.run.shown[k]]));
         this.timingPlace = make("div", {});
-        this.element = make("div", {class: "player", onkeydown: (event) => this.key(event)},
+        this.element = make("div", {class: "player", tabindex: -1, onkeydown: (event) => this.key(event)},
             this.controls(), this.caption,
             make("div", {class: "stage"},
                 make("div", {class: "charts"}, ...this.views.map((view) => view.element)),
@@ -94,8 +94,12 @@ export class Player {
             this.choose(controller, place);
         }}, make("option", {value: ""}, "enabled and cleared ones"));
         this.run.controllers.forEach((_, controller) => this.chartOf(controller).transitions.forEach((transition, place) =>
-            this.pick.append(make("option", {value: `${controller} ${place}`}, transition.name))));
+            this.pick.append(make("option", {value: `${controller} ${place}`}, this.nameOf(controller, transition)))));
         return this.pick;
+    }
+
+    nameOf(controller, transition) {
+        return this.run.controllers.length > 1 ? `${this.run.controllers[controller].name}: ${transition.name}` : transition.name;
     }
 
     key(event) {

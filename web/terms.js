@@ -118,26 +118,32 @@ export class Claim {
     }
 
     leaf(node) {
-        const controller = this.run.controllers[node.controller];
+        if (node.op === "location") return this.location(node);
+        const value = this.historyOf(node)?.value(this.moment);
+        return value === undefined ? undefined : Number(value);
+    }
+    historyOf(node) {
+        const controller = this.run.controllers[node.controller], {steps, signals} = this.run;
         switch (node.op) {
-        case "input": return this.signal(controller?.inputs[node.place]);
-        case "output": return this.signal(controller?.outputs[node.place]);
-        case "internal": return this.signal(controller?.internals[node.place]);
-        case "signal": return this.signal(this.run.trace.signals.findIndex(
-            (signal) => signal.name === node.text && signal.role !== "image"));
-        case "step": return controller ? Number(this.run.isActive(controller.steps[node.place], this.moment)) : undefined;
-        case "location": return this.location(node);
+        case "input": return signals[controller?.inputs[node.place]];
+        case "output": return signals[controller?.outputs[node.place]];
+        case "internal": return signals[controller?.internals[node.place]];
+        case "step": return steps[controller?.steps[node.place]];
+        case "signal": return signals[this.run.trace.signals.findIndex(
+            (signal) => signal.name === node.text && signal.role !== "image")];
         }
         return undefined;
     }
-    signal(place) { return place === undefined || place < 0 ? undefined : this.run.value(place, this.moment); }
     location(node) {
         const place = this.run.trace.instances.findIndex((instance) => instance.name === node.instance);
         if (place < 0) return undefined;
         const now = this.run.locations[place].value(this.moment);
         return now === null ? undefined : Number(this.run.trace.instances[place].locations[now] === node.location);
     }
-    remark() { return ""; }
+    remark(node) {
+        const since = this.historyOf(node)?.since(this.moment) ?? 0;
+        return since === 0 ? "" : `since ${this.run.timeText(since)}`;
+    }
 }
 
 // The moment from which on the term has had the value that it has at `moment`; at most so many moments are looked at.

@@ -31,10 +31,11 @@ export function termTree(terms, term, reader, open = true) {
 // Why the transition is cleared, or is not.
 export function whyTransition(run, chart, controller, place, moment, clearedAt) {
     const transition = chart.transitions[place];
+    const name = run.controllers.length > 1 ? `${run.controllers[controller].name}: ${transition.name}` : transition.name;
     const before = clearedAt !== undefined;
     if (before && run.evolutionsIn(controller, clearedAt) > 1)
         return make("div", {}, make("p", {class: "answer"},
-            `${transition.name} is cleared in one of several evolutions of this instant, which the run does not tell apart.`));
+            `${name} is cleared in one of several evolutions of this instant, which the run does not tell apart.`));
     const reader = new Decision(run, chart, controller, before ? clearedAt : moment, before);
     const steps = run.controllers[controller].steps;
     const missing = transition.from.filter((step) => !run.isActive(steps[step], reader.state));
@@ -48,14 +49,12 @@ export function whyTransition(run, chart, controller, place, moment, clearedAt) 
                          make("span", {class: "value"}, active ? " is active" : " is not active")));
     }
     list.append(termTree(chart.terms, transition.condition, reader));
-    return make("div", {}, make("p", {class: "answer"}, verdict(before, missing.length, value, transition, chart, missing)), list);
+    return make("div", {}, make("p", {class: "answer"}, verdict(name, before, value, missing.map((step) => chart.steps[step]))), list);
 }
 
-function verdict(cleared, missing, value, transition, chart, steps) {
-    const name = transition.name;
+function verdict(name, cleared, value, missing) {
     if (cleared) return `${name} is cleared here: before that, this is how its condition stood.`;
-    if (missing > 0) return `${name} cannot be cleared: ${steps.map((step) => chart.steps[step]).join(", ")} ` +
-                            `${missing > 1 ? "are" : "is"} not active.`;
+    if (missing.length > 0) return `${name} cannot be cleared: ${missing.join(", ")} ${missing.length > 1 ? "are" : "is"} not active.`;
     if (value === undefined) return `${name} is enabled; whether its condition is true the run does not tell.`;
     return value ? `${name} is enabled and its condition is true: the next evolution clears it, unless it is forced to stay.`
                  : `${name} is enabled, but its condition is false.`;

@@ -83,7 +83,7 @@ std::vector<Playable> playable_runs(const PageContent& content) {
     std::vector<std::size_t> all;
     for (std::size_t k = 0; k < content.charts.size(); ++k) all.push_back(k);
     const auto add = [&](Playable run) {
-        if (!run.run->moments.empty() && !run.run->rows.empty()) runs.push_back(std::move(run));
+        if (can_be_played(*run.run)) runs.push_back(std::move(run));
     };
     for (std::size_t k = 0; k < content.report.breakdowns.size(); ++k) {
         const Breakdown& each = content.report.breakdowns[k];

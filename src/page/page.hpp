@@ -35,6 +35,7 @@ struct PageContent {
     const Sources& sources;
     std::string file = {}, version = {};
     std::string date = {};                  ///< as given; empty: none
+    std::vector<std::string> asked = {};    ///< the properties asked for; empty: all
     Id<ClosedLoop> loop = {};               ///< not valid: a chart alone
     std::vector<ChartContent> charts = {};  ///< of the controllers, in order
     Report report = {};

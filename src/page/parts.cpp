@@ -51,7 +51,14 @@ void begin_section(Html& html, const char* id, std::string_view title) {
     html.open("section", {{"id", id}}).put("h2", title);
 }
 
-void add_play(Html& html, const std::string& run, std::string_view what) {
+void add_play(Html& html, const ChartRun& trace, const std::string& run, std::string_view what) {
+    if (!can_be_played(trace)) {
+        html.put("p",
+                 fmt::format("The {} has {} moments, too many to be played here; `--format json` of `check` and of "
+                             "`analyse` tells it.",
+                             what, trace.moments.size()));
+        return;
+    }
     html.put("button", fmt::format("▶ Play the {}", what), {{"type", "button"}, {"class", "play"}, {"data-run", run}});
 }
 
@@ -88,6 +95,7 @@ std::string tally_words(const Report& report) {
 std::vector<std::string> assumptions(const PageContent& content) {
     const Basis& basis = content.report.basis;
     std::vector<std::string> said;
+    if (!content.asked.empty()) said.push_back("Only these properties were asked for: " + listed(content.asked) + ".");
     if (basis.untimed.empty())
         said.push_back(
             fmt::format("Time: the {} engine looked at every run of the timed closed loop, in units of {}; a "
@@ -169,7 +177,7 @@ void add_answer(const PageContent& content, const Answer& answer, Html& html) {
     for (const std::string& note : verdict.notes) html.open("p").text("Note: ").prose(note).close("p");
     html.put("p", "It rests on: " + basis_words(content.report, answer) + ".", {{"class", "remark"}});
     const bool witness = verdict.outcome == Outcome::Holds;
-    if (answer.trace) add_play(html, verdict.property, witness ? "witness" : "counterexample");
+    if (answer.trace) add_play(html, *answer.trace, verdict.property, witness ? "witness" : "counterexample");
     html.close("details");
 }
 
@@ -198,7 +206,7 @@ void add_finding(const PageContent& content, const Analysis& analysis, const Fin
     if (finding.accepted) html.put("p", "Accepted: " + *finding.accepted);
     if (finding.timing == Finding::Timing::Unconfirmed)
         html.put("p", "No times were found at which its evidence can happen: it may be none.");
-    if (finding.evidence) add_play(html, evidence_name(content, analysis, finding), "evidence");
+    if (finding.evidence) add_play(html, *finding.evidence, evidence_name(content, analysis, finding), "evidence");
     html.close("li");
 }
 

@@ -88,7 +88,7 @@ public:
         for (const Id<Chart::Step> id : chart_.steps.ids()) steps.push_back(step_variable(chart_, id));
         for (const Chart::Transition& each : chart_.transitions) {
             Json from = Json::array();
-            for (const Id<Chart::Step> step : each.from) from.push_back(step.index);
+            for (const Id<Chart::Step> step : enabling(each)) from.push_back(step.index);
             transitions.push_back(
                 {{"name", each.name}, {"from", std::move(from)}, {"condition", terms_.add(each.condition)}});
         }
@@ -109,6 +109,20 @@ public:
     std::string text(Id<Expr> term) const { return expr_text(chart_.exprs, term, chart_spelling, print_); }
 
 private:
+    /// The steps that must be active: behind a macro-step its exit step too, of a source transition the owner of its
+    /// partial chart.
+    std::vector<Id<Chart::Step>> enabling(const Chart::Transition& transition) const {
+        std::vector<Id<Chart::Step>> steps = transition.from;
+        const Id<Chart::Step> owner = chart_.partial_charts[transition.chart].owner;
+        if (steps.empty() && owner.valid()) steps.push_back(owner);
+        for (const Id<Chart::Step> from : transition.from)
+            for (const Id<Chart::Step> step : chart_.steps.ids())
+                if (chart_.steps[from].kind == Chart::StepKind::Macro && chart_.steps[step].exit &&
+                    chart_.partial_charts[chart_.steps[step].chart].owner == from)
+                    steps.push_back(step);
+        return steps;
+    }
+
     void print(std::ostream& out, const Expr& leaf) const {
         const auto index = static_cast<std::uint32_t>(leaf.value);
         if (leaf.op == Op::Variable) out << chart_.variables[{index}].name;

@@ -38,7 +38,7 @@ private:
 };
 
 /// `{"name", "steps", "transitions", "timed", "terms", "ownerOfAction", "ownerOfForcing"}`: what the page needs to know of
-/// a chart to say why a transition is cleared.
+/// a chart to say why a transition is cleared. `from` of a transition are the steps that enable it, exit steps included.
 nlohmann::ordered_json chart_json(const Chart& chart);
 
 /// `{"name", "pattern", "at_stable", "operands", "terms"}`.

@@ -20,6 +20,8 @@ closed_loop shop {
     property idle "</script><img src=x onerror=document.title='taken'> ' & \u202e": never MOTOR;
 }
 """
+WIDE = """return [...document.querySelectorAll('body *')].filter(e => e.getBoundingClientRect().right > innerWidth + 1)
+          .map(e => e.tagName + '.' + e.className).slice(0, 9)"""
 LIT = ".chart-view .step.active"
 
 
@@ -135,7 +137,7 @@ class Report(browser.Case):
                 self.page.scheme(scheme)
                 self.at("#P16/131")
                 self.page.screenshot(f"report-{size}-{scheme}")
-                self.assertLessEqual(self.page.script(browser.EXCESS_WIDTH), 0, size)
+                self.assertLessEqual(self.page.script(browser.EXCESS_WIDTH), 0, f"{size}: {self.page.script(WIDE)}")
                 self.assertEqual(self.page.script(browser.FAINT_TEXTS), [], f"{size}, {scheme}")
                 self.assertEqual(self.page.script(browser.UNNAMED), [], size)
 

@@ -66,6 +66,7 @@ std::vector<VerbRun> all_runs() {
     bounded({"check", "FILE", "--plant", "automata", "--fairness"}, Text, true);
     bounded({"check", "FILE", "--schedule", "sequenced", "--format", "json"}, Json, true);
     bounded({"check", "FILE", "--time", "discrete"}, Text, true);
+    bounded({"report", "FILE", "--max-states", "20000"}, Text, false);
     bounded({"analyse", "FILE"}, Text, false);
     bounded({"analyse", "FILE", "--format", "json"}, Json, false);
     bounded({"analyse", "FILE", "--format", "sarif", "--mode", "every-cycle"}, Json, false);

@@ -53,6 +53,7 @@ const std::vector<Words>& verbs() {
         {"check", blinker, "--format", "json", "--junit", "FOLDER/report.xml"},
         {"check", tanks, "--untimed", "--format", "json"},
         {"check", blinker, "--untimed", "--plant", "automata"},
+        {"report", blinker, "-o", "FOLDER/report.html"},
         {"automaton", tanks, "--counts"},
         {"mealy", tanks, "--counts"},
         {"testgen", tanks, "-o", "FOLDER/test.csv"},

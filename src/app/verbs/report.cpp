@@ -2,11 +2,11 @@
 // `report`: what `check` and `analyse` find out, the drawn charts, the plant and the equations, as one page.
 #include "report/report.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "app/decide.hpp"
 #include "app/stop_words.hpp"
-#include "app/system/guard.hpp"
 #include "app/verbs.hpp"
 #include "page/page.hpp"
 
@@ -65,11 +65,13 @@ ExitCode report(Job& job, const Streams& streams) {
     content.file = job.options.operands[0];
     content.version = GRAFVERIF_VERSION;
     content.date = job.options.date;
+    content.asked = job.options.properties;
     content.report = std::move(decided->report);
     content.warnings = warnings_of(job);
-    work_is_done();
     deliver(page_of(content), job, streams);
-    return exit_code(content.report, bounds.interrupted());
+    const bool faulty =
+        std::ranges::any_of(content.charts, [](const ChartContent& chart) { return !chart.analysis.failures.empty(); });
+    return faulty ? ExitCode::Failure : exit_code(content.report, bounds.interrupted());
 }
 
 Verb report_usage() {

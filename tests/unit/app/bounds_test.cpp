@@ -140,6 +140,7 @@ struct Inputs {
                 {"check", chart},
                 {"check", chart, "--untimed"},
                 {"analyse", chart},
+                {"report", chart},
                 {"automaton", chart},
                 {"mealy", chart},
                 {"testgen", chart},

@@ -135,6 +135,21 @@ TEST(Page, OfAChartAloneSaysThatItsInputsAreFree) {
     EXPECT_EQ(made.page.find("id=\"plant\""), std::string::npos);
 }
 
+TEST(Page, SaysHowLongARunIsThatIsTooLongToBePlayed) {
+    const Reading reading = read_string(press, "test.grafcet");
+    const Model& model = *reading.model;
+    Diagnostics diagnostics;
+    PageContent content{.model = model, .sources = reading.sources, .loop = {0}};
+    content.report = *check(model, {0}, {}, {}, diagnostics);
+    content.charts.push_back({.chart = {0}, .equations = *equations_of(model, {0}, diagnostics)});
+    ChartRun& run = *content.report.answers.front().trace;
+    run.moments.resize(1'000'000, run.moments.back());
+    const std::string page = page_of(content);
+    EXPECT_NE(page.find("The counterexample has 1000000 moments"), std::string::npos);
+    EXPECT_EQ(page.find("data-run=\"idle\""), std::string::npos);
+    EXPECT_LT(page.size(), 1'000'000U);
+}
+
 TEST(Page, CountsWhatTheRunsUsed) {
     const std::string page = page_of_text(press).page;
     const std::string coverage = between(page, "<section id=\"coverage\">", "</section>");

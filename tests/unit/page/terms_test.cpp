@@ -28,6 +28,29 @@ TEST(Terms, OfAConditionUnfoldIntoLeavesWithTheirPlaces) {
     EXPECT_EQ(node(chart, t0["args"][0])["op"], "input");
 }
 
+TEST(Terms, OfAChartAskForTheExitStepBehindAMacroStep) {
+    const Reading reading = read_string(R"(
+grafcet line {
+    input A, B;
+    initial step 0;
+    macro step M1 expands cycle;
+    transition t0: 0 -> M1 when A;
+    transition t1: M1 -> 0 when B;
+    expansion cycle {
+        entry step E;
+        exit step S;
+        transition c0: E -> S when true;
+    }
+}
+)",
+                                        "test.grafcet");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    const Json chart = chart_json(reading.model->charts[{0}]);
+    std::vector<std::string> from;
+    for (const Json& step : chart["transitions"][1]["from"]) from.push_back(chart["steps"][step.get<std::size_t>()]);
+    EXPECT_EQ(from, (std::vector<std::string>{"XM1", "cycle.XS"}));
+}
+
 TEST(Terms, StandBehindTheirOperands) {
     const Reading reading = read_string(press, "test.grafcet");
     const Json chart = chart_json(reading.model->charts[{0}]);
