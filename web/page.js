@@ -64,9 +64,12 @@ export class Page {
 
 const element = document.getElementById("data"), place = document.getElementById("player");
 if (element && place) window.page = new Page(JSON.parse(element.textContent), place);
-for (const button of document.querySelectorAll("[data-run]"))
+for (const button of document.querySelectorAll("[data-run]")) {
+    button.disabled = !window.page?.data.runs.some((run) => run.name === button.dataset.run);
+    if (button.disabled) button.textContent = "Its run is not on this page, whose runs are too long together";
     button.addEventListener("click", () => {
         window.page.open(button.dataset.run);
         place.closest("section").scrollIntoView();
         window.page.player.element.focus({preventScroll: true});
     });
+}

@@ -35,14 +35,14 @@ struct Playable {
     const ChartRun* run = nullptr;
     std::vector<std::size_t> charts = {};  ///< per controller of the run
 };
-/// Longer runs make a page that no browser opens gladly.
-inline constexpr std::size_t longest_playable = 100'000;  // moments
-/// Whether the run stands on the page; the others are named there with their length.
+/// Longer runs, and more of them, make a page that no browser opens gladly.
+inline constexpr std::size_t longest_playable = 100'000;  // moments, of all runs together
+/// Whether the run may stand on the page; the others are named there with their length.
 inline bool can_be_played(const ChartRun& run) {
     return !run.moments.empty() && !run.rows.empty() && run.moments.size() <= longest_playable;
 }
 
-/// Every run of the content that can be played: where the model breaks off, violated properties first, witnesses, evidence of findings.
+/// The runs of the content that can be played, as many as fit: where the model breaks off, violated properties first, witnesses, evidence of findings.
 std::vector<Playable> playable_runs(const PageContent& content);
 
 /// The name of a finding's evidence in addresses: `step-never-active:X4`.

@@ -115,11 +115,12 @@ private:
         std::vector<Id<Chart::Step>> steps = transition.from;
         const Id<Chart::Step> owner = chart_.partial_charts[transition.chart].owner;
         if (steps.empty() && owner.valid()) steps.push_back(owner);
-        for (const Id<Chart::Step> from : transition.from)
+        for (const Id<Chart::Step> from : transition.from) {
+            if (chart_.steps[from].kind != Chart::StepKind::Macro) continue;
             for (const Id<Chart::Step> step : chart_.steps.ids())
-                if (chart_.steps[from].kind == Chart::StepKind::Macro && chart_.steps[step].exit &&
-                    chart_.partial_charts[chart_.steps[step].chart].owner == from)
+                if (chart_.steps[step].exit && chart_.partial_charts[chart_.steps[step].chart].owner == from)
                     steps.push_back(step);
+        }
         return steps;
     }
 
