@@ -100,7 +100,7 @@ function verdictWords(state) {
     if (state.models.some((model) => model.state === "running" || model.state === "waiting")) return ["", "being checked"];
     if (properties.length === 0 && !broken) return ["", "nothing to check"];
     const bad = properties.filter((property) => !property.as_expected).length;
-    return bad > 0 || broken ? ["bad", `${bad} of ${properties.length} verdicts are not as expected`]
+    return bad > 0 || broken ? ["bad", `${bad} of ${properties.length} verdicts ${bad === 1 ? "is" : "are"} not as expected`]
                              : ["good", properties.length === 1 ? "the verdict is as expected" : `all ${properties.length} verdicts are as expected`];
 }
 
