@@ -98,14 +98,13 @@ std::vector<std::string> assumptions(const PageContent& content) {
     if (!content.asked.empty()) said.push_back("Only these properties were asked for: " + listed(content.asked) + ".");
     if (basis.untimed.empty())
         said.push_back(
-            fmt::format("Time: the {} engine looked at every run of the timed closed loop, in units of {}; a "
-                        "PLC cycle takes no time.",
+            fmt::format("Time: what is decided, the {} engine decided on the timed closed loop, in units of {}; "
+                        "a PLC cycle takes no time.",
                         basis.engine, seconds_text(basis.time_unit_ms)));
     else
-        said.push_back(
-            fmt::format("No time: the {} engine looked at the untimed model ({}). What that says of the "
-                        "timed loop stands with each verdict.",
-                        basis.engine, basis.untimed));
+        said.push_back(fmt::format(
+            "No time: what is decided, the {} engine decided on the untimed model ({}){}.", basis.engine, basis.untimed,
+            content.loop.valid() ? "; what that says of the timed loop stands with each verdict" : ""));
     if (basis.mode == word(ExecutionMode::StabilitySearch))
         said.push_back(
             "The PLC searches for stability: it reads its inputs, evolves until nothing changes any more, "
@@ -355,7 +354,7 @@ void add_coverage(const PageContent& content, Html& html) {
     begin_section(html, "coverage", "Coverage");
     html.put("p",
              fmt::format("Which steps were active and which transitions were cleared in at least one of the {} of this "
-                         "page. It is no measure of the proofs: an engine that proves looks at every state there is.",
+                         "page. It is no measure of the proofs, which do not rest on these runs.",
                          counted(runs, "run", "runs")),
              {{"class", "remark"}});
     for (std::size_t k = 0; k < content.charts.size() && runs != 0; ++k) add_coverage_of(content, k, html);
