@@ -31,11 +31,14 @@ public:
         const auto [width, height] = drawing_.size;
         out_ << fmt::format(
                     "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"grafcet\" role=\"group\" width=\"{0}\" "
-                    "height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"{2}\" fill=\"none\" stroke=\"currentColor\" "
-                    "stroke-width=\"1.3\" shape-rendering=\"crispEdges\">\n<title>{3}</title>\n",
+                    "height=\"{1}\" viewBox=\"-0.5 -0.5 {0} {1}\" font-family=\"{2}\" fill=\"none\" "
+                    "stroke=\"currentColor\" "
+                    "stroke-width=\"1.3\">\n<title>{3}</title>\n",
                     width, height, font_family, escaped(shortened(drawing_.title, longest_title)))
-             << fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\" fill=\"white\" stroke=\"none\"/>\n",
-                            width, height);
+             << fmt::format(
+                    "<rect class=\"paper\" x=\"-0.5\" y=\"-0.5\" width=\"{}\" height=\"{}\" fill=\"white\" "
+                    "stroke=\"none\"/>\n",
+                    width, height);
         for (const Drawing::Element& element : drawing_.elements) write(element);
         out_ << "</svg>\n";
     }
@@ -63,9 +66,8 @@ private:
             out_ << fmt::format("<rect{} x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", paint, x, y, width, height);
             return;
         }
-        out_ << fmt::format(
-            "<path{0} shape-rendering=\"auto\" d=\"M{1} {2}h{3}l{4} {4}v{5}l-{4} {4}h-{3}l-{4} -{4}v-{5}z\"/>", paint,
-            x + box.cut, y, width - 2 * box.cut, box.cut, height - 2 * box.cut);
+        out_ << fmt::format("<path{0} d=\"M{1} {2}h{3}l{4} {4}v{5}l-{4} {4}h-{3}l-{4} -{4}v-{5}z\"/>", paint,
+                            x + box.cut, y, width - 2 * box.cut, box.cut, height - 2 * box.cut);
     }
 
     void write(const Drawing::Line& line) {
@@ -87,7 +89,7 @@ private:
                                         : -1;
         const Point base{tip.x - dx * along, tip.y - dy * along};
         out_ << fmt::format(
-            "<path class=\"arrow\" shape-rendering=\"auto\" fill=\"currentColor\" stroke=\"none\" d=\"M{} {}L{} {}L{} "
+            "<path class=\"arrow\" fill=\"currentColor\" stroke=\"none\" d=\"M{} {}L{} {}L{} "
             "{}z\"/>",
             tip.x, tip.y, base.x + dy * across, base.y + dx * across, base.x - dy * across, base.y - dx * across);
     }

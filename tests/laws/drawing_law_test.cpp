@@ -2,7 +2,7 @@
 // Laws of drawings: nothing lies on anything else, and what is drawn is the chart, once and whole.
 #include <gtest/gtest.h>
 
-#include <map>
+#include <algorithm>
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
@@ -37,6 +37,28 @@ Chart tangle(Random& random) {
                                .to = some(3),
                                .condition = chart.exprs.constant(true),
                                .chart = partial});
+    return chart;
+}
+
+/// A ring of `steps` with, here and there, a way back and a way past some of them.
+Chart long_ring(std::uint32_t steps, Random& random) {
+    Chart chart{.name = "ring"};
+    const auto partial = chart.partial_charts.add({});
+    for (std::uint32_t k = 0; k < steps; ++k)
+        chart.steps.add({.name = std::to_string(k), .initial = k == 0, .chart = partial});
+    const auto link = [&](std::uint32_t from, std::uint32_t to) {
+        chart.transitions.add({.name = "t" + std::to_string(chart.transitions.size()),
+                               .from = {{from}},
+                               .to = {{to}},
+                               .condition = chart.exprs.constant(true),
+                               .chart = partial});
+    };
+    for (std::uint32_t k = 0; k < steps; ++k) {
+        link(k, (k + 1) % steps);
+        if (chance(random, 5)) link(k, k - static_cast<std::uint32_t>(random_number(random, 0, std::min(k, 9U))));
+        if (chance(random, 5))
+            link(k, std::min(steps - 1, k + static_cast<std::uint32_t>(random_number(random, 2, 9))));
+    }
     return chart;
 }
 
@@ -113,6 +135,14 @@ TEST(DrawingLaw, SoAreTangles) {
         Random random(static_cast<std::uint64_t>(seed));
         const Chart chart = tangle(random);
         expect_good(chart, random_options(chart, random), "seed " + std::to_string(seed));
+    }
+}
+
+TEST(DrawingLaw, SoAreLongRingsThatAreFolded) {
+    for (int seed = 1; seed <= law_size(10) && !testing::Test::HasFailure(); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        const Chart chart = long_ring(400, random);
+        expect_good(chart, {}, "seed " + std::to_string(seed));
     }
 }
 
