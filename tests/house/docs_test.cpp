@@ -194,6 +194,21 @@ TEST(Documents, ShowTheProgramThatTheTestsBuildAgainstTheInstalledLibrary) {
     EXPECT_EQ(shown, 1U);
 }
 
+TEST(Documents, ShowEachSampleAsItIsDrawn) {
+    std::size_t charts = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(root / "samples")) {
+        if (entry.path().extension() != ".grafcet") continue;
+        const fs::path drawing = fs::path(entry.path()).replace_extension(".svg");
+        EXPECT_EQ(text_of(drawing), Workplace().output_of("grafverif draw " + entry.path().string()))
+            << "docs/pictures.sh draws " << drawing;
+        EXPECT_NE(text_of(entry.path().parent_path() / "README.md").find("](" + drawing.filename().string() + ")"),
+                  std::string::npos)
+            << drawing;
+        ++charts;
+    }
+    EXPECT_GE(charts, 7U);
+}
+
 TEST(Documents, HaveTheirCommandsInConsoleBlocks) {
     for (const fs::path& document : documents())
         for (const std::string& line : lines_of(text_of(document)))
