@@ -32,6 +32,8 @@ std::vector<VerbRun> all_runs() {
     std::vector<VerbRun> runs{
         {{"fmt", "FILE"}, Grafcet},
         {{"import", "FILE"}, Grafcet},
+        {{"draw", "FILE"}, Xml},
+        {{"draw", "FILE", "--columns", "3", "--notation", "text"}, Xml},
         {{"equations", "FILE"}},
         {{"equations", "FILE", "--format", "json"}, Json},
         {{"equations", "FILE", "--format", "latex"}},

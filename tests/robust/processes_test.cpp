@@ -42,6 +42,7 @@ const std::vector<Words>& verbs() {
     static const std::vector<Words> all{
         {"fmt", tanks},
         {"import", tanks},
+        {"draw", tanks},
         {"equations", tanks, "--format", "latex"},
         {"components"},
         {"uppaal", blinker},

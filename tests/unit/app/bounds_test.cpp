@@ -134,6 +134,7 @@ struct Inputs {
 
     std::vector<std::vector<std::string>> commands() const {
         return {{"fmt", chart},
+                {"draw", chart},
                 {"equations", chart},
                 {"st", chart},
                 {"import", foreign},
