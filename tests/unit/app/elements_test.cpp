@@ -81,6 +81,10 @@ struct Stage {
 const std::vector<Stage>& stages() {
     static const std::vector<Stage> all = {
         {"text, fmt", formatted},
+        {"draw",
+         [](const std::string& file) {
+             return grafverif({"draw", file});
+         }},
         {"equations",
          [](const std::string& file) {
              return grafverif({"equations", file});
