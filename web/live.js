@@ -74,8 +74,8 @@ function propertyElement(property) {
     const words = outcomes[property.verdict] + (property.as_expected ? expected : property.verdict === "unknown" ? "" : ", against expectation");
     return make("div", {class: `property ${kind}`},
         make("span", {class: "outcome"}, `${mark} ${property.name} ${words}`),
-        property.prose ? make("p", {}, property.prose) : "",
-        make("code", {}, property.text),
+        property.text ? make("p", {}, property.text) : "",
+        property.claim ? make("code", {}, property.claim) : "",
         property.reason ? make("p", {class: "remark"}, property.reason) : "",
         ...property.notes.map((note) => make("p", {class: "remark"}, note)));
 }

@@ -37,16 +37,6 @@ std::string place_of(const PageContent& content, const Span& where) {
     return fmt::format("{}:{}", source.name, place(source.text, where.begin).line);
 }
 
-/// The claim of the property of that name, or of the one that it is a part of (`S.X7`).
-std::string claim_of(const PageContent& content, const std::string& name) {
-    if (!content.loop.valid()) return {};
-    const ClosedLoop& loop = content.model.loops[content.loop];
-    for (const std::string& wanted : {name, name.substr(0, name.find('.'))})
-        for (const Property& property : loop.properties)
-            if (property.name == wanted) return claim_text(content.model, loop, property);
-    return {};
-}
-
 void begin_section(Html& html, const char* id, std::string_view title) {
     html.open("section", {{"id", id}}).put("h2", title);
 }
@@ -169,7 +159,7 @@ void add_answer(const PageContent& content, const Answer& answer, Html& html) {
     html.open("strong").text(verdict.property).close("strong");
     if (!answer.text.empty()) html.put("span", answer.text, {{"class", "prose"}});
     html.put("span", outcome_words(verdict), {{"class", "outcome"}}).close("summary");
-    if (const std::string formula = claim_of(content, verdict.property); !formula.empty())
+    if (const std::string formula = claim_text(content.model, content.loop, verdict.property); !formula.empty())
         html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
     if (!verdict.declared) html.put("p", "The model does not ask for it; it is decided all the same.");
     if (!verdict.reason.empty()) html.open("p").text("Why: ").prose(verdict.reason).close("p");

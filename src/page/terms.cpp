@@ -309,4 +309,12 @@ std::string claim_text(const Model& model, const ClosedLoop& loop, const Propert
     return claim_of(property, operand) + (property.at_stable ? " at stable" : "");
 }
 
+std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name) {
+    if (!loop.valid()) return {};
+    for (const std::string& wanted : {name, name.substr(0, name.find('.'))})
+        for (const Property& property : model.loops[loop].properties)
+            if (property.name == wanted) return claim_text(model, model.loops[loop], property);
+    return {};
+}
+
 }  // namespace grafverif

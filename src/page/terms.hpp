@@ -48,5 +48,7 @@ nlohmann::ordered_json property_json(const Model& model, const ClosedLoop& loop,
 std::string term_text(const Chart& chart, Id<Expr> term);
 std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term);
 std::string claim_text(const Model& model, const ClosedLoop& loop, const Property& property);
+/// Of the property of that name, or of the one that it is a part of (`S.X7`); empty: there is none.
+std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name);
 
 }  // namespace grafverif

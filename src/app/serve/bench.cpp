@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/serve/watch.hpp"
+#include "page/terms.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "support/json_text.hpp"
@@ -31,11 +32,12 @@ bool is_in_a_loop(const Model& model, Id<Chart> chart) {
     });
 }
 
-Json json_of(const Answer& answer, const std::string& prose) {
+/// `text`: what it says in the words of the file; `claim`: its formula, where that is known.
+Json json_of(const Answer& answer, const std::string& claim) {
     const Verdict& verdict = answer.verdict;
     return {{"name", verdict.property},
-            {"prose", prose},
             {"text", answer.text},
+            {"claim", claim},
             {"verdict", word(verdict.outcome)},
             {"expected", verdict.expected_violated ? "violated" : "holds"},
             {"as_expected", as_expected(verdict)},
@@ -212,10 +214,9 @@ private:
 
     void take_over(const Report& report, Proof& proof) const {
         for (const Answer& answer : report.answers) {
-            const Id<Property> about = answer.verdict.about;
-            const bool asked = proof.is_loop && about.valid();
-            proof.properties.push_back(
-                json_of(answer, asked ? piece_of_work_->networks[proof.place]->properties[about].text : std::string()));
+            const Id<ClosedLoop> loop = proof.is_loop ? Id<ClosedLoop>{proof.place} : Id<ClosedLoop>{};
+            const std::string claim = claim_text(*piece_of_work_->reading.model, loop, answer.verdict.property);
+            proof.properties.push_back(json_of(answer, claim));
         }
         for (const Breakdown& breakdown : report.breakdowns)
             proof.breakdowns.push_back({{"code", breakdown.code}, {"message", breakdown.message}});

@@ -112,7 +112,8 @@ TEST(ServeBench, TellsVerdictsAndWhatIsWrongAndFollowsTheFile) {
     const Json& properties = first["models"][0]["properties"];
     ASSERT_GE(properties.size(), 2U);
     EXPECT_EQ(properties[0]["name"], "LIT");
-    EXPECT_EQ(properties[0]["prose"], "it can be lit");
+    EXPECT_EQ(properties[0]["text"], "it can be lit");
+    EXPECT_EQ(properties[0]["claim"], "reachable LAMP");
     EXPECT_EQ(properties[0]["as_expected"], true);
     EXPECT_EQ(properties[1]["verdict"], "violated");
     EXPECT_EQ(properties[1]["as_expected"], false);
