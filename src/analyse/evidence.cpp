@@ -151,20 +151,8 @@ private:
         result_.failure = "instant " + std::to_string(instant + 1) + ": by the rules " + what;
     }
 
-    /// A moment, told as a row: `fired` per evolution of the instant.
     void add_row(std::string what, const Fired& fired) {
-        ChartRun& run = result_.trace;
-        ChartRun::Moment moment;
-        ChartRun::Row row{.kind = ChartRun::Kind::Controller, .what = std::move(what), .moment = run.moments.size()};
-        for (const std::vector<Id<Chart::Transition>>& evolution : fired) {
-            ChartRun::Act act{.controller = {0}, .evolves = true};
-            for (const Id<Chart::Transition> id : evolution) act.fired.push_back({id.index});
-            if (!act.fired.empty()) row.fired.push_back(act.fired);
-            moment.acts.push_back(std::move(act));
-        }
-        moment.after = project(chart_, state_, inputs_, time_);
-        run.moments.push_back(std::move(moment));
-        run.rows.push_back(std::move(row));
+        append_instant(result_.trace, std::move(what), fired, project(chart_, state_, inputs_, time_));
     }
 
     const Chart& chart_;

@@ -227,7 +227,7 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
                "give up after N states (default: 500000000)"),
         text(Accepts::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
         text(Accepts::Sequence, "sequence", "FILE", &Options::sequence,
-             "the test sequence, as CSV (`test`: without it, one is made of the chart)"),
+             "a test sequence of the chart, as CSV (`test`: without it, one is made)"),
         text(Accepts::Bench, "against", "PROGRAM", &Options::against,
              "the controller under test: a command for the shell"),
         toggle(Accepts::Bench, "stop-on-failure", &Options::stop_on_failure,

@@ -107,6 +107,16 @@ std::vector<Playable> playable_runs(const PageContent& content) {
                 const std::string name = evidence_name(content, content.charts[k].analysis, finding);
                 add({name, "evidence", name + ": evidence", finding.evidence_shows, "", &*finding.evidence, {k}});
             }
+    for (std::size_t k = 0; k < content.tests.size(); ++k) {
+        const std::string number = std::to_string(k + 1);
+        add({"test-" + number,
+             "test",
+             "test sequence " + number,
+             "here the sequence ends",
+             "",
+             &content.tests[k],
+             {0}});
+    }
     return runs;
 }
 

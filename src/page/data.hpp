@@ -9,7 +9,7 @@
 //   properties  those of the loop whose terms are known: `name`, `pattern`, `at_stable`, `operands`, `terms`
 //   runs        those to play:
 //     name        in addresses: `#NAME/INDEX`, INDEX being a row, or `ROW+MOVES` between rows
-//     kind        `counterexample`, `witness`, `evidence`, `breakdown`
+//     kind        `counterexample`, `witness`, `evidence`, `breakdown`, `test`
 //     title       for people
 //     property    its place in `properties`, or null
 //     charts      per controller of the run, its place in `charts`

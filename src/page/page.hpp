@@ -39,7 +39,8 @@ struct PageContent {
     Id<ClosedLoop> loop = {};               ///< not valid: a chart alone
     std::vector<ChartContent> charts = {};  ///< of the controllers, in order
     Report report = {};
-    std::string warnings = {};  ///< diagnostics, rendered
+    std::vector<ChartRun> tests = {};  ///< sequences of a test of the only chart
+    std::string warnings = {};         ///< diagnostics, rendered
 };
 
 std::string page_of(const PageContent& content);

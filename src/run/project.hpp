@@ -91,6 +91,9 @@ private:
 ChartRun project(const Chart& chart, ExecutionMode mode);
 /// What such a run has in `state`.
 ChartRun::State project(const Chart& chart, const State& state, InputValues inputs, std::int64_t time_ms);
+/// Adds a moment and its row: an instant in which `fired` was cleared, evolution by evolution, and what is so behind it.
+void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,
+                    ChartRun::State after);
 
 /// Requires that the system or network is one that a stage of ours made, and of a SystemRun that it is one of `system`.
 ChartRun project(const Network& network, const Run& run);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <utility>
+
 #include "run/project.hpp"
 
 namespace grafverif {
@@ -42,6 +44,21 @@ ChartRun::State project(const Chart& chart, const State& state, InputValues inpu
         }
     }
     return told;
+}
+
+void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,
+                    ChartRun::State after) {
+    ChartRun::Moment moment;
+    ChartRun::Row row{.kind = ChartRun::Kind::Controller, .what = std::move(what), .moment = run.moments.size()};
+    for (const std::vector<Id<Chart::Transition>>& evolution : fired) {
+        ChartRun::Act act{.controller = {0}, .evolves = true};
+        for (const Id<Chart::Transition> id : evolution) act.fired.push_back({id.index});
+        if (!act.fired.empty()) row.fired.push_back(act.fired);
+        moment.acts.push_back(std::move(act));
+    }
+    moment.after = std::move(after);
+    run.moments.push_back(std::move(moment));
+    run.rows.push_back(std::move(row));
 }
 
 }  // namespace grafverif

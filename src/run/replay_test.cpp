@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "run/interpreter.hpp"
+#include "run/project.hpp"
 
 namespace grafverif {
 
@@ -16,9 +17,12 @@ public:
 
     /// What is wrong with one step, or nothing.
     std::string step(const TestSequence::Step& step) {
-        state_ = pass_time(std::move(state_), step.wait_ms);
-        for (std::uint32_t scan = 1; scan <= step.cycles; ++scan)
-            if (std::string what = this->scan(step); !what.empty()) return what + " in scan " + std::to_string(scan);
+        pass(step);
+        for (std::uint32_t scan = 1; scan <= step.cycles; ++scan) {
+            std::string what = this->scan(step);
+            if (what.empty()) what = difference(step);
+            if (!what.empty()) return what + " in scan " + std::to_string(scan);
+        }
         std::string situation = "{";
         for (const Id<Chart::Step> id : chart_.steps.ids())
             if (state_.situation[id.index]) situation += (situation.size() > 1 ? "," : "") + name_of(chart_, id).text();
@@ -29,9 +33,36 @@ public:
         return one_of ? "" : "the situation is " + situation + "} instead of " + expected;
     }
 
-    void power_up() { state_ = power_on(chart_); }
+    void power_up() {
+        state_ = power_on(chart_);
+        time_ms_ = 0;
+    }
+
+    /// What the chart does in a sequence, as far as it has a meaning.
+    ChartRun run_of(const TestSequence::Sequence& sequence) {
+        power_up();
+        told_ = project(chart_, test_.mode);
+        std::vector<TestSequence::Step> steps = sequence.steps;
+        if (sequence.activation) steps.insert(steps.begin(), *sequence.activation);
+        for (const TestSequence::Step& step : steps) {
+            pass(step);
+            for (std::uint32_t scan = 0; scan < step.cycles; ++scan) {
+                const std::string what = this->scan(step);
+                if (what.empty()) continue;
+                append_instant(*told_, what, {}, project(chart_, state_, inputs_, time_ms_));
+                return *std::move(told_);
+            }
+        }
+        return *std::move(told_);
+    }
 
 private:
+    void pass(const TestSequence::Step& step) {
+        state_ = pass_time(std::move(state_), step.wait_ms);
+        time_ms_ += step.wait_ms;
+    }
+
+    /// What keeps the chart from answering, or nothing.
     std::string scan(const TestSequence::Step& step) {
         std::size_t input = 0;
         for (const Id<Chart::Variable> id : chart_.variables.ids())
@@ -40,6 +71,14 @@ private:
         if (run.race || run.fault) return "a race or a value that does not fit";
         if (!run.endless.empty() || run.gave_up) return "no stable situation";
         state_ = std::move(run.state);
+        if (told_)
+            append_instant(*told_, told_->moments.empty() ? "power-on" : "", run.fired,
+                           project(chart_, state_, inputs_, time_ms_));
+        return {};
+    }
+
+    /// Of the outputs from those expected.
+    std::string difference(const TestSequence::Step& step) const {
         std::size_t output = 0;
         for (const Id<Chart::Variable> id : chart_.variables.ids()) {
             if (chart_.variables[id].kind != Chart::VariableKind::Output) continue;
@@ -55,6 +94,8 @@ private:
     const TestSequence& test_;
     State state_ = {};
     std::vector<std::int64_t> inputs_ = {};  ///< per variable of the chart
+    std::int64_t time_ms_ = 0;
+    std::optional<ChartRun> told_ = {};  ///< where somebody wants to see it
 };
 
 }  // namespace
@@ -71,6 +112,13 @@ std::optional<std::string> disagreement(const Chart& chart, const TestSequence& 
             return "sequence " + std::to_string(k + 1) + ", step " + std::to_string(number) + ": " + what;
     }
     return {};
+}
+
+std::vector<ChartRun> runs_of(const Chart& chart, const TestSequence& test) {
+    TestReplay replay(chart, test);
+    std::vector<ChartRun> runs;
+    for (const TestSequence::Sequence& sequence : test.sequences) runs.push_back(replay.run_of(sequence));
+    return runs;
 }
 
 }  // namespace grafverif

@@ -9,6 +9,8 @@
 #include "app/stop_words.hpp"
 #include "app/verbs.hpp"
 #include "page/page.hpp"
+#include "run/replay_test.hpp"
+#include "support/messages.hpp"
 
 namespace grafverif::app {
 
@@ -38,6 +40,19 @@ std::optional<ChartContent> content_of(const Model& model, Id<Chart> chart, bool
     return content;
 }
 
+/// What the chart does in the test of `--sequence`; nothing after an error.
+std::optional<std::vector<ChartRun>> tests_of(const Model& model, const std::vector<Id<Chart>>& charts, Job& job) {
+    if (charts.size() > 1) {
+        std::vector<std::string> names;
+        for (const Id<Chart> chart : charts) names.push_back(model.charts[chart].name);
+        job.diagnostics.add(messages::ambiguous_choice("chart", "--chart", names));
+        return {};
+    }
+    const auto test = test_sequence(model, charts.front(), job);
+    if (!test || job.diagnostics.has_errors()) return {};
+    return runs_of(model.charts[charts.front()], *test);
+}
+
 std::string warnings_of(const Job& job) {
     std::vector<Diagnostic> warnings;
     for (const Diagnostic& diagnostic : job.diagnostics.all())
@@ -62,6 +77,11 @@ ExitCode report(Job& job, const Streams& streams) {
         if (!one) return ExitCode::Input;
         content.charts.push_back(std::move(*one));
     }
+    if (job.options.sequence) {
+        auto tests = tests_of(*model, charts, job);
+        if (!tests) return ExitCode::Input;
+        content.tests = std::move(*tests);
+    }
     content.file = job.options.operands[0];
     content.version = GRAFVERIF_VERSION;
     content.date = job.options.date;
@@ -84,13 +104,15 @@ Verb report_usage() {
         "Writes one HTML file that needs nothing beside it and no network: the verdicts of `check` with what they "
         "rest\n"
         "on, the findings of `analyse`, the drawn charts, the plant, the equations, and a player that steps through\n"
-        "each counterexample, witness and evidence on the chart. A moment has an address: report.html#P16/23.\n"
+        "each counterexample, witness and evidence on the chart, and through the test sequence of --sequence. A "
+        "moment\n"
+        "has an address: report.html#P16/23.\n"
         "The same input gives the same bytes; a date stands in it where --date gives one. Exit codes are those of\n"
         "`check`.",
         {"grafverif report samples/testing_station/faulty.grafcet -o report.html",
          "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html"},
         {Accepts::Output, Accepts::Search, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain,
-         Accepts::Untimed, Accepts::Date}};
+         Accepts::Untimed, Accepts::Sequence, Accepts::Date}};
 }
 
 }  // namespace grafverif::app

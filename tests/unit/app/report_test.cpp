@@ -63,6 +63,30 @@ TEST(Report, DrawsEveryElementThatItsPlayerLights) {
     }
 }
 
+TEST(Report, PlaysTheSequencesOfATest) {
+    const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+    const std::string table = (root / "samples/tanks/table2.csv").string();
+    const Result result = grafverif({"report", tanks, "--mode", "every-cycle", "--sequence", table});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    const nlohmann::json data = player_data(result.out);
+    const auto run = std::ranges::find_if(data["runs"], [](const auto& one) { return one["name"] == "test-1"; });
+    ASSERT_NE(run, data["runs"].end());
+    EXPECT_EQ((*run)["kind"], "test");
+    ASSERT_EQ((*run)["rows"].size(), 3U) << "power-on and two steps";
+    const auto& moments = (*run)["run"]["moments"];
+    std::vector<std::string> active;
+    for (const std::size_t step : moments.back()["situation"])
+        active.push_back((*run)["run"]["steps"][step]["name"].get<std::string>());
+    EXPECT_EQ(active, (std::vector<std::string>{"2", "6"}));
+
+    const Folder folder;
+    const std::string wrong = folder.write("wrong.csv", "s,h1\n0,1\n");
+    const Result refused = grafverif({"report", tanks, "--sequence", wrong, "-o", folder.file("page.html")});
+    EXPECT_EQ(refused.code, ExitCode::Input);
+    EXPECT_NE(refused.err.find("[bad-sequence]"), std::string::npos) << refused.err;
+    EXPECT_FALSE(fs::exists(folder.file("page.html")));
+}
+
 TEST(Report, OfAChartAloneAsksForItsSteps) {
     const std::string page = grafverif({"report", station, "--chart", "testing_station"}).out;
     EXPECT_NE(page.find("id=\"property-reachable.X12\""), std::string::npos);
