@@ -59,25 +59,71 @@ struct Glance {
     std::string words = {};
 };
 
-Glance glance_of(const Report& report) {
+/// Whether the verdict is of the property, or of a part of it (`S.X7`).
+bool is_about(const Verdict& verdict, const Property& property) {
+    return verdict.property == property.name || verdict.property.starts_with(property.name + '.');
+}
+
+/// The properties of the loop that were to be decided and have no verdict: the model cannot be asked them.
+std::vector<const Property*> left_out(const PageContent& content) {
+    std::vector<const Property*> list;
+    if (!content.loop.valid()) return list;
+    for (const Property& property : content.model.loops[content.loop].properties) {
+        const bool asked =
+            content.asked.empty() || std::ranges::find(content.asked, property.name) != content.asked.end();
+        const auto answers = [&](const Answer& answer) { return is_about(answer.verdict, property); };
+        if (asked && std::ranges::none_of(content.report.answers, answers)) list.push_back(&property);
+    }
+    return list;
+}
+
+std::size_t undecided(const PageContent& content) {
+    const Tally count = tally(content.report);
+    return count.unknown + count.undeclared_unknown + left_out(content).size();
+}
+
+/// Errors that the analyses found and nobody has accepted.
+std::size_t errors_found(const PageContent& content) {
+    std::size_t errors = 0;
+    for (const ChartContent& each : content.charts)
+        errors += static_cast<std::size_t>(std::ranges::count_if(each.analysis.findings, [](const Finding& finding) {
+            return finding.level == Finding::Level::Error && !finding.accepted;
+        }));
+    return errors;
+}
+
+/// All is well only where every property was decided, as expected, and the charts have no errors of their own.
+Glance glance_of(const PageContent& content) {
+    const Report& report = content.report;
     const Tally count = tally(report);
-    if (!report.failures.empty()) return {"bad", "The program is at fault: a run does not replay on the rules."};
+    const bool analysis_failed =
+        std::ranges::any_of(content.charts, [](const ChartContent& each) { return !each.analysis.failures.empty(); });
+    if (!report.failures.empty() || analysis_failed)
+        return {"bad", "The program is at fault: a run does not replay on the rules."};
     if (!report.breakdowns.empty()) return {"bad", "The model breaks off."};
     if (count.unexpected != 0)
         return {"bad", fmt::format("{} against expectation.", counted(count.unexpected, "verdict is", "verdicts are"))};
-    if (count.unknown != 0)
-        return {"unknown", fmt::format("{} not decided.", counted(count.unknown, "property is", "properties are"))};
+    if (const std::size_t open = undecided(content); open != 0)
+        return {"unknown", fmt::format("{} not decided.", counted(open, "property is", "properties are"))};
     if (count.holds + count.violated == 0) return {"unknown", "There is nothing to prove."};
-    return {"ok", count.violated == 0 ? "Every property holds." : "Every verdict is as expected."};
+    std::string words =
+        fmt::format("Every {}{} {}", count.violated == 0 ? "property" : "verdict",
+                    content.asked.empty() ? "" : " asked for", count.violated == 0 ? "holds" : "is as expected");
+    const auto vacuous = static_cast<std::size_t>(
+        std::ranges::count_if(report.answers, [](const Answer& answer) { return answer.verdict.vacuous; }));
+    if (vacuous != 0) words += fmt::format(", {} vacuously", vacuous);
+    const std::size_t errors = errors_found(content);
+    if (errors == 0) return {vacuous == 0 ? "ok" : "unknown", words + "."};
+    return {"unknown",
+            fmt::format("{}; by itself the chart has {} (see Findings).", words, counted(errors, "error", "errors"))};
 }
 
-std::string tally_words(const Report& report) {
-    const Tally count = tally(report);
+std::string tally_words(const PageContent& content) {
+    const Tally count = tally(content.report);
     std::vector<std::string> words;
     if (count.holds != 0) words.push_back(counted(count.holds, "holds", "hold"));
     if (count.violated != 0) words.push_back(fmt::format("{} violated", count.violated));
-    const std::size_t unknown = count.unknown + count.undeclared_unknown;
-    if (unknown != 0) words.push_back(fmt::format("{} unknown", unknown));
+    if (const std::size_t open = undecided(content); open != 0) words.push_back(fmt::format("{} unknown", open));
     return listed(words);
 }
 
@@ -112,11 +158,19 @@ std::vector<std::string> assumptions(const PageContent& content) {
         said.push_back("There is no plant: every input may change at any time.");
         for (const ChartContent& each : content.charts)
             for (const Chart::Constraint& constraint : content.model.charts[each.chart].constraints)
-                said.push_back("The chart says of its inputs, always: " +
+                said.push_back("What the chart says of its inputs is assumed by the findings, not by the verdicts: " +
                                term_text(content.model.charts[each.chart], constraint.condition));
         return said;
     }
     const ClosedLoop& loop = content.model.loops[content.loop];
+    if (basis.untimed.starts_with("no plant")) {
+        said.push_back("There is no plant in this model: every input may change at any time.");
+        if (basis.untimed.find("constrained inputs") == std::string::npos) return said;
+        for (const ClosedLoop::Constraint& constraint : loop.constraints)
+            said.push_back(fmt::format("But the inputs always keep {}: {}", constraint.name,
+                                       term_text(content.model, loop, constraint.condition)));
+        return said;
+    }
     std::vector<std::string> environment;
     for (const ClosedLoop::Instance& instance : loop.instances)
         if (instance.environment)
@@ -124,9 +178,6 @@ std::vector<std::string> assumptions(const PageContent& content) {
                 fmt::format("{} ({})", instance.name, content.model.components[instance.component].name));
     if (!environment.empty())
         said.push_back("Environment, free to act as its components let it: " + listed(environment) + ".");
-    for (const ClosedLoop::Constraint& constraint : loop.constraints)
-        said.push_back(fmt::format("Constraint on the inputs, {}: {}", constraint.name,
-                                   term_text(content.model, loop, constraint.condition)));
     return said;
 }
 
@@ -161,7 +212,8 @@ void add_answer(const PageContent& content, const Answer& answer, Html& html) {
     html.put("span", outcome_words(verdict), {{"class", "outcome"}}).close("summary");
     if (const std::string formula = claim_text(content.model, content.loop, verdict.property); !formula.empty())
         html.open("pre", {{"class", "formula"}}).put("code", formula).close("pre");
-    if (!verdict.declared) html.put("p", "The model does not ask for it; it is decided all the same.");
+    if (!verdict.declared && verdict.outcome != Outcome::Unknown)
+        html.put("p", "The model does not ask for it; it is decided all the same.");
     if (!verdict.reason.empty()) html.open("p").text("Why: ").prose(verdict.reason).close("p");
     for (const std::string& note : verdict.notes) html.open("p").text("Note: ").prose(note).close("p");
     html.put("p", "It rests on: " + basis_words(content.report, answer) + ".", {{"class", "remark"}});
@@ -258,9 +310,9 @@ void add_head(const PageContent& content, Html& html) {
     html.open("p", {{"class", "about"}}).put("code", content.file).text(" · grafverif " + content.version);
     if (!content.date.empty()) html.text(" · " + content.date);
     html.close("p");
-    const Glance glance = glance_of(content.report);
+    const Glance glance = glance_of(content);
     html.open("p", {{"class", std::string("glance ") + glance.kind}}).put("strong", glance.words);
-    html.put("span", tally_words(content.report)).close("p");
+    html.put("span", tally_words(content)).close("p");
     for (const Breakdown& each : content.report.breakdowns)
         html.put("p", "The model breaks off: " + each.message + " [" + each.code + "]", {{"class", "bad"}});
     for (const std::string& failure : content.report.failures) html.put("p", failure, {{"class", "bad"}});
@@ -277,7 +329,15 @@ void add_head(const PageContent& content, Html& html) {
 
 void add_verdicts(const PageContent& content, Html& html) {
     begin_section(html, "verdicts", "Properties");
-    if (content.report.answers.empty()) html.put("p", "There are none.");
+    const std::vector<const Property*> without = left_out(content);
+    if (content.report.answers.empty() && without.empty()) html.put("p", "There are none.");
+    for (const Property* property : without) {
+        html.open("details", {{"class", "property unknown"}, {"id", "property-" + property->name}, {"open", ""}});
+        html.open("summary").put("span", "?", {{"class", "mark"}, {"aria-hidden", "true"}});
+        html.open("strong").text(property->name).close("strong");
+        html.put("span", "unknown", {{"class", "outcome"}}).close("summary");
+        html.put("p", "It is not decided: this model cannot be asked it; the warnings say why.").close("details");
+    }
     for (const Answer& answer : content.report.answers)
         if (look_of(answer.verdict).first != std::string_view("ok")) add_answer(content, answer, html);
     for (const Answer& answer : content.report.answers)

@@ -44,6 +44,66 @@ closed_loop shop {
     EXPECT_EQ(grafverif({"report", wrong, "--property", "nobody"}).code, ExitCode::Input);
 }
 
+/// The first sentence of the page, which says whether all is well.
+std::string glance(const std::vector<std::string>& arguments) {
+    const std::string page = grafverif(arguments).out, begin = "<p class=\"glance ";
+    const std::size_t from = page.find("<strong>", page.find(begin)) + 8;
+    const std::size_t kind = page.find(begin) + begin.size();
+    return page.substr(kind, page.find('"', kind) - kind) + ": " + page.substr(from, page.find('<', from) - from);
+}
+
+TEST(Report, SaysThatAllIsWellOnlyWhereItIs) {
+    const Folder folder;
+    const std::string lamp =
+        "grafcet lamp { input B; output L; initial step 0; step 1 { L; }\n"
+        "transition t0: 0 -> 1 when B; transition t1: 1 -> 0 when !B; }\n"
+        "closed_loop shop { controller lamp; environment Button = push_button(OUT = B, GAP = 1s);\n";
+    const std::string both =
+        folder.write("both.grafcet", lamp + "property lit: reachable L; property dark: never L; }\n");
+    EXPECT_EQ(glance({"report", both}), "bad: 1 verdict is against expectation.");
+    EXPECT_EQ(glance({"report", both, "--property", "lit"}), "ok: Every property asked for holds.");
+    const std::string one = folder.write("one.grafcet", lamp + "property lit: reachable L; }\n");
+    EXPECT_EQ(glance({"report", one}), "ok: Every property holds.");
+    EXPECT_EQ(glance({"report", one, "--max-states", "3"}).substr(0, 8), "unknown:") << "the rest is not looked at";
+    const std::string observed =
+        folder.write("observed.grafcet", lamp +
+                                             "observer Eye { initial location 10; location 11; 10 -> 11 when L; }\n"
+                                             "property lit: reachable L; property blind: never Eye.11; }\n");
+    EXPECT_EQ(glance({"report", observed}), "unknown: 1 property is not decided.") << "left out of timed models";
+    EXPECT_NE(grafverif({"report", observed}).out.find("id=\"property-blind\""), std::string::npos);
+    const std::string idle = folder.write("idle.grafcet", lamp + "property r: X0 && X1 leads to L; }\n");
+    EXPECT_EQ(glance({"report", idle}), "unknown: Every property holds, 1 vacuously.");
+    EXPECT_EQ(glance({"report", (root / "samples/tanks/tanks.grafcet").string()}),
+              "unknown: Every property holds; by itself the chart has 1 error (see Findings).");
+}
+
+TEST(Report, NamesAsAssumedWhatTheVerdictsRestOn) {
+    const Folder folder;
+    const std::string file = folder.write("pair.grafcet", R"(
+grafcet pair { input A, B; output L; constraint !(A && B); initial step 0; step 1 { L; }
+    transition t0: 0 -> 1 when A && B; transition t1: 1 -> 0 when !A; }
+closed_loop shop {
+    controller pair;
+    environment One = free(OUT = A);
+    environment Two = free(OUT = B);
+    constraint !(A && B);
+    property p: reachable L;
+}
+)");
+    const std::string free_inputs = "There is no plant in this model: every input may change at any time.";
+    const auto says = [&](const std::vector<std::string>& more, const std::string& words) {
+        std::vector<std::string> arguments = {"report", file};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return grafverif(arguments).out.find(words) != std::string::npos;
+    };
+    EXPECT_TRUE(says({}, "Environment, free to act"));
+    EXPECT_FALSE(says({}, "inputs always keep")) << "with a plant a constraint is proven, not assumed";
+    EXPECT_TRUE(says({"--untimed"}, free_inputs));
+    EXPECT_FALSE(says({"--untimed"}, "inputs always keep"));
+    EXPECT_TRUE(says({"--untimed", "--plant", "constraints"}, "But the inputs always keep"));
+    EXPECT_TRUE(says({"--chart", "pair"}, "assumed by the findings, not by the verdicts"));
+}
+
 TEST(Report, DrawsEveryElementThatItsPlayerLights) {
     for (const char* sample : {"samples/oven_door/oven_door.grafcet",
                                "samples/assembly_station/assembly_station.grafcet", "samples/tanks/tanks.grafcet"}) {
