@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/overloaded.hpp"
+#include "syntax/print/sentence.hpp"
 
 namespace grafverif {
 
@@ -223,27 +224,6 @@ LeafPrinter printer(const Model& model, const ClosedLoop& loop) {
     return [&](std::ostream& out, const Expr& leaf) { out << named(model, loop, symbol_of(loop, leaf)).text; };
 }
 
-std::string claim_of(const Property& property, const std::function<std::string(std::size_t)>& operand) {
-    switch (property.pattern) {
-    case Pattern::Always: return "always " + operand(0);
-    case Pattern::Never: return "never " + operand(0);
-    case Pattern::Reachable: return "reachable " + operand(0);
-    case Pattern::Inevitable: return "inevitable " + operand(0);
-    case Pattern::LeadsTo: return operand(0) + " leads to " + operand(1);
-    case Pattern::NoDeadlock: return "no deadlock";
-    case Pattern::NoTimelock: return "no timelock";
-    case Pattern::ReachableAllSteps: return "reachable all steps";
-    case Pattern::AlwaysPossible: return "always possible " + operand(0);
-    case Pattern::RawUppaal: return "uppaal " + property.raw;
-    case Pattern::RawCtl: return "ctl " + property.raw;
-    case Pattern::RawLtl: return "ltl " + property.raw;
-    case Pattern::ExactlyOneOf: break;
-    }
-    std::string list;
-    for (std::size_t k = 0; k < property.operands.size(); ++k) list += (k == 0 ? "" : ", ") + operand(k);
-    return "exactly one of {" + list + "}";
-}
-
 const char* pattern_of(Pattern pattern) {
     switch (pattern) {
     case Pattern::Always: return "always";
@@ -305,8 +285,9 @@ std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term)
 }
 
 std::string claim_text(const Model& model, const ClosedLoop& loop, const Property& property) {
-    const auto operand = [&](std::size_t k) { return term_text(model, loop, property.operands[k]); };
-    return claim_of(property, operand) + (property.at_stable ? " at stable" : "");
+    std::vector<std::string> operands;
+    for (const Id<Expr> operand : property.operands) operands.push_back(term_text(model, loop, operand));
+    return claim(property.pattern, operands, property.raw) + (property.at_stable ? " at stable" : "");
 }
 
 std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name) {

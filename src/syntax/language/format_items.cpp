@@ -7,6 +7,7 @@
 
 #include "support/overloaded.hpp"
 #include "syntax/language/format.hpp"
+#include "syntax/print/sentence.hpp"
 
 namespace grafverif {
 
@@ -265,40 +266,14 @@ Lines item_lines(const tree::File& file, const tree::Instance& written, std::siz
     return filled(head, parts, tail, column);
 }
 
-namespace {
-
-std::string pattern(const tree::File& file, const tree::Property& written) {
-    const auto operand = [&](std::size_t i) { return formatted(file, written.operands[i]); };
-    switch (written.pattern) {
-    case Pattern::Always: return "always " + operand(0);
-    case Pattern::Never: return "never " + operand(0);
-    case Pattern::Reachable: return "reachable " + operand(0);
-    case Pattern::Inevitable: return "inevitable " + operand(0);
-    case Pattern::LeadsTo: return operand(0) + " leads to " + operand(1);
-    case Pattern::NoDeadlock: return "no deadlock";
-    case Pattern::NoTimelock: return "no timelock";
-    case Pattern::ReachableAllSteps: return "reachable all steps";
-    case Pattern::AlwaysPossible: return "always possible " + operand(0);
-    case Pattern::RawUppaal: return "uppaal \"" + written.raw + '"';
-    case Pattern::RawCtl: return "ctl \"" + written.raw + '"';
-    case Pattern::RawLtl: return "ltl \"" + written.raw + '"';
-    case Pattern::ExactlyOneOf: {
-        std::vector<std::string> parts;
-        for (std::size_t i = 0; i < written.operands.size(); ++i) parts.push_back(operand(i));
-        return "exactly one of {" + joined(parts) + '}';
-    }
-    }
-    unreachable();
-}
-
-}  // namespace
-
 Lines item_lines(const tree::File& file, const tree::Property& written, std::size_t column) {
     std::string head = "property " + text(file, written.name);
     if (!written.text.empty()) head += " \"" + written.text + '"';
     if (written.expected_violated) head += " expected violated";
     head += ':';
-    const std::string rest = pattern(file, written) + (written.at_stable ? " at stable;" : ";");
+    std::vector<std::string> operands;
+    for (const Id<tree::Expr> operand : written.operands) operands.push_back(formatted(file, operand));
+    const std::string rest = claim(written.pattern, operands, written.raw) + (written.at_stable ? " at stable;" : ";");
     if (column + head.size() + 1 + rest.size() <= widest) return {head + ' ' + rest};
     return {head, "    " + rest};
 }

@@ -8,6 +8,10 @@
 
 namespace grafverif {
 
+/// What a property claims, as the language writes it: `never a && b`. `operands`: as written; `raw`: of a formula in
+/// another language.
+std::string claim(Pattern pattern, const std::vector<std::string>& operands, const std::string& raw);
+
 /// What is to prove of a constraint beside a plant, in words: `!(IN && OUT)` holds of it.
 std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& constraint);
 
