@@ -87,6 +87,11 @@ export class Run {
     // What the controller last read, at `moment` or before.
     sampled(controller, moment) { return this.lastOf(this.samples[controller], moment); }
     evolved(controller, moment) { return this.lastOf(this.evolutions[controller], moment); }
+    // Whether it has read inputs for an evolution that is still to come.
+    isToEvolve(controller, moment) {
+        const read = this.sampled(controller, moment), made = this.evolved(controller, moment);
+        return read !== null && (made === null || made.moment < read.moment);
+    }
     lastOf(list, moment) {
         let low = 0, high = list.length;
         while (low < high) {

@@ -49,15 +49,18 @@ export function whyTransition(run, chart, controller, place, moment, clearedAt) 
                          make("span", {class: "value"}, active ? " is active" : " is not active")));
     }
     list.append(termTree(chart.terms, transition.condition, reader));
-    return make("div", {}, make("p", {class: "answer"}, verdict(name, before, value, missing.map((step) => chart.steps[step]))), list);
+    return make("div", {}, make("p", {class: "answer"}, verdict(name, before, value, missing.map((step) => chart.steps[step]), reader)), list);
 }
 
-function verdict(name, cleared, value, missing) {
+// Inputs are read anew before an evolution: what it clears is settled from then on only.
+function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     if (cleared) return `${name} is cleared here: before that, this is how its condition stood.`;
     if (missing.length > 0) return `${name} cannot be cleared: ${missing.join(", ")} ${missing.length > 1 ? "are" : "is"} not active.`;
     if (value === undefined) return `${name} is enabled; whether its condition is true the run does not tell.`;
-    return value ? `${name} is enabled and its condition is true: the next evolution clears it, unless it is forced to stay.`
-                 : `${name} is enabled, but its condition is false.`;
+    if (!value) return `${name} is enabled, but its condition is false.`;
+    if (run.isToEvolve(number, moment))
+        return `${name} is enabled and its condition is true: the next evolution clears it, unless it is forced to stay.`;
+    return `${name} is enabled; on the inputs ${read ? "last read" : "as they are"} its condition is true.`;
 }
 
 const claims = {
