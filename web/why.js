@@ -75,7 +75,7 @@ const claims = {
 
 // What a property says, at `moment`, and since when.
 export function whyProperty(run, property, moment, go) {
-    const words = claims[property.pattern] ?? [];
+    const words = claims[property.pattern] ?? [], when = property.at_stable ? " in settled states" : "";
     const reader = new Claim(run, property, moment);
     const parts = property.operands.map((term, k) => {
         const since = sinceWhen(property, term, run, moment);
@@ -83,14 +83,15 @@ export function whyProperty(run, property, moment, go) {
         const note = since === null || value === undefined ? null
             : since === 0 ? make("span", {class: "remark"}, "so since power-on")
             : make("button", {type: "button", class: "link", onclick: () => go(since)}, `so since ${run.timeText(since)}`);
-        const heading = make("p", {class: "answer"}, words[Math.min(k, words.length - 1)] ?? "", ": ");
+        const heading = make("p", {class: "answer"}, words[Math.min(k, words.length - 1)] ?? "", when, ": ");
         if (note) heading.append(note);
         return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader))];
     });
     return make("div", {}, ...parts.flat());
 }
 
-// The moment that decides a violated property: where the bad thing is, or from where the good one never comes.
+// The moment that decides a violated property: where the bad thing is, or from where the good one never comes. A run does
+// not tell of every moment whether its situation is settled; of the last one of a bad thing that is settled, it is known.
 export function decisiveMoment(run, property) {
     if (!property || property.operands.length === 0) return null;
     const [p, q] = property.operands;
@@ -100,10 +101,11 @@ export function decisiveMoment(run, property) {
         return null;
     };
     switch (property.pattern) {
-    case "never":
+    case "never": return property.at_stable ? run.last : first(true);
     case "reachable": return first(true);
     case "always": return property.at_stable ? run.last : first(false);
     case "leads-to": {
+        if (property.at_stable) return null;
         let found = null;
         for (let m = run.last; m >= 0 && run.last - m < 20000; --m) {
             if (value(q, m) !== 0) break;
