@@ -62,9 +62,17 @@ export class Decision {
         const condition = this.chart.timed[place], timer = this.run.data.conditions[this.number][place];
         if (timer === undefined || (timer !== null && !this.read)) return undefined;
         const over = timer === null ? false : this.read.act.timers[timer] ?? false;
+        if (timer !== null && condition.rise > 0 && (over || !this.run.trace.timed) && this.beganSinceRead(condition)) return undefined;
         if (condition.rise > 0 && condition.fall > 0) return Number(over);
         if (over === condition.fall > 0) return Number(over);
         return this.value(condition.watched);
+    }
+
+    // Whether what the condition watches has become true since the ends of timers were read; none is in the first evolution.
+    beganSinceRead({watched}) {
+        if (this.value(watched) !== 1) return false;
+        const {act, moment} = this.read;
+        return act.timers.length === 0 || new Decision(this.run, this.chart, this.number, moment, true).value(watched) !== 1;
     }
 
     // A continuous output is what its actions say now, not what was written last; a stored one is its image.
