@@ -102,6 +102,13 @@ export class Run {
         return low === 0 ? null : list[low - 1];
     }
 
+    // What the timer has become behind `from`, up to `to`; null: no delay of it ended.
+    timerEnded(timer, from, to) {
+        for (let m = to; m > from; --m)
+            if (this.trace.moments[m].timer === timer) return this.trace.moments[m].timer_holds;
+        return null;
+    }
+
     // How many evolutions of the controller the moment sums up.
     evolutionsIn(controller, moment) {
         return this.trace.moments[moment].acts.filter((act) => act.controller === controller && act.does.includes("evolve")).length;

@@ -98,8 +98,17 @@ export class Decision {
             if (now !== this.read.act.inputs[node.place])
                 return `as read at ${this.run.timeText(this.read.moment)}; it is ${this.run.signalText(signal, now)} by now`;
         }
-        if (node.op === "timed") return this.age(this.chart.timed[node.place]);
+        if (node.op === "timed") return [this.reading(node), this.age(this.chart.timed[node.place])].filter(Boolean).join("; ");
         return "";
+    }
+    // What a timer has become since its end was read.
+    reading(node) {
+        const place = this.run.data.conditions[this.number][node.place];
+        if (!this.read || place === undefined || place === null) return "";
+        const holds = this.run.timerEnded(this.controller.timers[place], this.read.moment, this.state);
+        const now = holds === null ? "" : `; it is ${holds ? "true" : "false"} by now`;
+        if (this.value(this.chart.terms.indexOf(node)) === undefined) return `not read since it began${now}`;
+        return now && holds !== (this.read.act.timers[place] ?? false) ? `as read at ${this.run.timeText(this.read.moment)}${now}` : "";
     }
     age(condition) {
         const watched = this.chart.terms[condition.watched];
