@@ -119,12 +119,13 @@ export class Run {
     // The first moment that belongs to the row.
     beginOf(row) { return row === 0 ? 0 : this.rowMoments[row - 1] + 1; }
 
-    // The transitions cleared in a range of moments, with the moment of each.
+    // The transitions cleared in a range of moments: how many times, and when last.
     cleared(from, to) {
         const found = new Map();
         for (let m = from; m <= to; ++m)
             for (const act of this.trace.moments[m].acts)
-                if (act.does.includes("evolve")) for (const transition of act.fired) found.set(transition, m);
+                if (act.does.includes("evolve"))
+                    for (const transition of act.fired) found.set(transition, {last: m, times: (found.get(transition)?.times ?? 0) + 1});
         return found;
     }
 

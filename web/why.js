@@ -28,15 +28,15 @@ export function termTree(terms, term, reader, open = true) {
     return make("li", {class: `term ${state}`}, make("details", {open}, make("summary", {}, ...line), below));
 }
 
-// Why the transition is cleared, or is not.
-export function whyTransition(run, chart, controller, place, moment, clearedAt) {
+// Why the transition is cleared, or is not. `cleared`: how many times in what is shown, and when last.
+export function whyTransition(run, chart, controller, place, moment, cleared) {
     const transition = chart.transitions[place];
     const name = run.controllers.length > 1 ? `${run.controllers[controller].name}: ${transition.name}` : transition.name;
-    const before = clearedAt !== undefined;
-    if (before && run.evolutionsIn(controller, clearedAt) > 1)
+    const before = cleared !== undefined;
+    if (before && run.evolutionsIn(controller, cleared.last) > 1)
         return make("div", {}, make("p", {class: "answer"},
             `${name} is cleared in one of several evolutions of this instant, which the run does not tell apart.`));
-    const reader = new Decision(run, chart, controller, before ? clearedAt : moment, before);
+    const reader = new Decision(run, chart, controller, before ? cleared.last : moment, before);
     const steps = run.controllers[controller].steps;
     const missing = transition.from.filter((step) => !run.isActive(steps[step], reader.state));
     const value = reader.value(transition.condition);
@@ -49,11 +49,13 @@ export function whyTransition(run, chart, controller, place, moment, clearedAt) 
                          make("span", {class: "value"}, active ? " is active" : " is not active")));
     }
     list.append(termTree(chart.terms, transition.condition, reader));
-    return make("div", {}, make("p", {class: "answer"}, verdict(name, before, value, missing.map((step) => chart.steps[step]), reader)), list);
+    return make("div", {}, make("p", {class: "answer"}, verdict(name, cleared, value, missing.map((step) => chart.steps[step]), reader)), list);
 }
 
 // Inputs are read anew before an evolution: what it clears is settled from then on only.
 function verdict(name, cleared, value, missing, {run, number, moment, read}) {
+    if (cleared?.times > 1)
+        return `${name} is cleared ${cleared.times} times here; this is the last: before that, this is how its condition stood.`;
     if (cleared) return `${name} is cleared here: before that, this is how its condition stood.`;
     if (missing.length > 0) return `${name} cannot be cleared: ${missing.join(", ")} ${missing.length > 1 ? "are" : "is"} not active.`;
     if (value === undefined) return `${name} is enabled; whether its condition is true the run does not tell.`;
