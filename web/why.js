@@ -10,8 +10,8 @@ function valueWords(node, value) {
     return node.boolean ? (value ? "true" : "false") : `${value}`;
 }
 
-// `reader` gives values and remarks. Terms of a conjunction or disjunction are folded below it.
-export function termTree(terms, term, reader, open = true) {
+// `reader` gives values and remarks. Terms of a conjunction or disjunction are folded below it. `faulty`: false is a fault.
+function termTree(terms, term, reader, {faulty = true, open = true} = {}) {
     const node = terms[term], value = reader.value(term);
     const state = value === undefined ? "unknown" : node.boolean ? (value ? "true" : "false") : "number";
     const line = [
@@ -21,11 +21,11 @@ export function termTree(terms, term, reader, open = true) {
     ];
     const remark = reader.remark(node);
     if (remark) line.push(make("span", {class: "remark"}, ` (${remark})`));
-    const args = node.args ?? [];
-    if (args.length === 0) return make("li", {class: `term ${state}`}, ...line);
+    const args = node.args ?? [], kind = state !== "false" || faulty ? `term ${state}` : "term";
+    if (args.length === 0) return make("li", {class: kind}, ...line);
     if (signs[node.op]) line.push(make("span", {class: "remark"}, ` ${signs[node.op]}:`));
-    const below = make("ul", {}, ...args.map((each) => termTree(terms, each, reader, args.length < 12)));
-    return make("li", {class: `term ${state}`}, make("details", {open}, make("summary", {}, ...line), below));
+    const below = make("ul", {}, ...args.map((each) => termTree(terms, each, reader, {faulty, open: args.length < 12})));
+    return make("li", {class: kind}, make("details", {open}, make("summary", {}, ...line), below));
 }
 
 // Why the transition is cleared, or is not. `cleared`: how many times in what is shown, and when last.
@@ -65,6 +65,9 @@ function verdict(name, cleared, value, missing, {run, number, moment, read}) {
     return `${name} is enabled; on the inputs ${read ? "last read" : "as they are"} its condition is true.`;
 }
 
+// Where false is what the claim wants, or nothing against it.
+const mayBeFalse = (pattern, operand) => ["never", "exactly-one"].includes(pattern) || (pattern === "leads-to" && operand === 0);
+
 const claims = {
     always: ["must be true always"],
     never: ["must never be true"],
@@ -81,13 +84,13 @@ export function whyProperty(run, property, moment, go) {
     const reader = new Claim(run, property, moment);
     const parts = property.operands.map((term, k) => {
         const since = sinceWhen(property, term, run, moment);
-        const value = reader.value(term);
+        const value = reader.value(term), so = valueWords(property.terms[term], value);
         const note = since === null || value === undefined ? null
-            : since === 0 ? make("span", {class: "remark"}, "so since power-on")
-            : make("button", {type: "button", class: "link", onclick: () => go(since)}, `so since ${run.timeText(since)}`);
+            : since === 0 ? make("span", {class: "remark"}, `${so} since power-on`)
+            : make("button", {type: "button", class: "link", onclick: () => go(since)}, `${so} since ${run.timeText(since)}`);
         const heading = make("p", {class: "answer"}, words[Math.min(k, words.length - 1)] ?? "", when, ": ");
         if (note) heading.append(note);
-        return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader))];
+        return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader, {faulty: !mayBeFalse(property.pattern, k)}))];
     });
     return make("div", {}, ...parts.flat());
 }
