@@ -200,20 +200,26 @@ export class Player {
 
     words() {
         const row = this.run.rows[this.run.rowOf(this.moment)];
-        const inside = row && row.moment !== this.moment ? " (under way)" : "";
-        const told = row ? [row.words, row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
+        const inside = row && row.moment !== this.moment;  // then most of what the row tells is still to come
+        const told = inside ? this.moveWords() : row ? [row.words, row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
         const loop = this.run.loopMoment(), ever = loop !== null && this.moment >= loop ? " From here on for ever." : "";
         const end = this.moment === this.run.last && this.run.data.end ? ` ${this.run.data.end}.` : "";
-        const move = this.everyMove ? ` [${this.moveWords()}]` : "";
-        return `${this.run.timeText(this.moment)}: ${told || "power on"}${inside}.${move}${ever}${end}`;
+        const move = this.everyMove && !inside ? ` [${this.moveWords()}]` : "";
+        return `${this.run.timeText(this.moment)}: ${told || "power on"}.${move}${ever}${end}`;
     }
     moveWords() {
         const moment = this.run.trace.moments[this.moment];
-        const does = moment.acts.flatMap((act) => act.does);
         const names = {begin: "a cycle begins", start: "power on", sample: "inputs are read", evolve: "an evolution",
                        write: "outputs are written", "write-if-stable": "outputs are written if stable"};
-        if (does.length > 0) return does.map((each) => names[each]).join(", ");
-        return moment.kind === "controller" ? "the cycle goes on" : moment.kind === "delay" ? "time passes" : moment.kind;
+        const {controllers, instances, transitions} = this.run.trace, several = controllers.length > 1;
+        const acts = moment.acts.filter((act) => act.does.length > 0).map((act) => {
+            const fired = act.does.includes("evolve") ? act.fired.map((each) => transitions[each].name).join(", ") : "";
+            const does = act.does.map((each) => (each === "evolve" && fired ? `an evolution clears ${fired}` : names[each]));
+            return `${several ? `${controllers[act.controller].name}: ` : ""}${does.join(", ")}`;
+        });
+        if (acts.length > 0) return acts.join("; ");
+        if (moment.kind === "controller") return "the cycle goes on";
+        return moment.kind === "delay" ? "time passes" : [moment.kind, instances[moment.instance]?.name].filter(Boolean).join(" ");
     }
 
     row(k) {
