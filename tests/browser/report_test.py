@@ -20,6 +20,81 @@ closed_loop shop {
     property idle "</script><img src=x onerror=document.title='taken'> ' & \u202e": never MOTOR;
 }
 """
+STEPWISE = """
+grafcet g {
+    input A;
+    output L;
+    initial step 0;
+    step 1;
+    step 2 { L; }
+    step 3;
+    transition t0: 0 -> 1 when A;
+    transition t1: 1 -> 2 when A;
+    transition t2: 1 -> 3 when !A;
+}
+closed_loop l {
+    controller g with every_cycle;
+    environment Button = free(OUT = A);
+    property p: never X3;
+}
+"""
+SETTLED = """
+grafcet g {
+    input A;
+    output L;
+    initial step 0;
+    step 1;
+    step 2;
+    step 3 { L; }
+    transition t0: 0 -> 1 when A;
+    transition t1: 1 -> 2 when true;
+    transition t2: 2 -> 3 when !A;
+    transition t3: 3 -> 0 when A;
+}
+closed_loop l {
+    controller g with stability_search;
+    environment Button = push_button(OUT = A, GAP = 1s);
+    property p: never X1 || X3 at stable;
+    property q: X2 leads to X1 at stable;
+}
+"""
+DELAYED = """
+grafcet g {
+    input A, B;
+    output L;
+    initial step 0;
+    step 1 { L; }
+    step 2;
+    transition t0: 0 -> 1 when A;
+    transition t1: 1 -> 2 when 2s/X1 && !B;
+    transition t2: 2 -> 0 when rise(B);
+}
+closed_loop l {
+    controller g with stability_search;
+    environment X = free(OUT = A);
+    environment Y = free(OUT = B);
+    property q: never X2 && B;
+}
+"""
+TWICE = """
+grafcet g {
+    input A, B;
+    output L;
+    internal N: int 0..3 = 0;
+    initial step 0;
+    step 1;
+    step 2 { L; N := N + 1 on activation; }
+    transition t0: 0 -> 1 when rise(A) || B && N > 0;
+    transition t1: 1 -> 2 when true;
+    transition t2: 2 -> 0 when !A && N < 2;
+}
+closed_loop l {
+    controller g with stability_search;
+    environment X = free(OUT = A);
+    environment Y = free(OUT = B);
+    property p: never N == 2 at stable;
+}
+"""
 WIDE = """return [...document.querySelectorAll('body *')].filter(e => e.getBoundingClientRect().right > innerWidth + 1)
           .map(e => e.tagName + '.' + e.className).slice(0, 9)"""
 LIT = ".chart-view .step.active"
@@ -36,6 +111,24 @@ class Report(browser.Case):
         self.page.open("about:blank")
         self.page.open(self.made.resolve().as_uri() + address)
         self.page.wait_for(".player")
+
+    def report_of(self, text, *options):
+        """Leads to addresses of a report of the chart `text`."""
+        source, made = self.work / "chart.grafcet", self.work / "chart.html"
+        source.write_text(text)
+        browser.run("report", source, *options, "-o", made, code=None)
+        def at(address):
+            self.page.open("about:blank")
+            self.page.open(made.resolve().as_uri() + address)
+            self.page.wait_for(".player")
+        return at
+
+    def answer(self, transition):
+        """Why the transition is cleared, or is not, and how its terms stand."""
+        self.page.script("""const s = document.querySelector('.pick select');
+                            s.value = [...s.options].find(o => o.text === arguments[0]).value;
+                            s.dispatchEvent(new Event('change'))""", transition)
+        return self.page.text(".pick + .why")
 
     def lit(self):
         return self.page.script(f"return [...document.querySelectorAll('{LIT}')].map(e => e.dataset.element)")
@@ -117,6 +210,58 @@ class Report(browser.Case):
         button.click()
         claim = self.page.texts(".why .term.true")
         self.assertIn("V_S", " ".join(claim))
+
+    def test_a_clearing_is_foretold_only_once_inputs_are_read_for_it(self):
+        at = self.report_of(STEPWISE)
+        at("#p/1")
+        self.assertIn("t0 is enabled; on the inputs as they are its condition is true", self.answer("t0"))
+        at("#p/2")
+        self.assertIn("the next evolution clears it", self.answer("t0"))
+        at("#p/4")  # A is read anew, and false then
+        self.assertIn("t1 is enabled; on the inputs last read its condition is true", self.answer("t1"))
+
+    def test_a_claim_about_settled_states_is_decided_by_none_that_is_left_at_once(self):
+        at = self.report_of(SETTLED)
+        at("#p/0")
+        self.assertIn("must never be true in settled states", self.page.text(".why .answer"))
+        [button] = [b for b in self.page.all(".controls button") if "decisive" in b.text]
+        button.click()
+        self.assertEqual(self.place(), "#p/6")
+        self.assertEqual(self.lit(), ["step-3"])
+        at("#q/0")
+        self.assertIn("after this is true in settled states", self.page.text(".why .answer"))
+        self.assertEqual([b.text for b in self.page.all(".controls button") if "decisive" in b.text], [])
+
+    def test_a_delay_that_began_since_timers_were_read_is_not_known(self):
+        at = self.report_of(DELAYED, "--untimed")
+        at("#q/1")
+        self.assertIn("whether its condition is true the run does not tell", self.answer("t1"))
+        self.assertIn("2s/X1 not known (not read since it began)", self.answer("t1"))
+        at("#q/4")
+        self.assertIn("t1 is cleared here", self.answer("t1"))
+        self.assertIn("2s/X1 true", self.answer("t1"))
+
+    def test_a_delay_that_is_over_since_timers_were_read_says_so(self):
+        at = self.report_of(DELAYED)
+        at("#q/4")
+        self.assertIn("2s/X1 false (as read at 0 s; it is true by now; X1 has been active for 2 s)", self.answer("t1"))
+
+    def test_a_transition_that_is_cleared_twice_says_so(self):
+        at = self.report_of(TWICE)
+        at("#p/5")
+        self.assertIn("t0 is cleared 2 times here; this is the last", self.answer("t0"))
+        self.assertIn("t2 is cleared here", self.answer("t2"))
+
+    def test_what_is_to_be_false_is_not_painted_as_a_fault(self):
+        at = self.report_of(STEPWISE)
+        at("#p/0")
+        self.assertEqual(self.page.text(".why .answer"), "must never be true: false since power-on")
+        self.assertEqual(self.page.script("return window.page.player.claim.querySelectorAll('.term.false').length"), 0)
+
+    def test_a_row_is_not_told_before_it_is_over(self):
+        at = self.report_of(SETTLED)
+        at("#p/0+1")
+        self.assertEqual(self.page.text(".caption"), "0 s: a cycle begins.")
 
     def test_moves_inside_a_cycle_are_stepped_one_by_one(self):
         self.at("#P16/136")
