@@ -138,7 +138,7 @@ class Report(browser.Case):
 
     def test_it_says_at_a_glance_what_holds(self):
         self.page.open(self.made)
-        self.assertIn("Every verdict is as expected", self.page.text(".glance"))
+        self.assertIn("Every verdict asked for is as expected", self.page.text(".glance"))
         self.assertIn("cycle takes no time", self.page.text(".assumed"))
         self.assertTrue(self.page.find("#property-P16").get_attribute("open"))
         self.assertFalse(self.page.find("#property-P15").get_attribute("open"))
