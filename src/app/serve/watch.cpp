@@ -10,6 +10,14 @@
 
 namespace grafverif::app {
 
+namespace {
+
+std::int64_t nanoseconds(const timespec& time) {
+    return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+}
+
+}  // namespace
+
 Watch::Stamp Watch::stamp(const std::string& path) {
     struct stat status = {};
     if (::stat(path.c_str(), &status) != 0) return {};
@@ -17,8 +25,7 @@ Watch::Stamp Watch::stamp(const std::string& path) {
             status.st_dev,
             status.st_ino,
             static_cast<std::uint64_t>(status.st_size),
-            status.st_mtim.tv_sec,
-            status.st_mtim.tv_nsec};
+            {nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)}};
 }
 
 /// A file that has just been written may be written again without its time changing: it is given a moment first.
@@ -28,13 +35,15 @@ void Watch::note(const std::string& path) {
     for (int tries = 0; tries < 5 && seen.there; ++tries) {
         timespec now = {};
         ::clock_gettime(CLOCK_REALTIME, &now);
-        const std::int64_t age = (now.tv_sec - seen.seconds) * 1'000'000'000 + now.tv_nsec - seen.nanoseconds;
-        if (age < 0 || age >= tick) break;
-        std::this_thread::sleep_for(std::chrono::nanoseconds(tick - age));
+        std::int64_t youngest = tick;
+        for (const std::int64_t time : seen.times)
+            if (const std::int64_t age = nanoseconds(now) - time; age >= 0) youngest = std::min(youngest, age);
+        if (youngest >= tick) break;
+        std::this_thread::sleep_for(std::chrono::nanoseconds(tick - youngest));
         seen = stamp(path);
     }
     const auto [place, is_new] = seen_.try_emplace(path, seen);
-    if (!is_new && place->second != seen) place->second.nanoseconds = -1;  // noted before, and changed since
+    if (!is_new && place->second != seen) place->second.times = {-1, -1};  // noted before, and changed since
 }
 
 bool Watch::changed() const {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Watch: whether files have changed since they were read. It looks at size, time and identity, so it notices a file that
-// is written in place, replaced by another of its name, gone, or there again.
+// Watch: whether files have changed since they were read. It looks at size, times and identity, so it notices a file that
+// is written in place, replaced by another of its name, gone, or there again. The time of writing can be set to what it
+// was; that of the last change cannot.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <map>
@@ -23,7 +25,7 @@ private:
     struct Stamp {
         bool there = false;
         std::uint64_t device = 0, file = 0, size = 0;
-        std::int64_t seconds = 0, nanoseconds = 0;
+        std::array<std::int64_t, 2> times = {};  ///< written, changed; nanoseconds since 1970
         bool operator==(const Stamp&) const = default;
     };
     static Stamp stamp(const std::string& path);

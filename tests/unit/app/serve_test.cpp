@@ -57,6 +57,17 @@ TEST(Watch, NoticesWhatAnEditorDoesToAFile) {
     EXPECT_TRUE(watch.changed());
 }
 
+TEST(Watch, NoticesATextOfTheSameLengthWhoseTimeWasSetBack) {
+    const Folder folder;
+    const std::string file = folder.write("a.grafcet", "one");
+    Watch watch;
+    watch.note(file);
+    const fs::file_time_type written = fs::last_write_time(file);
+    folder.write("a.grafcet", "two");
+    fs::last_write_time(file, written);
+    EXPECT_TRUE(watch.changed());
+}
+
 TEST(Watch, NoticesAChangeBetweenTwoReadings) {
     const Folder folder;
     const std::string file = folder.write("a.grafcet", "one");
