@@ -68,10 +68,11 @@ class Drawings {
 const outcomes = {holds: "holds", violated: "is violated", unknown: "is not known"};
 
 function propertyElement(property) {
-    const kind = property.as_expected ? "good" : property.verdict === "unknown" ? "unknown" : "bad";
+    const kind = property.verdict === "unknown" ? "unknown" : property.as_expected ? "good" : "bad";
     const mark = {good: "\u2713", bad: "\u2717", unknown: "?"}[kind];
     const expected = property.expected === "violated" ? ", as is expected of it" : "";
-    const words = outcomes[property.verdict] + (property.as_expected ? expected : property.verdict === "unknown" ? "" : ", against expectation");
+    const words = outcomes[property.verdict] + (property.vacuous ? " vacuously" : "") +
+                  {good: expected, bad: ", against expectation", unknown: ""}[kind];
     return make("div", {class: `property ${kind}`},
         make("span", {class: "outcome"}, `${mark} ${property.name} ${words}`),
         property.text ? make("p", {}, property.text) : "",
@@ -94,14 +95,22 @@ function modelElement(model) {
         ...model.properties.map(propertyElement));
 }
 
+// Nothing is well while a part of the file is not judged.
 function verdictWords(state) {
+    const are = (count) => count === 1 ? "is" : "are";
     const properties = state.models.flatMap((model) => model.properties);
-    const broken = state.models.some((model) => model.errors.length > 0);
+    const bad = properties.filter((property) => property.verdict !== "unknown" && !property.as_expected).length;
+    const open = properties.filter((property) => property.verdict === "unknown").length;
+    const faults = [], of = `of ${properties.length} ${properties.length === 1 ? "verdict" : "verdicts"}`;
     if (state.models.some((model) => model.state === "running" || model.state === "waiting")) return ["", "being checked"];
-    if (properties.length === 0 && !broken) return ["", "nothing to check"];
-    const bad = properties.filter((property) => !property.as_expected).length;
-    return bad > 0 || broken ? ["bad", `${bad} of ${properties.length} verdicts ${bad === 1 ? "is" : "are"} not as expected`]
-                             : ["good", properties.length === 1 ? "the verdict is as expected" : `all ${properties.length} verdicts are as expected`];
+    if (state.errors > 0 || state.models.some((model) => model.state === "refused")) faults.push("a part of the file cannot be checked");
+    if (state.models.some((model) => model.errors.length > 0)) faults.push("the model breaks off");
+    if (bad > 0) faults.push(`${bad} ${of} ${are(bad)} not as expected`);
+    const kind = faults.length > 0 ? "bad" : open > 0 ? "unknown" : "good";
+    if (open > 0) faults.push(`${open} ${of} ${are(open)} not decided`);
+    if (faults.length > 0) return [kind, faults.join("; ")];
+    if (properties.length === 0) return ["", "nothing to check"];
+    return ["good", properties.length === 1 ? "the verdict is as expected" : `all ${properties.length} verdicts are as expected`];
 }
 
 class Page {
@@ -118,7 +127,7 @@ class Page {
         by("file").title = state.file;
         const [kind, words] = state.readable ? verdictWords(state) : ["bad", "it has errors"];
         by("status").className = kind;
-        by("status").textContent = `${{good: "\u2713 ", bad: "\u2717 "}[kind] ?? ""}${words}`;
+        by("status").textContent = `${{good: "\u2713 ", bad: "\u2717 ", unknown: "? "}[kind] ?? ""}${words}`;
         by("diagnostics").hidden = state.complaints === "";
         if (by("complaints").textContent !== state.complaints) by("complaints").textContent = state.complaints;
         this.drawings.show(state).catch((error) => this.lose(error));

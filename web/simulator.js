@@ -71,7 +71,7 @@ export class Simulator {
 
     offer(state) {
         this.reading ??= state.reading;
-        const all = [...state.models.filter((model) => model.kind === "loop").map((model) => [`loop:${model.name}`, `closed loop ${model.name}`]),
+        const all = [...state.models.filter((model) => model.kind === "loop" && model.state !== "refused").map((model) => [`loop:${model.name}`, `closed loop ${model.name}`]),
                      ...state.charts.filter((chart) => chart.runs).map((chart) => [`chart:${chart.name}`, `chart ${chart.name}, inputs free`])];
         if (JSON.stringify(all) !== this.offered) {
             this.offered = JSON.stringify(all);

@@ -86,6 +86,24 @@ class Serve(browser.Case):
         self.file.write_text(LAMP)
         browser.eventually(lambda: not self.page.find("#diagnostics").is_displayed(), what="no diagnostics")
 
+    def test_nothing_is_well_while_a_part_is_refused_or_not_decided(self):
+        refused = ("grafcet bad { input A, B; initial step 0; step 1; transition on: 0 -> 1 when rise(rise(A) && B); transition off: 1 -> 0 when !A; }\n"
+                   "closed_loop yard { controller bad with stability_search; environment A1 = free(OUT = A); environment B1 = free(OUT = B); }\n")
+        self.serve(LAMP + refused)
+        self.page.wait_for_text("#status", "a part of the file cannot be checked")
+        self.assertEqual(self.page.find("#status").get_attribute("class"), "bad")
+        self.assertIn("Closed loop yard", self.page.text("#models"))
+        self.assertIn("It cannot be checked.", self.page.text("#models"))
+        self.file.write_text("grafcet lamp { input ON; output LAMP; initial step 0; step 1 { LAMP; } transition on: 0 -> 1 when ON; transition off: 1 -> 0 when !ON; }\n"
+                             "closed_loop house { controller lamp with stability_search; environment On = push_button(OUT = ON);\n"
+                             "observer Eye { initial location 100; location 101; 100 -> 101 when LAMP; }\n"
+                             "property SEEN: never Eye.101; property DARK: X0 && !X0 leads to LAMP; }\n")
+        self.page.wait_for_text("#status", "not decided")
+        self.assertEqual(self.page.find("#status").get_attribute("class"), "unknown")
+        self.assertNotIn("not as expected", self.page.text("#status"))
+        self.assertIn("? SEEN is not known", self.page.text("#models"))
+        self.assertIn("DARK holds vacuously", self.page.text("#models"))
+
     def test_a_chart_alone_is_played_with_and_its_session_is_an_address(self):
         server = self.serve(LAMP)
         self.press("ON is false")

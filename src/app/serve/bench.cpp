@@ -41,9 +41,26 @@ Json json_of(const Answer& answer, const std::string& claim) {
             {"verdict", word(verdict.outcome)},
             {"expected", verdict.expected_violated ? "violated" : "holds"},
             {"as_expected", as_expected(verdict)},
+            {"vacuous", verdict.vacuous},
             {"declared", verdict.declared},
             {"reason", verdict.reason},
             {"notes", verdict.notes}};
+}
+
+/// Nobody has answered: the model leaves it out. One that expands is answered under names that begin with its own.
+bool is_left_out(const Property& property, const Report& report) {
+    return std::ranges::none_of(report.answers, [&](const Answer& answer) {
+        const std::string& name = answer.verdict.property;
+        return name == property.name || name.starts_with(property.name + ".");
+    });
+}
+
+Answer no_answer(const Property& property) {
+    Answer answer{.text = property.text};
+    answer.verdict.property = property.name;
+    answer.verdict.expected_violated = property.expected_violated;
+    answer.verdict.reason = "it is left out of this model, so nothing is known of it";
+    return answer;
 }
 
 }  // namespace
@@ -115,7 +132,7 @@ private:
             try {
                 read();
                 for (Proof& proof : proofs_)
-                    if (!stale_) prove(proof);
+                    if (!stale_ && proof.state == "waiting") prove(proof);
             } catch (const std::bad_alloc&) {
                 give_up("there is not enough memory");
             } catch (const std::system_error& failure) {
@@ -170,16 +187,21 @@ private:
         }
     }
 
+    /// Of what is refused too: it is told.
     static std::vector<Proof> proofs_of(const Workpiece& piece) {
         std::vector<Proof> proofs;
         if (!piece.reading.model) return proofs;
         const Model& model = *piece.reading.model;
+        const auto begun = [](bool accepted) { return accepted ? "waiting" : "refused"; };
         for (const Id<ClosedLoop> loop : model.loops.ids())
-            if (piece.networks[loop.index])
-                proofs.push_back({.is_loop = true, .place = loop.index, .name = model.loops[loop].name});
+            proofs.push_back({.is_loop = true,
+                              .place = loop.index,
+                              .name = model.loops[loop].name,
+                              .state = begun(piece.networks[loop.index].has_value())});
         for (const Id<Chart> chart : model.charts.ids())
-            if (piece.runs[chart.index] && !is_in_a_loop(model, chart))
-                proofs.push_back({.place = chart.index, .name = model.charts[chart].name});
+            if (!is_in_a_loop(model, chart))
+                proofs.push_back(
+                    {.place = chart.index, .name = model.charts[chart].name, .state = begun(piece.runs[chart.index])});
         return proofs;
     }
 
@@ -213,11 +235,15 @@ private:
     }
 
     void take_over(const Report& report, Proof& proof) const {
-        for (const Answer& answer : report.answers) {
-            const Id<ClosedLoop> loop = proof.is_loop ? Id<ClosedLoop>{proof.place} : Id<ClosedLoop>{};
-            const std::string claim = claim_text(*piece_of_work_->reading.model, loop, answer.verdict.property);
-            proof.properties.push_back(json_of(answer, claim));
-        }
+        const Model& model = *piece_of_work_->reading.model;
+        const Id<ClosedLoop> loop = proof.is_loop ? Id<ClosedLoop>{proof.place} : Id<ClosedLoop>{};
+        const auto tell = [&](const Answer& answer) {
+            proof.properties.push_back(json_of(answer, claim_text(model, loop, answer.verdict.property)));
+        };
+        for (const Answer& answer : report.answers) tell(answer);
+        if (loop.valid())
+            for (const Property& property : model.loops[loop].properties)
+                if (is_left_out(property, report)) tell(no_answer(property));
         for (const Breakdown& breakdown : report.breakdowns)
             proof.breakdowns.push_back({{"code", breakdown.code}, {"message", breakdown.message}});
         for (const std::string& failure : report.failures)

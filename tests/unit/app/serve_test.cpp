@@ -144,6 +144,39 @@ TEST(ServeBench, TellsVerdictsAndWhatIsWrongAndFollowsTheFile) {
     EXPECT_EQ(back["complaints"], "");
 }
 
+TEST(ServeBench, TellsWhatIsRefusedAndWhatIsNotDecided) {
+    const Folder folder;
+    const std::string refused =
+        "grafcet bad { input A, B; output L; initial step 0; step 1 { L; } transition on: 0 -> 1 when rise(rise(A) && "
+        "B); transition off: 1 -> 0 when !A; }\n"
+        "closed_loop yard { controller bad with stability_search; environment A1 = free(OUT = A);\n"
+        "environment B1 = free(OUT = B); property NONE: never L; }\n";
+    const std::string watched =
+        lamp_text +
+        "closed_loop house { controller lamp with stability_search; environment On = push_button(OUT = ON);\n"
+        "environment Off = free(OUT = OFF); observer Eye { initial location 100; location 101; 100 -> 101 when LAMP; "
+        "}\n"
+        "property SEEN \"it is seen\": never Eye.101; property DARK: X0 && !X0 leads to LAMP; }\n";
+    Bystander bystander(folder.write("lamp.grafcet", refused + watched));
+    const Json state = bystander.wait_for_verdicts();
+    EXPECT_GT(state["errors"], 0);
+    ASSERT_EQ(state["models"].size(), 2U);
+    EXPECT_EQ(state["models"][0]["name"], "yard");
+    EXPECT_EQ(state["models"][0]["state"], "refused");
+    const auto property = [&](const std::string& name) {
+        for (const Json& each : state["models"][1]["properties"])
+            if (each["name"] == name) return each;
+        ADD_FAILURE() << name << " is not told";
+        return Json();
+    };
+    EXPECT_EQ(property("SEEN")["verdict"], "unknown");
+    EXPECT_EQ(property("SEEN")["text"], "it is seen");
+    EXPECT_EQ(property("SEEN")["as_expected"], false);
+    EXPECT_EQ(property("SEEN")["vacuous"], false);
+    EXPECT_EQ(property("DARK")["verdict"], "holds");
+    EXPECT_EQ(property("DARK")["vacuous"], true);
+}
+
 TEST(ServeBench, FollowsWhatIsIncludedEvenBeforeItIsThere) {
     const Folder folder;
     Bystander bystander(folder.write("main.grafcet", "include \"parts/lamp.grafcet\";\n"));
