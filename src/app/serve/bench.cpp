@@ -132,14 +132,14 @@ private:
             try {
                 read();
                 for (Proof& proof : proofs_)
-                    if (!stale_ && proof.state == "waiting") prove(proof);
+                    if (!stale_ && !over_ && proof.state == "waiting") prove(proof);
             } catch (const std::bad_alloc&) {
                 give_up("there is not enough memory");
             } catch (const std::system_error& failure) {
                 give_up(failure.what());
             }
             std::unique_lock hold(door_);
-            wake_.wait(hold, [this] { return stale_.load(); });
+            wake_.wait(hold, [this] { return stale_ || over_; });
         }
     }
 
@@ -149,7 +149,7 @@ private:
         {
             const std::lock_guard hold(watching_);
             watch_.clear();
-            stale_ = over_.load();
+            begin();
             watch_.note(path);
             std::string why;
             auto text = content_of_file(path, why);
@@ -161,6 +161,11 @@ private:
         if (piece->reading.model) make_networks(*piece);
         proofs_ = proofs_of(*piece);
         take_up(std::move(piece));
+    }
+
+    void begin() {
+        const std::lock_guard hold(door_);
+        stale_ = over_.load();  // whoever ends us has set both
     }
 
     void read(const std::string& path, std::string text, Workpiece& piece) {
