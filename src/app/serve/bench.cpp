@@ -14,6 +14,7 @@
 #include "pipeline/models.hpp"
 #include "support/json_text.hpp"
 #include "support/messages.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif::app {
 
@@ -32,19 +33,22 @@ bool is_in_a_loop(const Model& model, Id<Chart> chart) {
     });
 }
 
-/// `text`: what it says in the words of the file; `claim`: its formula, where that is known.
+/// `text`: what it says in the words of the file; `claim`: its formula, where that is known. All is text that somebody
+/// else wrote.
 Json json_of(const Answer& answer, const std::string& claim) {
     const Verdict& verdict = answer.verdict;
+    Json notes = Json::array();
+    for (const std::string& note : verdict.notes) notes.push_back(printable(note));
     return {{"name", verdict.property},
-            {"text", answer.text},
-            {"claim", claim},
+            {"text", printable(answer.text)},
+            {"claim", printable(claim)},
             {"verdict", word(verdict.outcome)},
             {"expected", verdict.expected_violated ? "violated" : "holds"},
             {"as_expected", as_expected(verdict)},
             {"vacuous", verdict.vacuous},
             {"declared", verdict.declared},
-            {"reason", verdict.reason},
-            {"notes", verdict.notes}};
+            {"reason", printable(verdict.reason)},
+            {"notes", std::move(notes)}};
 }
 
 /// Nobody has answered: the model leaves it out. One that expands is answered under names that begin with its own.
@@ -250,9 +254,9 @@ private:
             for (const Property& property : model.loops[loop].properties)
                 if (is_left_out(property, report)) tell(no_answer(property));
         for (const Breakdown& breakdown : report.breakdowns)
-            proof.breakdowns.push_back({{"code", breakdown.code}, {"message", breakdown.message}});
+            proof.breakdowns.push_back({{"code", breakdown.code}, {"message", printable(breakdown.message)}});
         for (const std::string& failure : report.failures)
-            proof.breakdowns.push_back({{"code", "internal-failure"}, {"message", failure}});
+            proof.breakdowns.push_back({{"code", "internal-failure"}, {"message", printable(failure)}});
     }
 
     void give_up(const std::string& why) {

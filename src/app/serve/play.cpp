@@ -11,6 +11,7 @@
 #include "report/table.hpp"
 #include "support/json_text.hpp"
 #include "support/overloaded.hpp"
+#include "support/printable.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif::app {
@@ -27,7 +28,7 @@ struct Wish {
     bool everything = false;             ///< of a loop: every edge is a choice
 };
 
-Json complaint(const std::string& words) { return {{"complaint", words}}; }
+Json complaint(const std::string& words) { return {{"complaint", printable(words)}}; }
 
 std::optional<Wish> wish_of(const std::string& request) {
     // No exceptions, no deep nesting: what is no request is none.
@@ -169,7 +170,7 @@ private:
         for (const Choice& choice : simulation_.choices())
             choices.push_back({{"words", choice.words}, {"command", choice.command}});
         return {{"moves", made_},
-                {"problem", problem_},
+                {"problem", printable(problem_)},
                 {"time", simulation_.told().moments.back().after.time_ms},
                 {"rows", rows_json()},
                 {"signals", signals_json()},

@@ -177,6 +177,14 @@ TEST(ServeBench, TellsWhatIsRefusedAndWhatIsNotDecided) {
     EXPECT_EQ(property("DARK")["vacuous"], true);
 }
 
+TEST(ServeBench, TellsNoTextThatTurnsTheDirectionOfOthers) {
+    const Folder folder;
+    std::string text = lamp_in_a_loop;
+    text.insert(text.find("it can be lit"), "\u202Edlo");
+    Bystander bystander(folder.write("lamp.grafcet", text));
+    EXPECT_EQ(bystander.wait_for_verdicts()["models"][0]["properties"][0]["text"], "?dloit can be lit");
+}
+
 TEST(ServeBench, FollowsWhatIsIncludedEvenBeforeItIsThere) {
     const Folder folder;
     Bystander bystander(folder.write("main.grafcet", "include \"parts/lamp.grafcet\";\n"));
