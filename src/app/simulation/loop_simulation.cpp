@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "report/report.hpp"
+#include "run/interpreter.hpp"
 #include "run/network_walk.hpp"
 
 namespace grafverif::app {
@@ -86,6 +87,10 @@ std::string LoopSimulation::problem_of(const Step& step, const Move& move) const
 }
 
 bool LoopSimulation::move(const Move& move, std::string& problem) {
+    if (run_.moves.size() >= evolution_limit) {
+        problem = fmt::format("this goes on for too long: there are {} moves already", evolution_limit);
+        return false;
+    }
     const NetworkState before = state_;
     const Step step = perform(network_, state_, move);
     if (step.result != Step::Result::Done) {

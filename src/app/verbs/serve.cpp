@@ -8,9 +8,12 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <ostream>
 #include <random>
+#include <semaphore>
 #include <sstream>
 #include <system_error>
 
@@ -60,14 +63,14 @@ std::uint64_t known_version(const HttpRequest& request) {
 
 class Desk {
 public:
-    explicit Desk(const Options& options) : options_(options) {}
+    /// `room`: somebody who was put off may ask again.
+    Desk(const Options& options, std::function<void()> room) : options_(options), room_(std::move(room)) {}
 
     void begin(Bench& bench) { bench_ = &bench; }
 
     std::optional<HttpAnswer> answer(const HttpRequest& request, bool at_once) const {
         if (request.path == "/simulate")
-            return request.post ? HttpAnswer{.body = play(*bench_->workpiece(), options_, request.body)}
-                                : HttpAnswer{405, "text/plain", "moves are posted\n"};
+            return request.post ? simulation(request, at_once) : HttpAnswer{405, "text/plain", "moves are posted\n"};
         if (request.post) return HttpAnswer{405, "text/plain", "nothing is posted here\n"};
         if (request.path == "/drawings") return HttpAnswer{.body = drawings(*bench_->workpiece())};
         if (request.path == "/report") return report_page(request);
@@ -81,6 +84,19 @@ private:
         if (auto newer = bench_->newer(known)) return HttpAnswer{.body = std::move(*newer)};
         if (at_once) return HttpAnswer{.body = "null"};
         return {};
+    }
+
+    /// Two at a time, so that somebody is left to tell the state.
+    std::optional<HttpAnswer> simulation(const HttpRequest& request, bool at_once) const {
+        if (!simulating_.try_acquire()) {
+            if (at_once) return HttpAnswer{503, "text/plain", "other simulations are still being made\n"};
+            return {};
+        }
+        const std::unique_ptr<const Desk, void (*)(const Desk*)> place(this, [](const Desk* desk) {
+            desk->simulating_.release();
+            desk->room_();
+        });
+        return HttpAnswer{.body = play(*bench_->workpiece(), options_, request.body)};
     }
 
     /// What `report` writes, one at a time.
@@ -101,7 +117,9 @@ private:
     }
 
     const Options& options_;
+    std::function<void()> room_;
     Bench* bench_ = nullptr;
+    mutable std::counting_semaphore<2> simulating_{2};
     mutable std::mutex reporting_ = {};
 };
 
@@ -139,8 +157,8 @@ bool can_be_served(Job& job) {
 ExitCode serve(Job& job, const Streams& streams) {
     if (!can_be_served(job)) return ExitCode::Input;
     const Interrupt interrupt;
-    Desk desk(job.options);
     std::optional<HttpServer> server;
+    Desk desk(job.options, [&] { server->notify(); });
     const std::string token = random_token();
     try {
         server.emplace(HttpOptions{.port = static_cast<std::uint16_t>(job.options.port), .token = token},
