@@ -25,7 +25,6 @@ class Drawings {
     }
 
     async show(state) {
-        this.place.classList.toggle("stale", !state.readable);
         if (!state.readable || state.reading === this.reading) return;
         this.reading = state.reading;
         const answer = await ask("/drawings");
@@ -132,11 +131,20 @@ class Page {
         if (by("complaints").textContent !== state.complaints) by("complaints").textContent = state.complaints;
         this.drawings.show(state).catch((error) => this.lose(error));
         if (state.readable) by("models").replaceChildren(...state.models.map(modelElement));
-        by("models").classList.toggle("stale", !state.readable);
+        this.age(!state.readable);
         this.simulator.take(state);
     }
 
+    // What is there is old, and says so.
+    age(old) {
+        for (const place of [by("charts"), by("models")]) {
+            place.classList.toggle("stale", old);
+            place.previousElementSibling.hidden = !old || place.children.length === 0;
+        }
+    }
+
     lose(error) {
+        this.age(true);
         by("status").className = "bad";
         by("status").textContent = `\u2717 ${error instanceof TypeError ? "grafverif does not answer any more; start it again and open the address that it prints" : error.message}`;
     }

@@ -86,6 +86,20 @@ class Serve(browser.Case):
         self.file.write_text(LAMP)
         browser.eventually(lambda: not self.page.find("#diagnostics").is_displayed(), what="no diagnostics")
 
+    def test_what_is_old_is_called_old(self):
+        server = self.serve(LAMP)
+        browser.eventually(lambda: "as expected" in self.page.text("#status"), 30, "the verdicts")
+        old = self.page.find("#verdicts .before").is_displayed
+        self.assertFalse(old())
+        self.file.write_text("grafcet")
+        browser.eventually(old, what="the verdicts are old")
+        self.file.write_text(LAMP)
+        browser.eventually(lambda: not old(), what="new verdicts")
+        server.stop()
+        self.page.wait_for_text("#status", "does not answer")
+        self.assertTrue(old())
+        self.allowed_errors = ("ERR_CONNECTION", "Failed to load resource")
+
     def test_nothing_is_well_while_a_part_is_refused_or_not_decided(self):
         refused = ("grafcet bad { input A, B; initial step 0; step 1; transition on: 0 -> 1 when rise(rise(A) && B); transition off: 1 -> 0 when !A; }\n"
                    "closed_loop yard { controller bad with stability_search; environment A1 = free(OUT = A); environment B1 = free(OUT = B); }\n")
