@@ -9,7 +9,7 @@ const seconds = (milliseconds) => `${milliseconds / 1000} s`;
 export class Simulator {
     // `ask(request)`: the answer of the server. `light(steps, transitions)`: ids to be lit in the drawings.
     constructor(place, ask, light) {
-        Object.assign(this, {place, ask, light, of: null, moves: [], undone: [], answer: null, cursor: null, asked: 0, answers: 0, seed: 1});
+        Object.assign(this, {place, ask, light, of: null, moves: [], undone: [], answer: null, cursor: null, asked: 0, answers: 0, seed: 1, pressed: false});
         this.build();
         this.follow();
         window.addEventListener("hashchange", () => { if (location.hash !== this.written) { this.follow(); this.play(); } });
@@ -77,9 +77,11 @@ export class Simulator {
             this.offered = JSON.stringify(all);
             this.select.replaceChildren(...all.map(([value, words]) => make("option", {value}, words)));
         }
-        if (!all.some(([value]) => value === this.of)) {
-            this.of = all.length > 0 ? all[0][0] : null;
+        // Where nothing can be simulated for a while, it stays known what was, and its moves.
+        if (all.length > 0 && !all.some(([value]) => value === this.of)) {
+            this.of = all[0][0];
             this.moves = [];
+            this.undone = [];
         }
         if (this.of !== null) this.select.value = this.of;
     }
@@ -103,7 +105,11 @@ export class Simulator {
         this.play();
     }
 
-    move(line) { this.set([...this.moves, line]); }
+    move(line) {
+        this.pressed = true;
+        this.set([...this.moves, line]);
+    }
+
     back() { if (this.moves.length > 0) this.set(this.moves.slice(0, -1), [this.moves.at(-1), ...this.undone]); }
     again() { if (this.undone.length > 0) this.set([...this.moves, this.undone[0]], this.undone.slice(1)); }
     random() {
@@ -114,8 +120,9 @@ export class Simulator {
     async play(random = 0) {
         if (this.of === null) return;
         const [kind, name] = [this.of.slice(0, this.of.indexOf(":")), this.of.slice(this.of.indexOf(":") + 1)];
-        const turn = ++this.asked, everything = this.every.checked;
+        const turn = ++this.asked, wanted = this.moves, pressed = this.pressed, everything = this.every.checked;
         let answer = null;
+        this.pressed = false;
         try {
             answer = await this.ask({[kind]: name, moves: this.moves, random, seed: this.seed, everything});
             const {problem, moves} = answer;
@@ -129,6 +136,8 @@ export class Simulator {
             this.problem.textContent = answer.complaint;
             return;
         }
+        // What the file as it is now does not allow can be made again when it is another one; but not a wrong move.
+        this.undone = [...wanted.slice(answer.moves.length + (pressed ? 1 : 0)), ...this.undone];
         this.show(answer);
     }
 

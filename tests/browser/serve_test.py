@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The page of `serve`, used as a person uses it."""
+import re
 import shutil
 import time
 
@@ -164,6 +165,18 @@ class Serve(browser.Case):
         self.wait_for_row("LAMP")
         self.file.write_text(LAMP.replace("LAMP", "BULB"))
         self.wait_for_row("BULB")
+
+    def test_moves_that_a_passing_save_does_not_allow_can_be_made_again(self):
+        self.serve(LAMP)
+        self.press("ON is false")
+        self.press("ON is true")
+        self.file.write_text(re.sub(r"\bON\b", "IN", LAMP))
+        self.page.wait_for_text("#simulation p", "0 moves")
+        self.file.write_text(LAMP)
+        browser.eventually(lambda: "ON is false" in self.page.texts("#simulation button"), what="the input")
+        self.press("Again")
+        self.press("Again")
+        self.page.wait_for_text("#simulation p", "2 moves")
 
     def test_hostile_texts_are_texts(self):
         hostile = "<img src=x onerror=alert(1)> \\u202e </pre><script>shout()</script>"
