@@ -16,6 +16,7 @@
 #include <semaphore>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include "app/outputs.hpp"
 #include "app/serve/bench.hpp"
