@@ -59,11 +59,6 @@ struct Glance {
     std::string words = {};
 };
 
-/// Whether the verdict is of the property, or of a part of it (`S.X7`).
-bool is_about(const Verdict& verdict, const Property& property) {
-    return verdict.property == property.name || verdict.property.starts_with(property.name + '.');
-}
-
 /// The properties of the loop that were to be decided and have no verdict: the model cannot be asked them.
 std::vector<const Property*> left_out(const PageContent& content) {
     std::vector<const Property*> list;
@@ -71,8 +66,7 @@ std::vector<const Property*> left_out(const PageContent& content) {
     for (const Property& property : content.model.loops[content.loop].properties) {
         const bool asked =
             content.asked.empty() || std::ranges::find(content.asked, property.name) != content.asked.end();
-        const auto answers = [&](const Answer& answer) { return is_about(answer.verdict, property); };
-        if (asked && std::ranges::none_of(content.report.answers, answers)) list.push_back(&property);
+        if (asked && !has_answer(content.report, property)) list.push_back(&property);
     }
     return list;
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "run/project.hpp"
 #include "support/overloaded.hpp"
 
@@ -108,6 +110,13 @@ Tally tally(const Report& report) {
         if (verdict.outcome != Outcome::Unknown && !as_expected(verdict)) ++tally.unexpected;
     }
     return tally;
+}
+
+bool has_answer(const Report& report, const Property& property) {
+    return std::ranges::any_of(report.answers, [&](const Answer& answer) {
+        const std::string& name = answer.verdict.property;
+        return name == property.name || name.starts_with(property.name + '.');
+    });
 }
 
 }  // namespace grafverif

@@ -35,4 +35,7 @@ struct Tally {
 };
 Tally tally(const Report& report);
 
+/// Whether the report has a verdict of the property, or of a part of it (`S.X7`); false: its model leaves it out.
+bool has_answer(const Report& report, const Property& property);
+
 }  // namespace grafverif

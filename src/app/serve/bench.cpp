@@ -12,6 +12,7 @@
 #include "page/terms.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
+#include "report/report.hpp"
 #include "support/json_text.hpp"
 #include "support/messages.hpp"
 #include "support/printable.hpp"
@@ -49,14 +50,6 @@ Json json_of(const Answer& answer, const std::string& claim) {
             {"declared", verdict.declared},
             {"reason", printable(verdict.reason)},
             {"notes", std::move(notes)}};
-}
-
-/// Nobody has answered: the model leaves it out. One that expands is answered under names that begin with its own.
-bool is_left_out(const Property& property, const Report& report) {
-    return std::ranges::none_of(report.answers, [&](const Answer& answer) {
-        const std::string& name = answer.verdict.property;
-        return name == property.name || name.starts_with(property.name + ".");
-    });
 }
 
 Answer no_answer(const Property& property) {
@@ -252,7 +245,7 @@ private:
         for (const Answer& answer : report.answers) tell(answer);
         if (loop.valid())
             for (const Property& property : model.loops[loop].properties)
-                if (is_left_out(property, report)) tell(no_answer(property));
+                if (!has_answer(report, property)) tell(no_answer(property));
         for (const Breakdown& breakdown : report.breakdowns)
             proof.breakdowns.push_back({{"code", breakdown.code}, {"message", printable(breakdown.message)}});
         for (const std::string& failure : report.failures)
