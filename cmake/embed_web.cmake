@@ -2,6 +2,8 @@
 # Writes OUTPUT, a C++ source that holds the style STYLE and the modules SCRIPTS as one script each, with their SHA-256 in
 # base64: a page allows what has that hash, and no other script. Modules become one by losing what joins them, the lines
 # `import` and the words `export`; their names are therefore unique.
+include("${CMAKE_CURRENT_LIST_DIR}/literal.cmake")
+
 function(base64_of hex result)
     set(letters "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")
     string(APPEND hex "00")  # 32 bytes are two short of a multiple of three letters: 33, the last letter is padding
@@ -16,17 +18,6 @@ function(base64_of hex result)
     endforeach()
     string(SUBSTRING "${text}" 0 43 text)
     set(${result} "${text}=" PARENT_SCOPE)
-endfunction()
-
-# A raw string may be 65,535 characters long: longer ones are several side by side.
-function(literal_of text result)
-    set(literal "")
-    string(LENGTH "${text}" length)
-    foreach(at RANGE 0 ${length} 8000)
-        string(SUBSTRING "${text}" ${at} 8000 piece)
-        string(APPEND literal "R\"~~~(${piece})~~~\"\n")
-    endforeach()
-    set(${result} "${literal}" PARENT_SCOPE)
 endfunction()
 
 file(READ "${STYLE}" style)

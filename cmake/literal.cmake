@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: MIT
+# Sets RESULT to TEXT as a C++ string. A raw string may be 65,535 characters long: longer ones are several side by side.
+function(literal_of text result)
+    set(literal "")
+    string(LENGTH "${text}" length)
+    foreach(at RANGE 0 ${length} 8000)
+        string(SUBSTRING "${text}" ${at} 8000 piece)
+        string(APPEND literal "R\"~~~(${piece})~~~\"\n")
+    endforeach()
+    set(${result} "${literal}" PARENT_SCOPE)
+endfunction()
