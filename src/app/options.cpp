@@ -21,7 +21,7 @@ namespace po = boost::program_options;
 
 bool accepts(const Verb& verb, Accepts what) {
     if (what == Accepts::File) return verb.operand == "FILE";
-    if (what == Accepts::Timeout) return !accepts(verb, Accepts::Bench);
+    if (what == Accepts::Timeout) return !accepts(verb, Accepts::Bench) && !accepts(verb, Accepts::Serve);
     return what == Accepts::Always || std::ranges::find(verb.accepts, what) != verb.accepts.end();
 }
 
@@ -256,6 +256,8 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
         number(Accepts::Walk, "steps", "N", {}, &Options::steps, "moves of the random walk (default: 100)"),
         number(Accepts::Serve, "port", "N", {}, &Options::port, "listen on port N (default: any that is free)"),
         toggle(Accepts::Serve, "open", &Options::open, "open the page in the browser"),
+        number(Accepts::Serve, "timeout", "TIME", times, &Options::patience_ms,
+               "give each check up after TIME, such as 90s or 5min"),
         toggle(Accepts::Verbose, "verbose,v", &Options::verbose, "tell what is internal too"),
     };
 }

@@ -68,7 +68,7 @@ struct Options {
     EventRange events = {};                         ///< of the trace as a timing diagram
     std::string against = {};                       ///< of `test`: the command that runs the controller
     std::optional<std::string> sequence = {};       ///< of `test`: the table to run; else it is made of the chart
-    std::optional<std::uint64_t> patience_ms = {};  ///< of `test`: for one answer
+    std::optional<std::uint64_t> patience_ms = {};  ///< of `test`: for one answer; of `serve`: for one check
     bool stop_on_failure = false, go_on = false;    ///< of `test`
     std::uint64_t max_evolutions = 1000;            ///< of `st`; in 32 bits
     std::optional<std::string> script = {};         ///< of `simulate`

@@ -158,6 +158,32 @@ class Serve(unittest.TestCase):
                 self.assertIn("nonsense", json.loads(page.result(timeout=20)[1])["complaints"])
         self.alive()
 
+    def test_pages_that_go_away_while_they_wait_leave_their_places_at_once(self):
+        done = self.state(lambda state: state["models"] and state["models"][0]["state"] == "done")
+        asks = (f"GET /state?after={done['version']} HTTP/1.1\r\nHost: 127.0.0.1:{self.server.port}\r\n"
+                f"X-Grafverif-Token: {self.server.token}\r\n\r\n").encode()
+        links = [socket.create_connection(("127.0.0.1", self.server.port), timeout=20) for _ in range(64)]
+        for link in links:
+            link.sendall(asks)
+        time.sleep(0.5)  # so that they wait
+        links[0].sendall(b"what nobody reads")
+        self.assertEqual(self.raw(asks), b"")  # turned away: all places are taken
+        for link in links[1:]:
+            link.close()
+
+        def answered():
+            try:
+                return self.status()[0] == 200
+            except OSError:
+                return False
+        browser.eventually(answered, 10, "a place is free before the twenty seconds of those who left are over")
+        self.file.write_text(LAMP + "nonsense")
+        answer = b""
+        while part := links[0].recv(65536):
+            answer += part
+        links[0].close()
+        self.assertIn(b"nonsense", answer)  # who has stayed is answered
+
     def test_no_save_is_missed_by_who_asks_again_at_once(self):
         began, known, reading = time.monotonic(), 0, 0
         for save in range(25):

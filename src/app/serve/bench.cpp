@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/serve/watch.hpp"
+#include "app/stop_words.hpp"
 #include "page/terms.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
@@ -212,6 +213,7 @@ private:
         publish();
         auto told = std::chrono::steady_clock::now();
         CheckOptions options{.witnesses = false, .limits = {options_.max_states, options_.max_memory, {}, &stale_, {}}};
+        if (options_.patience_ms) options.limits.deadline = told + std::chrono::milliseconds(*options_.patience_ms);
         options.limits.progress = [&](const Progress& now) {
             if (std::chrono::steady_clock::now() - told < tell_progress_every) return;
             told = std::chrono::steady_clock::now();
@@ -239,7 +241,9 @@ private:
     void take_over(const Report& report, Proof& proof) const {
         const Model& model = *piece_of_work_->reading.model;
         const Id<ClosedLoop> loop = proof.is_loop ? Id<ClosedLoop>{proof.place} : Id<ClosedLoop>{};
-        const auto tell = [&](const Answer& answer) {
+        const auto tell = [&](Answer answer) {
+            std::string& reason = answer.verdict.reason;
+            reason = with_who_stopped(std::move(reason), false, {.timeout_ms = options_.patience_ms});
             proof.properties.push_back(json_of(answer, claim_text(model, loop, answer.verdict.property)));
         };
         for (const Answer& answer : report.answers) tell(answer);

@@ -179,11 +179,27 @@ private:
         }
 
         void wait() {
+            if (gone_) return close();
+            if (!std::exchange(watched_, true)) watch();
             server_.waiting_.insert(shared_from_this());
             timer_.expires_at(last_moment_);
             timer_.async_wait([self = shared_from_this()](beast::error_code error) {
                 if (!error && self->server_.waiting_.erase(self) != 0) self->ask(true);
             });
+        }
+
+        /// Whether somebody is there still: a page that goes away leaves its place to another. What it sends is forgotten.
+        void watch() {
+            stream_.async_read_some(asio::buffer(rest_),
+                                    [self = shared_from_this()](beast::error_code error, std::size_t) {
+                                        error ? self->leave() : self->watch();
+                                    });
+        }
+
+        void leave() {
+            gone_ = true;
+            timer_.cancel();
+            if (server_.waiting_.erase(shared_from_this()) != 0) close();
         }
 
         void refuse(unsigned status, const std::string& why) { answer({status, "text/plain", why + "\n"}); }
@@ -226,6 +242,7 @@ private:
         std::array<char, 4096> rest_ = {};
         HttpRequest request_ = {};
         std::chrono::steady_clock::time_point last_moment_ = {};
+        bool watched_ = false, gone_ = false;
     };
 
     /// On both addresses, at one port; of ports to choose from another one where somebody has it on one of them.

@@ -52,7 +52,7 @@ HttpAnswer file_named(std::string_view name) {
     return {200, std::string(media_type(name)), std::string(found->text)};
 }
 
-constexpr auto longest_report = std::chrono::minutes(2);
+constexpr std::uint64_t longest_report_ms = 120'000;
 
 /// What is known already, of the query; whatever is no number knows nothing.
 std::uint64_t known_version(const HttpRequest& request) {
@@ -108,7 +108,9 @@ private:
         if (const auto loop = request.query.find("loop"); loop != request.query.end()) job.options.loop = loop->second;
         if (const auto chart = request.query.find("chart"); chart != request.query.end())
             job.options.chart = chart->second;
-        job.options.deadline = std::chrono::steady_clock::now() + longest_report;
+        const std::uint64_t time = std::min(longest_report_ms, options_.patience_ms.value_or(longest_report_ms));
+        job.options.timeout_ms = time;
+        job.options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(time);
         std::istringstream nothing;
         std::ostringstream page, complaints;
         report(job, {nothing, page, complaints});

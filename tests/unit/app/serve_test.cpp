@@ -81,8 +81,9 @@ TEST(Watch, NoticesAChangeBetweenTwoReadings) {
 /// A bench on `file`, and its states as they come.
 class Bystander {
 public:
-    explicit Bystander(const std::string& file) {
+    explicit Bystander(const std::string& file, std::optional<std::uint64_t> patience_ms = {}) {
         options_.operands = {file};
+        options_.patience_ms = patience_ms;
         bench_.emplace(options_, [] {});
     }
 
@@ -113,6 +114,25 @@ private:
     Json state_ = {};
     std::uint64_t known_ = 0;
 };
+
+TEST(ServeBench, ATimeoutEndsTheCheckAndNotTheBench) {
+    const Folder folder;
+    const std::string file = folder.write("lamp.grafcet", lamp_in_a_loop);
+    Bystander bystander(file, 0);
+    const auto undecided = [](const Json& state) {
+        for (const Json& property : state["models"][0]["properties"]) {
+            EXPECT_EQ(property["verdict"], "unknown") << property;
+            EXPECT_NE(property["reason"].get<std::string>().find("stopped at the time limit of 0 s"), std::string::npos)
+                << property;
+        }
+        return state["models"][0]["properties"].size();
+    };
+    const Json first = bystander.wait_for_verdicts();
+    EXPECT_GE(undecided(first), 2U);
+    folder.write("lamp.grafcet", lamp_in_a_loop + "// again\n");
+    bystander.wait_for([&](const Json& state) { return state["reading"] != first["reading"]; });
+    EXPECT_GE(undecided(bystander.wait_for_verdicts()), 2U);
+}
 
 TEST(ServeBench, TellsVerdictsAndWhatIsWrongAndFollowsTheFile) {
     const Folder folder;
