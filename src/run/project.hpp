@@ -91,7 +91,8 @@ private:
 ChartRun project(const Chart& chart, ExecutionMode mode);
 /// What such a run has in `state`.
 ChartRun::State project(const Chart& chart, const State& state, InputValues inputs, std::int64_t time_ms);
-/// Adds a moment and its row: an instant in which `fired` was cleared, evolution by evolution, and what is so behind it.
+/// Adds a moment and its row: an instant in which `fired` was cleared, evolution by evolution, and what is so behind it. The
+/// first evolution of a run clears nothing, and a row of its own says so.
 void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,
                     ChartRun::State after);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <utility>
 
 #include "run/project.hpp"
@@ -49,7 +50,10 @@ ChartRun::State project(const Chart& chart, const State& state, InputValues inpu
 void append_instant(ChartRun& run, std::string what, const std::vector<std::vector<Id<Chart::Transition>>>& fired,
                     ChartRun::State after) {
     ChartRun::Moment moment;
+    const auto has_acts = [](const ChartRun::Moment& earlier) { return !earlier.acts.empty(); };
+    const bool is_first = std::ranges::none_of(run.moments, has_acts);
     ChartRun::Row row{.kind = ChartRun::Kind::Controller, .what = std::move(what), .moment = run.moments.size()};
+    if (is_first && fired.size() == 1 && row.what.empty()) row.what = "first evolution";
     for (const std::vector<Id<Chart::Transition>>& evolution : fired) {
         ChartRun::Act act{.controller = {0}, .evolves = true};
         for (const Id<Chart::Transition> id : evolution) act.fired.push_back({id.index});

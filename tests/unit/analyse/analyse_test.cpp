@@ -242,6 +242,18 @@ TEST(Analyse, AChartThatIsForcedWhileItsEnclosingStepGovernsItIsFound) {
     EXPECT_EQ(find(analysed("input a, b; constraint !(a && b);" + std::string(body)), "forced-and-enclosed"), nullptr);
 }
 
+TEST(Analyse, TheEvidenceTellsTheFirstEvolutionWhichClearsNothing) {
+    const Analysis found = analysed(
+        "input a; initial step 0; step 1; transition t0: 0 -> 1 when a; transition t1: 1 -> 0 "
+        "when a;");
+    const Finding* const endless = find(found, "total-instability");
+    ASSERT_TRUE(endless != nullptr && endless->evidence.has_value());
+    const ChartRun& run = *endless->evidence;
+    ASSERT_EQ(run.rows.size(), 4U);
+    EXPECT_EQ(run.rows[1].what, "first evolution") << "t0 is enabled and a true, and t0 is not cleared yet";
+    EXPECT_EQ(run.loop_from, 2U);
+}
+
 TEST(Analyse, TotalInstabilityEndsInALoopOfSituations) {
     const Analysis found = analysed(R"(
         input a, b;
