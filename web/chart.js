@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The drawn chart of one controller, its steps and transitions lit as they are at a moment of a run. An active step has a
-// token in it, as the standard marks it, and a cleared transition a mark beside it: colour never says it alone.
+// The drawn chart of one controller, its steps and transitions lit as they are at a moment of a run.
 import {draw, make} from "./dom.js";
+import {lightStep, lightTransition} from "./marks.js";
 
 export class ChartView {
     // `choose(kind, place)`: the reader points at a transition or a step.
@@ -39,20 +39,16 @@ export class ChartView {
     }
 
     show(moment, cleared, chosen) {
-        this.chart.steps.forEach((_, place) => {
-            const active = this.run.isActive(this.controller.steps[place], moment);
-            this.mark(this.steps[place], "active", active);
-            this.token(this.steps[place], active);
-        });
+        this.steps.forEach((group, place) => lightStep(group, this.run.isActive(this.controller.steps[place], moment)));
         this.chart.transitions.forEach((transition, place) => {
             const id = this.controller.transitions[place];
             const enabled = transition.from.every((step) => this.run.isActive(this.controller.steps[step], moment));
+            lightTransition(this.transitions[place], cleared.has(id));
+            this.mark(this.conditions[place], "cleared", cleared.has(id));
             for (const group of [this.transitions[place], this.conditions[place]]) {
-                this.mark(group, "cleared", cleared.has(id));
                 this.mark(group, "enabled", enabled);
                 this.mark(group, "chosen", place === chosen);
             }
-            this.tick(this.transitions[place], cleared.has(id));
         });
         this.chart.ownerOfAction.forEach((step, place) =>
             this.mark(this.actions[place], "active", this.run.isActive(this.controller.steps[step], moment)));
@@ -61,33 +57,6 @@ export class ChartView {
     }
 
     mark(group, name, on) { group?.classList.toggle(name, on); }
-
-    // The token of IEC 60848: a dot in the lower half of the step.
-    token(group, on) {
-        const there = group?.querySelector(":scope > .token");
-        if (!group || on === Boolean(there)) return;
-        if (there) return there.remove();
-        const box = this.outline(group);
-        if (box)
-            group.append(draw("circle", {
-                class: "token", cx: box.x + box.width / 2, cy: box.y + box.height - 7, r: 4,
-            }));
-    }
-    tick(group, on) {
-        const there = group?.querySelector(":scope > .tick");
-        if (!group || on === Boolean(there)) return;
-        if (there) return there.remove();
-        const box = this.outline(group);
-        if (box) {
-            const x = box.x + box.width / 2, y = box.y + box.height + 1;
-            group.append(draw("path", {class: "tick", d: `M${x - 7} ${y}H${x + 7}L${x} ${y + 10}Z`}));
-        }
-    }
-    outline(group) {
-        const shape = group.querySelector("rect, polygon, path, line");
-        const box = shape?.getBBox?.();
-        return box && (box.width > 0 || box.height > 0) ? box : null;
-    }
 
     // Brings the first active step into sight, without moving the page.
     follow() {

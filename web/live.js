@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The page of `serve`: the newest state of the file, asked for again and again, and shown. Everything is built of text; what
 // anybody wrote in a file is never read as markup, save the drawings, which the server made and the browser reads as SVG.
-import {draw, make} from "./dom.js";
+import {make} from "./dom.js";
+import {lightStep, lightTransition} from "./marks.js";
 import {Simulator} from "./simulator.js";
 
 const token = new URLSearchParams(location.search).get("token") ?? "";
@@ -44,23 +45,14 @@ class Drawings {
         return make("div", {class: "drawing", tabindex: 0, role: "region", "aria-label": `Drawing of ${name}`}, svg);
     }
 
-    // Active steps carry a dot, as the standard marks them; what was cleared, a mark beside it: colour never says it alone.
     light(lit, fired) {
         Object.assign(this, {lit, fired});
-        for (const mark of this.place.querySelectorAll(".token, .tick")) mark.remove();
-        for (const element of this.place.querySelectorAll(".lit, .fired")) element.classList.remove("lit", "fired");
-        this.mark(lit, "lit", (box) => draw("circle", {class: "token", cx: box.x + box.width / 2, cy: box.y + box.height - 9, r: 3.5}));
-        this.mark(fired, "fired", (box) => draw("path", {class: "tick",
-            d: `M${box.x + box.width / 2 - 7} ${box.y + box.height + 1}h14l-7 10z`}));
-    }
-
-    mark(ids, name, symbol) {
-        for (const id of ids) {
-            const element = document.getElementById(id), box = element?.querySelector("rect, polygon, path, line")?.getBBox();
-            if (!box) continue;
-            element.classList.add(name);
-            element.append(symbol(box));
-        }
+        const show = (name, ids, light) => {
+            for (const each of this.place.querySelectorAll(`.${name}`)) light(each, false);
+            for (const id of ids) light(document.getElementById(id), true);
+        };
+        show("active", lit, lightStep);
+        show("cleared", fired, lightTransition);
     }
 }
 

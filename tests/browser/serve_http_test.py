@@ -76,7 +76,7 @@ class Serve(unittest.TestCase):
         status, page = self.status(f"/?token={self.server.token}", token=False)
         self.assertEqual(status, 200)
         self.assertIn("<h1", page)
-        for part in ("live.js", "simulator.js", "dom.js", "live.css"):
+        for part in ("live.js", "simulator.js", "marks.js", "dom.js", "live.css"):
             self.assertEqual(self.status(f"/web/{part}", token=False)[0], 200, part)
         self.assertEqual(self.status("/web/../secret", token=False)[0], 404)
         self.assertEqual(self.status("/nothing")[0], 404)

@@ -42,12 +42,12 @@ class Serve(browser.Case):
 
     def test_the_oven_door_is_simulated_to_its_end(self):
         self.serve(OVEN.read_text())
-        self.page.wait_for("#c0-step-0.lit .token")
+        self.page.wait_for("#c0-step-0.active .token")
         self.press("Next")
         self.press("START is false")
         self.wait_for_row("LIGHT")
-        self.page.wait_for("#c0-step-1.lit .token")
-        self.assertEqual(self.page.all("#c0-step-0.lit"), [])
+        self.page.wait_for("#c0-step-1.active .token")
+        self.assertEqual(self.page.all("#c0-step-0.active"), [])
         self.press("Wait")  # a second, as the page proposes: the button lets go a second behind its press
         self.press("START is true")
         self.wait_for_row("CLOSE")
@@ -60,7 +60,7 @@ class Serve(browser.Case):
         self.assertIn("LOCK", outputs)
         self.assertNotIn("LIGHT", outputs)
         browser.eventually(lambda: "as expected" in self.page.text("#status"), 30, "the verdicts")
-        self.page.wait_for("#c0-step-0.lit .token")
+        self.page.wait_for("#c0-step-0.active .token")
         self.page.script("scrollTo(0, 0)")
         self.page.screenshot("serve-oven")
 
@@ -123,7 +123,7 @@ class Serve(browser.Case):
         server = self.serve(LAMP)
         self.press("ON is false")
         self.wait_for_row("LAMP")
-        self.page.wait_for("#c0-transition-on.fired .tick")
+        self.page.wait_for("#c0-transition-on.cleared .tick")
         self.press("ON is true")
         self.page.wait_for_text("#simulation p", "2 moves")
         self.press("Next")

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What lights an element of a drawn chart: a class, and a sign beside it, for colour never says it alone.
+import {draw} from "./dom.js";
+
+// An active step has a token in it, as IEC 60848 marks it: a dot in the lower half.
+export function lightStep(group, on) {
+    group?.classList.toggle("active", on);
+    sign(group, on, "token", (box) => draw("circle", {class: "token", cx: box.x + box.width / 2, cy: box.y + box.height - 7, r: 4}));
+}
+
+export function lightTransition(group, on) {
+    group?.classList.toggle("cleared", on);
+    sign(group, on, "tick", (box) => draw("path", {class: "tick",
+        d: `M${box.x + box.width / 2 - 7} ${box.y + box.height + 1}h14l-7 10z`}));
+}
+
+function sign(group, on, name, drawn) {
+    const there = group?.querySelector(`:scope > .${name}`);
+    if (!group || on === Boolean(there)) return;
+    if (there) return there.remove();
+    const box = group.querySelector("rect, polygon, path, line")?.getBBox?.();
+    if (box && (box.width > 0 || box.height > 0)) group.append(drawn(box));
+}
