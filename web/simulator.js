@@ -34,6 +34,10 @@ export class Simulator {
         }});
         this.count = make("input", {type: "number", min: 1, max: 1000, value: 20, "aria-label": "How many random moves"});
         this.every = make("input", {type: "checkbox", onchange: () => this.setEvery(this.every.checked)});
+        this.step = make("select", {"aria-label": "Step to force", onchange: () => this.offerForce()});
+        this.forceButton = make("button", {type: "button", onclick: () =>
+            this.move(`force ${this.step.value} ${this.isActive(this.step.value) ? "off" : "on"}`)}, "Activate");
+        this.trial = make("p", {class: "warning", role: "status"});
         this.clock = make("p", {});
         this.problem = make("p", {class: "problem", role: "alert"});
         this.warning = make("p", {class: "warning", role: "status"});
@@ -41,6 +45,9 @@ export class Simulator {
         this.controls = make("div", {},
             make("div", {class: "row"}, make("label", {}, "Simulate ", this.select), restart, back, again, save),
             make("div", {class: "row"}, next, wait, this.time, random, this.count),
+            make("details", {class: "force"}, make("summary", {}, "Force a step, for trial"),
+                make("div", {class: "remark"}, "What follows is what would follow; it is not a run of the model any more. Stored actions are not run by it."),
+                make("div", {class: "row"}, make("label", {}, "Step ", this.step), this.forceButton)),
             make("label", {class: "check", title: "Of a closed loop every edge is a choice then, the phases of the PLC included"}, this.every, " every evolution"));
         this.panel = make("div", {});
         this.rows = make("tbody", {});
@@ -49,7 +56,7 @@ export class Simulator {
             make("table", {},
                 make("thead", {}, make("tr", {}, ...["time", "what happened", "cleared", "situation", "outputs"].map((title) => make("th", {scope: "col"}, title)))),
                 this.rows));
-        this.place.replaceChildren(this.controls, this.clock, this.problem, this.warning, this.panel, make("h3", {}, "What has happened"), this.table);
+        this.place.replaceChildren(this.controls, this.clock, this.problem, this.trial, this.warning, this.panel, make("h3", {}, "What has happened"), this.table);
     }
 
     // The state of the file is another one: the same moves are made on it.
@@ -147,8 +154,10 @@ export class Simulator {
         this.moves = answer.moves;
         this.problem.textContent = answer.problem;
         this.warning.textContent = answer.broken_constraints.map((text) => `These inputs break the constraint ${text}.`).join(" ");
+        this.trial.textContent = answer.trial ? "A trial: a step was forced by hand. The rows marked so are not a run of the model, and show nothing of it." : "";
         this.cursor = answer.rows.length - 1;
         this.clock.textContent = `${seconds(answer.time)} since power-on, ${this.moves.length} ${this.moves.length === 1 ? "move" : "moves"}`;
+        this.showSteps(answer.steps);
         this.showPanel(answer);
         this.showRows(answer);
         this.enable(answer);
@@ -162,6 +171,15 @@ export class Simulator {
         wait.disabled = !answer.wait.may;
         next.disabled = !answer.wait.may || (answer.wait.limit === null && answer.wait.change === null);
     }
+
+    showSteps(steps) {
+        const chosen = this.step.value;
+        this.step.replaceChildren(...steps.map(({name, active}) => make("option", {value: name}, active ? `${name}, active` : name)));
+        if (steps.some(({name}) => name === chosen)) this.step.value = chosen;
+        this.offerForce();
+    }
+    isActive(name) { return this.answer.steps.some((step) => step.name === name && step.active); }
+    offerForce() { this.forceButton.textContent = this.isActive(this.step.value) ? "Deactivate" : "Activate"; }
 
     showPanel(answer) {
         const held = document.activeElement?.dataset?.signal ?? document.activeElement?.dataset?.command;
@@ -191,8 +209,8 @@ export class Simulator {
     // What has happened, row by row
 
     showRows(answer) {
-        this.rows.replaceChildren(...answer.rows.map((row, place) => make("tr", {onclick: () => this.point(place)},
-            ...[row.time, row.inputs && row.inputs !== "none" ? `${row.what}: ${row.inputs}` : row.what, row.cleared, row.situation, row.outputs].map((text) => make("td", {}, text)))));
+        this.rows.replaceChildren(...answer.rows.map((row, place) => make("tr", {class: row.trial ? "trial" : null, onclick: () => this.point(place)},
+            ...[row.trial ? `trial ${row.time}` : row.time, row.inputs && row.inputs !== "none" ? `${row.what}: ${row.inputs}` : row.what, row.cleared, row.situation, row.outputs].map((text) => make("td", {}, text)))));
         this.point(this.cursor);
         this.table.scrollTop = this.table.scrollHeight;
     }
@@ -234,9 +252,12 @@ export class Simulator {
         }
     }
 
+    script() {
+        const trial = this.answer.trial ? "// A trial by hand: not a run of the model from the first `force` on.\n" : "";
+        return `// ${this.of}\n${trial}${this.moves.map((move) => `${move}\n`).join("")}`;
+    }
     save() {
-        const text = `// ${this.of}\n${this.moves.map((move) => `${move}\n`).join("")}`;
-        const link = make("a", {href: URL.createObjectURL(new Blob([text], {type: "text/plain"})), download: "simulation.txt"});
+        const link = make("a", {href: URL.createObjectURL(new Blob([this.script()], {type: "text/plain"})), download: "simulation.txt"});
         link.click();
         URL.revokeObjectURL(link.href);
     }

@@ -69,6 +69,10 @@ Command command_of(std::string_view line) {
     if (first == "wait" || first == "w") return wait_of(list);
     if (first == "do" && (list.size() == 2 || list.size() == 3))
         return DoCommand{list[1], list.size() == 3 ? list[2] : ""};
+    if (first == "force") {
+        if (list.size() == 3 && (list[2] == "on" || list[2] == "off")) return ForceCommand{list[1], list[2] == "on"};
+        return BadCommand{"write `force STEP on` or `force STEP off`"};
+    }
     if (list.size() == 1) {
         if (first == "back" || first == "b") return BackCommand{};
         if (first == "quit" || first == "q") return QuitCommand{};

@@ -5,6 +5,7 @@
 //                        `NAME = VALUE, NAME = VALUE`, at once
 //   wait 3s              let time pass: ms, s or min;  `wait` alone: until something happens by itself, or can
 //   do INSTANCE          the instance does what it can;  `do INSTANCE LOCATION`: what leads it to the location
+//   force STEP on        a trial: the step is made active by hand, or not (`off`); no run of the model from then on
 //   3                    the third of the choices listed
 //   back                 undo the last command
 //   quit                 end;  so does the end of the input
@@ -35,6 +36,11 @@ struct DoCommand {
     std::string instance = {}, location = {};
     bool operator==(const DoCommand&) const = default;
 };
+struct ForceCommand {
+    std::string step = {};
+    bool active = false;
+    bool operator==(const ForceCommand&) const = default;
+};
 struct ChooseCommand {
     std::size_t number = 0;
     bool operator==(const ChooseCommand&) const = default;
@@ -57,8 +63,8 @@ struct BadCommand {
     bool operator==(const BadCommand&) const = default;
 };
 
-using Command = std::variant<SetCommand, WaitCommand, DoCommand, ChooseCommand, BackCommand, QuitCommand, HelpCommand,
-                             NoCommand, BadCommand>;
+using Command = std::variant<SetCommand, WaitCommand, DoCommand, ForceCommand, ChooseCommand, BackCommand, QuitCommand,
+                             HelpCommand, NoCommand, BadCommand>;
 
 Command command_of(std::string_view line);
 

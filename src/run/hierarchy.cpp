@@ -42,13 +42,28 @@ bool Levels::is_free(const Chart::Transition& transition, const std::vector<bool
     if (!has_hierarchy_) return true;
     const Id<Chart::Step> owner = chart_.partial_charts[transition.chart].owner;
     if (transition.from.empty() && owner.valid() && !situation[owner.index]) return false;
-    return std::ranges::none_of(chart_.forcing, [&](const Chart::ForcingOrder& order) {
-        return situation[order.step.index] && contains(order.forced, transition.chart);
+    return !holder(transition.chart, situation).valid();
+}
+
+Id<Chart::Step> Levels::holder(Partial partial, const std::vector<bool>& situation) const {
+    const auto found = std::ranges::find_if(chart_.forcing, [&](const Chart::ForcingOrder& order) {
+        return situation[order.step.index] && contains(order.forced, partial);
     });
+    return found == chart_.forcing.end() ? Id<Chart::Step>{} : found->step;
 }
 
 std::vector<bool> Levels::after(const std::vector<bool>& old, const std::vector<bool>& cleared) const {
     return has_hierarchy_ ? settled(&old, cleared) : cleared;
+}
+
+std::vector<bool> Levels::by_hand(const std::vector<bool>& old, Id<Chart::Step> step, bool active) const {
+    std::vector<bool> made = old;
+    made[entry(step).index] = active;
+    for (const Id<Chart::PartialChart> id : chart_.partial_charts.ids())
+        if (!active && chart_.partial_charts[id].kind == Chart::PartialKind::Expansion &&
+            chart_.partial_charts[id].owner == step)
+            clear(id, made);
+    return after(old, made);
 }
 
 std::vector<bool> Levels::initial() const {

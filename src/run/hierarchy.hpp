@@ -26,6 +26,13 @@ public:
     /// The situation after an evolution from `old`, `cleared` being what rules 3 and 5 make of it.
     std::vector<bool> after(const std::vector<bool>& old, const std::vector<bool>& cleared) const;
 
+    /// The situation after somebody has made `step` active, or not, by hand; of a macro-step its expansion. The rules have
+    /// the last word: `step` may not be what it was made.
+    std::vector<bool> by_hand(const std::vector<bool>& old, Id<Chart::Step> step, bool active) const;
+
+    /// A step whose order holds the partial chart in `situation`; not valid: none does.
+    Id<Chart::Step> holder(Id<Chart::PartialChart> partial, const std::vector<bool>& situation) const;
+
     /// The situation at power-on.
     std::vector<bool> initial() const;
 

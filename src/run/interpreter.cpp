@@ -28,6 +28,12 @@ void clear_transitions(const Chart& chart, const Levels& levels, const State& ol
     }
 }
 
+/// Steps that have become active are new; what is not active has no age.
+void age(const std::vector<bool>& before, State& state) {
+    for (std::size_t step = 0; step < before.size(); ++step)
+        if (before[step] != state.situation[step]) state.ages[step] = state.situation[step] ? 0 : -1;
+}
+
 /// Rules 3 and 5: deactivate, then activate, so that activation wins; a step that was active keeps its age then.
 /// Hierarchy has the last word.
 void change_situation(const Chart& chart, const Levels& levels, const State& old, Evolution& evolution) {
@@ -37,11 +43,7 @@ void change_situation(const Chart& chart, const Levels& levels, const State& old
     for (const Id<Chart::Transition> id : evolution.fired)
         for (const Id<Chart::Step> step : chart.transitions[id].to) state.situation[levels.entry(step).index] = true;
     state.situation = levels.after(old.situation, state.situation);
-    for (const Id<Chart::Step> step : chart.steps.ids()) {
-        const bool before = old.situation[step.index];
-        if (before && !state.situation[step.index]) state.ages[step.index] = -1;
-        if (!before && state.situation[step.index]) state.ages[step.index] = 0;
-    }
+    age(old.situation, state);
 }
 
 /// Whether `action` is run in an evolution; empty where its event has no value.
@@ -186,6 +188,18 @@ Evolution evolve(const Chart& chart, const State& state, InputValues inputs, con
     Reader after(chart, evolution.state, inputs, timed, &remembered);
     watch(chart, remembered, ended, after, evolution);
     return evolution;
+}
+
+std::optional<State> with_situation(const Chart& chart, State state, std::vector<bool> situation, InputValues inputs) {
+    const std::vector<bool> timed = time_conditions(chart, state);
+    const Memory remembered = memory(chart);
+    Evolution by_hand;
+    by_hand.state = std::move(state);
+    std::swap(by_hand.state.situation, situation);
+    age(situation, by_hand.state);
+    Reader after(chart, by_hand.state, inputs, timed, &remembered);
+    watch(chart, remembered, timed, after, by_hand);
+    return by_hand.fault ? std::nullopt : std::optional(std::move(by_hand.state));
 }
 
 std::optional<std::vector<std::int64_t>> output_values(const Chart& chart, const State& state, InputValues inputs,

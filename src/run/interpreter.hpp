@@ -137,6 +137,10 @@ Evolution evolve(const Chart& chart, const State& state, InputValues inputs, con
 Evolution evolve(const Chart& chart, const State& state, InputValues inputs, const std::vector<bool>& timed,
                  const std::vector<bool>& ended);
 
+/// `state` with another situation, as somebody gives it by hand: what is timed begins and ends as in an evolution, no stored
+/// action is run. Empty: a time condition has no value then.
+std::optional<State> with_situation(const Chart& chart, State state, std::vector<bool> situation, InputValues inputs);
+
 /// Per variable: the outputs of `state`, of its situation and image; other entries are 0. Empty optional where an
 /// assignation condition has no value. `timed`: as in the evolution that led to `state`.
 std::optional<std::vector<std::int64_t>> output_values(const Chart& chart, const State& state, InputValues inputs,

@@ -66,6 +66,8 @@ public:
 
     /// One move has led from `before` to `after`.
     void append(const Move& move, const NetworkState& before, const NetworkState& after);
+    /// Somebody has made it so by hand: a moment of the kind `environment` about which there is nothing else to tell.
+    void append_by_hand(const NetworkState& after);
 
 private:
     void add_controllers();

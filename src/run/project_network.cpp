@@ -124,6 +124,13 @@ void NetworkProjection::append(const Move& move, const NetworkState& before, con
     run_.moments.push_back(std::move(moment));
 }
 
+void NetworkProjection::append_by_hand(const NetworkState& after) {
+    run_.moments.push_back({.kind = ChartRun::Kind::Environment,
+                            .internal = true,
+                            .move = run_.moments.size() - 1,
+                            .after = view_.state(time_ms_, after.variables)});
+}
+
 void NetworkProjection::fill(ChartRun::Moment& moment, const Fire& fire, const NetworkState& before,
                              const NetworkState& after) const {
     const Network::Process& process = network_.processes[fire.process];

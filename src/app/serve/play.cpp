@@ -89,7 +89,8 @@ private:
         const Command command = command_of(move);
         const bool moves = std::holds_alternative<SetCommand>(command) ||
                            std::holds_alternative<WaitCommand>(command) || std::holds_alternative<DoCommand>(command) ||
-                           std::holds_alternative<ChooseCommand>(command);
+                           std::holds_alternative<ChooseCommand>(command) ||
+                           std::holds_alternative<ForceCommand>(command);
         problem_ = moves || std::holds_alternative<BadCommand>(command) ? simulation_.obey(command)
                                                                         : "`" + move + "` is no move";
         made_.push_back(move);
@@ -133,6 +134,7 @@ private:
             list.push_back({{"move", std::ranges::upper_bound(ends_, k) - ends_.begin()},
                             {"time", moment_text(run, after)},
                             {"kind", word(run.rows[k].kind)},
+                            {"trial", simulation_.trial_row().value_or(k + 1) <= k},
                             {"what", words[1]},
                             {"inputs", words[2]},
                             {"cleared", words[3]},
@@ -141,6 +143,15 @@ private:
                             {"lit", lit(after)},
                             {"fired", cleared(run.rows[k])}});
         }
+        return list;
+    }
+
+    Json steps_json() const {
+        const ChartRun& run = simulation_.told();
+        const auto& now = run.moments.back().after.situation;
+        Json list = Json::array();
+        for (const Id<ChartRun::Step> id : run.steps.ids())
+            list.push_back({{"name", run.steps[id].short_name}, {"active", std::ranges::binary_search(now, id)}});
         return list;
     }
 
@@ -173,7 +184,9 @@ private:
                 {"problem", printable(problem_)},
                 {"time", simulation_.told().moments.back().after.time_ms},
                 {"rows", rows_json()},
+                {"trial", simulation_.trial_row().has_value()},
                 {"signals", signals_json()},
+                {"steps", steps_json()},
                 {"choices", std::move(choices)},
                 {"wait",
                  {{"may", patience.may_pass},
@@ -200,7 +213,8 @@ Json played(const Workpiece& piece, const Options& options, const Wish& wish) {
         std::vector<ElementIds> ids;
         for (const ClosedLoop::Controller& controller : model.loops[*loop].controllers)
             ids.push_back(element_ids(model.charts[controller.chart], drawing_prefix(controller.chart)));
-        Simulation simulation(*piece.networks[loop->index], wish.everything ? Detail::Everything : Detail::Chart);
+        Simulation simulation(*piece.networks[loop->index], charts_of(model, model.loops[*loop]),
+                              wish.everything ? Detail::Everything : Detail::Chart);
         return Player(simulation, std::move(ids)).play(wish);
     }
     const auto chart = find_chart(model, wish.chart);

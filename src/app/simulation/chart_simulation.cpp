@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "run/by_hand.hpp"
 #include "run/project.hpp"
 #include "run/reader.hpp"
 #include "support/overloaded.hpp"
@@ -60,6 +61,7 @@ void ChartSimulation::power_on() {
     state_ = grafverif::power_on(chart_);
     time_ms_ = 0;
     broken_ = false;
+    trial_row_.reset();
     inputs_.assign(chart_.variables.size(), 0);
     for (const Id<Chart::Variable> id : chart_.variables.ids())
         inputs_[id.index] = std::clamp<std::int64_t>(0, chart_.variables[id].type.low, chart_.variables[id].type.high);
@@ -260,6 +262,10 @@ std::string ChartSimulation::make(const Made& command) {
                            problem = follow();
                        }
                    },
+                   [&](const Trial& trial) {
+                       put(trial);
+                       problem = follow();
+                   },
                },
                command);
     teller_->flush();
@@ -298,6 +304,24 @@ std::string ChartSimulation::set(const std::vector<Setting>& settings) {
 
 std::string ChartSimulation::act(std::string_view instance, std::string_view) {
     return fmt::format("there is no plant here, so no `{}`; inputs are set by `NAME = VALUE`", instance);
+}
+
+std::string ChartSimulation::force(std::string_view step, bool active) {
+    const std::optional<Trial> trial = trial_of(told_, step, active);
+    if (!trial) return fmt::format("there is no step `{}`", step);
+    const ByHand made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial->step)}, active);
+    if (!made.refusal.empty()) return made.refusal;
+    if (!with_situation(chart_, state_, made.situation, inputs_)) return "a time condition would have no value then";
+    return make(*trial);
+}
+
+/// Requires one that was not refused.
+void ChartSimulation::put(const Trial& trial) {
+    ByHand made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial.step)}, trial.active);
+    if (auto state = with_situation(chart_, state_, std::move(made.situation), inputs_)) state_ = std::move(*state);
+    add({.kind = ChartRun::Kind::Environment, .internal = true});
+    const std::size_t row = tell_trial(told_, *teller_, trial);
+    trial_row_ = trial_row_.value_or(row);
 }
 
 bool ChartSimulation::back() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/simulation/settings.hpp"
+#include "app/simulation/trial.hpp"
 #include "grafverif/ir/chart.hpp"
 #include "report/tell.hpp"
 #include "run/interpreter.hpp"
@@ -41,16 +42,20 @@ public:
     std::string wait();
     std::string set(const std::vector<Setting>& settings);
     std::string act(std::string_view instance, std::string_view location);
+    std::string force(std::string_view step, bool active);
+    /// The first row that is no run of the chart any more.
+    std::optional<std::size_t> trial_row() const { return trial_row_; }
     bool back();
 
 private:
-    using Made = std::variant<std::vector<Setting>, std::int64_t>;
+    using Made = std::variant<std::vector<Setting>, std::int64_t, Trial>;
 
     void power_on();
     std::vector<Setting> settings() const;
     std::vector<Id<Expr>> broken_by(const std::vector<std::int64_t>& inputs) const;
     std::string refusal(const Setting& setting) const;
     std::string make(const Made& command);
+    void put(const Trial& trial);
     std::string follow();
     std::string cycle();
     void tell_evolutions(const Cycle& made);
@@ -69,6 +74,7 @@ private:
     ChartRun told_ = {};
     std::optional<Teller> teller_;
     std::vector<Made> commands_ = {};
+    std::optional<std::size_t> trial_row_ = {};
     bool broken_ = false;
 };
 

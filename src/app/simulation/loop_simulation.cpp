@@ -31,13 +31,16 @@ std::string listed(const std::vector<std::string>& words) {
 
 }  // namespace
 
-LoopSimulation::LoopSimulation(const Network& network, Detail detail) : network_(network), detail_(detail) {
+LoopSimulation::LoopSimulation(const Network& network, std::vector<const Chart*> charts, Detail detail)
+    : network_(network), charts_(std::move(charts)), detail_(detail) {
     power_on();
 }
 
 void LoopSimulation::power_on() {
     state_ = initial_state(network_);
     run_ = {};
+    trials_ = {};
+    trial_row_ = {};
     told_ = {};
     projection_.emplace(network_, state_, told_);
     teller_.emplace(told_, detail_);
@@ -157,7 +160,7 @@ std::string LoopSimulation::settle() {
 }
 
 std::string LoopSimulation::choose(const Fire& fire) {
-    commands_.push_back(run_.moves.size());
+    begin_command();
     std::string problem;
     if (!move(fire, problem)) return problem;
     return settle();
@@ -190,7 +193,7 @@ std::string LoopSimulation::wait(std::int64_t milliseconds) {
     const std::int64_t unit = network_.time_unit_ms;
     if (milliseconds % unit != 0)
         return fmt::format("the time unit of this loop is {}; wait a multiple of it", seconds_text(unit));
-    commands_.push_back(run_.moves.size());
+    begin_command();
     std::string problem = pass(milliseconds / unit);
     teller_->flush();
     return problem;
@@ -235,18 +238,50 @@ std::string LoopSimulation::act(std::string_view instance, std::string_view loca
 bool LoopSimulation::back() {
     if (commands_.empty()) return false;
     Run shorter = std::move(run_);
-    shorter.moves.resize(commands_.back());
+    std::vector<Forced> trials = std::move(trials_);
+    shorter.moves.resize(commands_.back().moves);
+    trials.resize(commands_.back().trials);
     commands_.pop_back();
     power_on();
     broken_ = false;
     std::string ignored;
     auto command = commands_.begin();
-    for (std::size_t i = 0; i < shorter.moves.size(); ++i) {
-        for (; command != commands_.end() && *command == i; ++command) teller_->flush();
-        move(shorter.moves[i], ignored);
+    auto forced = trials.begin();
+    for (std::size_t i = 0; i <= shorter.moves.size(); ++i) {
+        for (; command != commands_.end() && command->moves == i; ++command) teller_->flush();
+        for (; forced != trials.end() && forced->at == i; ++forced) put(forced->trial);
+        if (i < shorter.moves.size()) move(shorter.moves[i], ignored);
     }
     teller_->flush();
     return true;
+}
+
+std::string LoopSimulation::force(std::string_view step, bool active) {
+    if (broken_) return "nothing more can happen; `back` undoes the last command";
+    const std::optional<Trial> trial = trial_of(told_, step, active);
+    if (!trial) return fmt::format("there is no step `{}`", step);
+    const Network::Controller& controller = network_.controllers[{trial->controller.index}];
+    if (state_.locations[controller.process.index] != controller.waiting)
+        return "the PLC is in the midst of a cycle; a step can be forced between two cycles";
+    if (ByHand made = forced(*trial); !made.refusal.empty()) return std::move(made.refusal);
+    begin_command();
+    put(*trial);
+    return settle();
+}
+
+ByHand LoopSimulation::forced(const Trial& trial) const {
+    const std::uint32_t controller = trial.controller.index;
+    return by_hand(*charts_[controller], situation_of(network_, state_, {controller}),
+                   {static_cast<std::uint32_t>(trial.step)}, trial.active);
+}
+
+/// Requires one that was not refused.
+void LoopSimulation::put(const Trial& trial) {
+    put_situation(network_, state_, {trial.controller.index}, forced(trial).situation);
+    trials_.push_back({run_.moves.size(), trial});
+    projection_->append_by_hand(state_);
+    const std::size_t row = tell_trial(told_, *teller_, trial);
+    trial_row_ = trial_row_.value_or(row);
 }
 
 }  // namespace grafverif::app

@@ -7,6 +7,8 @@
 //   3  PLC cycles
 //   4  edges that an invariant forces now, where an instance has one only: movements go on
 //
+// By hand a step can be forced besides, as a trial, between two cycles of its PLC.
+//
 // With Detail::Everything nothing follows by itself: every edge is a choice.
 #pragma once
 
@@ -17,17 +19,20 @@
 #include <vector>
 
 #include "app/simulation/settings.hpp"
+#include "app/simulation/trial.hpp"
+#include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/network.hpp"
 #include "ir/network_run.hpp"
 #include "report/tell.hpp"
+#include "run/by_hand.hpp"
 #include "run/project.hpp"
 
 namespace grafverif::app {
 
 class LoopSimulation {
 public:
-    /// `network` outlives the simulation.
-    LoopSimulation(const Network& network, Detail detail);
+    /// `network` and `charts`, those of its controllers, outlive the simulation.
+    LoopSimulation(const Network& network, std::vector<const Chart*> charts, Detail detail);
     LoopSimulation(const LoopSimulation&) = delete;
     LoopSimulation& operator=(const LoopSimulation&) = delete;
 
@@ -51,11 +56,28 @@ public:
     std::string set(const std::vector<Setting>& settings);
     /// Makes the first choice of `instance` that leads to `location`; empty: the first.
     std::string act(std::string_view instance, std::string_view location);
+    /// Makes the step active, or not, by hand.
+    std::string force(std::string_view step, bool active);
+    /// The first row that is no run of the network any more.
+    std::optional<std::size_t> trial_row() const { return trial_row_; }
     /// Undoes the last command; false: there is none.
     bool back();
 
 private:
+    /// A trial, before the move of that number.
+    struct Forced {
+        std::size_t at = 0;
+        Trial trial = {};
+    };
+    /// What there was before a command.
+    struct Mark {
+        std::size_t moves = 0, trials = 0;
+    };
+
     void power_on();
+    void begin_command() { commands_.push_back({run_.moves.size(), trials_.size()}); }
+    void put(const Trial& trial);
+    ByHand forced(const Trial& trial) const;
     std::vector<Fire> fires() const;
     std::string choose(const Fire& fire);
     /// One edge, nothing follows. False: it cannot be made, or broke the model off.
@@ -68,13 +90,16 @@ private:
     std::string problem_of(const Step& step, const Move& move) const;
 
     const Network& network_;
+    std::vector<const Chart*> charts_;  ///< per controller
     Detail detail_;
     NetworkState state_;
     Run run_ = {};
     ChartRun told_ = {};
     std::optional<NetworkProjection> projection_;  ///< of the run, into `told_`
     std::optional<Teller> teller_;
-    std::vector<std::size_t> commands_ = {};  ///< the length of the run before each
+    std::vector<Forced> trials_ = {};
+    std::vector<Mark> commands_ = {};
+    std::optional<std::size_t> trial_row_ = {};
     bool broken_ = false;
 };
 

@@ -22,6 +22,7 @@ std::string Simulation::obey(const Command& command) {
                                       return wait.milliseconds ? of.wait(*wait.milliseconds) : of.wait();
                                   },
                                   [&](const DoCommand& act) { return of.act(act.instance, act.location); },
+                                  [&](const ForceCommand& force) { return of.force(force.step, force.active); },
                                   [&](const ChooseCommand& choice) { return choose(choice.number); },
                                   [&](BackCommand) { return std::string(of.back() ? "" : "there is nothing to undo"); },
                                   [](const BadCommand& bad) { return bad.complaint; },
@@ -41,6 +42,10 @@ std::string Simulation::choose(std::size_t number) {
 
 const ChartRun& Simulation::told() const {
     return std::visit([](const auto& of) -> const ChartRun& { return of.told(); }, of_);
+}
+
+std::optional<std::size_t> Simulation::trial_row() const {
+    return std::visit([](const auto& of) { return of.trial_row(); }, of_);
 }
 
 std::vector<Choice> Simulation::choices() const {

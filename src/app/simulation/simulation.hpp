@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace grafverif::app {
 class Simulation {
 public:
     /// What is simulated outlives the simulation.
-    Simulation(const Network& network, Detail detail) : of_(std::in_place_type<LoopSimulation>, network, detail) {}
+    Simulation(const Network& network, std::vector<const Chart*> charts, Detail detail)
+        : of_(std::in_place_type<LoopSimulation>, network, std::move(charts), detail) {}
     Simulation(const Chart& chart, ExecutionMode mode, Detail detail)
         : of_(std::in_place_type<ChartSimulation>, chart, mode, detail) {}
 
@@ -30,6 +32,8 @@ public:
     std::string obey(const Command& command);
 
     const ChartRun& told() const;
+    /// The first row of `told` that is no run of the model any more, since a step was forced by hand; empty: all are.
+    std::optional<std::size_t> trial_row() const;
     std::vector<Choice> choices() const;
     std::size_t choice_count() const;
     Patience patience() const;

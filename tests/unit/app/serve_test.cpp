@@ -7,6 +7,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <random>
 #include <thread>
 
 #include "app/serve/bench.hpp"
@@ -280,6 +281,114 @@ TEST(Play, DrawsMovesThatAScriptTakes) {
             bystander.play({{of, std::string(of) == "loop" ? "house" : "lamp"}, {"moves", drawn["moves"]}})["rows"],
             drawn["rows"]);
     }
+}
+
+/// The steps that are active in the end.
+std::string situation(const Json& answer) { return answer["rows"].back()["situation"].get<std::string>(); }
+
+TEST(Trial, AStepIsForcedByHandAndAllThatFollowsIsCalledATrial) {
+    const Folder folder;
+    Bystander bystander(folder.write("lamp.grafcet", lamp_in_a_loop));
+    bystander.wait_for([](const Json& state) { return state["readable"] == true; });
+    for (const auto& [of, name] : {std::pair("loop", "house"), std::pair("chart", "lamp")}) {
+        SCOPED_TRACE(of);
+        const auto moves = [&, of = of, name = name](std::vector<std::string> list) {
+            return bystander.play({{of, name}, {"moves", std::move(list)}});
+        };
+        const Json begun = moves({});
+        EXPECT_EQ(begun["trial"], false);
+        EXPECT_EQ(begun["steps"], Json({{{"name", "0"}, {"active", true}}, {{"name", "1"}, {"active", false}}}));
+        const Json forced = moves({"force 1 on"});
+        EXPECT_EQ(forced["problem"], "");
+        EXPECT_EQ(forced["trial"], true);
+        EXPECT_EQ(situation(forced), "0, 1");
+        EXPECT_EQ(forced["rows"].back()["outputs"], "LAMP");
+        EXPECT_EQ(forced["rows"][0]["trial"], false);
+        EXPECT_EQ(forced["rows"][1]["trial"], true);
+        EXPECT_EQ(forced["rows"][1]["what"], "TRIAL: step 1 activated by hand; not a run of the model from here on");
+        EXPECT_EQ(situation(moves({"force 1 on", "force 0 off", "wait 2s"})), "1");
+        EXPECT_EQ(situation(moves({"force 1 on", "force 0 off", "wait 3s"})), "0")
+            << "its time counts from the trial on";
+        EXPECT_EQ(moves({"force 1 on", "force 1 on"})["problem"], "step `1` is active already");
+        EXPECT_EQ(moves({"force 1 off"})["problem"], "step `1` is not active");
+        EXPECT_EQ(moves({"force 7 on"})["problem"], "there is no step `7`");
+    }
+}
+
+TEST(Trial, TheRulesOfHierarchyHaveTheLastWord) {
+    struct Case {
+        const char* element;
+        std::vector<std::string> moves;
+        const char* situation;
+        const char* problem;
+    };
+    for (const Case& c : std::vector<Case>{
+             {"macro_steps", {"force M1 on"}, "0, M1, E1.E", ""},
+             {"macro_steps", {"force E3.E on"}, "0, M1, M3, E3.E", ""},
+             {"macro_steps", {"force M1 on", "force M1 off"}, "0", ""},
+             {"enclosing_steps", {"force 1 on"}, "0, 1, 11", ""},
+             {"enclosing_steps", {"force 20 on"}, "", "step `G2.20` is enclosed by step `G1.12`, which is not active"},
+             {"forcing_orders", {"force 11 on"}, "0, 10, 11, 21", ""},
+             {"forcing_orders",
+              {"force 11 on", "force 20 on"},
+              "0, 10, 11, 21",
+              "step `production.20` is held by the forcing order of step `control.11`; deactivate that one first"},
+             {"forcing_orders", {"force 12 on"}, "0, 10, 12", ""},
+         }) {
+        SCOPED_TRACE(std::string(c.element) + " " + c.moves.back());
+        const fs::path file = root / "tests/unit/app/elements" / (std::string(c.element) + ".grafcet");
+        Bystander bystander(file.string());
+        bystander.wait_for([](const Json& state) { return state["readable"] == true; });
+        const Json answer = bystander.play({{"chart", c.element}, {"moves", c.moves}});
+        std::string forced;  // what the rules make of it is told behind
+        for (const Json& row : answer["rows"])
+            if (row["what"].get<std::string>().starts_with("TRIAL")) forced = row["situation"];
+        EXPECT_EQ(forced, c.situation);
+        EXPECT_EQ(answer["problem"], c.problem);
+    }
+}
+
+/// By the rules in the chart alone, by the network in its loop.
+TEST(Trial, AChartAloneAndItsLoopGoOnAlike) {
+    std::mt19937_64 random(12);
+    std::size_t made = 0, refused = 0;
+    for (const auto& entry : fs::directory_iterator(root / "tests/unit/app/elements")) {
+        const std::string name = entry.path().stem().string();
+        Bystander bystander(entry.path().string());
+        const Json state = bystander.wait_for([](const Json& each) { return each["readable"] == true; });
+        if (state["models"].empty() || state["models"][0]["state"] == "refused") continue;
+        const std::string loop = state["models"][0]["name"], chart = state["charts"][0]["name"];
+        if (state["charts"].size() > 1) continue;
+        const Json begun = bystander.play({{"chart", chart}});
+        const Json& steps = begun["steps"];
+        for (int script = 0; script < 12; ++script) {
+            std::vector<std::string> moves;
+            for (int k = 0; k < 4; ++k) {
+                const Json& step = steps[random() % steps.size()];
+                moves.push_back("force " + step["name"].get<std::string>() + (random() % 2 == 0 ? " on" : " off"));
+                const Json alone = bystander.play({{"chart", chart}, {"moves", moves}});
+                const Json plant = bystander.play({{"loop", loop}, {"moves", moves}});
+                ASSERT_EQ(alone["problem"].get<std::string>().empty(), plant["problem"].get<std::string>().empty())
+                    << name << alone["moves"] << alone["problem"] << plant["problem"];
+                if (alone["problem"] != "") {
+                    EXPECT_EQ(alone["problem"], plant["problem"]) << name << moves.back();
+                    moves.pop_back();
+                    ++refused;
+                    continue;
+                }
+                ++made;
+                if (random() % 3 == 0) moves.push_back("wait 1s");
+                const Json one = bystander.play({{"chart", chart}, {"moves", moves}});
+                const Json other = bystander.play({{"loop", loop}, {"moves", moves}});
+                EXPECT_EQ(one["problem"], "");
+                EXPECT_EQ(other["problem"], "");
+                EXPECT_EQ(situation(one), situation(other)) << name << one["moves"];
+                EXPECT_EQ(one["rows"].back()["outputs"], other["rows"].back()["outputs"]) << name << one["moves"];
+            }
+        }
+    }
+    EXPECT_GT(made, 200U);
+    EXPECT_GT(refused, 50U);
 }
 
 TEST(Play, AnswersWhateverIsAsked) {

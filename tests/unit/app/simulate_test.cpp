@@ -38,6 +38,10 @@ TEST(Commands, AreReadLineByLine) {
              {"wait", WaitCommand{}},
              {"do Tester passed", DoCommand{"Tester", "passed"}},
              {"do Start", DoCommand{"Start", ""}},
+             {"force G1.3 on", ForceCommand{"G1.3", true}},
+             {"force 3 off // for trial", ForceCommand{"3", false}},
+             {"force 3", BadCommand{"write `force STEP on` or `force STEP off`"}},
+             {"force 3 true", BadCommand{"write `force STEP on` or `force STEP off`"}},
              {" 12 ", ChooseCommand{12}},
              {"back", BackCommand{}},
              {"q", QuitCommand{}},
@@ -75,6 +79,26 @@ TEST(Simulate, FollowsAScriptAndPrintsTheSituationAsATraceDoes) {
               "Button !BUTTON 2 none\n"
               "4 s T_X2_1s: 1s/X2 is true\n"
               "blinker t3 0 none\n");
+}
+
+TEST(Simulate, MarksATrialInItsRowsAndInItsTraces) {
+    const Folder folder;
+    const std::string script = folder.write("trial.txt", "force 1 on\nforce 0 off\nwait 2s\n");
+    for (const std::vector<std::string>& of : {std::vector<std::string>{}, {"--chart", "blinker"}}) {
+        std::vector<std::string> command = {
+            "simulate",           blinker,       "--script",          script, "--trace-svg",
+            folder.file("t.svg"), "--trace-vcd", folder.file("t.vcd")};
+        command.insert(command.end(), of.begin(), of.end());
+        const Result result = grafverif(command);
+        EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+        EXPECT_NE(squeezed(result.out).find("TRIAL: step 0 deactivated by"), std::string::npos) << result.out;
+        for (const char* file : {"t.svg", "t.vcd"})
+            EXPECT_NE(folder.read(file).find("not a run of the model"), std::string::npos) << file;
+    }
+    const Result back =
+        grafverif({"simulate", blinker}, "force 1 on\nforce 0 off\nback\nback\nwait 1s\nBUTTON = true\nquit\n");
+    EXPECT_EQ(back.code, ExitCode::Done);
+    EXPECT_NE(squeezed(back.out).rfind("t0 1 LAMP"), std::string::npos) << back.out;
 }
 
 TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
