@@ -7,7 +7,7 @@ import time
 import browser
 
 OVEN = browser.SOURCE / "samples/oven_door/oven_door.grafcet"
-LAMP = """grafcet lamp { input ON, OFF, N: int 0..9; output LAMP; internal count: int 0..9; constraint !(ON && OFF);
+LAMP = """grafcet lamp { input ON, OFF, N: int 0..9; output LAMP; internal count: int 0..99; constraint !(ON && OFF);
 initial step 0; step 1 { LAMP; count := count + 1 on activation; }
 transition on: 0 -> 1 when ON; transition off: 1 -> 0 when OFF && !ON || 3s/X1; }
 """
