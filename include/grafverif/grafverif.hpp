@@ -126,6 +126,8 @@ struct CheckOptions {
     bool witnesses = true;                     ///< runs that show what holds (`reachable`) too
     bool every_move = false;                   ///< the rows of a run tell the moves of the translation too
     Limits limits = {};
+    bool profile = false;  ///< says where the states come from, be they few or many (timed engine)
+    std::function<void(const StateProfile&)> many = {};  ///< called once where the timed engine finds a million states
 };
 
 /// Decides the properties of a closed loop with the timed engine. Every run in the report has been replayed on the rules

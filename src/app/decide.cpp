@@ -2,10 +2,12 @@
 #include "app/decide.hpp"
 
 #include <ostream>
+#include <sstream>
 
 #include "app/engines.hpp"
 #include "app/stop_words.hpp"
 #include "pipeline/models.hpp"
+#include "report/profile.hpp"
 #include "report/report.hpp"
 
 namespace grafverif::app {
@@ -16,7 +18,8 @@ namespace {
 std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
     const auto network = network_of(model, id, job);
     if (!network || !all_known(options.properties, property_names(*network), job.diagnostics)) return {};
-    const LoopToCheck loop{*network, charts_of(model, model.loops[id]), !job.options.cures_left_out.empty()};
+    LoopToCheck loop = loop_to_check(model, id, *network);
+    loop.cures_left_out = !job.options.cures_left_out.empty();
     return job.options.engine == Engine::Verifyta ? check_by_verifyta(loop, options, job.diagnostics)
                                                   : check(loop, options);
 }
@@ -56,9 +59,15 @@ void say_who_stopped(Report& report, bool by_user, const Options& options) {
 
 }  // namespace
 
-std::optional<Decided> decide(const Model& model, Job& job, const Bounds& bounds, bool witnesses,
-                              const Streams& streams) {
-    const CheckOptions options = {job.options.properties, witnesses, job.options.verbose, bounds.limits()};
+std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool witnesses, const Streams& streams) {
+    CheckOptions options{job.options.properties, witnesses, job.options.verbose, bounds.limits(), job.options.stats};
+    if (!job.options.quiet)
+        options.many = [&](StateProfile profile) {
+            std::ostringstream text;
+            name_places(profile, job.sources);
+            print_profile(profile, text);
+            bounds.tell(std::move(text).str());
+        };
     Decided decided;
     std::optional<Report> found;
     const bool timed = job.options.engine == Engine::Timed || job.options.engine == Engine::Verifyta;
@@ -67,7 +76,8 @@ std::optional<Decided> decide(const Model& model, Job& job, const Bounds& bounds
         if (!chart) return {};
         if (!job.options.quiet)
             streams.err << "note: `" << model.charts[*chart].name
-                        << "` is no closed loop: its steps are checked with free inputs, untimed\n";
+                        << "` is no closed loop: its steps are checked with free inputs, untimed"
+                        << (job.options.stats ? ", and --stats is of timed checks" : "") << '\n';
         decided.chart = *chart;
         found = chart_report(model, *chart, job, options);
     } else if (const auto loop = chosen_loop(model, job)) {
@@ -77,6 +87,7 @@ std::optional<Decided> decide(const Model& model, Job& job, const Bounds& bounds
     }
     if (!found) return {};
     decided.report = std::move(*found);
+    if (decided.report.profile) name_places(*decided.report.profile, job.sources);
     say_who_stopped(decided.report, bounds.interrupted(), job.options);
     return decided;
 }

@@ -16,8 +16,7 @@ struct Decided {
     bool timed = false;
 };
 /// Nothing after an error. `witnesses`: runs that show what holds, too. Of a chart alone `streams` are told so before.
-std::optional<Decided> decide(const Model& model, Job& job, const Bounds& bounds, bool witnesses,
-                              const Streams& streams);
+std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool witnesses, const Streams& streams);
 
 /// What the verdicts of a report make of a run of the program.
 ExitCode exit_code(const Report& report, bool stopped);

@@ -39,6 +39,8 @@ public:
 
     const Limits& limits() const { return limits_; }
     bool interrupted() const { return interrupt_.asked(); }
+    /// Writes `text`, whole lines, while the work goes on.
+    void tell(std::string_view text) { line_.interrupt(text); }
 
 private:
     Interrupt interrupt_;

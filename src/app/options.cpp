@@ -225,6 +225,7 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
                "check the untimed model, with the symbolic engine or NuSMV"),
         number(Accepts::Search, "max-states", "N", {}, &Options::max_states,
                "give up after N states (default: 500000000)"),
+        toggle(Accepts::Stats, "stats", &Options::stats, "say where the states come from (timed engine)"),
         text(Accepts::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
         text(Accepts::Sequence, "sequence", "FILE", &Options::sequence,
              "a test sequence of the chart, as CSV (`test`: without it, one is made)"),
@@ -356,6 +357,9 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
     if (timed && options.check_untimed)
         return fmt::format("`--engine {}` checks timed models; leave out `--untimed` and what it takes",
                            values["engine"].as<std::string>());
+    if (options.stats &&
+        (options.check_untimed || !(options.engine == Engine::Auto || options.engine == Engine::Timed)))
+        return "`--stats` asks the embedded timed engine where its states come from; other engines cannot say";
     options.check_untimed = options.check_untimed || (!timed && options.engine != Engine::Auto);
     return {};
 }

@@ -51,6 +51,7 @@ struct Options {
     bool lossy = false;                             ///< leave out what cannot be taken over from another format
     std::vector<std::string> include_folders = {};  ///< -I
     bool verbose = false;
+    bool stats = false;
     bool help = false;
 
     std::vector<std::string> properties = {};  ///< of `check`; empty: all
@@ -103,6 +104,7 @@ enum class Accepts {
     Traces,
     Walk,
     Verbose,
+    Stats,
     Ablations,
     Clock,
     Bench,

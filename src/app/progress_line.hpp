@@ -5,6 +5,7 @@
 #include <chrono>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 namespace grafverif::app {
 
@@ -25,6 +26,12 @@ public:
         const std::string line = text();
         width_ = line.size();
         err_ << line << std::flush;
+    }
+
+    /// Writes `text`, whole lines, above it.
+    void interrupt(std::string_view text) {
+        erase();
+        err_ << text << std::flush;
     }
 
 private:

@@ -30,13 +30,6 @@ std::string listed(const std::vector<std::string>& words) {
     return list;
 }
 
-/// `file:12`
-std::string place_of(const PageContent& content, const Span& where) {
-    if (!where.source.valid()) return {};
-    const Source& source = content.sources[where.source];
-    return fmt::format("{}:{}", source.name, place(source.text, where.begin).line);
-}
-
 void begin_section(Html& html, const char* id, std::string_view title) {
     html.open("section", {{"id", id}}).put("h2", title);
 }
@@ -233,10 +226,11 @@ void add_run_as_text(const Playable& playable, Html& html) {
 void add_finding(const PageContent& content, const Analysis& analysis, const Finding& finding, Html& html) {
     html.open("li", {{"class", "finding"}});
     html.put("strong", word(finding.level)).text(" ").prose(finding.message).text(" ");
-    html.put("code", finding.code).put("span", " " + place_of(content, finding.origin), {{"class", "remark"}});
+    html.put("code", finding.code)
+        .put("span", " " + file_and_line(content.sources, finding.origin), {{"class", "remark"}});
     for (const Finding::Related& related : finding.related)
         html.open("p", {{"class", "remark"}})
-            .prose(related.message + " (" + place_of(content, related.where) + ")")
+            .prose(related.message + " (" + file_and_line(content.sources, related.where) + ")")
             .close("p");
     if (finding.accepted) html.put("p", "Accepted: " + *finding.accepted);
     if (finding.timing == Finding::Timing::Unconfirmed)

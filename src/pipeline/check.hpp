@@ -30,8 +30,11 @@ bool all_known(const std::vector<std::string>& names, const std::vector<std::str
 struct LoopToCheck {
     const Network& network;
     std::vector<const Chart*> charts = {};
-    bool cures_left_out = false;  ///< its runs are not those of its charts, which is the point
+    bool cures_left_out = false;                      ///< its runs are not those of its charts, which is the point
+    std::optional<StateProfile::Finest> finest = {};  ///< the duration that makes its time unit fine
 };
+/// `network` is that of `loop`.
+LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network& network);
 Report check(const LoopToCheck& loop, const CheckOptions& options);
 
 /// Turns verdicts on an untimed model and their runs into a report. A run of the embedded engine that does not replay is

@@ -7,6 +7,7 @@
 #include "check/timed/timed.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
+#include "plant/time_unit.hpp"
 #include "report/report.hpp"
 #include "run/project.hpp"
 
@@ -36,6 +37,8 @@ TimedResult search(const Network& network, const CheckOptions& options) {
         timed.progress = [&options](const TimedProgress& now) {
             options.limits.progress({[&now] { return progress_text(now); }});
         };
+    timed.profile = options.profile;
+    timed.many = options.many;
     return check_timed(network, timed);
 }
 
@@ -61,6 +64,8 @@ public:
                 verdict.run.reset();
             report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
         }
+        report.profile = std::move(result.profile);
+        if (report.profile) report.profile->finest = loop_.finest;
         report.failures = std::move(failures_);
         return report;
     }
@@ -91,6 +96,10 @@ private:
 
 }  // namespace
 
+LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network& network) {
+    return {network, charts_of(model, model.loops[loop]), false, finest_duration(model, model.loops[loop])};
+}
+
 Report check(const LoopToCheck& loop, const CheckOptions& options) {
     return Reporter(loop, options).report(search(loop.network, options));
 }
@@ -99,7 +108,7 @@ std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const Model
                             const CheckOptions& options, Diagnostics& diagnostics) {
     const auto network = network_of(model, loop, how, diagnostics);
     if (!network || !all_known(options.properties, property_names(*network), diagnostics)) return {};
-    return check({*network, charts_of(model, model.loops[loop])}, options);
+    return check(loop_to_check(model, loop, *network), options);
 }
 
 }  // namespace grafverif

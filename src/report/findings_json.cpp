@@ -14,8 +14,6 @@ namespace {
 
 using FindingJson = nlohmann::ordered_json;
 
-FindingJson text_or_none(const std::string& text) { return text.empty() ? FindingJson(nullptr) : FindingJson(text); }
-
 void add_place(FindingJson& object, Span where, const Sources& sources) {
     for (const char* key : {"file", "line", "column"}) object[key] = nullptr;
     if (!sources.contains(where.source)) return;
@@ -28,7 +26,7 @@ void add_place(FindingJson& object, Span where, const Sources& sources) {
 
 FindingJson open_json(const OpenQuestion& question) {
     return {{"code", question.code},
-            {"subject", text_or_none(question.subject)},
+            {"subject", text_or_null(question.subject)},
             {"instants", question.instants},
             {"evolutions", question.evolutions == 0 ? FindingJson(nullptr) : FindingJson(question.evolutions)}};
 }
@@ -45,7 +43,7 @@ FindingJson timing(const Finding& finding) {
 FindingJson as_json(const Finding& finding, const Sources& sources) {
     FindingJson object = {{"code", finding.code},
                           {"level", word(finding.level)},
-                          {"subject", text_or_none(finding.subject)},
+                          {"subject", text_or_null(finding.subject)},
                           {"message", finding.message}};
     add_place(object, finding.origin, sources);
     object["related"] = FindingJson::array();
@@ -56,7 +54,7 @@ FindingJson as_json(const Finding& finding, const Sources& sources) {
     }
     object["timing"] = timing(finding);
     object["accepted"] = finding.accepted ? FindingJson(*finding.accepted) : FindingJson(nullptr);
-    object["shows"] = text_or_none(finding.evidence_shows);
+    object["shows"] = text_or_null(finding.evidence_shows);
     object["trace"] = finding.evidence ? trace_json(*finding.evidence) : FindingJson(nullptr);
     return object;
 }
@@ -139,7 +137,7 @@ void print_findings_json(const Analysis& analysis, const Sources& sources, std::
         {"chart", analysis.chart},
         {"mode", analysis.mode == ExecutionMode::StabilitySearch ? "stability-search" : "every-cycle"},
         {"complete", analysis.open.empty()},
-        {"obstacle", text_or_none(analysis.obstacle)},
+        {"obstacle", text_or_null(analysis.obstacle)},
         {"instants", analysis.instants},
         {"seconds", analysis.seconds},
         {"questions", analysis.questions},

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "report/json_trace.hpp"
+#include "report/profile.hpp"
 #include "support/json_text.hpp"
 
 namespace grafverif {
@@ -13,8 +14,6 @@ namespace grafverif {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 /// A number where it fits 64 bits, else its digits: JSON has no bound, its readers do.
 Json number(const std::string& decimal) {
@@ -56,6 +55,7 @@ void print_json(const Report& report, std::ostream& out) {
                 {{"code", breakdown.code}, {"message", breakdown.message}, {"trace", trace_json(breakdown.trace)}});
         document["errors"] = std::move(errors);
     }
+    if (report.profile) document["profile"] = profile_json(*report.profile);
     out << json_text(document) << '\n';
 }
 

@@ -2,8 +2,11 @@
 // Verdicts as text: a line each, what it rests on under it, then notes and the trace.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <ostream>
 
+#include "report/profile.hpp"
 #include "report/terminal.hpp"
 #include "support/printable.hpp"
 
@@ -18,7 +21,10 @@ public:
 
     void print() {
         for (const Breakdown& breakdown : report_.breakdowns) print(breakdown);
+        shared_reason_ = shared_reason();
         for (const Answer& answer : report_.answers) print(answer);
+        if (!shared_reason_.empty()) print_shared_reason();
+        if (report_.profile) print_profile(*report_.profile, out_);
         print_tally();
     }
 
@@ -27,6 +33,15 @@ private:
     std::string painted(std::string_view text, int colour) const {
         if (options_.colour == Colour::Plain) return std::string(text);
         return fmt::format("\033[1;{}m{}\033[0m", colour, text);
+    }
+
+    /// What keeps the engine from several verdicts, said once; empty: there is no such thing.
+    std::string shared_reason() const {
+        std::map<std::string_view, std::size_t> times;
+        for (const Answer& answer : report_.answers)
+            if (answer.verdict.outcome == Outcome::Unknown) ++times[answer.verdict.reason];
+        const auto most = std::ranges::max_element(times, {}, [](const auto& entry) { return entry.second; });
+        return most != times.end() && most->second > 1 ? std::string(most->first) : std::string();
     }
 
     std::string outcome(const Verdict& verdict) const {
@@ -44,12 +59,21 @@ private:
         if (!answer.text.empty()) out_ << " \"" << printable(answer.text) << '"';
         if (!verdict.declared) out_ << " (not declared)";
         out_ << ": " << outcome(verdict) << "\n    " << basis_words(report_, answer) << '\n';
-        if (!verdict.reason.empty()) out_ << "    why: " << printable(verdict.reason) << '\n';
+        if (!verdict.reason.empty() && verdict.reason != shared_reason_)
+            out_ << "    why: " << printable(verdict.reason) << '\n';
         for (const std::string& note : verdict.notes) out_ << "    note: " << printable(note) << '\n';
         if (!answer.trace) return;
         const bool witness = verdict.outcome == Outcome::Holds;
         if (witness && !options_.verbose) return;
         print_told(witness ? "witness" : "counterexample", *answer.trace, end_of(verdict));
+    }
+
+    void print_shared_reason() {
+        std::string names;
+        for (const Answer& answer : report_.answers)
+            if (answer.verdict.outcome == Outcome::Unknown && answer.verdict.reason == shared_reason_)
+                names += (names.empty() ? "" : ", ") + answer.verdict.property;
+        out_ << "why unknown (" << names << "): " << printable(shared_reason_) << '\n';
     }
 
     /// `end`: said of a trace that does not repeat.
@@ -86,6 +110,7 @@ private:
     const Report& report_;
     const TextOptions& options_;
     std::ostream& out_;
+    std::string shared_reason_ = {};
 };
 
 }  // namespace

@@ -18,4 +18,9 @@ inline nlohmann::ordered_json optional_json(std::optional<std::uint64_t> count) 
     return count ? nlohmann::ordered_json(*count) : nlohmann::ordered_json(nullptr);
 }
 
+/// `null` for a text that there is not.
+inline nlohmann::ordered_json text_or_null(const std::string& text) {
+    return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
+}
+
 }  // namespace grafverif

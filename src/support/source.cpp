@@ -12,6 +12,12 @@ Place place(std::string_view text, std::uint32_t offset) {
     return {static_cast<std::uint32_t>(lines + 1), static_cast<std::uint32_t>(before.size() - line_start + 1)};
 }
 
+std::string file_and_line(const Sources& sources, const Span& where) {
+    if (!where.source.valid()) return {};
+    const Source& source = sources[where.source];
+    return source.name + ":" + std::to_string(place(source.text, where.begin).line);
+}
+
 std::string_view line_at(std::string_view text, std::uint32_t offset) {
     const std::size_t at = std::min<std::size_t>(offset, text.size());
     const std::size_t start = text.substr(0, at).rfind('\n') + 1;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "grafverif/ir/chart_run.hpp"
+#include "grafverif/ir/state_profile.hpp"
 #include "grafverif/ir/verdict.hpp"
 
 namespace grafverif {
@@ -50,6 +51,7 @@ struct Report {
     std::vector<Breakdown> breakdowns = {};
     std::vector<std::string> failures =
         {};  ///< faults of ours: runs that the rules do not confirm; none of them is told
+    std::optional<StateProfile> profile = {};  ///< where the states came from: of a search that was long, or on request
 
     bool operator==(const Report&) const = default;
 };

@@ -37,6 +37,9 @@ struct Place {
 /// The place of byte `offset` of `text`.
 Place place(std::string_view text, std::uint32_t offset);
 
+/// `file:12`; empty where `where` is nowhere.
+std::string file_and_line(const Sources& sources, const Span& where);
+
 /// The line of `text` that holds byte `offset`, without its line end.
 std::string_view line_at(std::string_view text, std::uint32_t offset);
 

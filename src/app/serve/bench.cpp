@@ -231,9 +231,7 @@ private:
     std::optional<Report> report_on(const Proof& proof, const CheckOptions& options) const {
         const Model& model = *piece_of_work_->reading.model;
         if (proof.is_loop)
-            return check(
-                LoopToCheck{*piece_of_work_->networks[proof.place], charts_of(model, model.loops[{proof.place}])},
-                options);
+            return check(loop_to_check(model, {proof.place}, *piece_of_work_->networks[proof.place]), options);
         Diagnostics told_already;
         return check_untimed(model, Id<Chart>{proof.place}, {options_.mode, options_.grain, {}}, options, told_already);
     }

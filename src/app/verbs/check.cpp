@@ -66,7 +66,7 @@ void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& st
 ExitCode check(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
-    const Bounds bounds(job.options, streams);
+    Bounds bounds(job.options, streams);
     const Options& asked = job.options;
     const bool witnesses = asked.verbose || asked.format == Format::Json || asked.trace_vcd || asked.trace_svg;
     const auto decided = decide(*model, job, bounds, witnesses, streams);
@@ -107,7 +107,7 @@ Verb check_usage() {
          "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
          "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata"},
         {Accepts::Search, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed,
-         Accepts::Format, Accepts::Traces, Accepts::Verbose, Accepts::Ablations}};
+         Accepts::Format, Accepts::Traces, Accepts::Verbose, Accepts::Stats, Accepts::Ablations}};
 }
 
 }  // namespace grafverif::app

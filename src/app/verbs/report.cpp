@@ -67,7 +67,7 @@ std::string warnings_of(const Job& job) {
 ExitCode report(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
-    const Bounds bounds(job.options, streams);
+    Bounds bounds(job.options, streams);
     auto decided = decide(*model, job, bounds, true, streams);
     if (!decided) return ExitCode::Input;
     const std::vector<Id<Chart>> charts = charts_of(*model, *decided);

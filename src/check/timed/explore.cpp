@@ -13,6 +13,8 @@
 #include <array>
 #include <new>
 
+#include "check/timed/profile.hpp"
+
 namespace grafverif::timed {
 
 double Limits::seconds() const {
@@ -35,6 +37,12 @@ Obstacle Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more
     shown_ = now;
     options_.progress({graph.states(), graph.transitions, graph.states() - state, bytes, now});
     return Obstacle::None;
+}
+
+void Limits::explain(Graph& graph) {
+    if (explained_ || !options_.many || graph.states() < many_states) return;
+    explained_ = true;
+    options_.many(profile_of(graph));
 }
 
 namespace {
@@ -60,6 +68,7 @@ public:
                 computed_words_ = 0;
                 if (const Obstacle obstacle = limits.judge(graph_, state, held()); obstacle != Obstacle::None)
                     return obstacle;
+                limits.explain(graph_);
             }
             if (state == level_end_ || state == 0) {
                 graph_.levels.push_back(state);

@@ -75,6 +75,8 @@ public:
     }
     /// What ends the search, or None; shows progress now and then. `more`: bytes held besides the graph.
     Obstacle judge(const Graph& graph, std::uint32_t state, std::size_t more);
+    /// Explains the states found, once, where there are many and somebody asks.
+    void explain(Graph& graph);
     bool too_many(std::size_t states) const { return states >= options_.max_states || states >= Store::most; }
     std::uint64_t max_memory() const { return options_.max_memory; }
     /// It was the memory allowed that ended the search, not what the system has.
@@ -85,6 +87,7 @@ private:
     std::chrono::steady_clock::time_point start_;
     double shown_ = 0;
     bool allowed_used_ = false;
+    bool explained_ = false;
     mutable std::uint32_t polls_ = 0;
 };
 

@@ -3,7 +3,9 @@
 #include "check/timed/timed.hpp"
 
 #include <algorithm>
+#include <new>
 
+#include "check/timed/profile.hpp"
 #include "check/timed/questions.hpp"
 #include "support/overloaded.hpp"
 
@@ -46,6 +48,15 @@ bool asked(const TimedOptions& options, const Property& property) {
            std::ranges::find(options.properties, property.name) != options.properties.end();
 }
 
+/// Nothing where memory ends.
+std::optional<StateProfile> measured(timed::Graph& graph, timed::Effort effort) {
+    try {
+        return timed::profile_of(graph, effort);
+    } catch (const std::bad_alloc&) {
+        return {};
+    }
+}
+
 }  // namespace
 
 TimedResult check_timed(const Network& network, const TimedOptions& options) {
@@ -81,6 +92,9 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     result.transitions = graph.transitions;
     result.complete = ended == Obstacle::None;
     result.time_passes = graph.time_passes;
+    const bool explained = options.profile || !result.complete || result.states >= many_states;
+    if (explained && result.states != 0)
+        result.profile = measured(graph, ended == Obstacle::Stopped ? timed::Effort::Brief : timed::Effort::Full);
     result.seconds = limits.seconds();
     for (Verdict& verdict : result.verdicts) {
         verdict.states = std::to_string(result.states);

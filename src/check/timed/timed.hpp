@@ -23,9 +23,13 @@
 #include <vector>
 
 #include "grafverif/ir/network.hpp"
+#include "grafverif/ir/state_profile.hpp"
 #include "grafverif/ir/verdict.hpp"
 
 namespace grafverif {
+
+/// So many states ask for an explanation.
+constexpr std::uint64_t many_states = std::uint64_t{1} << 20U;
 
 struct TimedProgress {
     std::uint64_t states = 0;
@@ -43,6 +47,8 @@ struct TimedOptions {
     const std::atomic<bool>* stop = nullptr;  ///< set by somebody else: end with what is known
     bool keep_links = true;                   ///< false: less memory, several times the work for liveness
     std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
+    bool profile = false;  ///< asks for TimedResult::profile, whatever the search comes to
+    std::function<void(const StateProfile&)> many = {};  ///< called once, when the search has found `many_states`
 };
 
 struct TimedResult {
@@ -55,6 +61,8 @@ struct TimedResult {
     double seconds = 0;
     bool complete = true;      ///< every reachable state was looked at
     bool time_passes = false;  ///< in some reachable state
+    /// Where it was asked for, the search was cut off or found `many_states`; not where there is no memory for it.
+    std::optional<StateProfile> profile = {};
 };
 
 /// Requires verify(network).empty().

@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "plant/time_unit.hpp"
 #include "support/component_builder.hpp"
 #include "support/naive_tadd.hpp"
 #include "support/print_network.hpp"
@@ -170,6 +171,47 @@ TEST(Plant, ANamedTimeUnitDividesEveryDuration) {
     station.loop.time_unit_ms = 1000;
     EXPECT_FALSE(station.build());
     EXPECT_EQ(station.codes(), "no-multiple-of-time-unit");
+}
+
+TEST(Plant, TheDurationThatMakesTheUnitFineIsFound) {
+    struct Case {
+        std::int64_t first, second, chart, duration, coarser;
+    };
+    for (const Case& c : {Case{1000, 1500, 1000, 1000, 1500}, Case{3000, 6000, 2000, 2000, 3000},
+                          Case{200, 1000, 990, 990, 200}, Case{1000, 2000, 3000, 0, 0}}) {
+        SCOPED_TRACE(c.duration);
+        Station station;
+        station[0].arguments[4] = c.first;
+        station[1].arguments[4] = c.second;
+        Chart chart;
+        chart.time_conditions.add({c.chart, chart.exprs.leaf(Op::Step, 0), 0, {}});
+        station.loop.controllers.add({.name = "chart", .chart = station.model.charts.add(chart)});
+        const auto found = finest_duration(station.model, station.loop);
+        ASSERT_EQ(found.has_value(), c.duration != 0);
+        if (!found) continue;
+        EXPECT_EQ(found->duration_ms, c.duration);
+        EXPECT_EQ(found->coarser_ms, c.coarser);
+        EXPECT_EQ(found->unit_ms, station.build().value().time_unit_ms);
+        // the claim itself: without it the unit is the coarser one
+        for (const std::uint32_t cylinder : {0U, 1U})
+            if (std::get<std::int64_t>(station[cylinder].arguments[4]) == c.duration)
+                station[cylinder].arguments[4] = c.coarser;
+        for (Chart::TimeCondition& condition :
+             station.model.charts[station.loop.controllers[{0}].chart].time_conditions)
+            if (condition.rise_ms == c.duration) condition.rise_ms = c.coarser;
+        EXPECT_EQ(station.build().value().time_unit_ms, c.coarser);
+    }
+}
+
+TEST(Plant, AUnitNamedFinerThanTheDurationsAskIsFound) {
+    Station station;
+    const std::int64_t unit = station.build().value().time_unit_ms;
+    station.loop.time_unit_ms = unit / 10;
+    const auto found = finest_duration(station.model, station.loop);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->duration_ms, 0);
+    EXPECT_EQ(found->unit_ms, unit / 10);
+    EXPECT_EQ(found->coarser_ms, unit);
 }
 
 TEST(Plant, DurationsOfVeryManyUnitsAreWarnedOfAndThenRefused) {

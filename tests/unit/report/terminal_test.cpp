@@ -70,6 +70,44 @@ TEST(Terminal, SaysUnderEachVerdictWhatItRestsOn) {
         EXPECT_NE(told.find(line), std::string::npos) << line << "in\n" << told;
 }
 
+TEST(Terminal, SaysOnceWhatKeepsItFromSeveralVerdicts) {
+    Report report = sample_report();
+    for (const char* name : {"Q1", "Q2"})
+        report.answers.push_back({{.property = name,
+                                   .outcome = Outcome::Unknown,
+                                   .obstacle = Obstacle::Bound,
+                                   .reason = "the bound is reached: 7 states"},
+                                  "",
+                                  {}});
+    const std::string told = text(report);
+    const std::string once = "why unknown (Q1, Q2): the bound is reached: 7 states\n";
+    EXPECT_NE(told.find(once), std::string::npos) << told;
+    EXPECT_EQ(told.find("the bound is reached"), told.rfind("the bound is reached")) << told;
+    EXPECT_NE(told.find("P3: unknown"), std::string::npos);
+    EXPECT_NE(told.find("    why: 12 states are not enough\n"), std::string::npos)
+        << "a reason of its own stays where it is";
+}
+
+TEST(Terminal, TellsWhatMultiplies) {
+    Report report = sample_report();
+    StateProfile profile{.states = 40, .sampled = 30, .most_combinations = 12, .inside_cycles = 10};
+    profile.parts = {{"PLC", StateProfile::Kind::Controller, 12, {30, 5}, {}, "a.grafcet:3"},
+                     {"Lamp", StateProfile::Kind::Instance, 9, {30, 30}, {}, ""}};
+    profile.clocks = {{"Start", "t", 12, 13, {30, 10}, {}, ""}};
+    profile.finest = StateProfile::Finest{1010, 10, 100, {}, "a.grafcet:7"};
+    report.profile = profile;
+    const std::string told = text(report);
+    EXPECT_NE(
+        told.find("what multiplies in the first 30 of 40 states (x N: N times fewer were left if it alone did not "
+                  "count):\n"
+                  "    x 6.0     controller PLC, 12 or more combinations of its own (a.grafcet:3)\n"
+                  "    x 3.0     the clock t of Start alone, 13 values, compared with 12 at most\n"
+                  "    33 % of these states lie inside a cycle; `--grain atomic` makes each cycle one step\n"
+                  "    the duration 1.01 s (a.grafcet:7) makes the time unit 0.01 s; without it, it is 0.1 s\n"),
+        std::string::npos)
+        << told;
+}
+
 TEST(Terminal, ShowsWitnessesOnlyWhereAskedFor) {
     Report report = sample_report();
     report.answers = {{{.property = "R", .pattern = Pattern::Reachable, .outcome = Outcome::Holds}, "", sample_run()}};

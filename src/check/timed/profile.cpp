@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Each field of a state gets a pseudo-random number that depends on its value; a state is their sum, a thing (a part, a
+// clock) the sum of its own, and what is left without the thing is the difference. So one pass over the states gives
+// every thing's rests; those that fall into one class of 2^k are counted, which bounds the memory: a class holds every
+// state of a rest or none.
+#include "check/timed/profile.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <ranges>
+#include <unordered_set>
+
+namespace grafverif::timed {
+
+namespace {
+
+constexpr std::size_t most_rests = std::size_t{1} << 21U;  // kept
+constexpr std::size_t most_seen = std::size_t{1} << 20U;   // values told apart, of all things together
+
+/// Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014), the mixing of SplitMix64.
+std::uint64_t mixed(std::uint64_t value) {
+    value += 0x9E3779B97F4A7C15U;
+    value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9U;
+    value = (value ^ (value >> 27U)) * 0x94D049BB133111EBU;
+    return value ^ (value >> 31U);
+}
+
+struct Thing {
+    std::uint64_t now = 0;  // of the state at hand
+    std::uint64_t met = 0;  // states whose rest is counted
+    std::vector<std::uint64_t> rests = {};
+    std::unordered_set<std::uint64_t> values = {};
+
+    void look(std::uint64_t whole, std::uint64_t classes, std::size_t most) {
+        if (values.size() < most) values.insert(now);
+        const std::uint64_t rest = whole - now;
+        if ((rest & (classes - 1)) == 0) rests.push_back(rest);
+    }
+
+    StateProfile::Factor factor() {
+        const std::uint64_t states = std::max<std::uint64_t>(rests.size(), 1);
+        std::ranges::sort(rests);
+        const auto repeated = std::ranges::unique(rests);
+        rests.erase(repeated.begin(), repeated.end());
+        return {states, std::max<std::uint64_t>(rests.size(), 1)};
+    }
+};
+
+/// What a field of a state belongs to: one thing or two.
+struct Column {
+    static constexpr std::size_t none = ~std::size_t{0};
+    Field field = {};
+    std::size_t part = none;
+    std::size_t clock = none;
+};
+
+class Profiler {
+public:
+    explicit Profiler(Graph& graph) : graph_(graph), network_(graph.machine.network()) {
+        name_parts();
+        for (const Id<Network::Process> process : network_.processes.ids()) add_process(process);
+        add_variables();
+        things_.resize(profile_.parts.size() + profile_.clocks.size());
+    }
+
+    StateProfile profile(Effort effort) {
+        profile_.states = graph_.states();
+        const std::uint64_t most = std::uint64_t{1} << (effort == Effort::Brief ? 19U : 25U);
+        const std::uint64_t each = columns_.size() + 4 * things_.size() + 1;
+        profile_.sampled = std::min<std::uint64_t>(graph_.states(), most / each);
+        const std::uint64_t expected = profile_.sampled * things_.size() / most_rests;
+        classes_ = std::bit_ceil(expected + 1);
+        profile_.most_combinations = std::max<std::uint64_t>(most_seen / things_.size(), 256);
+        for (std::uint32_t state = 0; state < profile_.sampled; ++state) look(graph_.load(state));
+        for (std::size_t i = 0; i < profile_.parts.size(); ++i) {
+            profile_.parts[i].combinations = things_[i].values.size();
+            profile_.parts[i].factor = things_[i].factor();
+        }
+        for (std::size_t i = 0; i < profile_.clocks.size(); ++i) {
+            Thing& thing = things_[profile_.parts.size() + i];
+            profile_.clocks[i].values = thing.values.size();
+            profile_.clocks[i].factor = thing.factor();
+        }
+        const auto by_factor = [](const auto& thing) { return -thing.factor.value(); };
+        std::ranges::stable_sort(profile_.parts, {}, by_factor);
+        std::ranges::stable_sort(profile_.clocks, {}, by_factor);
+        return std::move(profile_);
+    }
+
+private:
+    using Kind = StateProfile::Kind;
+
+    /// One part for each controller with its timers, one for each other process.
+    void name_parts() {
+        part_of_.assign(network_.processes.size(), Column::none);
+        for (const Network::Controller& controller : network_.controllers) {
+            part_of_[controller.process.index] = profile_.parts.size();
+            for (const Network::Timer& timer : controller.timers)
+                if (timer.process.valid()) part_of_[timer.process.index] = profile_.parts.size();
+            add_part(controller.process, Kind::Controller);
+            profile_.parts.back().name = controller.words.name;
+            waiting_.emplace_back(graph_.machine.layout().locations[controller.process.index],
+                                  controller.waiting.index);
+        }
+        for (const Id<Network::Process> id : network_.processes.ids()) {
+            if (part_of_[id.index] != Column::none) continue;
+            part_of_[id.index] = profile_.parts.size();
+            const bool environment = network_.processes[id].kind == Network::ProcessKind::Environment;
+            add_part(id, environment ? Kind::Environment : Kind::Instance);
+        }
+    }
+
+    void add_part(Id<Network::Process> id, Kind kind) {
+        const Network::Process& process = network_.processes[id];
+        profile_.parts.push_back({.name = process.name, .kind = kind, .origin = process.origin});
+    }
+
+    void add_process(Id<Network::Process> id) {
+        const Layout& layout = graph_.machine.layout();
+        const Network::Template& automaton = network_.templates[network_.processes[id].automaton];
+        columns_.push_back({layout.locations[id.index], part_of_[id.index]});
+        for (const Id<Network::Clock> clock : automaton.clocks.ids()) {
+            const Field& field = layout.clocks[id.index][clock.index];
+            if (field.width == 0) continue;
+            columns_.push_back({field, part_of_[id.index], profile_.clocks.size()});
+            profile_.clocks.push_back({.process = network_.processes[id].name, .name = automaton.clocks[clock].name});
+            profile_.clocks.back().origin = network_.processes[id].origin;
+            find_greatest(network_.processes[id], clock, profile_.clocks.back());
+        }
+    }
+
+    void find_greatest(const Network::Process& process, Id<Network::Clock> clock, StateProfile::Clock& found) const {
+        const auto take = [&](const std::vector<Network::ClockConstraint>& constraints, Span origin) {
+            for (const Network::ClockConstraint& constraint : constraints) {
+                if (constraint.clock != clock) continue;
+                const std::int64_t bound = bound_value(network_, process, constraint.bound);
+                if (bound <= found.greatest) continue;
+                found.greatest = bound;
+                if (origin.source.valid()) found.origin = origin;
+            }
+        };
+        const Network::Template& automaton = network_.templates[process.automaton];
+        for (const Network::Location& location : automaton.locations) take(location.invariant, location.origin);
+        for (const Network::Edge& edge : automaton.edges) take(edge.constraint, edge.origin);
+    }
+
+    /// A variable belongs to the part whose edges alone write it.
+    void add_variables() {
+        constexpr std::size_t several = Column::none - 1;
+        std::vector<std::size_t> writer(network_.variables.size(), Column::none);
+        for (const Id<Network::Process> id : network_.processes.ids()) {
+            const auto take = [&](const std::vector<Network::Assignment>& assignments) {
+                for (const Network::Assignment& assignment : assignments) {
+                    std::size_t& part = writer[static_cast<std::size_t>(network_.exprs[assignment.target].value)];
+                    if (part == Column::none) part = part_of_[id.index];
+                    else if (part != part_of_[id.index]) part = several;
+                }
+            };
+            const Network::Template& automaton = network_.templates[network_.processes[id].automaton];
+            for (const Network::Edge& edge : automaton.edges) take(edge.assignments);
+            for (const Network::Procedure& procedure : automaton.procedures) take(procedure.assignments);
+        }
+        for (const Id<Network::Variable> id : network_.variables.ids()) {
+            const Field& field = graph_.machine.layout().variables[id.index];
+            if (network_.variables[id].scratch || field.width == 0) continue;
+            columns_.push_back({field, writer[id.index] == several ? Column::none : writer[id.index]});
+        }
+    }
+
+    void look(const Word* words) {
+        for (Thing& thing : things_) thing.now = 0;
+        std::uint64_t whole = 0;
+        for (std::size_t i = 0; i < columns_.size(); ++i) {
+            const Column& column = columns_[i];
+            const std::uint64_t value = mixed(mixed(i) ^ column.field.raw(words));
+            whole += value;
+            if (column.part != Column::none) things_[column.part].now += value;
+            if (column.clock != Column::none) things_[profile_.parts.size() + column.clock].now += value;
+        }
+        for (Thing& thing : things_) thing.look(whole, classes_, profile_.most_combinations);
+        const bool inside =
+            std::ranges::any_of(waiting_, [&](const auto& at) { return at.first.raw(words) != at.second; });
+        profile_.inside_cycles += inside ? 1 : 0;
+    }
+
+    Graph& graph_;
+    const Network& network_;
+    StateProfile profile_ = {};
+    std::vector<std::size_t> part_of_ = {};  // per process
+    std::vector<std::pair<Field, std::uint32_t>> waiting_ = {};
+    std::vector<Column> columns_ = {};
+    std::vector<Thing> things_ = {};  // parts, then clocks
+    std::uint64_t classes_ = 1;
+};
+
+}  // namespace
+
+StateProfile profile_of(Graph& graph, Effort effort) { return Profiler(graph).profile(effort); }
+
+}  // namespace grafverif::timed

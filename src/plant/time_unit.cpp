@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "plant/time_unit.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <variant>
+#include <vector>
+
+#include "support/messages.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::int64_t many_units = 10'000;
+constexpr std::int64_t most_units = std::int64_t{1} << 30U;  // UPPAAL's bound on what a clock is compared with
+
+struct Duration {
+    std::int64_t milliseconds = 0;
+    Span where = {};
+};
+
+void collect(const Exprs& exprs, Id<Expr> root, Span where, std::vector<Duration>& found) {
+    if (exprs[root].op == Op::Duration) found.push_back({exprs[root].value, where});
+    for (const Id<Expr> operand : exprs.operands(root)) collect(exprs, operand, where, found);
+}
+
+/// The durations written in the body of a component; those of its defaults arrive as arguments.
+void collect(const Component& component, std::vector<Duration>& found) {
+    const auto take = [&](Id<Expr> root, Span where) { collect(component.exprs, root, where, found); };
+    for (const Component::Location& location : component.locations)
+        for (const Component::ClockConstraint& bound : location.invariant) take(bound.bound, bound.origin);
+    for (const Component::Edge& edge : component.edges) {
+        take(edge.guard, edge.origin);
+        for (const Component::ClockConstraint& bound : edge.constraint) take(bound.bound, bound.origin);
+        for (const Component::Assignment& assignment : edge.assignments) take(assignment.value, assignment.origin);
+    }
+}
+
+void collect(const Component& component, const ClosedLoop::Instance& instance, std::vector<Duration>& found) {
+    for (const Id<Component::Parameter> parameter : component.parameters.ids()) {
+        const auto* value = std::get_if<std::int64_t>(&instance.arguments[parameter.index]);
+        if (value && component.parameters[parameter].value == Component::ValueKind::Duration)
+            found.push_back({*value, instance.origin});
+    }
+}
+
+std::vector<Duration> durations(const Model& model, const ClosedLoop& loop) {
+    std::vector<Duration> found;
+    std::vector<bool> seen(model.components.size());
+    for (const ClosedLoop::Instance& instance : loop.instances) {
+        const Component& component = model.components[instance.component];
+        if (!seen[instance.component.index]) collect(component, found);
+        seen[instance.component.index] = true;
+        collect(component, instance, found);
+    }
+    const auto take = [&](std::int64_t milliseconds, Span where) {
+        if (milliseconds != 0) found.push_back({milliseconds, where});
+    };
+    for (const ClosedLoop::Controller& controller : loop.controllers) {
+        const Chart& chart = model.charts[controller.chart];
+        for (const Chart::TimeCondition& condition : chart.time_conditions) {
+            take(condition.rise_ms, condition.origin);
+            take(condition.fall_ms, condition.origin);
+        }
+        for (const Chart::ContinuousAction& action : chart.continuous) {
+            take(action.delay_ms, action.origin);
+            if (action.limit_ms != 0) take(action.delay_ms + action.limit_ms, action.origin);
+        }
+    }
+    return found;
+}
+
+/// Of those that are not `left_out`; 0 where there is none.
+std::int64_t common_divisor(const std::vector<Duration>& all, std::int64_t left_out = 0) {
+    std::int64_t divisor = 0;
+    for (const Duration& duration : all)
+        if (duration.milliseconds != left_out) divisor = std::gcd(divisor, duration.milliseconds);
+    return divisor;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> time_unit(const Model& model, const ClosedLoop& loop, Diagnostics& diagnostics) {
+    const std::vector<Duration> all = durations(model, loop);
+    std::int64_t unit = common_divisor(all);
+    if (unit == 0) unit = 1000;
+    const std::size_t errors = diagnostics.errors();
+    if (loop.time_unit_ms) {
+        unit = *loop.time_unit_ms;
+        for (const Duration& duration : all)
+            if (duration.milliseconds % unit != 0)
+                diagnostics.add(messages::no_multiple_of_time_unit(duration.where, duration.milliseconds, unit));
+    }
+    if (diagnostics.errors() != errors || all.empty())
+        return diagnostics.errors() == errors ? std::optional(unit) : std::nullopt;
+
+    const Duration longest = *std::ranges::max_element(all, {}, &Duration::milliseconds);
+    const std::int64_t units = longest.milliseconds / unit;
+    if (units > most_units) {
+        diagnostics.add(messages::duration_too_long(longest.where, longest.milliseconds, unit));
+        return {};
+    }
+    if (units > many_units) diagnostics.add(messages::many_time_units(longest.where, longest.milliseconds, unit));
+    return unit;
+}
+
+std::optional<StateProfile::Finest> finest_duration(const Model& model, const ClosedLoop& loop) {
+    const std::vector<Duration> all = durations(model, loop);
+    const std::int64_t divisor = common_divisor(all);
+    if (loop.time_unit_ms && divisor > *loop.time_unit_ms)
+        return StateProfile::Finest{0, *loop.time_unit_ms, divisor, loop.time_unit_origin, {}};
+    std::optional<StateProfile::Finest> found;
+    if (loop.time_unit_ms) return found;
+    for (const Duration& duration : all) {
+        const std::int64_t without = common_divisor(all, duration.milliseconds);
+        if (without > (found ? found->coarser_ms : divisor))
+            found = StateProfile::Finest{duration.milliseconds, divisor, without, duration.where, {}};
+    }
+    return found;
+}
+
+}  // namespace grafverif

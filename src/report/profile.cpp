@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "report/profile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/chart_run.hpp"
+#include "support/json_text.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double least_factor = 1.05;  // that is worth a line
+constexpr std::size_t most_lines = 12;
+
+std::string_view kind_word(StateProfile::Kind kind) {
+    switch (kind) {
+    case StateProfile::Kind::Instance: return "instance";
+    case StateProfile::Kind::Controller: return "controller";
+    case StateProfile::Kind::Environment: break;
+    }
+    return "environment";
+}
+
+class Printer {
+public:
+    Printer(const StateProfile& profile, std::ostream& out) : profile_(profile), out_(out) {}
+
+    void print() {
+        const bool all = profile_.sampled == profile_.states;
+        out_ << fmt::format("what multiplies in {} ({}):\n",
+                            all ? fmt::format("these {} states", profile_.states)
+                                : fmt::format("the first {} of {} states", profile_.sampled, profile_.states),
+                            "x N: N times fewer were left if it alone did not count");
+        print_lines(profile_.parts, [&](const StateProfile::Part& part) {
+            const bool more = part.combinations >= profile_.most_combinations;
+            return fmt::format("{} {}, {}{} combinations of its own", kind_word(part.kind), printable(part.name),
+                               part.combinations, more ? " or more" : "");
+        });
+        print_lines(profile_.clocks, [](const StateProfile::Clock& clock) {
+            return fmt::format("the clock {} of {} alone, {} values, compared with {} at most", printable(clock.name),
+                               printable(clock.process), clock.values, clock.greatest);
+        });
+        if (profile_.inside_cycles != 0)
+            out_ << fmt::format(
+                "    {} % of these states lie inside a cycle; `--grain atomic` makes each cycle one step\n",
+                (100 * profile_.inside_cycles + profile_.sampled / 2) / profile_.sampled);
+        if (profile_.finest) print(*profile_.finest);
+    }
+
+private:
+    template <class Thing, class Words>
+    void print_lines(const std::vector<Thing>& things, const Words& words) {
+        const auto end =
+            std::ranges::find_if(things, [](const Thing& thing) { return thing.factor.value() < least_factor; });
+        const auto count = static_cast<std::size_t>(end - things.begin());
+        for (std::size_t i = 0; i < std::min(count, most_lines); ++i)
+            out_ << fmt::format("    x {:<7.1f} {}{}\n", things[i].factor.value(), words(things[i]),
+                                things[i].place.empty() ? "" : " (" + printable(things[i].place) + ")");
+        if (count > most_lines) out_ << fmt::format("    and {} more that multiply less\n", count - most_lines);
+    }
+
+    void print(const StateProfile::Finest& finest) {
+        const std::string place = finest.place.empty() ? "" : " (" + printable(finest.place) + ")";
+        if (finest.duration_ms == 0)
+            out_ << fmt::format("    the time unit is written as {}{}; the durations are multiples of {}\n",
+                                seconds_text(finest.unit_ms), place, seconds_text(finest.coarser_ms));
+        else
+            out_ << fmt::format("    the duration {}{} makes the time unit {}; without it, it is {}\n",
+                                seconds_text(finest.duration_ms), place, seconds_text(finest.unit_ms),
+                                seconds_text(finest.coarser_ms));
+    }
+
+    const StateProfile& profile_;
+    std::ostream& out_;
+};
+
+}  // namespace
+
+void name_places(StateProfile& profile, const Sources& sources) {
+    for (StateProfile::Part& part : profile.parts) part.place = file_and_line(sources, part.origin);
+    for (StateProfile::Clock& clock : profile.clocks) clock.place = file_and_line(sources, clock.origin);
+    if (profile.finest) profile.finest->place = file_and_line(sources, profile.finest->origin);
+}
+
+void print_profile(const StateProfile& profile, std::ostream& out) { Printer(profile, out).print(); }
+
+Json profile_json(const StateProfile& profile) {
+    Json parts = Json::array(), clocks = Json::array();
+    for (const StateProfile::Part& part : profile.parts)
+        parts.push_back({{"name", part.name},
+                         {"kind", kind_word(part.kind)},
+                         {"combinations", part.combinations},
+                         {"factor", part.factor.value()},
+                         {"place", text_or_null(part.place)}});
+    for (const StateProfile::Clock& clock : profile.clocks)
+        clocks.push_back({{"instance", clock.process},
+                          {"clock", clock.name},
+                          {"greatest", clock.greatest},
+                          {"values", clock.values},
+                          {"factor", clock.factor.value()},
+                          {"place", text_or_null(clock.place)}});
+    Json finest = nullptr;
+    if (profile.finest)
+        finest = Json{{"duration", profile.finest->duration_ms},
+                      {"unit", profile.finest->unit_ms},
+                      {"coarser", profile.finest->coarser_ms},
+                      {"place", text_or_null(profile.finest->place)}};
+    return {{"states", profile.states},  {"sampled", profile.sampled},  {"inside_cycles", profile.inside_cycles},
+            {"parts", std::move(parts)}, {"clocks", std::move(clocks)}, {"finest", std::move(finest)}};
+}
+
+}  // namespace grafverif
