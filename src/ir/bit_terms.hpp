@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Terms as Boolean functions: what an Expr of any IR means, bit by bit. Bits are any kind of function (see
+// ir/bit_integers.hpp): decision diagrams, gates.
+//
+// A Boolean is one bit. An integer is a number in two's complement, least significant bit first, as many bits as it
+// needs: sums and products grow, so nothing wraps around. Bits are functions, hence an integer is a function from
+// assignments to numbers.
+//
+// A term has a value wherever `evaluate` (ir/expr.hpp) gives it one, and the same; `undefined` tells where it has none:
+// division by zero, or a result outside 64 bits. Like `evaluate`, `and` and `or` stop at the first operand that
+// decides, and a conditional looks at one branch only.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/type.hpp"
+#include "ir/bit_integers.hpp"
+#include "support/overloaded.hpp"
+
+namespace grafverif {
+
+/// A value that depends on what the bits are functions of.
+template <class Bit>
+struct BitTerm {
+    bool boolean = true;
+    std::vector<Bit> bits = {};  ///< of a Boolean one; of an integer one or more, the last its sign
+    Bit undefined = {};          ///< where it has no value; its bits mean nothing there
+
+    bool operator==(const BitTerm&) const = default;
+};
+
+/// The number of bits that tell the values of `type` apart.
+inline std::size_t bit_count(Type type) {
+    if (type.boolean) return 1;
+    std::size_t bits = 0;
+    for (auto span = static_cast<std::uint64_t>(type.high) - static_cast<std::uint64_t>(type.low); span != 0;
+         span >>= 1U)
+        ++bits;
+    return bits;
+}
+
+template <class Bit>
+BitTerm<Bit> boolean_term(const Bit& value) {
+    return {true, {value}, {}};
+}
+template <class Bit>
+BitTerm<Bit> integer_term(std::int64_t value) {
+    return {false, bits::constant<Bit>(value), {}};
+}
+
+/// Where two terms of one kind have the same value, both being defined.
+template <class Bit>
+Bit equal(const BitTerm<Bit>& left, const BitTerm<Bit>& right) {
+    assert(left.boolean == right.boolean);
+    return bits::equal(left.bits, right.bits) & ~(left.undefined | right.undefined);
+}
+/// Where the term has that value; of a Boolean one: 0 or 1.
+template <class Bit>
+Bit equals(const BitTerm<Bit>& term, std::int64_t value) {
+    return equal(term, term.boolean ? boolean_term(Bit::constant(value != 0)) : integer_term<Bit>(value));
+}
+/// Where the integer has a value in [low, high]; of a Boolean: where it is defined.
+template <class Bit>
+Bit within(const BitTerm<Bit>& term, std::int64_t low, std::int64_t high) {
+    if (term.boolean) return ~term.undefined;
+    const Bit outside =
+        bits::less(term.bits, bits::constant<Bit>(low)) | bits::less(bits::constant<Bit>(high), term.bits);
+    return ~(outside | term.undefined);
+}
+/// `condition` is Boolean, the others are of one kind.
+template <class Bit>
+BitTerm<Bit> conditional(const BitTerm<Bit>& condition, const BitTerm<Bit>& then, const BitTerm<Bit>& otherwise) {
+    assert(condition.boolean && then.boolean == otherwise.boolean);
+    const Bit& chosen = condition.bits.front();
+    return {then.boolean, bits::choice(chosen, then.bits, otherwise.bits),
+            condition.undefined | ite(chosen, then.undefined, otherwise.undefined)};
+}
+
+/// The terms of one table as functions; each subterm is translated once.
+template <class Bit>
+class BitTerms {
+public:
+    /// `leaf` says what a leaf is (is_leaf; not an edge). Both arguments outlive this.
+    BitTerms(const Exprs& exprs, std::function<BitTerm<Bit>(const Expr&)> leaf)
+        : exprs_(exprs), leaf_(std::move(leaf)) {}
+
+    const BitTerm<Bit>& operator()(Id<Expr> term) {
+        std::vector<Id<Expr>> open{term};  // no recursion: terms are as deep as their author likes
+        while (!open.empty()) {
+            const Id<Expr> next = open.back();
+            bool ready = true;
+            if (!known_.contains(next.index))
+                for (const Id<Expr> operand : exprs_.operands(next))
+                    if (!known_.contains(operand.index)) {
+                        open.push_back(operand);
+                        ready = false;
+                    }
+            if (!ready) continue;
+            open.pop_back();
+            if (!known_.contains(next.index)) known_.emplace(next.index, built(next));
+        }
+        return known_.at(term.index);
+    }
+
+private:
+    using Term = BitTerm<Bit>;
+
+    Term built(Id<Expr> term) const {
+        const Expr& node = exprs_[term];
+        std::vector<const Term*> operands;
+        for (const Id<Expr> operand : exprs_.operands(term)) operands.push_back(&known_.at(operand.index));
+        switch (node.op) {
+        case Op::False:
+        case Op::True: return boolean_term(Bit::constant(node.op == Op::True));
+        case Op::Integer:
+        case Op::Duration: return integer_term<Bit>(node.value);
+        case Op::Variable:
+        case Op::Step:
+        case Op::Timed:
+        case Op::Parameter:
+        case Op::At: return leaf_(node);
+        case Op::Not: return {true, {~operands[0]->bits.front()}, operands[0]->undefined};
+        case Op::And:
+        case Op::Or: return joined(node.op == Op::Or, operands);
+        case Op::Negate: return negative(*operands[0]);
+        case Op::Conditional: return conditional(*operands[0], *operands[1], *operands[2]);
+        case Op::Equal:
+        case Op::NotEqual:
+        case Op::Less:
+        case Op::LessEqual:
+        case Op::Greater:
+        case Op::GreaterEqual: return compared(node.op, *operands[0], *operands[1]);
+        case Op::Plus:
+        case Op::Minus:
+        case Op::Times:
+        case Op::Divide:
+        case Op::Modulo: return calculated(node.op, *operands[0], *operands[1]);
+        case Op::Rise:
+        case Op::Fall: unreachable();  // edges are gone once a chart is derived
+        }
+        unreachable();
+    }
+
+    /// And, Or: the operands after the first that decides are not looked at.
+    static Term joined(bool disjunction, std::span<const Term* const> operands) {
+        Bit value = Bit::constant(!disjunction), undefined;
+        for (const Term* operand : operands) {
+            const Bit looked_at = disjunction ? ~value : value;
+            if (!operand->undefined.is_false()) undefined = undefined | (looked_at & operand->undefined);
+            value = disjunction ? value | operand->bits.front() : value & operand->bits.front();
+        }
+        return {true, {value}, undefined};
+    }
+
+    static Term compared(Op op, const Term& left, const Term& right) {
+        const auto with = [&](const Bit& value) { return Term{true, {value}, left.undefined | right.undefined}; };
+        switch (op) {
+        case Op::Equal: return with(bits::equal(left.bits, right.bits));
+        case Op::NotEqual: return with(~bits::equal(left.bits, right.bits));
+        case Op::Less: return with(bits::less(left.bits, right.bits));
+        case Op::LessEqual: return with(~bits::less(right.bits, left.bits));
+        case Op::Greater: return with(bits::less(right.bits, left.bits));
+        case Op::GreaterEqual: return with(~bits::less(left.bits, right.bits));
+        default: unreachable();
+        }
+    }
+
+    static Term calculated(Op op, const Term& left, const Term& right) {
+        Bit undefined = left.undefined | right.undefined;
+        bits::Integer<Bit> result;
+        switch (op) {
+        case Op::Plus: result = bits::sum(left.bits, right.bits); break;
+        case Op::Minus: result = bits::difference(left.bits, right.bits); break;
+        case Op::Times: result = bits::product(left.bits, right.bits); break;
+        case Op::Divide:
+        case Op::Modulo: {
+            undefined = undefined | bits::is_zero(right.bits);
+            // Like the processor, `evaluate` gives the least number divided by -1 no value, and no remainder either.
+            undefined =
+                undefined | (bits::equal(left.bits, bits::constant<Bit>(std::numeric_limits<std::int64_t>::min())) &
+                             bits::equal(right.bits, bits::constant<Bit>(-1)));
+            bits::Division<Bit> both = bits::division(left.bits, right.bits);
+            result = op == Op::Divide ? std::move(both.quotient) : std::move(both.remainder);
+            break;
+        }
+        default: unreachable();
+        }
+        undefined = undefined | bits::cut_to_64_bits(result);
+        return {false, std::move(result), undefined};
+    }
+
+    static Term negative(const Term& operand) {
+        bits::Integer<Bit> result = bits::negated(operand.bits);
+        const Bit undefined = operand.undefined | bits::cut_to_64_bits(result);
+        return {false, std::move(result), undefined};
+    }
+
+    const Exprs& exprs_;
+    std::function<Term(const Expr&)> leaf_ = {};
+    std::unordered_map<std::uint32_t, Term> known_ = {};
+};
+
+}  // namespace grafverif
