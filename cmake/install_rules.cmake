@@ -12,6 +12,7 @@ configure_package_config_file(cmake/grafverifConfig.cmake.in "${PROJECT_BINARY_D
                               INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/grafverif)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/grafverifConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/grafverifConfig.cmake" "${PROJECT_BINARY_DIR}/grafverifConfigVersion.cmake"
+              cmake/FindCaDiCaL.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/grafverif)
 install(DIRECTORY templates samples DESTINATION ${CMAKE_INSTALL_DATADIR}/grafverif)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

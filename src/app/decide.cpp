@@ -24,31 +24,31 @@ std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& j
                                                   : check(loop, options);
 }
 
-/// The program on the PATH that the options ask of untimed models; empty: the embedded engine.
-std::string program_of(Engine engine) {
-    return engine == Engine::Nusmv ? "NuSMV" : engine == Engine::Nuxmv ? "nuXmv" : "";
+/// Whether the engine asked for takes a transition system by itself; else it is the embedded symbolic one.
+bool takes_system(Engine engine) { return engine == Engine::Pdr || engine == Engine::Nusmv || engine == Engine::Nuxmv; }
+
+std::optional<Report> system_report(const SystemToCheck& check, Job& job, const CheckOptions& options) {
+    if (!all_known(options.properties, property_names(check.system), job.diagnostics)) return {};
+    if (job.options.engine == Engine::Pdr) return check_by_pdr(check, options);
+    return check_by_nusmv(check, job.options.engine == Engine::Nusmv ? "NuSMV" : "nuXmv", options, job.diagnostics);
 }
 
 std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
     const ModelOptions how = model_options(job.options);
-    const std::string program = program_of(job.options.engine);
-    if (program.empty()) return check_untimed(model, id, how, options, job.diagnostics);
+    if (!takes_system(job.options.engine)) return check_untimed(model, id, how, options, job.diagnostics);
     const auto system = transition_system_of(model, id, job);
-    if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
+    if (!system) return {};
     const ClosedLoop& loop = model.loops[id];
-    return check_by_nusmv({*system, charts_of(model, loop), abstraction_of(how, &loop)}, program, options,
-                          job.diagnostics);
+    return system_report({*system, charts_of(model, loop), abstraction_of(how, &loop)}, job, options);
 }
 
 std::optional<Report> chart_report(const Model& model, Id<Chart> chart, Job& job, const CheckOptions& options) {
     const ModelOptions how = model_options(job.options);
-    const std::string program = program_of(job.options.engine);
-    if (program.empty()) return check_untimed(model, chart, how, options, job.diagnostics);
+    if (!takes_system(job.options.engine)) return check_untimed(model, chart, how, options, job.diagnostics);
     auto system = grafverif::transition_system_of(model, chart, how, job.diagnostics);
-    if (system) ask_for_steps(*system);
-    if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
-    return check_by_nusmv({*system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, program, options,
-                          job.diagnostics);
+    if (!system) return {};
+    ask_for_steps(*system);
+    return system_report({*system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, job, options);
 }
 
 void say_who_stopped(Report& report, bool by_user, const Options& options) {

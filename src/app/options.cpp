@@ -177,6 +177,8 @@ std::vector<Option> options_for_forms() {
     return {
         format(Accepts::Format, {{"text", F::Text}, {"json", F::Json}}, form),
         format(Accepts::FormatLatex, {{"text", F::Text}, {"latex", F::Latex}, {"json", F::Json}}, form),
+        choice<bool>(Accepts::FormatAiger, "format", {{"aag", false}, {"aig", true}}, &Options::binary,
+                     "form of the output: ASCII or binary (default: aig for a file that ends so, else aag)"),
         format(Accepts::FormatDiagram, {{"text", F::Text}, {"json", F::Json}, {"dot", F::Dot}, {"svg", F::Svg}}, form),
         toggle(Accepts::FormatDiagram, "counts", &Options::counts, "print counts only, no tables"),
         format(Accepts::FormatTest, {{"csv", F::Csv}, {"json", F::Json}, {"st", F::Text}, {"xml", F::Xml}},
@@ -217,6 +219,7 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
                        {{"auto", Engine::Auto},
                         {"timed", Engine::Timed},
                         {"symbolic", Engine::Symbolic},
+                        {"pdr", Engine::Pdr},
                         {"verifyta", Engine::Verifyta},
                         {"NuSMV", Engine::Nusmv},
                         {"nuXmv", Engine::Nuxmv}},

@@ -23,7 +23,7 @@ enum class Format { Text, Json, Latex, Xml, Sarif, Dot, Svg, Csv };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
-enum class Engine { Auto, Timed, Verifyta, Symbolic, Nusmv, Nuxmv };  ///< Auto: Timed, of untimed models Symbolic
+enum class Engine { Auto, Timed, Verifyta, Symbolic, Pdr, Nusmv, Nuxmv };  ///< Auto: Timed, of untimed models Symbolic
 /// How time passes for a controller that runs line by line: by `wait` lines, or by itself.
 enum class Clock { Simulated, Real };
 
@@ -37,6 +37,7 @@ struct Options {
     ScheduleOptions untimed = {};             ///< of untimed models; its mode is the one above
     std::optional<PlantApproach> plant = {};  ///< of untimed models, as asked for
     Target target = Target::Both;
+    std::optional<bool> binary = {};  ///< of `aiger`; empty: as the name of the output says
     Clock clock = Clock::Simulated;
     Format format = Format::Text;  ///< of `testgen`: Csv
     TestCover cover = TestCover::Transitions;
@@ -99,6 +100,7 @@ enum class Accepts {
     Target,
     Format,
     FormatLatex,
+    FormatAiger,
     InPlace,
     Search,
     Traces,

@@ -32,6 +32,7 @@ constexpr std::array entries = {
     Entry{build_usage, build},
     Entry{uppaal_usage, uppaal},
     Entry{nusmv_usage, nusmv},
+    Entry{aiger_usage, aiger},
     Entry{draw_usage, draw},
     Entry{equations_usage, equations},
     Entry{components_usage, components},

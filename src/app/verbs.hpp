@@ -11,6 +11,7 @@ namespace grafverif::app {
 ExitCode build(Job& job, const Streams& streams);
 ExitCode uppaal(Job& job, const Streams& streams);
 ExitCode nusmv(Job& job, const Streams& streams);
+ExitCode aiger(Job& job, const Streams& streams);
 ExitCode draw(Job& job, const Streams& streams);
 ExitCode equations(Job& job, const Streams& streams);
 ExitCode components(Job& job, const Streams& streams);
@@ -31,6 +32,7 @@ ExitCode test(Job& job, const Streams& streams);
 Verb build_usage();
 Verb uppaal_usage();
 Verb nusmv_usage();
+Verb aiger_usage();
 Verb draw_usage();
 Verb equations_usage();
 Verb components_usage();

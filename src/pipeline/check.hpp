@@ -67,6 +67,8 @@ private:
 std::vector<std::size_t> asked_properties(const TransitionSystem& system, const std::vector<std::string>& names);
 
 Report check(const SystemToCheck& check, const CheckOptions& options);
+/// The same by property directed reachability: what is about states, one property at a time.
+Report check_by_pdr(const SystemToCheck& check, const CheckOptions& options);
 
 /// Adds what a chart alone is asked: that each of its steps can be reached (`reachable.X2`).
 void ask_for_steps(TransitionSystem& system);

@@ -7,6 +7,7 @@
 
 #include "check/external/verifyta.hpp"
 #include "compose/compose.hpp"
+#include "emit/aiger/aiger.hpp"
 #include "emit/structured_text/structured_text.hpp"
 #include "grafverif/grafverif.hpp"
 #include "pipeline/files.hpp"
@@ -34,6 +35,12 @@ struct UppaalQuestions {
     std::vector<ExternalQuestion> questions = {};
 };
 UppaalQuestions uppaal_questions(const Network& network);
+
+/// TransitionSystem -> AIGER, and what its names are to the charts, as JSON. Warns of properties that it cannot be asked.
+struct AigerModel {
+    std::string text = {}, map = {};
+};
+AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnostics& diagnostics);
 
 /// TestSequence -> Structured Text.
 std::string structured_text_test(const TestSequence& test, structured_text::Form form);

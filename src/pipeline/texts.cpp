@@ -56,6 +56,22 @@ std::string svg_of(const Drawing& drawing) {
     return written([&](std::ostream& out) { draw::print_svg(drawing, out); });
 }
 
+AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnostics& diagnostics) {
+    FlatSystem flat = flattened(system);
+    const auto [circuit, left_out] = circuit_of(system, flat);
+    for (const NotInCircuit& each : left_out) {
+        const Property& property = system.properties[each.about];
+        diagnostics.add(messages::not_expressible(property.origin, property.name, "AIGER", each.reason));
+    }
+    for (const TransitionSystem::Omitted& omitted : system.omitted)
+        diagnostics.add(
+            messages::not_expressible(omitted.property.origin, omitted.property.name, "AIGER", omitted.reason));
+    const std::vector<aiger::Question> questions = aiger::questions_of(system, flat, circuit);
+    aiger::Written model = aiger::written(circuit, questions, form, aiger::Extent::Whole);
+    std::string map = aiger::map_of(system, flat, circuit, model);
+    return {std::move(model.text), std::move(map)};
+}
+
 std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics) {
     for (const TransitionSystem::Omitted& omitted : system.omitted)
         diagnostics.add(

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
-// `uppaal` and `nusmv`: one model, to a file or to standard output.
+// `uppaal`, `nusmv` and `aiger`: one model, to a file or to standard output.
+#include "pipeline/models.hpp"
+
+#include <utility>
+
+#include "app/outputs.hpp"
 #include "app/verbs.hpp"
+#include "pipeline/check.hpp"
 
 namespace grafverif::app {
 
@@ -14,20 +20,42 @@ ExitCode uppaal(Job& job, const Streams& streams) {
     return ExitCode::Done;
 }
 
-ExitCode nusmv(Job& job, const Streams& streams) {
+namespace {
+
+/// The untimed model of the loop or the chart that the options choose.
+std::optional<TransitionSystem> untimed_model(Job& job) {
     const auto model = read_model(job.options.operands[0], job);
-    if (!model) return ExitCode::Input;
-    std::optional<TransitionSystem> system;
+    if (!model) return {};
     if (is_of_a_chart(*model, job.options)) {
-        if (const auto chart = chosen_chart(*model, job))
-            system = grafverif::transition_system_of(*model, *chart, model_options(job.options), job.diagnostics);
-    } else if (const auto loop = chosen_loop(*model, job)) {
-        system = transition_system_of(*model, *loop, job);
+        const auto chart = chosen_chart(*model, job);
+        if (!chart) return {};
+        return grafverif::transition_system_of(*model, *chart, model_options(job.options), job.diagnostics);
     }
+    const auto loop = chosen_loop(*model, job);
+    return loop ? transition_system_of(*model, *loop, job) : std::nullopt;
+}
+
+}  // namespace
+
+ExitCode nusmv(Job& job, const Streams& streams) {
+    const auto system = untimed_model(job);
     if (!system) return ExitCode::Input;
     const std::string text = nusmv_model(*system, job.diagnostics);
     if (!job.diagnostics.has_errors()) deliver(text, job, streams);
     return ExitCode::Done;
+}
+
+ExitCode aiger(Job& job, const Streams& streams) {
+    auto system = untimed_model(job);
+    if (!system) return ExitCode::Input;
+    if (job.options.chart || system->properties.empty()) ask_for_steps(*system);
+    const std::string output = job.options.output.value_or("-");
+    const bool binary = job.options.binary.value_or(output.ends_with(".aig"));
+    AigerModel model = aiger_model(*system, binary ? aiger::Form::Binary : aiger::Form::Ascii, job.diagnostics);
+    if (job.diagnostics.has_errors()) return ExitCode::Done;
+    std::vector<OutputFile> files = {{output, std::move(model.text)}};
+    if (output != "-") files.push_back({output + ".json", std::move(model.map)});
+    return write_outputs(files, job, streams) ? ExitCode::Done : ExitCode::Input;
 }
 
 Verb uppaal_usage() {
@@ -60,6 +88,24 @@ Verb nusmv_usage() {
          "grafverif nusmv samples/oven_door/oven_door.grafcet --plant automata --grain atomic",
          "grafverif nusmv station.grafcet --chart testing_station --mode every-cycle"},
         {Accepts::Output, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed}};
+}
+
+Verb aiger_usage() {
+    return {
+        "aiger",
+        "FILE",
+        1,
+        1,
+        "write the untimed model as a circuit, for hardware model checkers",
+        "Writes the model that `nusmv` writes bit by bit, in the format AIGER 1.9: a bad state per property about "
+        "states\n"
+        "(of `reachable`: the state that shows it), a justice list per property about runs. `always possible` and\n"
+        "formulas are left out, with a warning. Beside the file OUT stands OUT.json, which tells what its bits are to\n"
+        "the charts. A name that ends in .aig asks for the binary form, as `--format aig` does.",
+        {"grafverif aiger samples/tanks/tanks.grafcet -o tanks.aig",
+         "grafverif aiger samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
+        {Accepts::Output, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed,
+         Accepts::FormatAiger}};
 }
 
 }  // namespace grafverif::app

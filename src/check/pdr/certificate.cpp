@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "check/pdr/certificate.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace grafverif::pdr {
+
+namespace {
+
+/// The whole circuit as clauses, gate by gate; variable n + 1 is node n.
+class WholeCircuit {
+public:
+    WholeCircuit(const Circuit& circuit, Watch& watch) : watch_(watch) {
+        solver_.set("quiet", 1);
+        solver_.set("profile", 0);
+        solver_.connect_terminator(&watch);
+        clause({-1});
+        for (std::uint32_t node = 1; node < circuit.gates.size(); ++node) {
+            if (!circuit.gates.is_gate(node)) continue;
+            const int out = of(2 * node), left = of(circuit.gates[node].left), right = of(circuit.gates[node].right);
+            clause({-out, left});
+            clause({-out, right});
+            clause({out, -left, -right});
+        }
+    }
+    ~WholeCircuit() { solver_.disconnect_terminator(); }
+    WholeCircuit(const WholeCircuit&) = delete;
+    WholeCircuit& operator=(const WholeCircuit&) = delete;
+
+    static int of(Gates::Literal literal) {
+        const int variable = static_cast<int>(node_of(literal)) + 1;
+        return is_inverted(literal) ? -variable : variable;
+    }
+    void clause(const std::vector<int>& literals) {
+        for (const int each : literals) solver_.add(each);
+        solver_.add(0);
+    }
+    bool possible(const std::vector<int>& assumptions) {
+        watch_.look();
+        for (const int each : assumptions) solver_.assume(each);
+        const int answer = solver_.solve();
+        if (answer == 0) {
+            watch_.look();
+            throw Exhausted{Exhausted::Cause::Stopped};
+        }
+        return answer != 20;
+    }
+
+private:
+    Watch& watch_;
+    CaDiCaL::Solver solver_ = {};
+};
+
+}  // namespace
+
+std::string flaw(const Circuit& circuit, Gates::Literal bad, const std::vector<Cube>& cubes, Watch& watch) {
+    std::unordered_map<std::uint32_t, Gates::Literal> next;
+    for (const Circuit::Latch& latch : circuit.latches) next[latch.node] = latch.next;
+    WholeCircuit solver(circuit, watch);
+    for (const Cube& cube : cubes) {
+        std::vector<int> outside;
+        for (const Gates::Literal literal : cube) {
+            if (!next.contains(node_of(literal))) return "it speaks of something that is no latch";
+            outside.push_back(-WholeCircuit::of(literal));
+        }
+        if (std::ranges::all_of(cube, is_inverted)) return "it excludes the first state";
+        solver.clause(outside);
+    }
+    if (solver.possible({WholeCircuit::of(bad)})) return "it does not exclude what it should";
+    for (const Cube& cube : cubes) {
+        std::vector<int> after;
+        for (const Gates::Literal literal : cube)
+            after.push_back(WholeCircuit::of(next[node_of(literal)] ^ (literal & 1U)));
+        if (solver.possible(after)) return "a step leads out of it";
+    }
+    return {};
+}
+
+}  // namespace grafverif::pdr

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "check/pdr/check.hpp"
+
+#include <algorithm>
+#include <new>
+#include <unordered_set>
+#include <utility>
+
+#include "check/evidence.hpp"
+#include "check/pdr/pdr.hpp"
+
+namespace grafverif {
+
+namespace pdr {
+
+namespace {
+
+using Literal = Gates::Literal;
+
+/// Why this engine does not take a property; empty: it does.
+std::string refusal(Pattern pattern) {
+    switch (pattern) {
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::Reachable:
+    case Pattern::ExactlyOneOf: return {};
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo:
+    case Pattern::AlwaysPossible: return "it is about runs, and this engine decides what is about states";
+    case Pattern::RawUppaal: return "UPPAAL's formulas are decided by UPPAAL only";
+    case Pattern::RawCtl: return "CTL formulas of NuSMV are decided by NuSMV and nuXmv only";
+    case Pattern::RawLtl: return "LTL formulas of NuSMV are decided by NuSMV and nuXmv only";
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock: return "an untimed model has no deadlock and no time to lock";
+    case Pattern::ReachableAllSteps: return "it is asked step by step";
+    }
+    return "nobody knows it";
+}
+
+class Check {
+public:
+    Check(const TransitionSystem& system, const PdrOptions& options)
+        : system_(system),
+          options_(options),
+          flat_(flattened(system)),
+          circuit_(circuit_of(system, flat_).circuit),
+          watch_({options.max_memory, options.deadline, options.stop}) {}
+
+    PdrResult result() {
+        const std::unordered_set<std::string_view> asked(options_.properties.begin(), options_.properties.end());
+        look_for_faults();
+        for (const Id<Property> id : system_.properties.ids()) {
+            const Property& property = system_.properties[id];
+            if (!asked.empty() && !asked.contains(property.name)) continue;
+            const auto start = std::chrono::steady_clock::now();
+            verdict_ = verdict_on(id, property);
+            run_.reset();
+            answer(property);
+            verdict_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            result_.verdicts.push_back(std::move(verdict_));
+            result_.runs.push_back(std::move(run_));
+        }
+        return std::move(result_);
+    }
+
+private:
+    void unknown(Obstacle obstacle, std::string reason) {
+        verdict_.outcome = Outcome::Unknown;
+        verdict_.obstacle = obstacle;
+        verdict_.reason = std::move(reason);
+    }
+
+    std::string words(Exhausted::Cause cause) const {
+        if (cause == Exhausted::Cause::Stopped) return "stopped";
+        return "the memory allowed, " + std::to_string(options_.max_memory >> 20U) + " MiB, is used up";
+    }
+    static Obstacle obstacle(Exhausted::Cause cause) {
+        return cause == Exhausted::Cause::Stopped ? Obstacle::Stopped : Obstacle::Memory;
+    }
+
+    /// Whether a state with `bad` is reached; what says no has been checked.
+    Answer searched(Literal bad, const std::string& name) {
+        const auto told = [&](std::size_t frames) {
+            if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
+        };
+        Answer answer = reach(circuit_, bad, watch_, told);
+        if (answer.reached) return answer;
+        if (const std::string why = flaw(circuit_, bad, answer.invariant, watch_); !why.empty())
+            throw Unsound{"the invariant found for `" + name + "` is none: " + why};
+        return answer;
+    }
+
+    /// Something of ours that does not stand up.
+    struct Unsound {
+        std::string what = {};
+    };
+
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+    SystemRun run_of(const Answer& answer) const {
+        SystemRun run;
+        for (const std::vector<std::int64_t>& state : told_run(answer).states)
+            run.states.push_back(symbol_values(flat_, state));
+        return run;
+    }
+    ToldRun told_run(const Answer& answer) const { return {states_of(circuit_, answer.inputs), {}}; }
+
+    // -- whether the system means something ------------------------------------------------------------------------
+
+    /// Calls `work`; what it has not come to keeps every verdict from being given.
+    template <class Work>
+    void guarded(const Work& work) {
+        try {
+            work();
+        } catch (const Exhausted& end) {
+            obstacle_ = obstacle(end.cause);
+            reason_ = words(end.cause);
+        } catch (const std::bad_alloc&) {
+            obstacle_ = Obstacle::Memory;
+            reason_ = words(Exhausted::Cause::Memory);
+        } catch (const Unsound& unsound) {
+            result_.failures.push_back(unsound.what);
+            obstacle_ = Obstacle::Failed;
+            reason_ = "this engine failed";
+        }
+    }
+
+    void look_for_faults() {
+        guarded([this] {
+            if (!starts()) result_.fault = SystemFault{SystemFault::Kind::NoInitialState, {}, {}};
+            else look_for_leaks();
+        });
+        if (!result_.fault) return;
+        obstacle_ = Obstacle::Faulty;
+        reason_ = "the model breaks off; see its fault";
+    }
+
+    bool starts() {
+        Solver solver(circuit_, watch_);
+        const int first = solver.fresh();
+        solver.all_false_under(first);
+        const int possible = solver.of(circuit_.possible);
+        return solver.solve(std::vector{first, possible});
+    }
+
+    /// Where all values are in range and no step leads out, they stay so. Of the steps that might, as far as that goes, it
+    /// takes a search.
+    void look_for_leaks() {
+        Solver solver(circuit_, watch_);
+        const int in_range = circuit_.leaks.empty() ? 0 : solver.of(circuit_.in_range);
+        for (const Circuit::Leak& leak : circuit_.leaks) {
+            const int bad = solver.of(leak.bad);
+            if (!solver.solve(std::vector{in_range, bad})) continue;
+            const std::string& name = flat_.variables[leak.variable].name;
+            if (const Answer answer = searched(leak.bad, name); answer.reached) {
+                result_.fault = SystemFault{SystemFault::Kind::OutOfRange, name, run_of(answer)};
+                return;
+            }
+        }
+    }
+
+    // -- properties --------------------------------------------------------------------------------------------------
+
+    void answer(const Property& property) {
+        if (const std::string why = refusal(property.pattern); !why.empty()) return unknown(Obstacle::Unsupported, why);
+        if (obstacle_ != Obstacle::None) return unknown(obstacle_, reason_);
+        const auto target = std::ranges::find(circuit_.targets, verdict_.about, &Circuit::Target::about);
+        guarded([&] { decide(property, *target); });
+        if (obstacle_ == Obstacle::None) return;
+        unknown(obstacle_, reason_);
+        run_.reset();
+        if (obstacle_ != Obstacle::Stopped) obstacle_ = Obstacle::None;  // with less to do, the memory may do
+    }
+
+    void decide(const Property& property, const Circuit::Target& target) {
+        if (target.undefined != Gates::no && searched(target.undefined, property.name).reached)
+            return unknown(Obstacle::Faulty, "its condition divides by zero in some reachable state");
+        const Answer answer = searched(target.bad, property.name);
+        const bool wanted = property.pattern == Pattern::Reachable;
+        verdict_.outcome = answer.reached == wanted ? Outcome::Holds : Outcome::Violated;
+        if (answer.reached) {
+            if (const std::string why = doubt(system_, flat_, property, told_run(answer)); !why.empty())
+                throw Unsound{"the run found for `" + property.name + "` is none: " + why};
+            run_ = run_of(answer);
+        } else {
+            verdict_.notes.push_back("an inductive invariant of " + std::to_string(answer.invariant.size()) +
+                                     (answer.invariant.size() == 1 ? " clause" : " clauses") +
+                                     " shows it, checked by a second solver");
+            if (!wanted && property.at_stable) mark_vacuous();
+        }
+    }
+
+    void mark_vacuous() {
+        if (!settled_) settled_ = searched(circuit_.settled, "settled").reached;
+        if (*settled_) return;
+        verdict_.vacuous = true;
+        verdict_.notes.emplace_back("no state is ever settled");
+    }
+
+    const TransitionSystem& system_;
+    const PdrOptions& options_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    FlatSystem flat_;
+    Circuit circuit_;
+    Watch watch_;
+    PdrResult result_ = {};
+    Verdict verdict_ = {};
+    std::optional<SystemRun> run_ = {};
+    Obstacle obstacle_ = Obstacle::None;  ///< met by every question to come
+    std::string reason_ = {};
+    std::optional<bool> settled_ = {};  ///< whether some state is settled
+};
+
+}  // namespace
+
+}  // namespace pdr
+
+PdrResult check_pdr(const TransitionSystem& system, const PdrOptions& options) {
+    return pdr::Check(system, options).result();
+}
+
+}  // namespace grafverif

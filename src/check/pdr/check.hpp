@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The PDR engine: properties about states of a TransitionSystem (`always`, `never`, `exactly one of`, `reachable`), one
+// at a time, by property directed reachability on its circuit.
+//
+// `holds` (of `reachable`: violated) rests on an inductive invariant, checked by a second solver that has seen nothing of the
+// search. What is reached comes with a run of the system, held against its terms before it is told.
+//
+// A system that leaves the range of a variable means nothing, and the engine decides nothing about it (`faulty`); it proves
+// that none does. That every state has a step is not looked at: verdicts are about the states that runs reach.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/pdr/solver.hpp"
+#include "grafverif/ir/verdict.hpp"
+#include "ir/flat_system.hpp"
+
+namespace grafverif {
+
+struct PdrProgress {
+    std::string property = {};
+    std::size_t frames = 0;
+    std::uint64_t bytes = 0;
+    double seconds = 0;
+};
+
+struct PdrOptions {
+    std::vector<std::string> properties = {};            ///< names; empty: all
+    std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes
+    std::optional<std::chrono::steady_clock::time_point> deadline = {};
+    const std::atomic<bool>* stop = nullptr;                ///< set by somebody else: end with what is known
+    std::function<void(const PdrProgress&)> progress = {};  ///< called for every frame
+};
+
+struct PdrResult {
+    std::vector<Verdict> verdicts = {};               ///< in the order of the properties
+    std::vector<std::optional<SystemRun>> runs = {};  ///< per verdict: counterexample, or witness of `reachable`
+    std::optional<SystemFault> fault = {};
+    std::vector<std::string> failures = {};  ///< ours: a proof or a run that does not stand up
+};
+
+/// Requires verify(system).empty().
+PdrResult check_pdr(const TransitionSystem& system, const PdrOptions& options = {});
+
+}  // namespace grafverif

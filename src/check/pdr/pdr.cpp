@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "check/pdr/pdr.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <optional>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+
+#include "check/pdr/justify.hpp"
+
+namespace grafverif::pdr {
+
+namespace {
+
+using Literal = Gates::Literal;
+
+/// The first state has every latch false.
+bool holds_first_state(const Cube& cube) { return std::ranges::all_of(cube, is_inverted); }
+
+bool contains(const Cube& cube, const Cube& part) { return std::ranges::includes(cube, part); }
+
+/// A state, in part, that leads to `bad`.
+struct Obligation {
+    Cube state = {};
+    Sources inputs = {};        ///< with these it leads to `successor`, or is bad itself
+    std::size_t successor = 0;  ///< of the last: itself
+    std::size_t frame = 0, depth = 0;
+};
+
+class Search {
+public:
+    Search(const Circuit& circuit, Literal bad, Watch& watch, const std::function<void(std::size_t)>& progress)
+        : circuit_(circuit), bad_(bad), watch_(watch), progress_(progress), justifier_(circuit) {
+        for (const Circuit::Latch& latch : circuit.latches) next_[latch.node] = latch.next;
+    }
+
+    Answer result() {
+        add_frame();  // frame 0: the first state
+        renew();
+        if (auto found = bad_state(0)) return reached(add(std::move(*found)));
+        for (;;) {
+            add_frame();
+            if (progress_) progress_(top());
+            while (auto found = bad_state(top())) {
+                const std::size_t end = block(add(std::move(*found)));
+                if (end != none) return reached(end);
+            }
+            if (const auto frame = propagated()) return unreached(*frame);
+            if (solver_->clauses() > 4 * (live_ + 1000) + clauses_when_new_) renew();
+        }
+    }
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    std::size_t top() const { return frames_.size() - 1; }
+
+    // -- the solver ------------------------------------------------------------------------------------------------
+
+    void add_frame() {
+        frames_.emplace_back();
+        active_.push_back(solver_ ? solver_->fresh() : 0);
+    }
+
+    /// A solver without the clauses that nobody needs any more.
+    void renew() {
+        solver_.emplace(circuit_, watch_);
+        for (int& each : active_) each = solver_->fresh();
+        solver_->all_false_under(active_[0]);
+        live_ = 0;
+        for (std::size_t frame = 1; frame < frames_.size(); ++frame)
+            for (const Cube& cube : frames_[frame]) exclude(cube, frame);
+        clauses_when_new_ = solver_->clauses();
+    }
+
+    void exclude(const Cube& cube, std::size_t frame) {
+        std::vector<int> clause{-active_[frame]};
+        for (const Literal literal : cube) clause.push_back(-solver_->of(literal));
+        solver_->add(clause);
+        ++live_;
+    }
+
+    /// What holds in frame i: it excludes what later frames exclude.
+    std::vector<int> in_frame(std::size_t frame) const {
+        return {active_.begin() + static_cast<std::ptrdiff_t>(frame), active_.end()};
+    }
+
+    /// A state of frame i outside `cube` that a step leads from into `cube`; if there is none, `core` is what of the cube
+    /// the solver needed for that.
+    bool steps_into(const Cube& cube, std::size_t frame, bool from_outside, Cube& core) {
+        std::vector<int> assumptions = in_frame(frame);
+        const std::size_t first = assumptions.size();
+        std::vector<int> outside;
+        for (const Literal literal : cube) {
+            assumptions.push_back(solver_->of(next_of(literal)));
+            if (from_outside) outside.push_back(-solver_->of(literal));
+        }
+        if (solver_->solve(assumptions, outside)) return true;
+        core.clear();
+        for (std::size_t i = 0; i < cube.size(); ++i)
+            if (solver_->failed(assumptions[first + i])) core.push_back(cube[i]);
+        keep_off_first_state(core, cube);
+        return false;
+    }
+
+    Literal next_of(Literal latch) const { return next_.at(node_of(latch)) ^ (latch & 1U); }
+
+    /// `core` excludes the first state, as `cube` does.
+    static void keep_off_first_state(Cube& core, const Cube& cube) {
+        if (!holds_first_state(core)) return;
+        const auto found = std::ranges::find_if_not(cube, is_inverted);
+        assert(found != cube.end());
+        core.insert(std::ranges::lower_bound(core, *found), *found);
+    }
+
+    /// Of the solver's last answer: the part of it that makes `targets` true.
+    Obligation found_for(const std::vector<Literal>& targets) {
+        Justifier::Part part = justifier_.part(targets, [this](Literal literal) { return solver_->value(literal); });
+        Obligation found;
+        found.state = std::move(part.latches);
+        found.inputs = std::move(part.inputs);
+        return found;
+    }
+
+    std::optional<Obligation> bad_state(std::size_t frame) {
+        std::vector<int> assumptions = in_frame(frame);
+        assumptions.push_back(solver_->of(bad_));
+        if (!solver_->solve(assumptions)) return {};
+        Obligation found = found_for({bad_});
+        found.frame = frame;
+        found.successor = obligations_.size();
+        return found;
+    }
+
+    // -- blocking --------------------------------------------------------------------------------------------------
+
+    std::size_t add(Obligation obligation) {
+        obligations_.push_back(std::move(obligation));
+        return obligations_.size() - 1;
+    }
+
+    /// Excludes the state from its frame, and all that leads to it from the frames before; or the obligation that holds
+    /// the first state.
+    std::size_t block(std::size_t first) {
+        const auto later = [this](std::size_t a, std::size_t b) {
+            const Obligation &one = obligations_[a], &other = obligations_[b];
+            return one.frame != other.frame ? one.frame > other.frame : one.depth > other.depth;
+        };
+        std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(later)> open(later);
+        open.push(first);
+        while (!open.empty()) {
+            const std::size_t at = open.top();
+            const Cube state = obligations_[at].state;
+            const std::size_t frame = obligations_[at].frame;
+            if (frame == 0 || holds_first_state(state)) return at;
+            open.pop();
+            Cube core;
+            if (!is_excluded(state, frame)) {
+                if (steps_into(state, frame - 1, true, core)) {
+                    std::vector<Literal> targets;
+                    for (const Literal literal : state) targets.push_back(next_of(literal));
+                    Obligation before = found_for(targets);
+                    before.frame = frame - 1;
+                    before.successor = at;
+                    before.depth = obligations_[at].depth + 1;
+                    open.push(at);
+                    open.push(add(std::move(before)));
+                    continue;
+                }
+                learn(std::move(core), frame);
+            }
+            if (frame < top()) {
+                obligations_[at].frame = frame + 1;
+                open.push(at);
+            }
+        }
+        obligations_.clear();
+        return none;
+    }
+
+    bool is_excluded(const Cube& state, std::size_t frame) const {
+        for (std::size_t i = frame; i < frames_.size(); ++i)
+            for (const Cube& cube : frames_[i])
+                if (contains(state, cube)) return true;
+        return false;
+    }
+
+    /// Excludes the cube, and as much beside it as may be, from the frame and from those behind it that allow it.
+    void learn(Cube cube, std::size_t frame) {
+        generalise(cube, frame - 1);
+        Cube core;
+        while (frame < top() && !steps_into(cube, frame, true, core)) {
+            cube = core;
+            ++frame;
+        }
+        for (std::size_t i = 1; i <= frame; ++i)
+            std::erase_if(frames_[i], [&](const Cube& each) { return contains(each, cube); });
+        for (const Literal literal : cube) ++uses_[literal];
+        exclude(cube, frame);
+        frames_[frame].push_back(std::move(cube));
+    }
+
+    /// Leaves out of the cube what it needs not, those first that were of little use so far.
+    void generalise(Cube& cube, std::size_t before) {
+        Cube order = cube;
+        std::ranges::stable_sort(order, {}, [this](Literal literal) {
+            const auto found = uses_.find(literal);
+            return found == uses_.end() ? 0U : found->second;
+        });
+        for (const Literal literal : order) {
+            if (cube.size() == 1 || !std::ranges::binary_search(cube, literal)) continue;
+            Cube fewer = cube;
+            std::erase(fewer, literal);
+            Cube core;
+            if (!holds_first_state(fewer) && !steps_into(fewer, before, true, core)) cube = std::move(core);
+        }
+    }
+
+    /// Every cube moves on to the next frame if that excludes it too; the frame that is empty then.
+    std::optional<std::size_t> propagated() {
+        for (std::size_t frame = 1; frame < top(); ++frame) {
+            const std::vector<Cube> cubes = frames_[frame];
+            for (const Cube& cube : cubes) {
+                Cube core;
+                if (std::ranges::find(frames_[frame], cube) == frames_[frame].end()) continue;
+                if (steps_into(cube, frame, false, core)) continue;
+                for (std::size_t i = 1; i <= frame + 1; ++i)
+                    std::erase_if(frames_[i], [&](const Cube& each) { return contains(each, core); });
+                exclude(core, frame + 1);
+                frames_[frame + 1].push_back(std::move(core));
+            }
+            if (frames_[frame].empty()) return frame;
+        }
+        return {};
+    }
+
+    // -- answers ---------------------------------------------------------------------------------------------------
+
+    Answer reached(std::size_t at) const {
+        Answer answer{.reached = true, .frames = top()};
+        std::unordered_map<std::uint32_t, std::size_t> place;
+        for (std::size_t i = 0; i < circuit_.inputs.size(); ++i) place[circuit_.inputs[i].node] = i;
+        for (;;) {
+            std::vector<bool>& inputs = answer.inputs.emplace_back(circuit_.inputs.size());
+            for (const Literal literal : obligations_[at].inputs)
+                inputs[place.at(node_of(literal))] = !is_inverted(literal);
+            if (obligations_[at].successor == at) return answer;
+            at = obligations_[at].successor;
+        }
+    }
+
+    Answer unreached(std::size_t frame) const {
+        Answer answer{.frames = top()};
+        for (std::size_t i = frame + 1; i < frames_.size(); ++i)
+            answer.invariant.insert(answer.invariant.end(), frames_[i].begin(), frames_[i].end());
+        return answer;
+    }
+
+    const Circuit& circuit_;
+    Literal bad_;
+    Watch& watch_;
+    const std::function<void(std::size_t)>& progress_;
+    Justifier justifier_;
+    std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< per node of a latch
+    std::optional<Solver> solver_ = {};
+    std::vector<std::vector<Cube>> frames_ = {};  ///< what a frame excludes and the next one does not
+    std::vector<int> active_ = {};                ///< per frame: the assumption under which its clauses hold
+    std::vector<Obligation> obligations_ = {};
+    std::unordered_map<Literal, unsigned> uses_ = {};
+    std::uint64_t live_ = 0, clauses_when_new_ = 0;
+};
+
+}  // namespace
+
+Answer reach(const Circuit& circuit, Literal bad, Watch& watch, const std::function<void(std::size_t)>& progress) {
+    return Search(circuit, bad, watch, progress).result();
+}
+
+}  // namespace grafverif::pdr

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "check/pdr/solver.hpp"
+
+#include <malloc.h>
+
+#include <array>
+
+namespace grafverif::pdr {
+
+namespace {
+
+std::uint64_t allocated() {
+    const struct mallinfo2 info = ::mallinfo2();
+    return info.uordblks + info.hblkhd;
+}
+
+}  // namespace
+
+Watch::Watch(const Bounds& bounds) : bounds_(bounds), before_(allocated()) {}
+
+std::uint64_t Watch::bytes() const {
+    const std::uint64_t now = allocated();
+    return now > before_ ? now - before_ : 0;
+}
+
+bool Watch::terminate() {
+    if (met_) return true;
+    if (bounds_.stop != nullptr && bounds_.stop->load(std::memory_order_relaxed)) met_ = Exhausted::Cause::Stopped;
+    constexpr std::uint32_t seldom = 64;  // what follows asks the system
+    if (++calls_ % seldom != 0 || met_) return met_.has_value();
+    if (bounds_.deadline && std::chrono::steady_clock::now() >= *bounds_.deadline) met_ = Exhausted::Cause::Stopped;
+    if (calls_ % (seldom * seldom) == 0 && bytes() > bounds_.memory) met_ = Exhausted::Cause::Memory;
+    return met_.has_value();
+}
+
+void Watch::look() {
+    if (terminate()) throw Exhausted{*met_};
+}
+
+Solver::Solver(const Circuit& circuit, Watch& watch)
+    : circuit_(circuit),
+      watch_(watch),
+      solver_(std::make_unique<CaDiCaL::Solver>()),
+      variable_(circuit.gates.size()),
+      is_latch_(circuit.gates.size()) {
+    solver_->configure("plain");  // thousands of small questions: nothing pays that looks at the whole
+    solver_->set("quiet", 1);
+    solver_->set("profile", 0);  // it would ask the system for the time in every question
+    solver_->connect_terminator(&watch);
+    for (const Circuit::Latch& latch : circuit.latches) is_latch_[latch.node] = true;
+    variable_[0] = fresh();
+    add(std::array{-variable_[0]});
+}
+
+Solver::~Solver() { solver_->disconnect_terminator(); }
+
+int Solver::variable(std::uint32_t node) {
+    const int made = variable_[node] = fresh();
+    if (is_latch_[node]) {
+        latches_.push_back(made);
+        if (initial_ != 0) add(std::array{-initial_, -made});
+    }
+    return made;
+}
+
+int Solver::literal(Gates::Literal literal) const {
+    const int known = variable_[node_of(literal)];
+    return is_inverted(literal) ? -known : known;
+}
+
+int Solver::of(Gates::Literal wanted) {
+    std::vector<std::uint32_t> open;  // gates with a variable and no clauses yet
+    const auto name = [&](std::uint32_t node) {
+        if (variable_[node] != 0) return;
+        variable(node);
+        if (circuit_.gates.is_gate(node)) open.push_back(node);
+    };
+    name(node_of(wanted));
+    while (!open.empty()) {
+        const std::uint32_t node = open.back();
+        open.pop_back();
+        const Gates::Node gate = circuit_.gates[node];
+        name(node_of(gate.left));
+        name(node_of(gate.right));
+        const int out = variable_[node], left = literal(gate.left), right = literal(gate.right);
+        add(std::array{-out, left});
+        add(std::array{-out, right});
+        add(std::array{out, -left, -right});
+    }
+    return literal(wanted);
+}
+
+void Solver::all_false_under(int condition) {
+    initial_ = condition;
+    for (const int latch : latches_) add(std::array{-condition, -latch});
+}
+
+void Solver::add(std::span<const int> clause) {
+    for (const int each : clause) solver_->add(each);
+    solver_->add(0);
+    ++clauses_;
+}
+
+bool Solver::solve(std::span<const int> assumptions, std::span<const int> one_of) {
+    watch_.look();
+    for (const int each : assumptions) solver_->assume(each);
+    if (!one_of.empty()) {
+        for (const int each : one_of) solver_->constrain(each);
+        solver_->constrain(0);
+    }
+    const int answer = solver_->solve();
+    if (answer == 0) {
+        watch_.look();
+        throw Exhausted{Exhausted::Cause::Stopped};
+    }
+    return answer == 10;
+}
+
+bool Solver::value(Gates::Literal literal) const {
+    const int variable = variable_[node_of(literal)];
+    return (solver_->val(variable) > 0) != is_inverted(literal);
+}
+
+}  // namespace grafverif::pdr

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Gates: Boolean functions as a graph of and-gates with two inputs and inverters on wires (Kuehlmann, Paruthi, Krohm and
+// Ganai 2002). A gate that is there already is not made again, and what one level shows to be simpler is made so; equal
+// functions may still be different gates.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace grafverif {
+
+class Gates {
+public:
+    /// 2 * node, plus 1 for its complement; node 0 is false.
+    using Literal = std::uint32_t;
+    static constexpr Literal no = 0, yes = 1;
+
+    /// An and-gate of two literals of earlier nodes, or a source, whose value comes from elsewhere: both are `no`.
+    struct Node {
+        Literal left = no, right = no;
+        bool operator==(const Node&) const = default;
+    };
+
+    Literal source();
+    Literal both(Literal left, Literal right);
+    Literal either(Literal left, Literal right) { return both(left ^ 1U, right ^ 1U) ^ 1U; }
+    Literal choice(Literal condition, Literal then, Literal otherwise);
+
+    /// The number of nodes, the constant among them.
+    std::size_t size() const { return nodes_.size(); }
+    const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
+    bool is_gate(std::uint32_t node) const { return nodes_[node].left != no; }
+
+    bool operator==(const Gates& other) const { return nodes_ == other.nodes_; }
+
+private:
+    std::vector<Node> nodes_ = {{}};
+    std::unordered_map<std::uint64_t, std::uint32_t> known_ = {};
+};
+
+inline std::uint32_t node_of(Gates::Literal literal) { return literal >> 1U; }
+inline bool is_inverted(Gates::Literal literal) { return (literal & 1U) != 0; }
+
+/// The nodes that `roots` depend on, themselves among them, increasing; never the constant.
+std::vector<std::uint32_t> cone(const Gates& gates, const std::vector<Gates::Literal>& roots);
+
+/// A function, as ir/bit_terms.hpp takes them. Constants belong to no graph.
+struct Gate {
+    Gates* gates = nullptr;
+    Gates::Literal literal = Gates::no;
+
+    static Gate constant(bool value) { return {nullptr, value ? Gates::yes : Gates::no}; }
+    bool is_false() const { return literal == Gates::no; }
+    bool is_constant() const { return literal <= Gates::yes; }
+    bool operator==(const Gate& other) const { return literal == other.literal; }
+};
+
+inline Gate operator~(const Gate& f) { return {f.gates, f.literal ^ 1U}; }
+Gate operator&(const Gate& f, const Gate& g);
+inline Gate operator|(const Gate& f, const Gate& g) { return ~(~f & ~g); }
+Gate ite(const Gate& condition, const Gate& then, const Gate& otherwise);
+inline Gate operator^(const Gate& f, const Gate& g) { return ite(f, ~g, g); }
+
+}  // namespace grafverif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The embedded PDR engine at work.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "check/pdr/check.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+
+namespace grafverif {
+
+Report check_by_pdr(const SystemToCheck& check, const CheckOptions& options) {
+    PdrOptions pdr;
+    for (const std::size_t index : asked_properties(check.system, options.properties))
+        pdr.properties.push_back(check.system.properties[{static_cast<std::uint32_t>(index)}].name);
+    set_limits(pdr, options.limits);
+    if (options.limits.progress)
+        pdr.progress = [&options](const PdrProgress& now) {
+            options.limits.progress({[&now] {
+                return fmt::format("{}: {} frames, {} MiB, {:.0f} s", now.property, now.frames, now.bytes >> 20U,
+                                   now.seconds);
+            }});
+        };
+    PdrResult result;
+    if (options.properties.empty() || !pdr.properties.empty())  // no names would ask for all
+        result = check_pdr(check.system, pdr);
+    SystemReporter reporter(check, SystemReporter::Of::EmbeddedEngine, "pdr", options, result.verdicts);
+    if (result.fault) reporter.add(*result.fault);
+    for (std::size_t i = 0; i < result.verdicts.size(); ++i)
+        reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));
+    reporter.add_omitted();
+    Report report = std::move(reporter).report();
+    std::ranges::move(result.failures, std::back_inserter(report.failures));
+    return report;
+}
+
+}  // namespace grafverif

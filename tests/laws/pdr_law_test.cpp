@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// The PDR engine against an explicit search and the symbolic engine: the same faults and verdicts, and runs that are runs,
+// on random systems and on random loops in every approach and schedule. A certificate from which something is taken is
+// none.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "check/pdr/check.hpp"
+#include "check/pdr/pdr.hpp"
+#include "check/symbolic/symbolic.hpp"
+#include "run/project.hpp"
+#include "run/replay.hpp"
+#include "support/explicit_search.hpp"
+#include "support/law_size.hpp"
+#include "support/random_loop.hpp"
+#include "support/random_system.hpp"
+#include "support/read_loop.hpp"
+#include "support/untimed_loop.hpp"
+
+namespace grafverif {
+namespace {
+
+using System = TransitionSystem;
+
+struct Compared {
+    std::size_t systems = 0, verdicts = 0, violated = 0, faults = 0, given_up = 0;
+};
+
+/// Some small models take an engine minutes.
+constexpr std::chrono::milliseconds patience(200);
+
+bool gave_up(const std::vector<Verdict>& verdicts) {
+    return std::ranges::any_of(verdicts, [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Stopped; });
+}
+
+bool about_states(Pattern pattern) {
+    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf ||
+           pattern == Pattern::Reachable;
+}
+
+/// The engine looks at no dead end, so a system with one is compared with the explicit search alone.
+void compare(const System& system, Compared& compared) {
+    const auto graph = explored(system, 400);
+    if (!graph) return;
+    PdrOptions options;
+    options.deadline = std::chrono::steady_clock::now() + patience;
+    const PdrResult found = check_pdr(system, options);
+    const SymbolicResult symbolic = check_symbolic(system, {.deadline = options.deadline});
+    if (gave_up(found.verdicts) || gave_up(symbolic.verdicts)) {
+        ++compared.given_up;
+        return;
+    }
+    ASSERT_EQ(found.failures, std::vector<std::string>{});
+    ++compared.systems;
+    const bool dead_end = symbolic.fault && symbolic.fault->kind == SystemFault::Kind::DeadEnd;
+    ASSERT_EQ(found.fault.has_value(), symbolic.fault.has_value() && !dead_end);
+    if (found.fault) {
+        ++compared.faults;
+        EXPECT_EQ(found.fault->kind, symbolic.fault->kind);
+        return;
+    }
+    ASSERT_EQ(found.verdicts.size(), system.properties.size());
+    for (const Id<Property> id : system.properties.ids()) {
+        const Property& property = system.properties[id];
+        SCOPED_TRACE(property.name);
+        const Verdict& verdict = found.verdicts[id.index];
+        ASSERT_EQ(verdict.property, property.name);
+        if (!about_states(property.pattern)) {
+            EXPECT_EQ(verdict.obstacle, Obstacle::Unsupported);
+            continue;
+        }
+        const bool expected = explicit_verdict(system, *graph, property);
+        ASSERT_EQ(verdict.outcome, expected ? Outcome::Holds : Outcome::Violated);
+        ASSERT_EQ(found.runs[id.index].has_value(), expected == (property.pattern == Pattern::Reachable));
+        if (!dead_end) {
+            ASSERT_EQ(verdict.outcome, symbolic.verdicts[id.index].outcome);
+            ASSERT_EQ(verdict.vacuous, symbolic.verdicts[id.index].vacuous);
+        }
+        ++compared.verdicts;
+        if (!expected) ++compared.violated;
+    }
+}
+
+TEST(PdrLaw, AgreesWithTheOtherEnginesOnRandomSystems) {
+    Compared compared;
+    for (int seed = 1; seed <= law_size(400); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        System system = random_system(random);
+        ask_more(system, random);
+        ASSERT_NO_FATAL_FAILURE(compare(system, compared));
+    }
+    std::cout << compared.systems << " systems, " << compared.verdicts << " verdicts, " << compared.violated
+              << " of them violated, " << compared.faults << " faults\n";
+    EXPECT_GT(compared.violated, compared.verdicts / 5);
+    EXPECT_GT(compared.faults, 0u);
+}
+
+TEST(PdrLaw, AgreesWithTheOtherEnginesOnRandomLoopsAndItsRunsReplay) {
+    Compared compared;
+    std::size_t replayed = 0;
+    for (int seed = 1; seed <= law_size(2); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Model model = random_loop(random);
+        std::vector<const Chart*> charts;
+        for (const ClosedLoop::Controller& controller : model.loops[{0}].controllers)
+            charts.push_back(&model.charts[controller.chart]);
+        for (const System& system : untimed_models(model)) {
+            SCOPED_TRACE(system.scope);
+            if (!explored(system, 400)) continue;
+            ASSERT_NO_FATAL_FAILURE(compare(system, compared));
+            PdrOptions options;
+            options.deadline = std::chrono::steady_clock::now() + patience;
+            for (const auto& run : check_pdr(system, options).runs) {
+                if (!run) continue;
+                const auto found = disagreement(project(system, *run), charts);
+                ASSERT_FALSE(found) << "step " << found->move << ", " << found->where << ": " << found->what;
+                ++replayed;
+            }
+        }
+    }
+    std::cout << compared.systems << " models, " << compared.verdicts << " verdicts, " << replayed << " runs replayed, "
+              << compared.given_up << " given up\n";
+    EXPECT_GT(replayed, 0u);
+}
+
+TEST(PdrLaw, AnInvariantFromWhichAClauseOrALiteralIsTakenIsCheckedAnew) {
+    std::size_t whole = 0, rejected = 0;
+    for (int seed = 1; seed <= law_size(150); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        System system = random_system(random);
+        ask_more(system, random);
+        FlatSystem flat = flattened(system);
+        const Circuit circuit = circuit_of(system, flat).circuit;
+        pdr::Watch watch({});
+        for (const Circuit::Target& target : circuit.targets) {
+            if (!target.justice.empty()) continue;
+            const pdr::Answer answer = pdr::reach(circuit, target.bad, watch);
+            if (answer.reached) {
+                EXPECT_NE(pdr::flaw(circuit, target.bad, {}, watch), "") << "what is reached has no certificate";
+                continue;
+            }
+            ASSERT_EQ(pdr::flaw(circuit, target.bad, answer.invariant, watch), "");
+            ++whole;
+            for (std::size_t i = 0; i < answer.invariant.size(); ++i) {
+                std::vector<pdr::Cube> damaged = answer.invariant;
+                if (damaged[i].size() > 1) damaged[i].pop_back();
+                else damaged.erase(damaged.begin() + static_cast<std::ptrdiff_t>(i));
+                rejected += pdr::flaw(circuit, target.bad, damaged, watch).empty() ? 0U : 1U;
+                damaged = answer.invariant;
+                damaged[0] = {};
+                EXPECT_EQ(pdr::flaw(circuit, target.bad, damaged, watch), "it excludes the first state");
+            }
+        }
+    }
+    std::cout << whole << " invariants, " << rejected << " damaged ones rejected\n";
+    EXPECT_GT(whole, 50u);
+    EXPECT_GT(rejected, 50u);
+}
+
+TEST(PdrLaw, BoundsEndInUnknown) {
+    const System system = untimed_sample("testing_station/testing_station.grafcet",
+                                         {.plant = PlantApproach::Automata, .schedule = Schedule::Interleaved});
+    const std::atomic<bool> stop = true;
+    PdrOptions stopped;
+    stopped.stop = &stop;
+    PdrOptions late;
+    late.deadline = std::chrono::steady_clock::now();
+
+    for (const auto& [options, obstacle] : {std::pair(stopped, Obstacle::Stopped), {late, Obstacle::Stopped}}) {
+        const PdrResult result = check_pdr(system, options);
+        ASSERT_FALSE(result.verdicts.empty());
+        for (const Verdict& verdict : result.verdicts)
+            if (about_states(verdict.pattern)) {
+                EXPECT_EQ(verdict.outcome, Outcome::Unknown);
+                EXPECT_EQ(verdict.obstacle, obstacle);
+            }
+    }
+}
+
+}  // namespace
+}  // namespace grafverif

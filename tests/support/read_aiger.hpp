@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// AIGER 1.9, both forms, read by the specification alone, and executed: another opinion on what we write.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace grafverif {
+
+struct AigerFile {
+    struct Latch {
+        std::uint32_t literal = 0, next = 0;
+    };
+    struct And {
+        std::uint32_t out = 0, left = 0, right = 0;
+    };
+    std::uint32_t most = 0;  ///< the greatest variable
+    std::vector<std::uint32_t> inputs = {}, bads = {};
+    std::vector<Latch> latches = {};
+    std::vector<std::vector<std::uint32_t>> justice = {};
+    std::vector<And> ands = {};
+    std::vector<std::string> symbols = {};  ///< the lines of the symbol table
+    std::string complaint = {};             ///< why it is no such file
+};
+
+AigerFile read_aiger(const std::string& text);
+
+/// The value of a literal; one per variable in `values`.
+inline bool aiger_value(const std::vector<bool>& values, std::uint32_t literal) {
+    return values[literal / 2] != (literal % 2 != 0);
+}
+/// Per step, the values of all variables; `inputs`: per step, those of the inputs.
+std::vector<std::vector<bool>> aiger_run(const AigerFile& file, const std::vector<std::vector<bool>>& inputs);
+
+}  // namespace grafverif
