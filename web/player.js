@@ -3,6 +3,7 @@
 // one moment. It is moved by buttons, a slider, keys, and addresses (`#P16/23`).
 import {ChartView} from "./chart.js";
 import {make} from "./dom.js";
+import {InstanceView} from "./instance.js";
 import {RowList} from "./list.js";
 import {Run} from "./run.js";
 import {Timing} from "./timing.js";
@@ -43,6 +44,7 @@ export class Player {
         this.why = make("div", {class: "why"});
         this.claim = make("div", {class: "why"});
         this.signals = make("div", {class: "signals"});
+        this.instance = new InstanceView(this.page.plant, this.run);
         this.filter = make("input", {type: "search", placeholder: "filter", "aria-label": "Show signals whose name has",
                                      oninput: () => this.showSignals()});
         this.changedOnly = make("input", {type: "checkbox", onchange: () => this.showSignals()});
@@ -59,7 +61,8 @@ export class Player {
                     panel("Why: a transition", make("label", {class: "pick"}, "transition ", this.picker()), this.why),
                     panel("Inputs, outputs, variables, plant",
                         make("div", {class: "filters"}, this.filter, make("label", {}, this.changedOnly, " changed here only")),
-                        this.signals))),
+                        this.signals),
+                    this.instance.element ? panel("Of the plant: an automaton", this.instance.element) : "")),
             panel("Timing diagram", this.timingPlace));
     }
 
@@ -194,6 +197,7 @@ export class Player {
         const row = this.run.rowOf(this.moment);
         this.rows.show(Math.max(this.run.shown.findLastIndex((shown) => shown <= row), 0));
         this.timing.show(stop);
+        this.instance.show(this.moment);
         this.showSignals();
         this.showWhy();
     }

@@ -56,6 +56,14 @@ Json conditions_json(const ChartRun& run) {
     return list;
 }
 
+Json plant_json(const PageContent& content) {
+    Json figures = Json::object();
+    if (!content.loop.valid()) return figures;
+    for (const ClosedLoop::Instance& instance : content.model.loops[content.loop].instances)
+        figures[instance.name] = component_figure(instance.component);
+    return figures;
+}
+
 Json initial_json(const PageContent& content) {
     Json places = Json::object();
     if (!content.loop.valid()) return places;
@@ -147,6 +155,7 @@ std::string page_data(const PageContent& content) {
     const std::string text = json_text({{"version", 1},
                                         {"charts", charts_json(content)},
                                         {"properties", std::move(properties)},
+                                        {"plant", plant_json(content)},
                                         {"runs", std::move(runs)}},
                                        -1);
     std::string safe;

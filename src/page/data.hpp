@@ -7,6 +7,7 @@
 //               page/terms.hpp tells of the chart: `name`, `steps`, `transitions` (`name`, `from`, `condition`), `timed`,
 //               `terms`, `ownerOfAction`, `ownerOfForcing`. Lists are in the order of the chart's tables
 //   properties  those of the loop whose terms are known: `name`, `pattern`, `at_stable`, `operands`, `terms`
+//   plant       per instance, by name, the id of the figure with the drawing of its component
 //   runs        those to play:
 //     name        in addresses: `#NAME/INDEX`, INDEX being a row, or `ROW+MOVES` between rows
 //     kind        `counterexample`, `witness`, `evidence`, `breakdown`, `test`
@@ -44,6 +45,9 @@ inline bool can_be_played(const ChartRun& run) {
 
 /// The runs of the content that can be played, as many as fit: where the model breaks off, violated properties first, witnesses, evidence of findings.
 std::vector<Playable> playable_runs(const PageContent& content);
+
+/// The id of the figure of a component.
+inline std::string component_figure(Id<Component> component) { return "component-" + std::to_string(component.index); }
 
 /// The name of a finding's evidence in addresses: `step-never-active:X4`.
 std::string evidence_name(const PageContent& content, const Analysis& analysis, const Finding& finding);

@@ -2,13 +2,12 @@
 // The plant on a page: instances with what they are bound to, and the automata of their components.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <ostream>
-#include <set>
 #include <variant>
 
+#include "page/data.hpp"
 #include "page/parts.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/print/component.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif {
@@ -41,45 +40,6 @@ void join(std::string& list, const std::string& word, std::string_view between =
     list += word;
 }
 
-/// The words of one component.
-class Words {
-public:
-    explicit Words(const Component& component) : component_(component) {}
-
-    std::string term(Id<Expr> term) const {
-        return expr_text(component_.exprs, term, chart_spelling, [this](std::ostream& out, const Expr& leaf) {
-            const auto index = static_cast<std::uint32_t>(leaf.value);
-            if (leaf.op == Op::Parameter) out << component_.parameters[{index}].name;
-            else if (leaf.op == Op::Variable) out << component_.variables[{index}].name;
-            else out << duration_text(leaf.value);
-        });
-    }
-    std::string clocks(const std::vector<Component::ClockConstraint>& constraints) const {
-        std::string words;
-        for (const Component::ClockConstraint& each : constraints)
-            join(words,
-                 fmt::format("{} {} {}", component_.clocks[each.clock].name, chart_spelling(each.relation).token,
-                             term(each.bound)),
-                 " && ");
-        return words;
-    }
-    std::string guard(const Component::Edge& edge) const {
-        std::string words = is_true(component_.exprs, edge.guard) ? "" : term(edge.guard);
-        join(words, clocks(edge.constraint), " && ");
-        return words;
-    }
-    std::string effect(const Component::Edge& edge) const {
-        std::string words;
-        for (const Component::Assignment& each : edge.assignments)
-            join(words, term(each.target) + " := " + term(each.value));
-        for (const Id<Component::Clock> clock : edge.resets) join(words, component_.clocks[clock].name + " := 0");
-        return words;
-    }
-
-private:
-    const Component& component_;
-};
-
 void add_row(Html& html, const std::vector<std::string>& cells, const char* tag = "td") {
     html.open("tr");
     for (const std::string& cell : cells) html.put(tag, cell);
@@ -93,21 +53,37 @@ void begin_table(Html& html, const std::vector<std::string>& titles) {
 }
 void end_table(Html& html) { html.close("tbody").close("table").close("div"); }
 
-void add_component(const Component& component, Html& html) {
-    const Words words(component);
-    html.open("details", {{"class", "component"}}).open("summary").put("strong", component.name);
-    html.text(component.summary.empty() ? "" : ": " + component.summary).close("summary");
+void add_tables(const Component& component, Html& html) {
     begin_table(html, {"location", "time may pass while", ""});
     for (const Id<Component::Location> id : component.locations.ids())
-        add_row(html, {component.locations[id].name, words.clocks(component.locations[id].invariant),
+        add_row(html, {component.locations[id].name, clocks_text(component, component.locations[id].invariant),
                        id == component.initial ? "initial" : ""});
     end_table(html);
     begin_table(html, {"from", "to", "", "when", "does"});
     for (const Component::Edge& edge : component.edges)
         add_row(html, {component.locations[edge.from].name, component.locations[edge.to].name,
-                       edge.urgent ? "at once" : "timed", words.guard(edge), words.effect(edge)});
+                       edge.urgent ? "at once" : "timed", guard_text(component, edge), effect_text(component, edge)});
     end_table(html);
-    html.close("details");
+}
+
+void add_component(const Component& component, const ComponentContent& content, Html& html) {
+    html.open("figure", {{"id", component_figure(content.component)}, {"class", "component"}});
+    html.open("figcaption").put("strong", component.name);
+    html.text(component.summary.empty() ? "" : ": " + component.summary).close("figcaption");
+    if (content.drawing.empty())
+        html.put("p", fmt::format("Its {} locations are more than a drawing shows; these tables tell them.",
+                                  component.locations.size()));
+    else
+        html.open("div", {{"class", "drawing automaton"},
+                          {"tabindex", "0"},
+                          {"role", "region"},
+                          {"aria-label", "Drawing of " + component.name}})
+            .ours(content.drawing)
+            .close("div");
+    html.open("details", content.drawing.empty() ? Html::Attributes{{"open", ""}} : Html::Attributes{});
+    html.put("summary", "The same as tables");
+    add_tables(component, html);
+    html.close("details").close("figure");
 }
 
 }  // namespace
@@ -117,10 +93,8 @@ void add_plant(const PageContent& content, Html& html) {
     const ClosedLoop& loop = content.model.loops[content.loop];
     html.open("section", {{"id", "plant"}}).put("h2", "Plant and environment");
     begin_table(html, {"instance", "", "component", "begins", "bound to"});
-    std::set<Id<Component>> used;
     for (const ClosedLoop::Instance& instance : loop.instances) {
         const Component& component = content.model.components[instance.component];
-        used.insert(instance.component);
         std::string bound;
         for (const Id<Component::Parameter> id : component.parameters.ids())
             join(bound, argument_text(loop, component.parameters[id], instance.arguments[id.index]));
@@ -128,7 +102,8 @@ void add_plant(const PageContent& content, Html& html) {
                        component.locations[instance.initial].name, bound});
     }
     end_table(html);
-    for (const Id<Component> id : used) add_component(content.model.components[id], html);
+    for (const ComponentContent& each : content.components)
+        add_component(content.model.components[each.component], each, html);
     html.close("section");
 }
 

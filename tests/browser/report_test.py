@@ -290,6 +290,26 @@ class Report(browser.Case):
         self.at("#P16/131")
         self.assertGreater(len(self.page.pdf()), 30000)
 
+    def test_the_location_of_an_instance_is_lit_in_its_automaton(self):
+        self.at("#P16/0")
+        choose = lambda name: self.page.script("""const s = document.querySelector('select[aria-label=Instance]');
+            s.value = [...s.options].find(o => o.text === arguments[0]).value; s.dispatchEvent(new Event('change'))""", name)
+        names = lambda: self.page.script("""const svg = document.querySelector('.player .automaton svg');
+            return [...svg.querySelectorAll('rect.node.active')].map(r => [...svg.querySelectorAll('text.name')].find(t => {
+                const [b, c] = [r.getBBox(), t.getBBox()];
+                return c.x >= b.x && c.y >= b.y && c.x < b.x + b.width && c.y < b.y + b.height; }).textContent)""")
+        choose("V_Act")
+        self.assertEqual(names(), ["still"])
+        self.page.find(".player").click()
+        moved = lambda: self.page.press(browser.Keys.ARROW_RIGHT) or names() == ["going_out"]
+        browser.eventually(moved, what="the cylinder moves")
+        self.assertIn("is in going_out", self.page.text(".player"))
+        choose("V_Fault")
+        self.assertEqual(names(), ["sound"])
+        self.page.press(browser.Keys.END)
+        self.assertEqual(names(), ["faulty"])
+        self.page.screenshot("report-automaton")
+
     def test_hostile_names_are_shown_as_text(self):
         source, made = self.work / "hostile.grafcet", self.work / "hostile.html"
         source.write_text(HOSTILE, encoding="utf-8")

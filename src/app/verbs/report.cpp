@@ -3,11 +3,14 @@
 #include "report/report.hpp"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "app/decide.hpp"
 #include "app/stop_words.hpp"
 #include "app/verbs.hpp"
+#include "emit/layout/diagram.hpp"
+#include "page/data.hpp"
 #include "page/page.hpp"
 #include "run/replay_test.hpp"
 #include "support/messages.hpp"
@@ -38,6 +41,20 @@ std::optional<ChartContent> content_of(const Model& model, Id<Chart> chart, bool
     content.equations = std::move(*equations);
     content.analysis = std::move(*analysis);
     return content;
+}
+
+/// The components of the loop, drawn where they are small enough.
+std::vector<ComponentContent> components_of(const Model& model, Id<ClosedLoop> loop) {
+    std::set<Id<Component>> used;
+    for (const ClosedLoop::Instance& instance : model.loops[loop].instances) used.insert(instance.component);
+    std::vector<ComponentContent> list;
+    for (const Id<Component> id : used) {
+        std::ostringstream drawing;
+        if (const Diagram drawn = diagram(model.components[id]); drawn.nodes.size() <= largest_drawing)
+            emit_svg(drawn, drawing, component_figure(id) + "-");
+        list.push_back({id, std::move(drawing).str()});
+    }
+    return list;
 }
 
 /// What the chart does in the test of `--sequence`; nothing after an error.
@@ -77,6 +94,7 @@ ExitCode report(Job& job, const Streams& streams) {
         if (!one) return ExitCode::Input;
         content.charts.push_back(std::move(*one));
     }
+    if (decided->loop.valid()) content.components = components_of(*model, decided->loop);
     if (job.options.sequence) {
         auto tests = tests_of(*model, charts, job);
         if (!tests) return ExitCode::Input;

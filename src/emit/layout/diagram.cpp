@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "syntax/print/automaton.hpp"
+#include "syntax/print/component.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif {
@@ -45,7 +46,7 @@ std::string dot_label(const std::vector<std::string>& lines) {
 }  // namespace
 
 Diagram diagram(const LocationAutomaton& automaton) {
-    Diagram result{automaton.name, {}, {}};
+    Diagram result{.name = automaton.name};
     Arrows arrows;
     for (const Id<LocationAutomaton::Location> id : automaton.locations.ids()) {
         const LocationAutomaton::Location& location = automaton.locations[id];
@@ -68,7 +69,7 @@ Diagram diagram(const LocationAutomaton& automaton) {
 }
 
 Diagram diagram(const MealyMachine& machine) {
-    Diagram result{machine.name, {}, {}};
+    Diagram result{.name = machine.name};
     Arrows arrows;
     for (const Id<MealyMachine::State> id : machine.states.ids()) {
         const MealyMachine::State& state = machine.states[id];
@@ -83,6 +84,24 @@ Diagram diagram(const MealyMachine& machine) {
     for (const MealyMachine::Unstable& one : machine.unstable)
         arrows.add_unstable(one.from.index, condition_text(machine, one.condition));
     result.arrows = arrows.take();
+    return result;
+}
+
+Diagram diagram(const Component& component) {
+    Diagram result{.name = component.name, .numbered = false};
+    for (const Id<Component::Location> id : component.locations.ids()) {
+        const Component::Location& location = component.locations[id];
+        Diagram::Node node{{location.name}, id == component.initial};
+        if (!location.invariant.empty()) node.lines.push_back(clocks_text(component, location.invariant));
+        result.nodes.push_back(std::move(node));
+    }
+    for (const Component::Edge& edge : component.edges) {
+        const std::string guard = guard_text(component, edge), effect = effect_text(component, edge);
+        Diagram::Arrow arrow{edge.from.index, edge.to.index, {edge.urgent ? "at once" : "timed"}, false};
+        if (!guard.empty()) arrow.lines.front() += ", when " + guard;
+        if (!effect.empty()) arrow.lines.push_back("do " + effect);
+        result.arrows.push_back(std::move(arrow));
+    }
     return result;
 }
 

@@ -50,8 +50,9 @@ Lines broken(const Lines& lines, std::size_t width) {
     Lines result;
     for (const std::string& line : lines)
         for (const std::string_view part : wrapped(line, width, [](std::string_view before) {
-                 return before.ends_with(',') || before.ends_with(" and") || before.ends_with(" or") ||
-                        before.ends_with(':') || before.ends_with(" /");
+                 return before.ends_with(',') || before.ends_with(" &&") || before.ends_with(" ||") ||
+                        before.ends_with(" and") || before.ends_with(" or") || before.ends_with(':') ||
+                        before.ends_with(" /");
              }))
             result.emplace_back(part);
     return result;
@@ -97,7 +98,7 @@ Page page(const Diagram& diagram, std::optional<Direction> direction) {
     layout::States states;
     for (std::size_t k = 0; k < diagram.nodes.size(); ++k) {
         Lines lines = diagram.nodes[k].lines;
-        lines.front() = fmt::format("{}: {}", k, lines.front());
+        if (diagram.numbered) lines.front() = fmt::format("{}: {}", k, lines.front());
         page.nodes.push_back(broken(lines, node_width));
         const Size text = text_size(page.nodes.back());
         states.nodes.push_back({text.width + 2 * padding, text.height + 2 * padding});
@@ -106,7 +107,10 @@ Page page(const Diagram& diagram, std::optional<Direction> direction) {
     for (const Diagram::Arrow& arrow : diagram.arrows) {
         Lines lines = arrow.lines;
         if (arrow.dashed) lines.front() = "never stable: " + lines.front();
-        else if (!direction) lines.front() = fmt::format("to {}: {}", arrow.to, lines.front());
+        else if (!direction)
+            lines.front() =
+                fmt::format("to {}: {}", diagram.numbered ? std::to_string(arrow.to) : diagram.nodes[arrow.to].lines[0],
+                            lines.front());
         page.arrows.push_back(broken(lines, label_width));
         states.arrows.push_back({arrow.from, arrow.to, text_size(page.arrows.back()), arrow.dashed});
     }
@@ -116,8 +120,8 @@ Page page(const Diagram& diagram, std::optional<Direction> direction) {
 
 class SvgWriter {
 public:
-    SvgWriter(const Diagram& diagram, const Page& page, std::ostream& out)
-        : diagram_(diagram), page_(page), out_(out) {}
+    SvgWriter(const Diagram& diagram, const Page& page, std::ostream& out, std::string_view prefix)
+        : diagram_(diagram), page_(page), out_(out), prefix_(prefix) {}
 
     void write() {
         const Size size = {page_.places.size.width + 2 * drawing_margin, page_.places.size.height + 2 * drawing_margin};
@@ -125,9 +129,9 @@ public:
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"-{2}.5 -{2}.5 {0} {1}\" "
             "font-family=\"'DejaVu Sans Mono', 'Liberation Mono', monospace\" font-size=\"11\">\n"
             "<rect x=\"-{2}\" y=\"-{2}\" width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n"
-            "<defs><marker id=\"tip\" viewBox=\"0 0 10 10\" refX=\"10\" refY=\"5\" markerWidth=\"8\" "
+            "<defs><marker id=\"{3}tip\" viewBox=\"0 0 10 10\" refX=\"10\" refY=\"5\" markerWidth=\"8\" "
             "markerHeight=\"8\" orient=\"auto\"><path d=\"M0 1 L10 5 L0 9 z\" fill=\"#444\"/></marker></defs>\n",
-            size.width, size.height, drawing_margin);
+            size.width, size.height, drawing_margin, prefix_);
         lines();
         for (const Point joint : page_.places.joints)
             out_ << fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"2.5\" fill=\"#444\"/>\n", joint.x, joint.y);
@@ -185,21 +189,22 @@ private:
             else paths[place->second] += ' ' + path;
         }
         for (const std::string& path : paths)
-            out_ << "<path class=\"arrow\" fill=\"none\" stroke=\"#444\" marker-end=\"url(#tip)\" d=\"" << path
-                 << "\"/>\n";
+            out_ << "<path class=\"arrow\" fill=\"none\" stroke=\"#444\" marker-end=\"url(#" << prefix_ << "tip)\" d=\""
+                 << path << "\"/>\n";
     }
 
     const Diagram& diagram_;
     const Page& page_;
     std::ostream& out_;
+    std::string_view prefix_;
 };
 
 }  // namespace
 
-void emit_svg(const Diagram& diagram, std::ostream& out) {
-    if (diagram.nodes.size() > largest_drawing) return SvgWriter(diagram, page(diagram, {}), out).write();
+void emit_svg(const Diagram& diagram, std::ostream& out, std::string_view prefix) {
+    if (diagram.nodes.size() > largest_drawing) return SvgWriter(diagram, page(diagram, {}), out, prefix).write();
     const Page across = page(diagram, Direction::Across), down = page(diagram, Direction::Down);
-    SvgWriter(diagram, down.side() < across.side() ? down : across, out).write();
+    SvgWriter(diagram, down.side() < across.side() ? down : across, out, prefix).write();
 }
 
 }  // namespace grafverif

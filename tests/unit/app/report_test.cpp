@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `report`: the page as the program writes it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,6 +17,27 @@ nlohmann::json player_data(const std::string& page) {
     const std::string begin = "id=\"data\">";
     const std::size_t from = page.find(begin) + begin.size();
     return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+TEST(Report, AComponentOfMoreThanSixtyLocationsIsToldByItsTables) {
+    const Folder folder;
+    const auto lamp = [&](int locations) {
+        std::string text = "component ring(output A) { initial location l0;\n";
+        for (int k = 1; k < locations; ++k)
+            text += fmt::format("location l{0}; timed l{1} -> l{0} do A := {2};\n", k, k - 1, k % 2 == 0);
+        return grafverif({"report",
+                          folder.write("ring.grafcet",
+                                       text + "}\ngrafcet lamp { input ON; output L; initial step 0 { L; } step 1;\n"
+                                              "transition a: 0 -> 1 when ON; transition b: 1 -> 0 when !ON; }\n"
+                                              "closed_loop room { controller lamp with stability_search;\n"
+                                              "plant Ring = ring(A = ON); property NONE: never X0 && X1; }\n")})
+            .out;
+    };
+    const std::string small = lamp(60), large = lamp(61);
+    EXPECT_NE(small.find("class=\"drawing automaton\""), std::string::npos);
+    EXPECT_EQ(large.find("class=\"drawing automaton\""), std::string::npos);
+    EXPECT_NE(large.find("Its 61 locations are more than a drawing shows; these tables tell them."), std::string::npos);
+    EXPECT_NE(large.find("<details open=\"\"><summary>The same as tables"), std::string::npos);
 }
 
 TEST(Report, IsOneFileThatTheSameInputMakesAgain) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -54,6 +55,11 @@ inline Made page_of_text(const std::string& text, const std::string& name = "tes
                                   .drawing = svg_of(drawing_of(model, chart)),
                                   .equations = *equations_of(model, chart, diagnostics),
                                   .analysis = *analysis_of(model, chart, {}, {}, diagnostics)});
+    std::set<Id<Component>> used;
+    if (content.loop.valid())
+        for (const ClosedLoop::Instance& instance : model.loops[content.loop].instances)
+            if (used.insert(instance.component).second)
+                content.components.push_back({instance.component, "<svg></svg>"});
     made.page = page_of(content);
     made.data = nlohmann::json::parse(between(made.page, "<script type=\"application/json\" id=\"data\">", "</script>"),
                                       nullptr, false);

@@ -128,6 +128,15 @@ TEST(Page, HasDataForEveryElementThatARunNames) {
     EXPECT_TRUE(names.contains("rests")) << "the witness";
 }
 
+TEST(Page, ShowsEachComponentDrawnAndAsTables) {
+    const Made made = page_of_text(press);
+    const std::string figure = made.data["plant"]["Start"];
+    EXPECT_EQ(made.data["plant"]["Done"], figure) << "both are of one component";
+    EXPECT_EQ(count_of(made.page, "<figure id=\"" + figure + "\""), 1U);
+    EXPECT_NE(made.page.find("<svg></svg></div>\n<details><summary>The same as tables"), std::string::npos)
+        << made.page;
+}
+
 TEST(Page, OfAChartAloneSaysThatItsInputsAreFree) {
     const Made made = page_of_text(press.substr(0, press.find("closed_loop")));
     EXPECT_NE(made.page.find("There is no plant: every input may change at any time."), std::string::npos);

@@ -79,7 +79,10 @@ Shown shown(const Diagram& diagram) {
     EXPECT_EQ(faults(found.scene), std::vector<std::string>{});
     EXPECT_EQ(found.nodes.size(), diagram.nodes.size());
     for (std::size_t k = 0; k < diagram.nodes.size(); ++k)
-        EXPECT_NE(found.names.find(std::to_string(k) + ": " + diagram.nodes[k].lines.front()), std::string::npos) << k;
+        EXPECT_NE(
+            found.names.find((diagram.numbered ? std::to_string(k) + ": " : "") + diagram.nodes[k].lines.front() + ' '),
+            std::string::npos)
+            << k;
     for (const Diagram::Arrow& arrow : diagram.arrows)
         for (const std::string& line : arrow.lines) EXPECT_NE(found.labels.find(line), std::string::npos) << line;
     return found;
@@ -137,6 +140,46 @@ TEST(DiagramSvg, AutomataAndMachinesOfTheSamplesAreDrawn) {
         }
     }
     EXPECT_GE(drawn, 12);
+}
+
+TEST(DiagramSvg, ComponentsOfTheLibraryAreDrawn) {
+    std::size_t drawn = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(GRAFVERIF_SOURCE_DIR "/templates")) {
+        if (entry.path().extension() != ".grafcet") continue;
+        const Reading reading = read_file(entry.path().string());
+        ASSERT_TRUE(reading.model) << entry.path();
+        for (const Component& component : reading.model->components) {
+            SCOPED_TRACE(component.name);
+            const Shown found = shown(diagram(component));
+            EXPECT_EQ(found.arrows, component.edges.size());
+            ++drawn;
+        }
+    }
+    EXPECT_GE(drawn, 25u);
+}
+
+TEST(DiagramSvg, AComponentShowsItsInvariantsGuardsAndAssignments) {
+    const Reading reading = read_string(
+        "component door(input OPEN; output WIDE: int 0..3; WIDE_max = 3, STEP = 2s) { clock t;\n"
+        "initial location shut; location moves invariant t <= STEP; location lost;\n"
+        "urgent shut -> moves when OPEN do t := 0;\n"
+        "timed moves -> shut when OPEN && t == STEP && WIDE < WIDE_max do WIDE := WIDE + 1;\n"
+        "timed lost -> shut; }\n",
+        "door.grafcet");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    const Diagram drawn = diagram(*reading.model->components.begin());
+    ASSERT_EQ(drawn.nodes.size(), 3u) << "what nothing leads to is drawn too";
+    EXPECT_EQ(drawn.nodes[1].lines, (std::vector<std::string>{"moves", "t <= STEP"}));
+    EXPECT_TRUE(drawn.nodes[0].initial);
+    EXPECT_EQ(drawn.arrows[0].lines, (std::vector<std::string>{"at once, when OPEN", "do t := 0"}));
+    EXPECT_EQ(drawn.arrows[1].lines,
+              (std::vector<std::string>{"timed, when OPEN && WIDE < WIDE_max && t == STEP", "do WIDE := WIDE + 1"}));
+    EXPECT_EQ(drawn.arrows[2].lines, (std::vector<std::string>{"timed"}));
+    shown(drawn);
+    std::ostringstream out;
+    emit_svg(drawn, out, "a-");
+    EXPECT_NE(out.str().find("<marker id=\"a-tip\""), std::string::npos);
+    EXPECT_NE(out.str().find("url(#a-tip)"), std::string::npos);
 }
 
 TEST(DiagramSvg, MoreLocationsThanCanBeReadAreATable) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The automaton of an instance of the plant, drawn, with the location lit where it is.
+import {make} from "./dom.js";
+
+export class InstanceView {
+    // `plant`: per name of an instance the figure of its component. Without any drawing there is no `element`.
+    constructor(plant, run) {
+        this.run = run;
+        this.figures = run.trace.instances.map(({name}) => (plant[name] ? document.querySelector(`#${plant[name]} svg`) : null));
+        const drawn = run.trace.instances.flatMap((_, k) => (this.figures[k] ? [k] : []));
+        if (drawn.length === 0) return;
+        this.moment = 0;
+        this.pick = make("select", {"aria-label": "Instance", onchange: () => this.choose(Number(this.pick.value))},
+            ...drawn.map((k) => make("option", {value: k}, run.trace.instances[k].name)));
+        this.words = make("span", {class: "remark"});
+        this.place = make("div", {class: "chart-view automaton", tabindex: 0, role: "region", "aria-label": "Drawing of the instance"});
+        this.element = make("div", {}, make("p", {}, make("label", {class: "pick"}, "instance ", this.pick), " ", this.words), this.place);
+        this.choose(drawn[0]);
+    }
+
+    choose(instance) {
+        this.current = instance;
+        const svg = this.figures[instance].cloneNode(true);
+        svg.setAttribute("role", "img");
+        svg.setAttribute("aria-label", `The automaton of ${this.run.trace.instances[instance].name}`);
+        // The tip of its arrows is that of the drawing it was copied from.
+        for (const each of svg.querySelectorAll("[id]")) each.removeAttribute("id");
+        this.nodes = [...svg.querySelectorAll("rect.node")];
+        this.place.replaceChildren(svg);
+        this.show(this.moment);
+    }
+
+    show(moment) {
+        if (!this.element) return;
+        this.moment = moment;
+        const location = this.run.locations[this.current].value(moment);
+        this.nodes.forEach((node, k) => node.classList.toggle("active", k === location));
+        this.words.textContent = location === null ? "" : `is in ${this.run.trace.instances[this.current].locations[location]}`;
+    }
+}
