@@ -2,6 +2,7 @@
 // The player of one run: the drawn chart, what happened, what is and what changed, why, and the timing diagram, all at
 // one moment. It is moved by buttons, a slider, keys, and addresses (`#P16/23`).
 import {ChartView} from "./chart.js";
+import {Claims} from "./claims.js";
 import {make} from "./dom.js";
 import {InstanceView} from "./instance.js";
 import {RowList} from "./list.js";
@@ -26,7 +27,8 @@ export class Player {
         this.run = new Run(data);
         this.moved = moved;
         this.property = data.property === null ? null : page.properties[data.property];
-        this.decisive = data.kind === "counterexample" ? decisiveMoment(this.run, this.property) : null;
+        this.claims = this.property ? new Claims(this.run, this.property) : null;
+        this.decisive = this.claims && data.kind === "counterexample" ? decisiveMoment(this.claims) : null;
         this.moment = 0;
         this.chosen = null;
         this.everyMove = false;
@@ -266,7 +268,7 @@ export class Player {
 
     showWhy() {
         if (this.property?.operands.length > 0)
-            this.claim.replaceChildren(whyProperty(this.run, this.property, this.moment, (m) => this.go(m)));
+            this.claim.replaceChildren(whyProperty(this.claims, this.moment, this.decisive, (m) => this.go(m)));
         const wanted = this.chosen ? [this.chosen] : this.interesting();
         this.why.replaceChildren(...wanted.map(({controller, place}) => {
             const id = this.run.controllers[controller].transitions[place];

@@ -5,7 +5,7 @@
 // A moment is one thing that happened (docs/trace.md); a row sums up moments. The player stands at a moment: in steps of
 // rows, or of single moves.
 
-class History {
+export class History {
     constructor(first) {
         this.at = [0];
         this.values = [first];

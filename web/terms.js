@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The value of a term, and of each term in it, at a moment of a run: so that "why was it not cleared" is answered by
 // pointing. A controller decides on what it last read of the plant, not on what the plant is now; properties are about
-// what is. What cannot be known of the run is `undefined`, never a guess.
+// what is (claims.js). What cannot be known of the run is `undefined`, never a guess.
 //
 // The rules are those of IEC 60848 as `run/reader.cpp` has them: an edge is true in the evolution behind the change,
 // `t1/v/t2` without t2 asks for v besides the end of its delay.
@@ -120,57 +120,6 @@ export class Decision {
     }
 }
 
-// How the terms of a property are to be read: of the closed loop as it is at `moment`.
-export class Claim {
-    constructor(run, property, moment) {
-        this.run = run;
-        this.chart = property;
-        this.moment = moment;
-        this.known = new Map();
-    }
-
-    value(term) {
-        if (!this.known.has(term)) this.known.set(term, valueOf(this, this.chart.terms[term]));
-        return this.known.get(term);
-    }
-
-    leaf(node) {
-        if (node.op === "location") return this.location(node);
-        const value = this.historyOf(node)?.value(this.moment);
-        return value === undefined ? undefined : Number(value);
-    }
-    historyOf(node) {
-        const controller = this.run.controllers[node.controller], {steps, signals} = this.run;
-        switch (node.op) {
-        case "input": return signals[controller?.inputs[node.place]];
-        case "output": return signals[controller?.outputs[node.place]];
-        case "internal": return signals[controller?.internals[node.place]];
-        case "step": return steps[controller?.steps[node.place]];
-        case "signal": return signals[this.run.trace.signals.findIndex(
-            (signal) => signal.name === node.text && signal.role !== "image")];
-        }
-        return undefined;
-    }
-    location(node) {
-        const place = this.run.trace.instances.findIndex((instance) => instance.name === node.instance);
-        if (place < 0) return undefined;
-        const now = this.run.locations[place].value(this.moment);
-        return now === null ? undefined : Number(this.run.trace.instances[place].locations[now] === node.location);
-    }
-    remark(node) {
-        const since = this.historyOf(node)?.since(this.moment) ?? 0;
-        return since === 0 ? "" : `since ${this.run.timeText(since)}`;
-    }
-}
-
-// The moment from which on the term has had the value that it has at `moment`; at most so many moments are looked at.
-export function sinceWhen(property, term, run, moment, most = 20000) {
-    const now = new Claim(run, property, moment).value(term);
-    let m = moment;
-    while (m > 0 && moment - m < most && new Claim(run, property, m - 1).value(term) === now) --m;
-    return moment - m >= most ? null : m;
-}
-
 const arithmetic = {
     plus: (a, b) => a + b,
     minus: (a, b) => a - b,
@@ -186,7 +135,7 @@ const arithmetic = {
 };
 
 // `reader` knows the values of terms, each worked out once, and of leaves.
-function valueOf(reader, node) {
+export function valueOf(reader, node) {
     if (node.op === "constant") return node.value;
     if (node.op === "rise" || node.op === "fall" || !node.args) return reader.leaf(node);
     if (node.op === "if") {

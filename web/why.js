@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Why: a term unfolded into its terms, each with its value; a property with the term that made it false.
 import {make} from "./dom.js";
-import {Claim, Decision, sinceWhen} from "./terms.js";
+import {ClaimReader, sinceWords} from "./claims.js";
+import {Decision} from "./terms.js";
 
 const signs = {and: "all of", or: "one of", not: "not", rise: "rises", fall: "falls"};
 
@@ -19,7 +20,7 @@ function termTree(terms, term, reader, {faulty = true, open = true} = {}) {
         make("code", {}, node.text),
         make("span", {class: "value"}, ` ${valueWords(node, value)}`),
     ];
-    const remark = reader.remark(node);
+    const remark = reader.remark(node, term);
     if (remark) line.push(make("span", {class: "remark"}, ` (${remark})`));
     const args = node.args ?? [], kind = state !== "false" || faulty ? `term ${state}` : "term";
     if (args.length === 0) return make("li", {class: kind}, ...line);
@@ -68,7 +69,7 @@ function verdict(name, cleared, value, missing, {run, number, moment, read}) {
 // Where false is what the claim wants, or nothing against it.
 const mayBeFalse = (pattern, operand) => ["never", "exactly-one"].includes(pattern) || (pattern === "leads-to" && operand === 0);
 
-const claims = {
+const wordsOf = {
     always: ["must be true always"],
     never: ["must never be true"],
     reachable: ["is to become true"],
@@ -78,45 +79,50 @@ const claims = {
     "always-possible": ["must stay possible"],
 };
 
-// What a property says, at `moment`, and since when.
-export function whyProperty(run, property, moment, go) {
-    const words = claims[property.pattern] ?? [], when = property.at_stable ? " in settled states" : "";
-    const reader = new Claim(run, property, moment);
+// What a property says, at `moment`, since when, and what made it so. `decisive`: where a counterexample decides it.
+export function whyProperty(claims, moment, decisive, go) {
+    const {run, property} = claims;
+    const words = wordsOf[property.pattern] ?? [], when = property.at_stable ? " in settled states" : "";
+    const reader = new ClaimReader(claims, moment);
+    const link = (to, text) => make("button", {type: "button", class: "link", onclick: () => go(to)}, text);
     const parts = property.operands.map((term, k) => {
-        const since = sinceWhen(property, term, run, moment);
-        const value = reader.value(term), so = valueWords(property.terms[term], value);
-        const note = since === null || value === undefined ? null
-            : since === 0 ? make("span", {class: "remark"}, `${so} since power-on`)
-            : make("button", {type: "button", class: "link", onclick: () => go(since)}, `${so} since ${run.timeText(since)}`);
+        const since = claims.since(term, moment), value = reader.value(term);
+        const so = `${valueWords(property.terms[term], value)} ${sinceWords(run, since)}`;
         const heading = make("p", {class: "answer"}, words[Math.min(k, words.length - 1)] ?? "", when, ": ");
-        if (note) heading.append(note);
+        if (value !== undefined) heading.append(since === 0 ? make("span", {class: "remark"}, so) : link(since, so));
+        const causes = value === undefined ? [] : claims.causes(term, moment);
+        if (causes.length > 0 && causes[0] !== term)
+            heading.append(", made so by ", ...causes.flatMap((each, n) => [n > 0 ? ", " : "",
+                make("code", {}, property.terms[each].text), ` (then ${valueWords(property.terms[each], claims.value(each, since))})`]));
         return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader, {faulty: !mayBeFalse(property.pattern, k)}))];
     });
-    return make("div", {}, ...parts.flat());
+    return make("div", {}, ...(decisive === null ? [] : [standing(property, moment, decisive, link, run)]), ...parts.flat());
+}
+
+// How a violated property stands at the moment.
+function standing({pattern, at_stable}, moment, decisive, link, run) {
+    const there = decisive === 0 ? "power-on" : run.timeText(decisive);
+    const said = (before, here, behind) => make("p", {class: "standing"},
+        ...(moment < decisive ? [`${before} `, link(decisive, there), "."] : moment === decisive ? [here] : [`${behind} `, link(decisive, there), "."]));
+    if (pattern === "leads-to")
+        return said("What is never answered comes at", "Here begins what is never answered.", "Not answered since");
+    if (at_stable || pattern === "exactly-one")
+        return said("It is violated where the run ends, at", "Here it is violated.", "Violated since");
+    return said("Not violated yet; it will be at", "Here it is violated first.", "First violated at");
 }
 
 // The moment that decides a violated property: where the bad thing is, or from where the good one never comes. A run does
 // not tell of every moment whether its situation is settled; of the last one of a bad thing that is settled, it is known.
-export function decisiveMoment(run, property) {
-    if (!property || property.operands.length === 0) return null;
+export function decisiveMoment(claims) {
+    const {run, property} = claims;
+    if (property.operands.length === 0) return null;
     const [p, q] = property.operands;
-    const value = (term, m) => new Claim(run, property, m).value(term);
-    const first = (wanted) => {
-        for (let m = 0; m <= run.last; ++m) if (Boolean(value(p, m)) === wanted && value(p, m) !== undefined) return m;
-        return null;
-    };
     switch (property.pattern) {
-    case "never": return property.at_stable ? run.last : first(true);
-    case "reachable": return first(true);
-    case "always": return property.at_stable ? run.last : first(false);
+    case "never": return property.at_stable ? run.last : claims.first(p, 1, 0);
+    case "always": return property.at_stable ? run.last : claims.first(p, 0, 0);
     case "leads-to": {
-        if (property.at_stable) return null;
-        let found = null;
-        for (let m = run.last; m >= 0 && run.last - m < 20000; --m) {
-            if (value(q, m) !== 0) break;
-            if (value(p, m) === 1) found = m;
-        }
-        return found;
+        if (property.at_stable || claims.value(q, run.last) !== 0) return null;
+        return claims.first(p, 1, claims.since(q, run.last));
     }
     case "exactly-one": return run.last;
     }

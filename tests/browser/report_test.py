@@ -290,6 +290,45 @@ class Report(browser.Case):
         self.at("#P16/131")
         self.assertGreater(len(self.page.pdf()), 30000)
 
+    def test_every_moment_tells_since_when_the_terms_of_a_claim_are_as_they_are(self):
+        for name in ("P15", "P16"):
+            self.at(f"#{name}/0")
+            if self.page.script("return page.player.claims === null"):
+                continue
+            wrong = self.page.script("""
+                const {claims, run} = page.player, {terms} = claims, wrong = [];
+                const plain = {not: (v) => Number(!v[0]), and: (v) => Number(v.every(Boolean)), or: (v) => Number(v.some(Boolean))};
+                const naive = (term, m) => {
+                    const node = terms[term];
+                    if (node.args) return plain[node.op](node.args.map((arg) => naive(arg, m)));
+                    if (node.op === 'step') return Number(run.isActive(run.controllers[node.controller].steps[node.place], m));
+                    const signal = node.op === 'signal' ? run.trace.signals.findIndex((s) => s.name === node.text)
+                                                        : run.controllers[node.controller][node.op + 's'][node.place];
+                    let value;
+                    for (let k = 0; k <= m; ++k) for (const [s, v] of run.trace.moments[k].values) if (s === signal) value = v;
+                    return value;
+                };
+                terms.forEach((node, term) => {
+                    for (let m = 0; m <= run.last && wrong.length < 5; m += 7) {
+                        const value = naive(term, m), since = claims.since(term, m);
+                        if (claims.value(term, m) !== value) wrong.push(`${node.text} at ${m}: ${claims.value(term, m)}`);
+                        if (since > m || naive(term, since) !== value || (since > 0 && naive(term, since - 1) === value))
+                            wrong.push(`${node.text} at ${m}: since ${since}`);
+                    }
+                });
+                return wrong;""")
+            self.assertEqual(wrong, [], name)
+        self.at("#P16/0")
+        standing = lambda: self.page.text(".standing")
+        self.assertIn("What is never answered comes at", standing())
+        [button] = [b for b in self.page.all(".controls button") if "decisive" in b.text]
+        button.click()
+        self.assertEqual(standing(), "Here begins what is never answered.")
+        self.assertIn("true since", self.page.text(".why .answer"))
+        self.assertIn("made so by V_S (then true)", self.page.text(".why .answer"))
+        self.page.find(".player").send_keys(Keys.END)
+        self.assertIn("Not answered since", standing())
+
     def test_the_location_of_an_instance_is_lit_in_its_automaton(self):
         self.at("#P16/0")
         choose = lambda name: self.page.script("""const s = document.querySelector('select[aria-label=Instance]');

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// What the terms of a property are worth all along a run, of the closed loop as it is. A term changes where one of its own
+// terms does, and nowhere else: its history is made of theirs. What the run does not tell is `undefined`.
+import {History} from "./run.js";
+import {valueOf} from "./terms.js";
+
+export class Claims {
+    constructor(run, property) {
+        this.run = run;
+        this.property = property;
+        this.terms = property.terms;
+        this.histories = [];
+        for (const node of this.terms) this.histories.push(this.historyOf(node));  // operands stand before what they are of
+    }
+
+    value(term, moment) { return this.histories[term].value(moment); }
+    // The moment from which on it has had its value.
+    since(term, moment) { return this.histories[term].since(moment); }
+    // The first moment from `moment` on at which it has the value; null: there is none.
+    first(term, value, moment) {
+        if (this.value(term, moment) === value) return moment;
+        const {at, values} = this.histories[term];
+        return at.find((change, k) => change > moment && values[k] === value) ?? null;
+    }
+
+    // The leaves that gave the term its value when it last changed: they changed then, and it could not be what it is without.
+    causes(term, moment) {
+        const since = this.since(term, moment), found = new Set();
+        const seek = (each) => {
+            if (this.since(each, since) !== since) return;
+            const args = this.terms[each].args ?? [], value = this.value(each, since);
+            if (args.length === 0) return found.add(each);
+            // Of an `and` that is false the false ones, of an `or` that is true the true ones; else all.
+            const {op} = this.terms[each], decisive = (op === "and" && value === 0) || (op === "or" && value === 1);
+            for (const arg of args) if (!decisive || this.value(arg, since) === value) seek(arg);
+        };
+        if (since > 0) seek(term);
+        return [...found];
+    }
+
+    historyOf(node) {
+        if (node.op === "constant") return new History(node.value);
+        if (node.args) return this.made(node);
+        const leaf = this.leaf(node);
+        if (!leaf) return new History(undefined);
+        const {history, of} = leaf, made = new History(of(history.values[0]));
+        history.at.forEach((moment, k) => made.add(moment, of(history.values[k])));
+        return made;
+    }
+
+    made(node) {
+        const moments = new Set(node.args.flatMap((arg) => this.histories[arg].at));
+        let made = null;
+        for (const moment of [...moments].sort((a, b) => a - b)) {
+            const value = valueOf({value: (term) => this.value(term, moment), leaf: () => undefined}, node);
+            if (made) made.add(moment, value);
+            else made = new History(value);
+        }
+        return made;
+    }
+
+    // Where the run tells of a leaf, and what its values mean.
+    leaf(node) {
+        const {run} = this, {steps, signals, locations} = run, controller = run.controllers[node.controller];
+        const known = (history, of = (value) => (value === undefined ? undefined : Number(value))) => history && {history, of};
+        switch (node.op) {
+        case "input": return known(signals[controller?.inputs[node.place]]);
+        case "output": return known(signals[controller?.outputs[node.place]]);
+        case "internal": return known(signals[controller?.internals[node.place]]);
+        case "step": return known(steps[controller?.steps[node.place]]);
+        case "signal": return known(signals[run.trace.signals.findIndex(({name, role}) => name === node.text && role !== "image")]);
+        case "location": {
+            const place = run.trace.instances.findIndex(({name}) => name === node.instance);
+            return known(locations[place], (now) =>
+                (now === null ? undefined : Number(run.trace.instances[place].locations[now] === node.location)));
+        }
+        }
+        return null;
+    }
+}
+
+// The terms at one moment, as a tree of terms asks for them.
+export class ClaimReader {
+    constructor(claims, moment) { Object.assign(this, {claims, moment}); }
+    value(term) { return this.claims.value(term, this.moment); }
+    remark(node, term) {
+        if (node.op === "constant" || this.value(term) === undefined) return "";
+        return sinceWords(this.claims.run, this.claims.since(term, this.moment));
+    }
+}
+
+export function sinceWords(run, since) { return since === 0 ? "since power-on" : `since ${run.timeText(since)}`; }
