@@ -2,7 +2,10 @@
 #include "bdd/relation.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace grafverif::bdd {
@@ -11,6 +14,8 @@ namespace {
 
 /// Parts are joined up to this size: larger ones cost more to build than they save in use.
 constexpr std::size_t part_size = 600;
+/// More parts stay in the order of their bits: looking for a better one takes their number squared.
+constexpr std::size_t most_arranged = 2000;
 
 std::vector<NextBit> sorted(std::vector<NextBit> bits) {
     std::ranges::sort(bits, {}, &NextBit::before);
@@ -26,37 +31,110 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(const std::vector<Nex
 
 }  // namespace
 
-Relation::Relation(const BddSpace& space, std::vector<NextBit> bits, const Bdd& offered)
-    : space_(space), bits_(sorted(std::move(bits))), to_before_(pairs(bits_, true)), to_after_(pairs(bits_, false)) {
-    std::vector<std::vector<std::uint32_t>> after;
-    if (!offered.is_true()) {
-        parts_.push_back({offered});
-        after.emplace_back();
-    }
-    for (const NextBit& bit : bits_) {
-        const Bdd one = iff(space.variable(bit.after()), bit.value);
-        const Bdd joined = parts_.empty() ? one : parts_.back().relation & one;
-        if (parts_.empty() || size(joined) > part_size) {
-            parts_.push_back({one});
-            after.emplace_back();
-        } else {
-            parts_.back().relation = joined;
+Relation::Relation(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions,
+                   std::vector<std::uint32_t> choices)
+    : space_(space),
+      bits_(sorted(std::move(bits))),
+      choices_(std::move(choices)),
+      to_before_(pairs(bits_, true)),
+      to_after_(pairs(bits_, false)) {
+    for (const Bdd& condition : conditions)
+        if (!condition.is_true()) parts_.push_back(part(condition));
+    for (const NextBit& bit : bits_) parts_.push_back(part(iff(space.variable(bit.after()), bit.value)));
+    free_of_choices();
+    arrange();
+    join();
+    arrange();
+    end_after();
+}
+
+/// Joins all parts that read a choice, and quantifies it, where the result is small.
+void Relation::free_of_choices() {
+    std::vector<std::uint32_t> left;
+    for (const std::uint32_t choice : choices_) {
+        const auto reads = [choice](const Part& part) { return std::ranges::binary_search(part.reads, choice); };
+        Bdd joined = Bdd::constant(true);
+        for (const Part& each : parts_)
+            if (reads(each) && size(joined &= each.relation) > part_size) break;
+        const Bdd freed = size(joined) > part_size ? joined : exists(joined, space_.variable(choice));
+        if (size(joined) > part_size || size(freed) > part_size) {
+            left.push_back(choice);
+            continue;
         }
-        after.back().push_back(bit.after());
+        std::erase_if(parts_, reads);
+        if (!freed.is_true()) parts_.push_back(part(freed));
     }
-    for (std::size_t part = 0; part < parts_.size(); ++part) parts_[part].after = variable_set(space, after[part]);
+    choices_ = std::move(left);
+}
+
+/// In turn the part comes next with which most of what it reads ends, and which begins least.
+void Relation::arrange() {
+    if (parts_.size() > most_arranged) return;
+    std::unordered_set<std::uint32_t> after;
+    for (const NextBit& bit : bits_) after.insert(bit.after());
+    std::unordered_map<std::uint32_t, std::size_t> readers;
+    for (const Part& each : parts_)
+        for (const std::uint32_t variable : each.reads) ++readers[variable];
+    const auto worth = [&](const Part& each) {
+        double ends = 0, begins = 0, read = 0;
+        for (const std::uint32_t variable : each.reads) {
+            if (after.contains(variable)) {
+                ++begins;
+                continue;
+            }
+            ++read;
+            if (readers[variable] == 1) ++ends;
+        }
+        return 2 * ends / std::max(read, 1.0) + (ends - begins) / 8;
+    };
+    std::vector<Part> arranged;
+    while (!parts_.empty()) {
+        const auto best = std::ranges::max_element(parts_, {}, worth);
+        for (const std::uint32_t variable : best->reads) --readers[variable];
+        arranged.push_back(std::move(*best));
+        parts_.erase(best);
+    }
+    parts_ = std::move(arranged);
+}
+
+/// Joins neighbours while they stay small.
+void Relation::join() {
+    std::vector<Part> joined;
+    for (Part& each : parts_) {
+        const Bdd both = joined.empty() ? Bdd{} : joined.back().relation & each.relation;
+        if (joined.empty() || size(both) > part_size) joined.push_back(std::move(each));
+        else joined.back() = part(both);
+    }
+    parts_ = std::move(joined);
+}
+
+/// What is after a step ends with the first part that reads it, since preimages take the last part first; so do choices.
+void Relation::end_after() {
+    std::vector<std::uint32_t> gone = choices_;
+    for (const NextBit& bit : bits_) gone.push_back(bit.after());
+    std::ranges::sort(gone);
+    for (Part& each : parts_) {
+        std::vector<std::uint32_t> here, rest;
+        std::ranges::set_intersection(gone, each.reads, std::back_inserter(here));
+        std::ranges::set_difference(gone, each.reads, std::back_inserter(rest));
+        each.after = variable_set(space_, here);
+        gone = std::move(rest);
+    }
+    unread_after_ = variable_set(space_, gone);
 }
 
 Relation::Quantified Relation::quantified(std::span<const std::uint32_t> variables) const {
     std::map<std::uint32_t, std::size_t> last;  // per variable: the last part that reads it
     for (std::size_t part = 0; part < parts_.size(); ++part)
-        for (const std::uint32_t variable : support(parts_[part].relation)) last[variable] = part;
+        for (const std::uint32_t variable : parts_[part].reads) last[variable] = part;
     std::vector<std::uint32_t> unread;
     std::vector<std::vector<std::uint32_t>> ended(parts_.size());
-    for (const std::uint32_t variable : variables) {
+    const auto end = [&](std::uint32_t variable) {
         const auto found = last.find(variable);
         (found == last.end() ? unread : ended[found->second]).push_back(variable);
-    }
+    };
+    std::ranges::for_each(variables, end);
+    std::ranges::for_each(choices_, end);
     Quantified result{variable_set(space_, unread), {}};
     for (const std::vector<std::uint32_t>& some : ended) result.ended.push_back(variable_set(space_, some));
     return result;
@@ -70,10 +148,19 @@ Bdd Relation::image(const Bdd& from, const Quantified& variables) const {
 }
 
 Bdd Relation::preimage(const Bdd& to) const {
-    Bdd result = to_after_(to);
+    Bdd result = exists(to_after_(to), unread_after_);
     for (std::size_t part = parts_.size(); part-- > 0;)
         result = and_exists(result, parts_[part].relation, parts_[part].after);
     return result;
+}
+
+std::vector<std::uint32_t> Relation::variables() const {
+    std::vector<std::uint32_t> all;
+    for (const Part& each : parts_) all.insert(all.end(), each.reads.begin(), each.reads.end());
+    for (const NextBit& bit : bits_) all.push_back(bit.before);
+    std::ranges::sort(all);
+    all.erase(std::ranges::unique(all).begin(), all.end());
+    return all;
 }
 
 }  // namespace grafverif::bdd

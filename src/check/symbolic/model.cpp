@@ -2,6 +2,7 @@
 #include "check/symbolic/model.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -77,6 +78,52 @@ std::vector<Id<FlatSystem::Variable>> variable_order(const FlatSystem& flat) { r
 
 using Variable = FlatSystem::Variable;
 
+/// A term or its negation.
+struct Signed {
+    Id<Expr> term = {};
+    bool positive = true;
+};
+
+/// The operands where it is a conjunction (or, if `disjunction`, a disjunction) of terms; itself otherwise.
+std::vector<Signed> operands_of(const Exprs& exprs, Signed root, bool disjunction) {
+    std::vector<Signed> open{root}, found;
+    while (!open.empty()) {
+        const Signed next = open.back();
+        open.pop_back();
+        const Op op = exprs[next.term].op;
+        const bool splits = op == Op::Not || op == (disjunction == next.positive ? Op::Or : Op::And);
+        if (!splits) found.push_back(next);
+        else
+            for (const Id<Expr> operand : exprs.operands(next.term))
+                open.push_back({operand, next.positive != (op == Op::Not)});
+    }
+    return found;
+}
+
+/// Conjuncts whose conjunction is true where `condition` is true and defined: of `a -> b and not (c or d)` three, of
+/// `a -> b`, `a -> not c`, `a -> not d`. What is defined nowhere else only need not be looked at: where the whole is
+/// defined, operands without a value come behind one that decides.
+std::vector<Bdd> conjuncts(const Exprs& exprs, BddTerms& terms, Id<Expr> condition) {
+    const BddTerm& whole = terms(condition);
+    if (!whole.undefined.is_false()) return {whole.bits.front() & ~whole.undefined};
+    const auto value = [&](Signed term) {
+        const Bdd& bit = terms(term.term).bits.front();
+        return term.positive ? bit : ~bit;
+    };
+    std::vector<Bdd> found;
+    for (const Signed& conjunct : operands_of(exprs, {condition}, false)) {
+        const std::vector<Signed> disjuncts = operands_of(exprs, conjunct, true);
+        std::vector<std::vector<Signed>> parts;  // of each disjunct
+        for (const Signed& disjunct : disjuncts) parts.push_back(operands_of(exprs, disjunct, false));
+        const auto longest = std::ranges::max_element(parts, {}, &std::vector<Signed>::size);
+        Bdd others;
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            if (parts.begin() + static_cast<std::ptrdiff_t>(i) != longest) others |= value(disjuncts[i]);
+        for (const Signed& part : *longest) found.push_back(others | value(part));
+    }
+    return found;
+}
+
 Bdd together(std::vector<Bdd> operands) {  // in pairs, so that no operand is much larger than its partner
     if (operands.empty()) return Bdd::constant(true);
     for (; operands.size() > 1; operands.resize((operands.size() + 1) / 2))
@@ -123,12 +170,13 @@ void StateSpace::add_words() {
 void StateSpace::constrain(BddTerms& terms) {
     const auto all_of = [&](const std::vector<Id<Expr>>& conditions, bool choice) {
         std::vector<Bdd> list;
-        for (const Id<Expr> term : conditions) list.push_back(equal(terms(term), bdd_boolean(Bdd::constant(true))));
+        for (const Id<Expr> term : conditions)
+            std::ranges::move(conjuncts(flat_.exprs, terms, term), std::back_inserter(list));
         for (const Id<Variable> id : flat_.variables.ids())
             if (flat_.variables[id].choice == choice) list.push_back(in_range(space_, words_[id.index]));
-        return together(std::move(list));
+        return list;
     };
-    invariant_ = all_of(flat_.invariants, false);
+    invariant_ = together(all_of(flat_.invariants, false));
     offered_ = all_of(flat_.transitions, true);
     std::vector<Bdd> initial{invariant_};
     for (const Id<Variable> id : flat_.variables.ids())
@@ -149,21 +197,21 @@ void StateSpace::add_steps(BddTerms& terms) {
         for (std::size_t place = 0; place < bits.size(); ++place)
             next_bits.push_back({words_[id.index].bits[place], bits[place]});
     }
-    relation_.emplace(space_, std::move(next_bits), offered_);
-    std::vector<std::uint32_t> gone = state_bits_;
-    gone.insert(gone.end(), choice_bits_.begin(), choice_bits_.end());
-    stepped_ = relation_->quantified(gone);
+    relation_.emplace(space_, std::move(next_bits), offered_, choice_bits_);
+    stepped_ = relation_->quantified(state_bits_);
 }
 
 Bdd StateSpace::image(const Bdd& states) const { return relation_->image(states, stepped_) & invariant_; }
 
 Bdd StateSpace::preimage(const Bdd& states) const {
-    return exists(relation_->preimage(exists(states & invariant_, free_)), choices_) & invariant_;
+    return relation_->preimage(exists(states & invariant_, free_)) & invariant_;
 }
 
 std::optional<StateSpace::Leak> StateSpace::leak(const Bdd& states) const {
     for (const Leak& each : leaks_) {
-        const Bdd found = states & exists(each.states & offered_, choices_);
+        Bdd leaking = each.states & states;
+        for (const Bdd& condition : offered_) leaking &= condition;
+        const Bdd found = exists(leaking, choices_);
         if (!found.is_false()) return Leak{each.variable, found};
     }
     return {};
@@ -189,7 +237,8 @@ Bdd StateSpace::only(const State& state) const {
 std::vector<std::int64_t> StateSpace::values(const State& state, const State* next) const {
     State all = state;
     const Bdd here = only(state);
-    Bdd chosen = cofactor(offered_, here);
+    Bdd chosen = Bdd::constant(true);
+    for (const Bdd& condition : offered_) chosen &= cofactor(condition, here);
     for (const bdd::NextBit& bit : relation_->bits()) {
         if (next == nullptr) break;
         const Bdd value = cofactor(bit.value, here);

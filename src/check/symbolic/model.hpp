@@ -60,11 +60,12 @@ private:
     BddSpace& space_;
     std::vector<BddWord> words_ = {};  ///< per variable: its bits before a step
     std::vector<std::uint32_t> state_bits_ = {}, choice_bits_ = {};
-    Bdd initial_ = {}, invariant_ = {}, offered_ = {};  ///< offered: choices that a state offers
-    std::vector<Leak> leaks_ = {};                      ///< over states and choices
-    Bdd choices_ = {}, free_ = {};                      ///< sets of variables
-    std::optional<bdd::Relation> relation_ = {};        ///< its steps
-    bdd::Relation::Quantified stepped_ = {};            ///< choices, and what is before a step
+    Bdd initial_ = {}, invariant_ = {};
+    std::vector<Bdd> offered_ = {};               ///< choices that a state offers: conjuncts over both
+    std::vector<Leak> leaks_ = {};                ///< over states and choices
+    Bdd choices_ = {}, free_ = {};                ///< sets of variables
+    std::optional<bdd::Relation> relation_ = {};  ///< its steps
+    bdd::Relation::Quantified stepped_ = {};      ///< choices, and what is before a step
 };
 
 }  // namespace grafverif::symbolic
