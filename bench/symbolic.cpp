@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The symbolic engine. bench_symbolic stations N: N assembly stations (DESDES06) side by side in one chart, with free
-// inputs, the growth with the number of steps and inputs. bench_symbolic PATH APPROACH [SCHEDULE]: the closed loop of
-// samples/PATH with all its properties; none, constraints or automata; interleaved, synchronous or sequenced.
+// inputs, the growth with the number of steps and inputs. bench_symbolic PATH APPROACH [SCHEDULE] [discrete] [atomic]: the closed loop of
+// samples/PATH with all its properties; none, constraints or automata; interleaved, synchronous or sequenced; `discrete`:
+// clocks count; `atomic`: in that grain.
 #include "check/symbolic/symbolic.hpp"
 
 #include <fmt/core.h>
@@ -59,7 +60,7 @@ TransitionSystem stations(std::size_t count) {
     return system;
 }
 
-TransitionSystem sample(const std::string& path, const ScheduleOptions& options) {
+TransitionSystem sample(const std::string& path, const ScheduleOptions& options, std::optional<Grain> grain) {
     const bench::LoopParts parts = bench::parts(bench::sample(path));
     const ClosedLoop& loop = parts.model.loops[{0}];
     if (options.plant != PlantApproach::Automata)
@@ -69,7 +70,8 @@ TransitionSystem sample(const std::string& path, const ScheduleOptions& options)
         options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
     std::optional<TransitionSystem> made;
     if (!interleaved) made = schedule_together(parts.model, loop, parts.equations, parts.plant, options, diagnostics);
-    else if (const auto network = compose(parts.plant, loop, parts.equations, {.grain = loop.grain}, diagnostics))
+    else if (const auto network =
+                 compose(parts.plant, loop, parts.equations, {.grain = grain.value_or(loop.grain)}, diagnostics))
         made = schedule_network(parts.model, loop, parts.equations, *network, options, diagnostics);
     if (!made) give_up(diagnostics, {});
     return std::move(*made);
@@ -80,7 +82,7 @@ template <class Value>
 Value meant(const std::map<std::string, Value>& table, const std::string& word) {
     const auto found = table.find(word);
     if (found == table.end())
-        throw std::invalid_argument("usage: bench_symbolic stations N | PATH APPROACH [SCHEDULE]");
+        throw std::invalid_argument("usage: bench_symbolic stations N | PATH APPROACH [SCHEDULE] [discrete] [atomic]");
     return found->second;
 }
 
@@ -90,12 +92,16 @@ TransitionSystem system_of(const std::vector<std::string>& words) {
     using enum PlantApproach;
     using enum Schedule;
     ScheduleOptions options;
+    std::optional<Grain> grain;
     options.plant = meant<PlantApproach>({{"none", None}, {"constraints", Constraints}, {"automata", Automata}},
                                          words.size() > 1 ? words[1] : "");
-    if (words.size() > 2)
-        options.schedule = meant<Schedule>(
-            {{"interleaved", Interleaved}, {"synchronous", Synchronous}, {"sequenced", Sequenced}}, words[2]);
-    return sample(words[0], options);
+    for (std::size_t i = 2; i < words.size(); ++i)
+        if (words[i] == "discrete") options.time = TimeModel::Discrete;
+        else if (words[i] == "atomic") grain = Grain::Atomic;
+        else
+            options.schedule = meant<Schedule>(
+                {{"interleaved", Interleaved}, {"synchronous", Synchronous}, {"sequenced", Sequenced}}, words[i]);
+    return sample(words[0], options, grain);
 }
 
 void measure(const TransitionSystem& system) {
@@ -104,6 +110,7 @@ void measure(const TransitionSystem& system) {
     };
     SymbolicOptions options;
     if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
+    options.by_kind = std::getenv("PLAIN") == nullptr;
     const SymbolicResult result = check_symbolic(system, options);
     fmt::print("{} steps, {} inputs: {} states, {} steps deep, {} MiB, {:.2f} s\n",
                system.controllers.front().words.steps.size(), system.controllers.front().words.inputs.size(),

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "check/symbolic/kinds.hpp"
 #include "ir/flat_system.hpp"
 #include "support/force.hpp"
 
@@ -134,11 +135,12 @@ Bdd together(std::vector<Bdd> operands) {  // in pairs, so that no operand is mu
 
 }  // namespace
 
-StateSpace::StateSpace(const FlatSystem& flat, BddSpace& space) : flat_(flat), space_(space) {
+StateSpace::StateSpace(const FlatSystem& flat, BddSpace& space, bool by_kind) : flat_(flat), space_(space) {
     add_words();
     BddTerms all = terms();
     constrain(all);
-    add_steps(all);
+    add_next_bits(all);
+    add_steps(by_kind);
 }
 
 BddTerms StateSpace::terms() const {
@@ -185,8 +187,7 @@ void StateSpace::constrain(BddTerms& terms) {
     initial_ = together(std::move(initial));
 }
 
-void StateSpace::add_steps(BddTerms& terms) {
-    std::vector<bdd::NextBit> next_bits;
+void StateSpace::add_next_bits(BddTerms& terms) {
     for (const Id<Variable> id : flat_.variables.ids()) {
         const Variable& variable = flat_.variables[id];
         if (variable.choice || !variable.next) continue;
@@ -195,17 +196,39 @@ void StateSpace::add_steps(BddTerms& terms) {
         if (!leak.is_false()) leaks_.push_back({id, leak});
         const std::vector<Bdd> bits = word_bits(next, variable.type);
         for (std::size_t place = 0; place < bits.size(); ++place)
-            next_bits.push_back({words_[id.index].bits[place], bits[place]});
+            next_bits_.push_back({words_[id.index].bits[place], bits[place]});
     }
-    relation_.emplace(space_, std::move(next_bits), offered_, choice_bits_);
-    stepped_ = relation_->quantified(state_bits_);
 }
 
-Bdd StateSpace::image(const Bdd& states) const { return relation_->image(states, stepped_) & invariant_; }
+/// A kind leaves bits as they are; free inputs never stay, and of what they may be invariants speak: then all is one kind.
+void StateSpace::add_steps(bool by_kind) {
+    Kind all{offered_, next_bits_};
+    std::vector<Kind> found;
+    if (by_kind && free_.is_true() && flat_.invariants.empty()) {
+        std::vector<BddWord> choices;
+        for (const Id<Variable> id : flat_.variables.ids())
+            if (flat_.variables[id].choice) choices.push_back(words_[id.index]);
+        found = kinds(space_, all, choices);
+    }
+    if (found.empty()) found.push_back(std::move(all));
+    for (Kind& kind : found)
+        steps_.emplace_back(space_, std::move(kind.bits), std::move(kind.conditions), choice_bits_, support(free_));
+}
+
+Bdd StateSpace::image(const Bdd& states) const {
+    Bdd result;
+    for (const bdd::Steps& kind : steps_) result |= kind.relation.image(states, kind.gone);
+    return result & invariant_;
+}
 
 Bdd StateSpace::preimage(const Bdd& states) const {
-    return relation_->preimage(exists(states & invariant_, free_)) & invariant_;
+    const Bdd to = exists(states & invariant_, free_);
+    Bdd result;
+    for (const bdd::Steps& kind : steps_) result |= kind.relation.preimage(to);
+    return result & invariant_;
 }
+
+Bdd StateSpace::closure(const Bdd& states) const { return bdd::Saturation(space_, steps_).closure(states); }
 
 std::optional<StateSpace::Leak> StateSpace::leak(const Bdd& states) const {
     for (const Leak& each : leaks_) {
@@ -239,7 +262,7 @@ std::vector<std::int64_t> StateSpace::values(const State& state, const State* ne
     const Bdd here = only(state);
     Bdd chosen = Bdd::constant(true);
     for (const Bdd& condition : offered_) chosen &= cofactor(condition, here);
-    for (const bdd::NextBit& bit : relation_->bits()) {
+    for (const bdd::NextBit& bit : next_bits_) {
         if (next == nullptr) break;
         const Bdd value = cofactor(bit.value, here);
         chosen &= (*next)[bit.before] ? value : ~value;

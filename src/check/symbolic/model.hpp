@@ -6,11 +6,12 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "bdd/relation.hpp"
+#include "bdd/saturation.hpp"
 #include "bdd/terms.hpp"
 #include "ir/flat_system.hpp"
 
@@ -21,13 +22,19 @@ using State = std::vector<bool>;
 
 class StateSpace {
 public:
-    StateSpace(const FlatSystem& flat, BddSpace& space);
+    /// `by_kind`: steps are kept apart by what they choose, where that tells which bits change.
+    StateSpace(const FlatSystem& flat, BddSpace& space, bool by_kind);
 
     /// States, here and below, are functions of the bits of a state, and imply the invariants.
     const Bdd& initial() const { return initial_; }
     const Bdd& invariant() const { return invariant_; }
     /// The states that a step leads to from one of `states`.
     Bdd image(const Bdd& states) const;
+    /// Whether steps are of several kinds; then `closure` is quick.
+    bool has_kinds() const { return steps_.size() > 1; }
+    /// The states that any number of steps leads to from one of `states`, as long as all values stay in their ranges:
+    /// one outside may be among them, with what follows.
+    Bdd closure(const Bdd& states) const;
     /// The states from which some step leads to one of `states`.
     Bdd preimage(const Bdd& states) const;
 
@@ -54,18 +61,19 @@ public:
 private:
     void add_words();
     void constrain(BddTerms& terms);
-    void add_steps(BddTerms& terms);
+    void add_next_bits(BddTerms& terms);
+    void add_steps(bool by_kind);
 
     const FlatSystem& flat_;
     BddSpace& space_;
     std::vector<BddWord> words_ = {};  ///< per variable: its bits before a step
     std::vector<std::uint32_t> state_bits_ = {}, choice_bits_ = {};
     Bdd initial_ = {}, invariant_ = {};
-    std::vector<Bdd> offered_ = {};               ///< choices that a state offers: conjuncts over both
-    std::vector<Leak> leaks_ = {};                ///< over states and choices
-    Bdd choices_ = {}, free_ = {};                ///< sets of variables
-    std::optional<bdd::Relation> relation_ = {};  ///< its steps
-    bdd::Relation::Quantified stepped_ = {};      ///< choices, and what is before a step
+    std::vector<Bdd> offered_ = {};  ///< choices that a state offers: conjuncts over both
+    std::vector<Leak> leaks_ = {};   ///< over states and choices
+    Bdd choices_ = {}, free_ = {};   ///< sets of variables
+    std::vector<bdd::NextBit> next_bits_ = {};
+    std::deque<bdd::Steps> steps_ = {};  ///< by kind
 };
 
 }  // namespace grafverif::symbolic

@@ -7,10 +7,10 @@
 namespace grafverif::symbolic {
 
 bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
-          const std::function<void(std::size_t)>& progress) {
+          const std::function<bool(std::size_t)>& goes_on) {
     for (bool found = !rings.each.empty(); found; found = rings.add(model.image(rings.each.back()) & within)) {
         if (!(rings.each.back() & goal).is_false()) return true;
-        if (progress) progress(rings.each.size());
+        if (goes_on && !goes_on(rings.each.size())) return true;
     }
     return false;
 }

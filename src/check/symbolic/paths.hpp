@@ -18,9 +18,9 @@ struct Path {
 };
 
 /// Adds rings to `rings` until one has a state of `goal` or no new state comes. Rings lie in `within`, which holds the
-/// first. Whether the goal was met.
+/// first; or until `goes_on` says no of their number. Whether there may be more.
 bool grow(const StateSpace& model, bdd::Rings& rings, const Bdd& within, const Bdd& goal,
-          const std::function<void(std::size_t)>& progress = {});
+          const std::function<bool(std::size_t)>& goes_on = {});
 
 /// A shortest path through `rings` to a state of `goal`; empty where no ring has one.
 std::vector<State> shortest_path(const StateSpace& model, const bdd::Rings& rings, const Bdd& goal);

@@ -44,6 +44,11 @@ bool about_states(Pattern pattern) {
 
 }  // namespace
 
+std::vector<State> shortest_way(const StateSpace& model, Search& search, const Bdd& goal) {
+    if ((search.rings.reached & goal).is_false()) grow(model, search.rings, model.invariant(), goal);
+    return shortest_path(model, search.rings, goal);
+}
+
 Questions::Questions(const TransitionSystem& system, FlatSystem& flat) : system_(system), flat_(flat) {
     if (system.settled.valid()) settled_ = flattened(system, flat, system.settled);
 }
@@ -74,7 +79,7 @@ void Questions::ask(Id<Property> about) {
     questions_.push_back(std::move(question));
 }
 
-std::vector<Found> Questions::answers(const StateSpace* model, const Search& search, const SymbolicOptions& options) {
+std::vector<Found> Questions::answers(const StateSpace* model, Search& search, const SymbolicOptions& options) {
     std::vector<Found> all;
     Obstacle obstacle = model == nullptr ? search.obstacle : Obstacle::None;  // met by every question to come
     std::string reason = search.reason;
@@ -103,18 +108,18 @@ std::vector<Found> Questions::answers(const StateSpace* model, const Search& sea
     return all;
 }
 
-Questions::Sets Questions::sets(const Question& question, const StateSpace& model, const Search& search) const {
+Questions::Sets Questions::sets(const Question& question, const StateSpace& model, Search& search) const {
     Sets sets;
     BddTerms terms = model.terms();
     for (const Id<Expr> operand : question.operands) {
         const BddTerm& term = terms(operand);
-        sets.undefined = sets.undefined || !(search.rings.reached & term.undefined).is_false();
-        sets.operands.push_back(search.rings.reached & term.bits.front());
+        sets.undefined = sets.undefined || !(search.reached & term.undefined).is_false();
+        sets.operands.push_back(search.reached & term.bits.front());
     }
     return sets;
 }
 
-Found Questions::answer(const Question& question, const StateSpace& model, const Search& search) {
+Found Questions::answer(const Question& question, const StateSpace& model, Search& search) {
     Found found{verdict_on(question.about, of(question)), {}};
     Verdict& verdict = found.verdict;
     const Pattern pattern = of(question).pattern;
@@ -135,41 +140,41 @@ Found Questions::answer(const Question& question, const StateSpace& model, const
 }
 
 void Questions::answer_state(Found& found, const Question& question, const Sets& sets, const StateSpace& model,
-                             const Search& search) {
+                             Search& search) {
     Verdict& verdict = found.verdict;
     const bool seen = !sets.operands.front().is_false();
     if (!seen && search.obstacle != Obstacle::None) return unknown(verdict, search.obstacle, search.reason);
     const bool wanted = of(question).pattern == Pattern::Reachable;
     verdict.outcome = seen == wanted ? Outcome::Holds : Outcome::Violated;
-    if (seen) found.run = run_of(model, flat_, {shortest_path(model, search.rings, sets.operands.front()), {}});
+    if (seen) found.run = run_of(model, flat_, {shortest_way(model, search, sets.operands.front()), {}});
 }
 
-void Questions::prepare(const StateSpace& model, const Search& search) {
+void Questions::prepare(const StateSpace& model, Search& search) {
     if (prepared_) return;
     BddTerms terms = model.terms();
     std::vector<Bdd> justice;
-    for (const Id<Expr> term : flat_.justice) justice.push_back(search.rings.reached & terms(term).bits.front());
-    fair_ = justice.empty() ? search.rings.reached : can_stay(model, search.rings.reached, justice);
+    for (const Id<Expr> term : flat_.justice) justice.push_back(search.reached & terms(term).bits.front());
+    fair_ = justice.empty() ? search.reached : can_stay(model, search.reached, justice);
     justice_ = std::move(justice);
     prepared_ = true;
 }
 
 void Questions::answer_paths(Found& found, const Question& question, const Sets& sets, const StateSpace& model,
-                             const Search& search) {
+                             Search& search) {
     prepare(model, search);
     const Bdd& p = sets.operands.front();
     Verdict& verdict = found.verdict;
     verdict.outcome = Outcome::Holds;
     if (of(question).pattern == Pattern::AlwaysPossible) {
-        const Bdd lost = fair_ & ~can_reach(model, search.rings.reached, p & fair_);
+        const Bdd lost = fair_ & ~can_reach(model, search.reached, p & fair_);
         if (lost.is_false()) return;
         verdict.outcome = Outcome::Violated;
         verdict.notes.emplace_back("from the last state of the trace on it is impossible");
-        found.run = run_of(model, flat_, {shortest_path(model, search.rings, lost), {}});
+        found.run = run_of(model, flat_, {shortest_way(model, search, lost), {}});
         return;
     }
     const bool leads = of(question).pattern == Pattern::LeadsTo;
-    const Bdd without = search.rings.reached & ~(leads ? sets.operands[1] : p);
+    const Bdd without = search.reached & ~(leads ? sets.operands[1] : p);
     const Bdd staying = can_stay(model, without, justice_);
     const Bdd from = staying & (leads ? p : model.initial());
     if (from.is_false()) return;
@@ -177,8 +182,8 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
     found.run = run_of(model, flat_, lasso(model, search, from, staying));
 }
 
-Path Questions::lasso(const StateSpace& model, const Search& search, const Bdd& from, const Bdd& staying) const {
-    Path path{shortest_path(model, search.rings, from), {}};
+Path Questions::lasso(const StateSpace& model, Search& search, const Bdd& from, const Bdd& staying) const {
+    Path path{shortest_way(model, search, from), {}};
     const std::size_t stem = path.states.size() - 1;
     const Path forever = stay(model, path.states.back(), staying, justice_);
     path.states.insert(path.states.end(), forever.states.begin() + 1, forever.states.end());
@@ -187,7 +192,7 @@ Path Questions::lasso(const StateSpace& model, const Search& search, const Bdd& 
 }
 
 void Questions::mark_vacuous(Verdict& verdict, const Question& question, const Sets& sets, const StateSpace& model,
-                             const Search& search) {
+                             Search& search) {
     const Property& property = of(question);
     const auto vacuous = [&](const char* why) {
         verdict.vacuous = true;
@@ -197,7 +202,7 @@ void Questions::mark_vacuous(Verdict& verdict, const Question& question, const S
                            property.pattern == Pattern::ExactlyOneOf;
     if (universal && property.at_stable) {
         BddTerms terms = model.terms();
-        if ((search.rings.reached & terms(settled_).bits.front()).is_false()) vacuous("no state is ever settled");
+        if ((search.reached & terms(settled_).bits.front()).is_false()) vacuous("no state is ever settled");
     }
     if (property.pattern == Pattern::LeadsTo && sets.operands.front().is_false()) vacuous("the left side never holds");
     if (!about_states(property.pattern) && !justice_.empty() && (fair_ & model.initial()).is_false())

@@ -12,10 +12,15 @@ namespace grafverif::symbolic {
 
 /// What a search of the reachable states came to.
 struct Search {
-    bdd::Rings rings = {};
+    bdd::Rings rings = {};  ///< around the initial states, as many as were needed so far
+    Bdd reached = {};
     Obstacle obstacle = Obstacle::None;  ///< None: all are reached
     std::string reason = {};
 };
+
+/// A shortest path from an initial state to one of `goal`, of which some are reachable; looks further than before where
+/// it must.
+std::vector<State> shortest_way(const StateSpace& model, Search& search, const Bdd& goal);
 
 /// One verdict, and the run that shows it.
 struct Found {
@@ -30,7 +35,7 @@ public:
     /// Translates what is asked; before this, the terms of `flat` may still grow.
     void ask(Id<Property> property);
     /// The verdicts, in the order asked. `model` may be missing where the search did not get far enough to have one.
-    std::vector<Found> answers(const StateSpace* model, const Search& search, const SymbolicOptions& options);
+    std::vector<Found> answers(const StateSpace* model, Search& search, const SymbolicOptions& options);
 
 private:
     struct Question {
@@ -46,16 +51,16 @@ private:
     const Property& of(const Question& question) const { return system_.properties[question.about]; }
     Id<Expr> settled_and(const Property& property, Id<Expr> operand);
     Id<Expr> exactly_one(const std::vector<Id<Expr>>& operands);
-    Found answer(const Question& question, const StateSpace& model, const Search& search);
+    Found answer(const Question& question, const StateSpace& model, Search& search);
     void answer_state(Found& found, const Question& question, const Sets& sets, const StateSpace& model,
-                      const Search& search);
+                      Search& search);
     void answer_paths(Found& found, const Question& question, const Sets& sets, const StateSpace& model,
-                      const Search& search);
-    Sets sets(const Question& question, const StateSpace& model, const Search& search) const;
-    Path lasso(const StateSpace& model, const Search& search, const Bdd& from, const Bdd& staying) const;
+                      Search& search);
+    Sets sets(const Question& question, const StateSpace& model, Search& search) const;
+    Path lasso(const StateSpace& model, Search& search, const Bdd& from, const Bdd& staying) const;
     void mark_vacuous(Verdict& verdict, const Question& question, const Sets& sets, const StateSpace& model,
-                      const Search& search);
-    void prepare(const StateSpace& model, const Search& search);
+                      Search& search);
+    void prepare(const StateSpace& model, Search& search);
 
     const TransitionSystem& system_;
     FlatSystem& flat_;

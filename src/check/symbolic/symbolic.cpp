@@ -30,7 +30,7 @@ public:
     SymbolicResult result() {
         std::optional<StateSpace> model;
         try {
-            model.emplace(flat_, space_);
+            model.emplace(flat_, space_, options_.by_kind);
             search(*model);
             result_.fault = fault(*model);
         } catch (const BddExhausted& exhausted) {
@@ -67,29 +67,46 @@ private:
 
     void count_states(const StateSpace& model) {
         try {
-            result_.states = count(search_.rings.reached, model.state_bits());
+            result_.states = count(search_.reached, model.state_bits());
         } catch (const BddExhausted&) {  // then nobody knows
         }
     }
 
     void search(const StateSpace& model) {
+        const std::uint64_t enough = space_.work() + options_.one_by_one;
+        const auto goes_on = [&](bool kinds) {
+            return [this, &enough, kinds](std::size_t depth) {
+                result_.bytes = std::max(result_.bytes, space_.bytes());
+                if (options_.progress) options_.progress({depth, space_.bytes(), seconds()});
+                return !kinds || space_.work() < enough;
+            };
+        };
         search_.rings.add(model.initial());
-        grow(model, search_.rings, model.invariant(), {}, [this](std::size_t depth) {
-            result_.bytes = std::max(result_.bytes, space_.bytes());
-            if (options_.progress) options_.progress({depth, space_.bytes(), seconds()});
-        });
+        search_.reached = search_.rings.reached;
+        const bool more = grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds()));
+        search_.reached = search_.rings.reached;
+        if (more) {
+            const Bdd closure = model.closure(search_.reached);
+            // With what is outside of a range other faults may follow that no run leads to.
+            if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) {
+                search_.reached = closure;
+            } else {
+                grow(model, search_.rings, model.invariant(), {}, goes_on(false));
+                search_.reached = search_.rings.reached;
+            }
+        }
         result_.depth = search_.rings.each.empty() ? 0 : search_.rings.each.size() - 1;
     }
 
-    std::optional<SystemFault> fault(const StateSpace& model) const {
+    std::optional<SystemFault> fault(const StateSpace& model) {
         using Kind = SystemFault::Kind;
-        if (search_.rings.reached.is_false()) return SystemFault{Kind::NoInitialState, {}, {}};
+        if (search_.reached.is_false()) return SystemFault{Kind::NoInitialState, {}, {}};
         const auto path_to = [&](const Bdd& states) {
-            return run_of(model, flat_, {shortest_path(model, search_.rings, states), {}});
+            return run_of(model, flat_, {shortest_way(model, search_, states), {}});
         };
-        if (const auto leak = model.leak(search_.rings.reached))
+        if (const auto leak = model.leak(search_.reached))
             return SystemFault{Kind::OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};
-        const Bdd stuck = search_.rings.reached & ~model.preimage(search_.rings.reached);
+        const Bdd stuck = search_.reached & ~model.preimage(search_.reached);
         if (!stuck.is_false()) return SystemFault{Kind::DeadEnd, {}, path_to(stuck)};
         return {};
     }

@@ -39,6 +39,8 @@ struct SymbolicOptions {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;                     ///< set by somebody else: end with what is known
     std::function<void(const SymbolicProgress&)> progress = {};  ///< called after every step of the search
+    bool by_kind = true;  ///< steps that change few bits are kept apart, and all they lead to is found by saturation,
+    std::uint64_t one_by_one = 200'000;  ///< once so many steps of operations have been spent on a search step by step
 };
 
 struct SymbolicResult {
@@ -46,7 +48,7 @@ struct SymbolicResult {
     std::vector<std::optional<SystemRun>> runs = {};  ///< per verdict: counterexample, or witness of `reachable`
     std::optional<SystemFault> fault = {};
     std::string states = {};  ///< the number of reachable states, exactly, in decimal; empty: not all were reached
-    std::size_t depth = 0;    ///< steps from the initial states to the farthest
+    std::size_t depth = 0;    ///< steps from the initial states as far as it went one by one; all, if not `by_kind`
     std::uint64_t bytes = 0;  ///< most memory held at once
     double seconds = 0;
 };

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "bdd/saturation.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "bdd/kernel.hpp"
+
+namespace grafverif::bdd {
+
+namespace {
+
+/// Bytes that are charged for a result that is remembered.
+constexpr std::uint64_t result_size = 96;
+
+std::vector<std::uint32_t> written(const std::vector<NextBit>& bits, std::span<const std::uint32_t> free) {
+    std::vector<std::uint32_t> all(free.begin(), free.end());
+    for (const NextBit& bit : bits) all.push_back(bit.before);
+    return all;
+}
+
+}  // namespace
+
+Steps::Steps(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions,
+             std::vector<std::uint32_t> choices, std::span<const std::uint32_t> free)
+    : relation(space, std::move(bits), std::move(conditions), std::move(choices)),
+      gone(relation.quantified(written(relation.bits(), free))) {}
+
+Saturation::Saturation(const BddSpace& space, const std::deque<Steps>& kinds) : space_(space) {
+    std::map<std::uint32_t, std::vector<const Steps*>> by_level;
+    for (const Steps& kind : kinds) {
+        std::uint32_t top = constant_level;
+        for (const std::uint32_t variable : kind.relation.variables())
+            top = std::min(top, space.kernel().order.level_of[variable]);
+        by_level[top].push_back(&kind);
+    }
+    for (auto& [level, found] : by_level) levels_.push_back({level, std::move(found)});
+}
+
+/// Under the kinds of the levels from `from` on. Recurses as deep as there are levels.
+Bdd Saturation::closed(const Bdd& states, std::size_t from) {
+    if (states.is_constant() || from == levels_.size()) return states;
+    const Asked asked{states, from};
+    if (const auto known = known_.find(asked); known != known_.end()) return known->second;
+    Bdd result;
+    if (space_.kernel().level(states.edge()) < levels_[from].level) {
+        const Bdd low = closed(states.low(), from), high = closed(states.high(), from);
+        result = ite(space_.variable(states.top()), high, low);
+    } else {
+        result = closed_here(states, from);
+    }
+    remember(asked, result);
+    return result;
+}
+
+Bdd Saturation::closed_here(const Bdd& states, std::size_t from) {
+    Bdd result = states;
+    for (Bdd before; before != result;) {
+        before = result;
+        result = closed(result, from + 1);
+        for (const Steps* kind : levels_[from].kinds) result |= kind->relation.image(result, kind->gone);
+    }
+    return result;
+}
+
+void Saturation::remember(const Asked& asked, const Bdd& result) {
+    if (!space_.kernel().budget.charge(result_size)) return forget();
+    known_.emplace(asked, result);
+}
+
+void Saturation::forget() {
+    space_.kernel().budget.used -= known_.size() * result_size;
+    known_.clear();
+}
+
+}  // namespace grafverif::bdd
