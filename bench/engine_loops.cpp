@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "engine_loops.hpp"
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -84,6 +87,50 @@ Network beside(Network left, const Network& right) {
     return left;
 }
 
+/// The names of a file, so that copies of it stand beside each other.
+class Numbered {
+public:
+    explicit Numbered(const std::string& text) {
+        // what is declared: after `grafcet`, `plant`, `environment`, `property`, in lists of inputs and outputs, and
+        // what is bound to a port (the word after `=`, where it is no component)
+        static const std::regex declared("(?:grafcet|plant|environment|property) (\\w+)|[(,]\\s*\\w+ = ([A-Z]\\w*)");
+        for (std::sregex_iterator found(text.begin(), text.end(), declared), end; found != end; ++found)
+            names_.insert((*found)[1].matched ? (*found)[1].str() : (*found)[2].str());
+        static const std::regex lists("(?:input|output) ([^;]+);"), word("\\w+");
+        for (std::sregex_iterator list(text.begin(), text.end(), lists), end; list != end; ++list) {
+            const std::string of = (*list)[1];
+            for (std::sregex_iterator name(of.begin(), of.end(), word); name != end; ++name) names_.insert(name->str());
+        }
+        for (const std::string& name : names_)
+            if (text.find("grafcet " + name + " {") != std::string::npos) chart_ = name;
+    }
+
+    /// `text` with `_k` after each name; a step of a property is one of its chart.
+    std::string with(int k, const std::string& text) const {
+        static const std::regex word("[A-Za-z_]\\w*");
+        const std::string number = "_" + std::to_string(k);
+        const bool of_property = text.find("property") != std::string::npos || text.starts_with("        ");
+        std::string made, last;
+        auto from = text.begin();
+        for (std::sregex_iterator found(text.begin(), text.end(), word), end; found != end; ++found) {
+            const std::string name = found->str();
+            made.append(from, text.begin() + found->position());
+            from = text.begin() + found->position() + found->length();
+            const bool port = found->suffix().str().starts_with(" = ") && last != "plant" && last != "environment";
+            last = name;
+            const bool step = name.size() > 1 && name[0] == 'X' && std::isdigit(static_cast<unsigned char>(name[1]));
+            if (step && of_property) made += chart_ + number + ".";
+            made += name;
+            if (names_.contains(name) && !port) made += number;
+        }
+        return made.append(from, text.end());
+    }
+
+private:
+    std::set<std::string> names_ = {};
+    std::string chart_ = {};
+};
+
 }  // namespace
 
 std::string sample(const std::string& path) { return content(root / "samples" / path); }
@@ -118,6 +165,23 @@ Network loop(const std::string& text, Grain grain) {
 Network two_stations(Grain grain) {
     const Network station = expand(loop(sample("testing_station/testing_station.grafcet"), grain));
     return beside(renamed(station, "_a"), renamed(station, "_b"));
+}
+
+std::string stations(int count) {
+    const std::string text = sample("testing_station/testing_station.grafcet");
+    const std::size_t loop_begin = text.find("closed_loop");
+    const Numbered names(text);
+    std::string charts, loop = "closed_loop stations {\n";
+    for (int k = 1; k <= count; ++k) {
+        const std::string chart = text.substr(text.find("grafcet "), loop_begin - text.find("grafcet "));
+        charts += names.with(k, chart);
+        std::istringstream lines(text.substr(loop_begin));
+        std::string line;
+        std::getline(lines, line);
+        while (std::getline(lines, line) && line != "}")
+            if (line.find("no_") == std::string::npos) loop += names.with(k, line) + '\n';
+    }
+    return charts + loop + "    property no_deadlock: no deadlock;\n    property no_timelock: no timelock;\n}\n";
 }
 
 std::string cylinders(int cylinders) {

@@ -30,6 +30,10 @@ Network loop(const std::string& text, Grain grain = Grain::Phased);
 /// Two testing stations side by side in one network, which share nothing but time.
 Network two_stations(Grain grain = Grain::Phased);
 
+/// `count` testing stations in one loop, each with a controller of its own, which share nothing but time: the text of the
+/// sample once per station, its names numbered (`P15_2`).
+std::string stations(int count);
+
 /// One chart that drives `cylinders` cylinders, each out and in again with its three sensors, all started together.
 std::string cylinders(int cylinders);
 

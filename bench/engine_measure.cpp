@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// bench_engine WHAT [atomic]: checks one model with the timed engine and prints what it took: states, transitions per
-// second, bytes per state, verdicts. WHAT: `station`, `two` (two stations in one network), `cylinders N`, or a sample's path.
+// bench_engine WHAT [atomic|text]: checks one model with the timed engine and prints what it took: states, transitions per
+// second, bytes per state, verdicts. WHAT: `station`, `two` (two stations in one network, searched as a whole), `cylinders N`, `stations N` (in one
+// loop, by sub-loops), or a sample's path. With `text` the model of `cylinders` or `stations` is printed instead.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -8,6 +9,7 @@
 #include <cstring>
 #include <string>
 
+#include "check/parts/parts.hpp"
 #include "check/timed/timed.hpp"
 #include "engine_loops.hpp"
 
@@ -39,12 +41,18 @@ void print(const TimedResult& result, double seconds) {
     fmt::print("  peak {} MiB, {:.2f} s of the processor in all\n", usage.ru_maxrss / 1024, processor_seconds());
 }
 
+/// The text of a model with a size; of others nothing.
+std::string made(const std::string& what, int count, char** values) {
+    const int size = count > 2 ? std::atoi(values[2]) : 3;
+    return what == "cylinders" ? bench::cylinders(size) : what == "stations" ? bench::stations(size) : "";
+}
+
 Network chosen(const std::string& what, int count, char** values) {
     const bool atomic = std::strcmp(values[count - 1], "atomic") == 0;
     const Grain grain = atomic ? Grain::Atomic : Grain::Phased;
     if (what == "station") return bench::loop(bench::sample("testing_station/testing_station.grafcet"), grain);
     if (what == "two") return bench::two_stations(grain);
-    if (what == "cylinders") return bench::loop(bench::cylinders(count > 2 ? std::atoi(values[2]) : 3), grain);
+    if (const std::string text = made(what, count, values); !text.empty()) return bench::loop(text, grain);
     return bench::loop(bench::sample(what), grain);
 }
 
@@ -52,8 +60,12 @@ Network chosen(const std::string& what, int count, char** values) {
 
 int main(int count, char** values) {
     if (count < 2) {
-        fmt::print(stderr, "usage: bench_engine station|two|cylinders N|PATH [atomic]\n");
+        fmt::print(stderr, "usage: bench_engine station|two|cylinders N|stations N|PATH [atomic|text]\n");
         return 2;
+    }
+    if (std::strcmp(values[count - 1], "text") == 0) {
+        fmt::print("{}", made(values[1], count, values));
+        return 0;
     }
     const auto progress = [](const TimedProgress& now) {
         fmt::print(stderr, "\r{} states, {} waiting, {} MiB, {:.1f} s ", now.states, now.queue, now.bytes >> 20U,
@@ -63,6 +75,7 @@ int main(int count, char** values) {
     if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
     const Network network = chosen(values[1], count, values);
     const double before = processor_seconds();
-    const TimedResult result = check_timed(network, options);
+    const bool by_parts = std::strcmp(values[1], "stations") == 0;
+    const TimedResult result = by_parts ? check_timed_by_parts(network, options) : check_timed(network, options);
     print(result, processor_seconds() - before);
 }

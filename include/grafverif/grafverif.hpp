@@ -128,6 +128,7 @@ struct CheckOptions {
     Limits limits = {};
     bool profile = false;  ///< says where the states come from, be they few or many (timed engine)
     std::function<void(const StateProfile&)> many = {};  ///< called once where the timed engine finds a million states
+    bool whole = false;                                  ///< sub-loops that share only time are searched together
 };
 
 /// Decides the properties of a closed loop with the timed engine. Every run in the report has been replayed on the rules

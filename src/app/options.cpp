@@ -226,6 +226,8 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
                        &Options::engine, "the engine that proves (default: auto, an embedded one)"),
         toggle(Accepts::Search, "untimed", &Options::check_untimed,
                "check the untimed model, with the symbolic engine or NuSMV"),
+        toggle(Accepts::Search, "whole", &Options::whole,
+               "search the whole loop for every property, also where sub-loops share only time"),
         number(Accepts::Search, "max-states", "N", {}, &Options::max_states,
                "give up after N states (default: 500000000)"),
         toggle(Accepts::Stats, "stats", &Options::stats, "say where the states come from (timed engine)"),

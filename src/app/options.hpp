@@ -57,6 +57,7 @@ struct Options {
 
     std::vector<std::string> properties = {};  ///< of `check`; empty: all
     Engine engine = Engine::Auto;
+    bool whole = false;                            ///< no sub-loop is judged apart
     bool check_untimed = false;                    ///< --untimed, or an engine that knows no time
     Ablations without = {};                        ///< cures of the method left out: see docs/method.md
     std::vector<std::string> cures_left_out = {};  ///< the same by name

@@ -26,20 +26,25 @@ Json number(const std::string& decimal) {
 
 Json property(const Report& report, const Answer& answer) {
     const Verdict& verdict = answer.verdict;
-    return {{"name", verdict.property},
-            {"text", text_or_null(answer.text)},
-            {"verdict", word(verdict.outcome)},
-            {"expected", verdict.expected_violated ? "violated" : "holds"},
-            {"engine", text_or_null(report.basis.engine)},
-            {"mode", text_or_null(report.basis.mode)},
-            {"grain", text_or_null(report.basis.grain)},
-            {"states", number(verdict.states)},
-            {"transitions", verdict.transitions ? Json(*verdict.transitions) : Json(nullptr)},
-            {"seconds", verdict.seconds},
-            {"reason", text_or_null(verdict.reason)},
-            {"vacuous", verdict.vacuous},
-            {"notes", verdict.notes},
-            {"trace", answer.trace ? trace_json(*answer.trace) : Json(nullptr)}};
+    Json made = {{"name", verdict.property},
+                 {"text", text_or_null(answer.text)},
+                 {"verdict", word(verdict.outcome)},
+                 {"expected", verdict.expected_violated ? "violated" : "holds"},
+                 {"engine", text_or_null(report.basis.engine)},
+                 {"mode", text_or_null(report.basis.mode)},
+                 {"grain", text_or_null(report.basis.grain)},
+                 {"states", number(verdict.states)},
+                 {"transitions", verdict.transitions ? Json(*verdict.transitions) : Json(nullptr)},
+                 {"seconds", verdict.seconds},
+                 {"reason", text_or_null(verdict.reason)},
+                 {"vacuous", verdict.vacuous},
+                 {"notes", verdict.notes},
+                 {"trace", answer.trace ? trace_json(*answer.trace) : Json(nullptr)}};
+    const Scope& scope = verdict.scope;
+    if (!scope.searched.empty())
+        made["sub_loops"] = {
+            {"searched", scope.searched}, {"left_out", scope.left_out}, {"because", text_or_null(scope.because)}};
+    return made;
 }
 
 }  // namespace

@@ -113,6 +113,26 @@ private:
     std::string shared_reason_ = {};
 };
 
+/// `a, b, c and 46 more`
+std::string some_of(const std::vector<std::string>& names) {
+    constexpr std::size_t shown = 3;
+    std::string words;
+    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i)
+        words += fmt::format("{}`{}`", i == 0 ? "" : ", ", names[i]);
+    return names.size() <= shown ? words : fmt::format("{} and {} more", words, names.size() - shown);
+}
+
+/// What a verdict on sub-loops leaves out, and why it may.
+std::string scope_words(const Scope& scope) {
+    if (scope.searched.empty()) return {};
+    const bool one = scope.searched.size() == 1;
+    const std::string what = fmt::format("; sub-loop{} {}", one ? "" : "s", some_of(scope.searched));
+    if (scope.left_out.empty()) return what + ", each by itself";
+    const std::string rest = fmt::format("{} alone; left out: {}", what, some_of(scope.left_out));
+    if (scope.because.empty()) return rest;
+    return fmt::format("{}, {} {}", rest, scope.left_out.size() == 1 ? "which" : "each of which", scope.because);
+}
+
 }  // namespace
 
 std::string basis_words(const Report& report, const Answer& answer) {
@@ -124,13 +144,15 @@ std::string basis_words(const Report& report, const Answer& answer) {
         return fmt::format("{}, untimed: {}; {}{}{}{}", basis.engine, basis.untimed, basis.mode, grain, states,
                            answer.carries.empty() ? "" : "; " + answer.carries);
     }
-    return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero{}", basis.engine, basis.mode,
-                       basis.grain, seconds_text(basis.time_unit_ms), states);
+    return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero{}{}", basis.engine, basis.mode,
+                       basis.grain, seconds_text(basis.time_unit_ms), states, scope_words(verdict.scope));
 }
 
 std::string_view end_of(const Verdict& verdict) {
     if (verdict.outcome == Outcome::Holds) return {};
     if (verdict.pattern == Pattern::NoTimelock) return "from here on time cannot pass";
+    if (verdict.pattern == Pattern::NoDeadlock && !verdict.scope.left_out.empty())
+        return "from here on nothing of the sub-loop can happen, but time may pass";
     if (verdict.pattern == Pattern::NoDeadlock) return "from here on nothing can happen, but time may pass";
     const bool liveness = verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo;
     return liveness ? "from here on nothing can happen" : "";

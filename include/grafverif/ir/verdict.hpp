@@ -55,6 +55,14 @@ enum class Obstacle {
     Disagrees,    ///< the external program gave one that its own words, our model or the rules contradict
 };
 
+/// What a verdict was found in, where that is not the whole network.
+struct Scope {
+    std::vector<std::string> searched = {};  ///< sub-loops by name; none: the whole
+    std::vector<std::string> left_out = {};  ///< the others; none: those searched are all, each by itself
+    std::string because = {};                ///< why these have no say
+    bool operator==(const Scope&) const = default;
+};
+
 struct Verdict {
     Id<Property> about = {};    ///< of the model checked; not valid: the model does not ask (see `declared`)
     std::string property = {};  ///< its name; of one that expands: `S.X7`
@@ -69,6 +77,7 @@ struct Verdict {
     std::string states = {};  ///< of the whole search, in decimal, however many; empty: not known
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
+    Scope scope = {};
     std::optional<Run> run = {};  ///< counterexample; of a `reachable` that holds: witness
     Span origin = {};             ///< of the property
 

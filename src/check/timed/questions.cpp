@@ -19,6 +19,20 @@ bool is_judged(Pattern pattern) {
 
 }  // namespace
 
+Property undeclared_timelock(const Network& network) {
+    Property property{.name = "no_timelock", .pattern = Pattern::NoTimelock};
+    while (std::ranges::any_of(network.properties, [&](const Property& other) { return other.name == property.name; }))
+        property.name += "_";
+    return property;
+}
+
+bool about_time(const Property& property) { return property.pattern == Pattern::NoTimelock && !property.at_stable; }
+
+bool asked(const TimedOptions& options, const Property& property) {
+    return options.properties.empty() || about_time(property) ||
+           std::ranges::find(options.properties, property.name) != options.properties.end();
+}
+
 Questions::Questions(const Network& network, Machine& machine, Watch& watch)
     : network_(network), machine_(machine), watch_(watch), inexact_(inexact_place(network)) {}
 

@@ -12,6 +12,13 @@
 
 namespace grafverif::timed {
 
+/// `no timelock`, which every timed check decides, for models that do not declare it.
+Property undeclared_timelock(const Network& network);
+/// Whether `property` is `no timelock` of all states.
+bool about_time(const Property& property);
+/// Whether `options` ask for `property`.
+bool asked(const TimedOptions& options, const Property& property);
+
 class Questions {
 public:
     Questions(const Network& network, Machine& machine, Watch& watch);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <new>
 
+#include "check/timed/premises.hpp"
 #include "check/timed/profile.hpp"
 #include "check/timed/questions.hpp"
 #include "support/overloaded.hpp"
@@ -33,19 +34,13 @@ std::vector<ModelError> errors_of(timed::Graph& graph) {
     return errors;
 }
 
-/// `no timelock`, which every timed check decides, for models that do not declare it.
-Property no_timelock(const Network& network) {
-    Property property{.name = "no_timelock", .pattern = Pattern::NoTimelock};
-    while (std::ranges::any_of(network.properties, [&](const Property& other) { return other.name == property.name; }))
-        property.name += "_";
-    return property;
-}
-
-bool about_time(const Property& property) { return property.pattern == Pattern::NoTimelock && !property.at_stable; }
-
-bool asked(const TimedOptions& options, const Property& property) {
-    return options.properties.empty() || about_time(property) ||
-           std::ranges::find(options.properties, property.name) != options.properties.end();
+std::optional<Premises> premises(timed::Graph& graph, std::uint32_t settled, const timed::Limits& limits) {
+    try {
+        return timed::premises_of(graph, settled, limits);
+    } catch (const timed::Limits::Stop&) {
+    } catch (const std::bad_alloc&) {
+    }
+    return {};
 }
 
 /// Nothing where memory ends.
@@ -65,15 +60,18 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     timed::Machine machine(flat);
     timed::Watch watch;
     timed::Questions questions(flat, machine, watch);
-    const Property timelock = no_timelock(flat);
+    const Property timelock = timed::undeclared_timelock(flat);
     bool timelock_asked = false;
     for (const Id<Property> id : flat.properties.ids()) {
         const Property& property = flat.properties[id];
-        if (!asked(options, property)) continue;
+        if (!timed::asked(options, property)) continue;
         questions.ask(id, property);
-        timelock_asked = timelock_asked || about_time(property);
+        timelock_asked = timelock_asked || timed::about_time(property);
     }
     if (!timelock_asked) questions.ask({}, timelock);
+    std::uint32_t settled = timed::Program::no;
+    if (options.premises && flat.settled.valid())
+        settled = machine.compiler().condition(flat.settled, timed::Program::yes, timed::Program::no);
 
     timed::Graph graph(machine);
     graph.linked = options.keep_links;
@@ -92,6 +90,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     result.transitions = graph.transitions;
     result.complete = ended == Obstacle::None;
     result.time_passes = graph.time_passes;
+    if (options.premises && result.complete) result.premises = premises(graph, settled, limits);
     const bool explained = options.profile || !result.complete || result.states >= many_states;
     if (explained && result.states != 0)
         result.profile = measured(graph, ended == Obstacle::Stopped ? timed::Effort::Brief : timed::Effort::Full);

@@ -46,9 +46,17 @@ struct TimedOptions {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< set by somebody else: end with what is known
     bool keep_links = true;                   ///< false: less memory, several times the work for liveness
+    bool premises = false;                    ///< find out TimedResult::premises
     std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
     bool profile = false;  ///< asks for TimedResult::profile, whatever the search comes to
     std::function<void(const StateProfile&)> many = {};  ///< called once, when the search has found `many_states`
+};
+
+/// What a search that came to its end says of the network as a neighbour of others (docs/engines.md, "Sub-loops").
+struct Premises {
+    std::optional<Run> diverges = {};  ///< a lasso in which time passes
+    bool rests = false;                ///< no run goes on for ever within one instant
+    bool settles = false;              ///< time passes in settled states only
 };
 
 struct TimedResult {
@@ -63,6 +71,7 @@ struct TimedResult {
     bool time_passes = false;  ///< in some reachable state
     /// Where it was asked for, the search was cut off or found `many_states`; not where there is no memory for it.
     std::optional<StateProfile> profile = {};
+    std::optional<Premises> premises = {};
 };
 
 /// Requires verify(network).empty().

@@ -77,6 +77,47 @@ TEST(Check, HasAnExitCodeForEachOutcome) {
     }
 }
 
+/// Two charts with a button and a lamp each, which share nothing but time.
+const char* const two_lamps = R"(
+grafcet left { input A; output L; initial step 0; step 1 { L; }
+    transition on: 0 -> 1 when A; transition off: 1 -> 0 when 2s/X1; }
+grafcet right { input B; output R; initial step 0; step 1 { R; }
+    transition on: 0 -> 1 when B; transition off: 1 -> 0 when 3s/X1; }
+closed_loop lamps {
+    controller left;
+    controller right;
+    environment PA = push_button(OUT = A);
+    environment PB = push_button(OUT = B);
+    property lit: always !L;
+    property off: left.X1 leads to left.X0;
+    property both: never L && R;
+    property D: no deadlock;
+})";
+
+TEST(Check, SaysWhatAVerdictLeftOutAndWhyItMay) {
+    const Folder folder;
+    const std::string file = folder.write("lamps.grafcet", two_lamps);
+    const Result text = grafverif({"check", file, "--quiet"});
+    for (const char* words :
+         {"sub-loop `left` alone; left out: `right`, which shares only time with it and can let time pass for ever\n",
+          "sub-loop `left` alone; left out: `right`, which shares only time with it, never locks time and never goes "
+          "on "
+          "for ever within one instant\n",
+          "sub-loops `left`, `right`, each by itself\n"})
+        EXPECT_NE(text.out.find(words), std::string::npos) << text.out;
+    const Json apart = Json::parse(grafverif({"check", file, "--format", "json"}).out)["properties"];
+    const Json whole = Json::parse(grafverif({"check", file, "--format", "json", "--whole"}).out)["properties"];
+    EXPECT_EQ(apart[0]["sub_loops"], Json::parse(R"({"searched": ["left"], "left_out": ["right"],
+                              "because": "shares only time with it and can let time pass for ever"})"));
+    EXPECT_FALSE(apart[2].contains("sub_loops"));
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_EQ(apart[i]["verdict"], whole[i]["verdict"]) << whole[i]["name"];
+        EXPECT_FALSE(whole[i].contains("sub_loops"));
+    }
+    EXPECT_LT(apart[1]["states"], whole[1]["states"]);
+    EXPECT_EQ(apart[2]["states"], whole[2]["states"]);
+}
+
 TEST(Check, ChecksThePropertiesNamedAndTimelock) {
     const Result result = grafverif({"check", sample("oven_door/oven_door.grafcet"), "--property", "warned",
                                      "--property", "one_order", "--format", "json"});

@@ -53,7 +53,8 @@ bool holds_at(const Network& network, const Property& property, std::size_t oper
     return settled && value(network, state, property.operands[operand]).value_or(0) != 0;
 }
 
-/// The run shows what the verdict says.
+}  // namespace
+
 void confirm(const Network& network, const Property& property, const Verdict& verdict) {
     const auto states = replay(network, *verdict.run);
     ASSERT_TRUE(states) << "the run does not replay";
@@ -93,8 +94,6 @@ void confirm(const Network& network, const Property& property, const Verdict& ve
     case Pattern::RawLtl: return;
     }
 }
-
-}  // namespace
 
 TimedResult checked(const Network& network, const TimedOptions& options) {
     EXPECT_EQ(verify(network), std::vector<std::string>{});

@@ -53,6 +53,8 @@ public:
 /// The result, after the network and every run in the result were tested: runs replay, on the network and to a state
 /// where the property is violated or witnessed.
 TimedResult checked(const Network& network, const TimedOptions& options = {});
+/// The run of the verdict replays, to where it shows what the verdict says.
+void confirm(const Network& network, const Property& property, const Verdict& verdict);
 /// The verdict on one property.
 const Verdict& verdict(const TimedResult& result, const std::string& property);
 /// `holds`, `violated`, `unknown (inexact)`, with `, vacuous` where it is.

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "check/parts/carry.hpp"
+
+#include <algorithm>
+
+namespace grafverif {
+
+namespace {
+
+/// What a verdict claims; each kind has its premises.
+enum class Claim {
+    Everywhere,   ///< of every reachable state
+    Somewhere,    ///< of one reachable state, or that some run avoids something for ever
+    Unavoidable,  ///< of every maximal run
+    Possible,     ///< from every state
+};
+
+Claim claim_of(const Verdict& verdict) {
+    const bool holds = verdict.outcome == Outcome::Holds;
+    switch (verdict.pattern) {
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::ExactlyOneOf: return holds ? Claim::Everywhere : Claim::Somewhere;
+    case Pattern::Reachable:
+    case Pattern::ReachableAllSteps: return holds ? Claim::Somewhere : Claim::Everywhere;
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo: return holds ? Claim::Unavoidable : Claim::Somewhere;
+    default: return holds ? Claim::Possible : Claim::Somewhere;
+    }
+}
+
+bool about_single_states(Pattern pattern) {
+    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf ||
+           pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
+}
+
+std::string objection(const Neighbour& other, const Verdict& verdict, bool at_stable) {
+    const Claim claim = claim_of(verdict);
+    const std::string name = "`" + other.name + "` ";
+    if (claim == Claim::Everywhere && !at_stable) return {};
+    if (!other.searched) return name + "could not be searched to its end";
+    if (other.faulty && !about_single_states(verdict.pattern)) return name + "breaks off somewhere";
+    if (claim == Claim::Somewhere || claim == Claim::Everywhere) {
+        if (!other.diverges) return name + "cannot let time pass for ever";
+        return at_stable && !other.settles ? "time passes in " + name + "while it is not settled" : "";
+    }
+    if (!other.never_locks) return "it is not known that " + name + "never locks time";
+    if (claim == Claim::Unavoidable && !other.rests) return name + "may go on for ever within one instant";
+    return {};
+}
+
+}  // namespace
+
+std::string objection(const Verdict& verdict, bool at_stable, const std::vector<const Neighbour*>& left_out) {
+    for (const Neighbour* const other : left_out)
+        if (std::string why = objection(*other, verdict, at_stable); !why.empty()) return why;
+    return {};
+}
+
+std::string because(const Verdict& verdict, bool at_stable) {
+    const Claim claim = claim_of(verdict);
+    const bool of_states = claim == Claim::Everywhere || claim == Claim::Somewhere;
+    if (of_states && at_stable)
+        return "shares only time with it, can let time pass for ever and is settled where time passes";
+    switch (claim) {
+    case Claim::Everywhere: return "shares only time with it and adds no state";
+    case Claim::Somewhere: return "shares only time with it and can let time pass for ever";
+    case Claim::Unavoidable:
+        return "shares only time with it, never locks time and never goes on for ever within one instant";
+    case Claim::Possible: break;
+    }
+    return "shares only time with it and never locks time";
+}
+
+bool settled_apart(Pattern pattern) { return about_single_states(pattern); }
+
+void mark_vacuous(Verdict& verdict, const std::vector<const Neighbour*>& left_out) {
+    const char* const why = "time stands still in this model";
+    const bool wanted = verdict.pattern == Pattern::Reachable || verdict.pattern == Pattern::ReachableAllSteps;
+    if (verdict.outcome != Outcome::Holds || wanted) return;
+    for (const Neighbour* const other : left_out) {
+        if (!other->searched || other->time_passes) continue;
+        verdict.vacuous = true;
+        if (std::ranges::find(verdict.notes, why) == verdict.notes.end()) verdict.notes.emplace_back(why);
+    }
+}
+
+}  // namespace grafverif

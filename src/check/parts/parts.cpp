@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+#include "check/parts/parts.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "check/parts/carry.hpp"
+#include "check/parts/join.hpp"
+#include "check/timed/questions.hpp"
+#include "ir/network_parts.hpp"
+#include "ir/step_names.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Parts = std::vector<std::uint32_t>;
+
+const char* const timelock_probe = "no timelock";
+const char* const deadlock_probe = "no deadlock";
+
+/// One verdict to give.
+struct Question {
+    Property property = {};  // named as its verdict; its pattern asks for one state where that of the verdict expands
+    Verdict verdict = {};
+    Parts reads = {};
+    bool each = false;  // asked of every part by itself
+};
+
+/// Some parts, searched as a network of their own.
+struct Search {
+    SubNetwork of = {};
+    TimedResult result = {};
+
+    const Verdict& verdict(const std::string& name) const {
+        return *std::ranges::find(result.verdicts, name, &Verdict::property);
+    }
+};
+
+class ByParts {
+public:
+    ByParts(const Network& network, const NetworkParts& parts, const TimedOptions& options)
+        : network_(network), parts_(parts), options_(options) {}
+
+    TimedResult result() {
+        ask();
+        search_each();
+        if (errors_may_be_out_of_reach()) return check_timed(network_, options_);
+        for (Question& question : questions_) answer(question);
+        search_whole();
+        for (Question& question : questions_) result_.verdicts.push_back(std::move(question.verdict));
+        for (Verdict& verdict : result_.verdicts) verdict.seconds = result_.seconds;
+        return std::move(result_);
+    }
+
+private:
+    void ask();
+    void ask_steps(const Question& question);
+    void search_each();
+    Search search(const Parts& chosen, bool premises);
+    const Search& search_of(const Parts& chosen);
+    Neighbour neighbour(std::uint32_t part) const;
+    bool errors_may_be_out_of_reach() const;
+
+    void answer(Question& question);
+    void answer_each(Question& question);
+    void take(Question& question, Verdict verdict) const;
+    bool carries(const Question& question, const Verdict& verdict, const Parts& chosen, std::string& why) const;
+    void show(Verdict& verdict, const SubNetwork& of, const Parts& chosen, bool at_stable) const;
+    void need_whole(const Question& question, std::string why) {
+        whole_.emplace_back(static_cast<std::size_t>(&question - questions_.data()), std::move(why));
+    }
+    void search_whole();
+
+    void count(const TimedResult& found);
+    bool about_race(const Property& property) const;
+    Parts read_by(const Property& property) const;
+    std::vector<std::uint32_t> others(const Parts& chosen) const;
+    std::vector<const Neighbour*> left_out(const Parts& chosen) const;
+    std::vector<Run> beside(const Parts& chosen) const;
+    std::vector<std::string> names(const Parts& chosen) const;
+
+    const Network& network_;
+    const NetworkParts& parts_;
+    const TimedOptions& options_;
+    std::vector<Question> questions_ = {};
+    std::vector<Search> each_ = {};  // per part
+    std::vector<Neighbour> neighbours_ = {};
+    std::map<Parts, Search> together_ = {};
+    std::vector<std::pair<std::size_t, std::string>> whole_ = {};  // the questions that need the whole, and why
+    TimedResult result_ = {};
+};
+
+bool ByParts::about_race(const Property& property) const {
+    if (!network_.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
+    const Expr& operand = network_.exprs[property.operands[0]];
+    return operand.op == Op::Variable && operand.value == network_.race.index;
+}
+
+/// All of them where it reads what several have a copy of.
+Parts ByParts::read_by(const Property& property) const {
+    for (const Id<Expr> operand : property.operands)
+        for (const Id<Expr> leaf : leaves(network_.exprs, operand)) {
+            const Expr& node = network_.exprs[leaf];
+            const Id<Network::Variable> variable{static_cast<std::uint32_t>(node.value)};
+            if (node.op != Op::Variable) continue;
+            if (variable == network_.race || network_.variables[variable].scratch) return others({});
+        }
+    return parts_read(network_, parts_, property.operands);
+}
+
+void ByParts::ask() {
+    bool timelock_asked = false;
+    for (const Id<Property> id : network_.properties.ids()) {
+        const Property& property = network_.properties[id];
+        if (!timed::asked(options_, property)) continue;
+        timelock_asked = timelock_asked || timed::about_time(property);
+        Question question{property, verdict_on(id, property), read_by(property)};
+        if (property.pattern == Pattern::ReachableAllSteps) {
+            ask_steps(question);
+            continue;
+        }
+        const bool of_moves = property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock;
+        question.each = about_race(property) || (of_moves && !property.at_stable);
+        questions_.push_back(std::move(question));
+    }
+    if (timelock_asked) return;
+    const Property timelock = timed::undeclared_timelock(network_);
+    questions_.push_back({timelock, verdict_on({}, timelock), {}, true});
+}
+
+/// Each step is a question of its own.
+void ByParts::ask_steps(const Question& question) {
+    for (const Id<Expr> step : question.property.operands) {
+        Question one = question;
+        one.verdict.property +=
+            "." + step_variable_name(network_, {static_cast<std::uint32_t>(network_.exprs[step].value)});
+        one.property.name = one.verdict.property;
+        one.property.pattern = Pattern::Reachable;
+        one.property.operands = {step};
+        one.reads = read_by(one.property);
+        questions_.push_back(std::move(one));
+    }
+}
+
+/// Of several profiles the one of the greatest search is kept.
+void ByParts::count(const TimedResult& found) {
+    result_.states += found.states;
+    result_.transitions += found.transitions;
+    result_.bytes = std::max(result_.bytes, found.bytes);
+    result_.state_bytes = std::max(result_.state_bytes, found.state_bytes);
+    result_.seconds += found.seconds;
+    result_.complete = result_.complete && found.complete;
+    if (!found.profile || (result_.profile && found.profile->states < result_.profile->states)) return;
+    result_.profile = found.profile;
+}
+
+/// The parts `chosen`, with the questions that read nothing else and, of single parts, those that each is asked.
+Search ByParts::search(const Parts& chosen, bool premises) {
+    SubNetworkBuilder builder(network_, parts_, chosen);
+    bool deadlock_asked = false;
+    for (const Question& question : questions_) {
+        const Property& property = question.property;
+        deadlock_asked = deadlock_asked || (question.each && property.pattern == Pattern::NoDeadlock);
+        if (question.each && about_race(property)) builder.ask(property);
+        if (question.each || question.reads != chosen) continue;
+        if (!property.at_stable || settled_apart(property.pattern)) builder.ask(property);
+    }
+    builder.ask({.name = timelock_probe, .pattern = Pattern::NoTimelock});
+    if (premises && deadlock_asked) builder.ask({.name = deadlock_probe, .pattern = Pattern::NoDeadlock});
+    Search made{std::move(builder).build(), {}};
+    TimedOptions options = options_;
+    options.properties = {};
+    options.premises = premises;
+    made.result = check_timed(made.of.network, options);
+    count(made.result);
+    return made;
+}
+
+void ByParts::search_each() {
+    for (Question& question : questions_)
+        if (!question.each && question.reads.empty()) question.reads = {0};
+    result_.time_passes = true;
+    for (std::uint32_t part = 0; part < parts_.count; ++part) {
+        each_.push_back(search({part}, true));
+        neighbours_.push_back(neighbour(part));
+        result_.time_passes = result_.time_passes && each_.back().result.time_passes;
+    }
+    for (std::uint32_t part = 0; part < parts_.count; ++part)
+        for (ModelError error : each_[part].result.errors) {
+            const SubNetwork& of = each_[part].of;
+            if (error.variable.valid()) error.variable = of.variables[error.variable.index];
+            if (error.process.valid()) error.process = of.processes[error.process.index];
+            error.run = joined(in_whole(of, error.run), beside({part}), Ending::Anywhere).value_or(Run{});
+            result_.errors.push_back(std::move(error));
+        }
+}
+
+Neighbour ByParts::neighbour(std::uint32_t part) const {
+    const TimedResult& found = each_[part].result;
+    Neighbour is{.name = name_of_part(network_, parts_, part)};
+    is.searched = found.complete && found.premises;
+    is.faulty = !found.errors.empty();
+    is.time_passes = found.time_passes;
+    is.never_locks = each_[part].verdict(timelock_probe).outcome == Outcome::Holds;
+    if (!found.premises) return is;
+    is.diverges = found.premises->diverges.has_value();
+    is.rests = found.premises->rests;
+    is.settles = found.premises->settles;
+    return is;
+}
+
+/// An error of one part is one of the whole where the others let time pass until it is there.
+bool ByParts::errors_may_be_out_of_reach() const {
+    for (std::uint32_t part = 0; part < parts_.count; ++part)
+        for (std::uint32_t other = 0; other < parts_.count; ++other)
+            if (part != other && neighbours_[part].faulty && !neighbours_[other].diverges) return true;
+    return false;
+}
+
+const Search& ByParts::search_of(const Parts& chosen) {
+    if (chosen.size() == 1) return each_[chosen.front()];
+    const auto found = together_.find(chosen);
+    return found != together_.end() ? found->second : together_.emplace(chosen, search(chosen, false)).first->second;
+}
+
+Parts ByParts::others(const Parts& chosen) const {
+    Parts rest;
+    for (std::uint32_t part = 0; part < parts_.count; ++part)
+        if (!std::ranges::binary_search(chosen, part)) rest.push_back(part);
+    return rest;
+}
+
+std::vector<const Neighbour*> ByParts::left_out(const Parts& chosen) const {
+    std::vector<const Neighbour*> rest;
+    for (const std::uint32_t part : others(chosen)) rest.push_back(&neighbours_[part]);
+    return rest;
+}
+
+/// What the parts not chosen do beside a run of those chosen.
+std::vector<Run> ByParts::beside(const Parts& chosen) const {
+    std::vector<Run> runs;
+    for (const std::uint32_t part : others(chosen)) {
+        const std::optional<Premises>& premises = each_[part].result.premises;
+        if (premises && premises->diverges) runs.push_back(in_whole(each_[part].of, *premises->diverges));
+    }
+    return runs;
+}
+
+std::vector<std::string> ByParts::names(const Parts& chosen) const {
+    std::vector<std::string> all;
+    for (const std::uint32_t part : chosen) all.push_back(neighbours_[part].name);
+    return all;
+}
+
+/// Keeps of the question what its model says, and of `verdict` what was found.
+void ByParts::take(Question& question, Verdict verdict) const {
+    Verdict& given = question.verdict;
+    given.outcome = verdict.outcome;
+    given.obstacle = verdict.obstacle;
+    given.reason = std::move(verdict.reason);
+    given.vacuous = verdict.vacuous;
+    given.notes = std::move(verdict.notes);
+    given.states = std::move(verdict.states);
+    given.transitions = verdict.transitions;
+    given.scope = std::move(verdict.scope);
+    given.run = std::move(verdict.run);
+}
+
+/// Whether a verdict on `chosen` is that of the whole, or unknown for good; else `why` not. Where an error of the model
+/// alone keeps a property from holding, the whole is asked where it would be if it held.
+bool ByParts::carries(const Question& question, const Verdict& verdict, const Parts& chosen, std::string& why) const {
+    Verdict supposed = verdict;
+    const bool wanted = verdict.pattern == Pattern::Reachable;
+    if (verdict.obstacle == Obstacle::Faulty) supposed.outcome = wanted ? Outcome::Violated : Outcome::Holds;
+    why = "it is unknown for the sub-loop alone";
+    if (verdict.obstacle == Obstacle::Stopped || verdict.obstacle == Obstacle::Unsupported) return true;
+    if (supposed.outcome == Outcome::Unknown) return false;
+    why = objection(supposed, question.property.at_stable, left_out(chosen));
+    return why.empty();
+}
+
+/// Makes the run of the verdict one of the whole.
+void ByParts::show(Verdict& verdict, const SubNetwork& of, const Parts& chosen, bool at_stable) const {
+    if (!verdict.run) return;
+    verdict.run = joined(in_whole(of, *verdict.run), beside(chosen), at_stable ? Ending::Waiting : Ending::Anywhere);
+    if (!verdict.run) {
+        verdict.notes.emplace_back("no run is shown: with the other sub-loops it would repeat only after very long");
+        return;
+    }
+    const bool maximal = verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo ||
+                         verdict.pattern == Pattern::NoTimelock;
+    if (maximal && !verdict.run->loop) verdict.run = gone_on(network_, std::move(*verdict.run));
+}
+
+void ByParts::answer(Question& question) {
+    if (question.each) return answer_each(question);
+    const Property& property = question.property;
+    if (question.reads.size() == parts_.count) return need_whole(question, "");
+    if (property.at_stable && !settled_apart(property.pattern))
+        return need_whole(question, "whether a run is settled in the end is a question to all sub-loops");
+    if (property.at_stable && network_.settled.valid() && parts_.settled.empty())
+        return need_whole(question, "which states are settled does not come apart");
+    const Search& search = search_of(question.reads);
+    Verdict verdict = search.verdict(property.name);
+    std::string why;
+    if (!carries(question, verdict, question.reads, why)) return need_whole(question, why);
+    show(verdict, search.of, question.reads, property.at_stable);
+    mark_vacuous(verdict, left_out(question.reads));
+    verdict.scope = {names(question.reads), names(others(question.reads)), {}};
+    if (verdict.outcome != Outcome::Unknown) verdict.scope.because = because(verdict, property.at_stable);
+    take(question, std::move(verdict));
+}
+
+/// `no deadlock`, `no timelock`, `no_race`: they hold where they hold of each part.
+void ByParts::answer_each(Question& question) {
+    const Pattern pattern = question.property.pattern;
+    const std::string name = pattern == Pattern::NoTimelock   ? timelock_probe
+                             : pattern == Pattern::NoDeadlock ? deadlock_probe
+                                                              : question.property.name;
+    Verdict all{.outcome = Outcome::Holds, .transitions = 0};
+    std::uint64_t states = 0;
+    std::string why;
+    std::optional<Verdict> unknown;
+    for (std::uint32_t part = 0; part < parts_.count; ++part) {
+        Verdict verdict = each_[part].verdict(name);
+        states += each_[part].result.states;
+        all.transitions = *all.transitions + each_[part].result.transitions;
+        for (const std::string& note : verdict.notes)
+            if (std::ranges::find(all.notes, note) == all.notes.end()) all.notes.push_back(note);
+        all.vacuous = all.vacuous || verdict.vacuous;
+        if (verdict.outcome == Outcome::Violated && carries(question, verdict, {part}, why)) {
+            show(verdict, each_[part].of, {part}, false);
+            verdict.scope = {names({part}), names(others({part})), because(verdict, false)};
+            return take(question, std::move(verdict));
+        }
+        if (verdict.outcome == Outcome::Violated) return need_whole(question, why);
+        if (verdict.outcome == Outcome::Holds) continue;
+        const bool for_good = verdict.obstacle == Obstacle::Faulty || verdict.obstacle == Obstacle::Stopped;
+        if (!for_good) return need_whole(question, "it is unknown for a sub-loop alone");
+        if (!unknown) unknown = verdict;
+    }
+    if (unknown) return take(question, std::move(*unknown));
+    all.states = std::to_string(states);
+    all.scope.searched = names(others({}));
+    take(question, std::move(all));
+}
+
+void ByParts::search_whole() {
+    if (whole_.empty()) return;
+    TimedOptions options = options_;
+    options.properties = {};
+    for (const auto& [index, why] : whole_)
+        if (const Id<Property> about = questions_[index].verdict.about; about.valid())
+            options.properties.push_back(network_.properties[about].name);
+    if (options.properties.empty()) options.properties.push_back(timed::undeclared_timelock(network_).name);
+    const TimedResult whole = check_timed(network_, options);
+    count(whole);
+    for (const auto& [index, why] : whole_) {
+        Question& question = questions_[index];
+        Verdict verdict = *std::ranges::find(whole.verdicts, question.verdict.property, &Verdict::property);
+        if (!why.empty()) verdict.notes.push_back("the whole loop was searched: " + why);
+        take(question, std::move(verdict));
+    }
+}
+
+/// The steps of every chart, which an empty list stands for.
+void name_steps(Network& network, Property& property) {
+    for (const Id<Network::Variable> id : network.variables.ids())
+        if (network.variables[id].role == Network::Role::Step)
+            property.operands.push_back(network.exprs.leaf(Op::Variable, id.index));
+}
+
+}  // namespace
+
+TimedResult check_timed_by_parts(const Network& network, const TimedOptions& options) {
+    Network flat = expand(network);
+    const NetworkParts parts = parts_of(flat);
+    if (parts.count < 2) return check_timed(network, options);
+    for (Property& property : flat.properties)
+        if (property.pattern == Pattern::ReachableAllSteps && property.operands.empty()) name_steps(flat, property);
+    return ByParts(flat, parts, options).result();
+}
+
+}  // namespace grafverif

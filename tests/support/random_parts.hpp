@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Random networks of several parts that share nothing but time, each of one or two small automata: some lock time, go
+// on for ever within one instant, come to a dead end, race, or leave a range. For laws on what is judged by parts.
+#pragma once
+
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+#include "support/random_chart.hpp"
+
+namespace grafverif {
+
+/// A network of `parts` parts, with `settled` and, now and then, `race`; without properties.
+Network random_parts(Random& random, int parts);
+
+/// Adds properties of every kind: of single parts, of two of them, of all moves and of settled states.
+void ask_of_parts(Network& network, Random& random);
+
+}  // namespace grafverif

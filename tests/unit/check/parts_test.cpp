@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Sub-loops judged apart: what ties processes together, what each verdict leaves out, and the neighbours for whose sake
+// the whole is searched.
+#include "check/parts/parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ir/network_parts.hpp"
+#include "ir/network_run.hpp"
+#include "unit/check/networks.hpp"
+
+namespace grafverif {
+namespace {
+
+/// A lamp that goes on after two units and off after one; `on` is its location l1.
+struct Pulse {
+    explicit Pulse(Sketch& s, const std::string& name = "lamp") {
+        process = s.process(name, 2, 1);
+        s.invariant(process, 0, {0, Op::LessEqual, 2});
+        s.invariant(process, 1, {0, Op::LessEqual, 1});
+        s.edge(process, {.from = 0, .to = 1, .when = {{0, Op::Equal, 2}}, .reset = {0}});
+        s.edge(process, {.from = 1, .to = 0, .when = {{0, Op::Equal, 1}}, .reset = {0}});
+    }
+    Id<Network::Process> process = {};
+};
+
+/// What every test asks of the lamp.
+void ask_of(Sketch& s, const Pulse& lamp) {
+    s.property("on", Pattern::LeadsTo, {s.at(lamp.process, 0), s.at(lamp.process, 1)});
+    s.property("seen", Pattern::Reachable, {s.at(lamp.process, 1)});
+    s.property("dark", Pattern::Always, {s.at(lamp.process, 0)});
+    s.property("one", Pattern::ExactlyOneOf, {s.at(lamp.process, 0), s.at(lamp.process, 1)});
+}
+
+/// The verdicts with and without parts agree, runs included.
+TimedResult agreed_apart(const Network& network) {
+    const TimedResult apart = check_timed_by_parts(network), whole = check_timed(network);
+    for (const Verdict& given : apart.verdicts) {
+        SCOPED_TRACE(given.property);
+        EXPECT_EQ(given.outcome, verdict(whole, given.property).outcome);
+        const auto property = std::ranges::find(network.properties, given.property, &Property::name);
+        if (given.run && property != network.properties.end()) confirm(network, *property, given);
+    }
+    return apart;
+}
+
+bool apart(const TimedResult& result, const std::string& property) {
+    return !verdict(result, property).scope.searched.empty();
+}
+
+TEST(Parts, AVariableThatOneWritesAndAnotherReadsTies) {
+    Sketch s;
+    const auto flag = s.boolean("flag"), constant = s.boolean("constant", true);
+    const auto writer = s.process("writer", 1), reader = s.process("reader", 1), other = s.process("other", 1);
+    s.edge(writer, {.set = {{flag, s.yes()}}});
+    s.edge(reader, {.guard = s.op(Op::Equal, s.is(flag), s.is(constant))});
+    s.edge(other, {.guard = s.is(constant)});
+    const NetworkParts parts = parts_of(s.network);
+    EXPECT_EQ(parts.count, 2U);
+    EXPECT_EQ(parts.of_process, (std::vector<std::uint32_t>{0, 0, 1}));
+    EXPECT_EQ(parts.of_variable, (std::vector<std::uint32_t>{0, NetworkParts::none}));
+}
+
+TEST(Parts, WhatCarriesNothingFromOneToAnotherTiesNothing) {
+    Sketch s;
+    const auto race = s.boolean("race"), scratch = s.boolean("scratch");
+    s.network.race = race;
+    s.network.variables[scratch].scratch = true;
+    for (const char* name : {"left", "right"}) {
+        const auto process = s.process(name, 1);
+        const auto own = s.boolean(std::string(name) + "_own");
+        s.edge(process, {.set = {{scratch, s.is(own)}, {own, s.is(scratch)}, {race, s.is(race)}}});
+    }
+    s.process("statue", 1);
+    EXPECT_EQ(parts_of(s.network).of_process, (std::vector<std::uint32_t>{0, 1, 0}));
+}
+
+TEST(Parts, EachVerdictSaysWhatItLeavesOut) {
+    Sketch s;
+    const Pulse lamp(s), other(s, "other"), third(s, "third");
+    ask_of(s, lamp);
+    const TimedResult result = agreed_apart(s.network);
+    EXPECT_EQ(result.states, 15U);  // of 3 times 5, not 5 times 5 times 5
+    const Scope& scope = verdict(result, "on").scope;
+    EXPECT_EQ(scope.searched, std::vector<std::string>{"lamp"});
+    EXPECT_EQ(scope.left_out, (std::vector<std::string>{"other", "third"}));
+    EXPECT_EQ(scope.because,
+              "shares only time with it, never locks time and never goes on for ever within one instant");
+    EXPECT_EQ(verdict(result, "seen").scope.because, "shares only time with it and can let time pass for ever");
+    EXPECT_EQ(verdict(result, "one").scope.because, "shares only time with it and adds no state");
+    EXPECT_EQ(verdict(result, "no_timelock").scope.searched, (std::vector<std::string>{"lamp", "other", "third"}));
+}
+
+TEST(Parts, APropertyOfTwoIsJudgedWithoutTheThird) {
+    Sketch s;
+    const Pulse left(s, "left"), middle(s, "middle"), right(s, "right");
+    s.property("both", Pattern::Never, {s.network.exprs.conjunction(s.at(left.process, 1), s.at(right.process, 1))});
+    const TimedResult result = agreed_apart(s.network);
+    EXPECT_EQ(told(result, "both"), "violated");
+    EXPECT_EQ(verdict(result, "both").scope.searched, (std::vector<std::string>{"left", "right"}));
+    EXPECT_EQ(verdict(result, "both").scope.left_out, std::vector<std::string>{"middle"});
+}
+
+TEST(Parts, OneThatGoesOnForEverInAnInstantStarvesOthers) {
+    Sketch s;
+    const Pulse lamp(s);
+    ask_of(s, lamp);
+    const auto toggle = s.boolean("toggle");
+    s.edge(s.process("free", 1), {.set = {{toggle, s.no(s.is(toggle))}}});
+    const TimedResult result = agreed_apart(s.network);
+    EXPECT_EQ(told(result, "on"), "violated");
+    EXPECT_FALSE(apart(result, "on"));
+    EXPECT_EQ(verdict(result, "on").notes,
+              std::vector<std::string>{"the whole loop was searched: `free` may go on for ever within one instant"});
+    EXPECT_TRUE(apart(result, "seen") && apart(result, "dark") && apart(result, "one"));
+}
+
+TEST(Parts, OneThatLocksTimeHoldsOthersUp) {
+    Sketch s;
+    const Pulse lamp(s);
+    ask_of(s, lamp);
+    const auto stuck = s.process("stuck", 2, 1);
+    s.edge(stuck, {.from = 0, .to = 1, .reset = {0}});
+    s.invariant(stuck, 1, {0, Op::LessEqual, 1});
+    const TimedResult result = agreed_apart(s.network);
+    EXPECT_EQ(told(result, "on"), "violated");
+    EXPECT_FALSE(apart(result, "on"));
+    EXPECT_TRUE(apart(result, "seen")) << "it may stay where it is, so time can pass for ever";
+    EXPECT_EQ(told(result, "no_timelock"), "violated");
+}
+
+TEST(Parts, OneWithoutAnEndlessTimeCutsOthersShort) {
+    Sketch s;
+    const Pulse lamp(s);
+    ask_of(s, lamp);
+    const auto brief = s.process("brief", 1, 1);
+    s.invariant(brief, 0, {0, Op::LessEqual, 1});
+    const TimedResult result = agreed_apart(s.network);
+    EXPECT_EQ(told(result, "seen"), "violated");
+    EXPECT_EQ(told(result, "dark"), "holds");
+    EXPECT_FALSE(apart(result, "seen") || apart(result, "dark"));
+    EXPECT_TRUE(apart(result, "one"));
+}
+
+TEST(Parts, NoDeadlockIsAskedOfEachByItself) {
+    Sketch s;
+    const Pulse lamp(s);
+    s.edge(s.process("once", 2), {.from = 0, .to = 1});
+    s.property("alive", Pattern::NoDeadlock);
+    EXPECT_EQ(told(check_timed(s.network), "alive"), "holds") << "the lamp goes on";
+    const TimedResult result = check_timed_by_parts(s.network);
+    EXPECT_EQ(told(result, "alive"), "violated");
+    EXPECT_EQ(verdict(result, "alive").scope.searched, std::vector<std::string>{"once"});
+    EXPECT_TRUE(replay(s.network, verdict(result, "alive").run.value()));
+}
+
+TEST(Parts, AnErrorOfOneLeavesWhatAddsNoState) {
+    Sketch s;
+    const Pulse lamp(s);
+    ask_of(s, lamp);
+    const auto count = s.integer("count", 0, 1);
+    const auto counter = s.process("counter", 1, 1);
+    s.edge(
+        counter,
+        {.when = {{0, Op::GreaterEqual, 1}}, .set = {{count, s.op(Op::Plus, s.is(count), s.number(1))}}, .reset = {0}});
+    s.property("low", Pattern::Never, {s.op(Op::Equal, s.is(count), s.number(1))});
+    const TimedResult result = check_timed_by_parts(s.network);
+    ASSERT_EQ(result.errors.size(), 1U);
+    EXPECT_EQ(result.errors[0].process, counter);
+    EXPECT_EQ(result.errors[0].variable, count);
+    EXPECT_TRUE(replay(s.network, result.errors[0].run));
+    EXPECT_EQ(told(result, "one"), "holds");
+    EXPECT_EQ(told(result, "dark"), "violated");
+    EXPECT_EQ(told(result, "low"), "violated");
+    EXPECT_EQ(told(result, "on"), "unknown (faulty)");
+}
+
+TEST(Parts, ARunThatWouldRepeatOnlyAfterVeryLongIsNotShown) {
+    Sketch s;
+    const Pulse lamp(s);
+    const auto never = s.boolean("never");
+    s.edge(lamp.process, {.from = 1, .to = 1, .guard = s.is(never)});
+    s.property("never", Pattern::Inevitable, {s.is(never)});
+    for (const std::int64_t period : {97, 101, 103}) {
+        const auto slow = s.process("slow" + std::to_string(period), 1, 1);
+        s.invariant(slow, 0, {0, Op::LessEqual, period});
+        s.edge(slow, {.when = {{0, Op::Equal, period}}, .reset = {0}});
+    }
+    const TimedResult result = check_timed_by_parts(s.network);
+    EXPECT_EQ(told(result, "never"), "violated");
+    EXPECT_FALSE(verdict(result, "never").run);
+    EXPECT_EQ(verdict(result, "never").notes.size(), 1U);
+}
+
+TEST(Parts, ABoundOfOneSearchIsReportedAsThatOfTheWhole) {
+    Sketch s;
+    const Pulse lamp(s), other(s, "other");
+    ask_of(s, lamp);
+    const TimedResult result = check_timed_by_parts(s.network, {.max_states = 2});
+    EXPECT_FALSE(result.complete);
+    EXPECT_EQ(told(result, "on"), "unknown (bound)");
+    const std::atomic<bool> stop = true;
+    EXPECT_EQ(told(check_timed_by_parts(s.network, {.stop = &stop}), "one"), "unknown (stopped)");
+}
+
+}  // namespace
+}  // namespace grafverif
