@@ -2,6 +2,9 @@
 """`serve` as programs meet it that do not behave: by HTTP, and without."""
 import concurrent.futures
 import json
+import os
+import pathlib
+import resource
 import signal
 import socket
 import subprocess
@@ -183,6 +186,29 @@ class Serve(unittest.TestCase):
             answer += part
         links[0].close()
         self.assertIn(b"nonsense", answer)  # who has stayed is answered
+
+    def test_it_does_not_spin_where_no_more_connections_can_be_opened(self):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (24, 24))
+        server = browser.Server(self.file, preexec_fn=limit)
+        self.addCleanup(server.stop)
+        worked = lambda: sum(int(ticks) for ticks in pathlib.Path(f"/proc/{server.process.pid}/stat").read_text().split()[13:15])
+        links = [socket.create_connection(("127.0.0.1", server.port), timeout=20) for _ in range(40)]
+        time.sleep(1)
+        before = worked()
+        time.sleep(1.5)
+        self.assertLess(worked() - before, 0.3 * os.sysconf("SC_CLK_TCK"), "it waits")
+        for link in links:
+            link.close()
+        request = f"http://127.0.0.1:{server.port}/state?token={server.token}"
+        browser.eventually(lambda: self.opened(request), what="an answer")
+
+    @staticmethod
+    def opened(address):
+        try:
+            with urllib.request.urlopen(address, timeout=30) as answer:
+                return answer.status == 200
+        except OSError:
+            return False
 
     def test_no_save_is_missed_by_who_asks_again_at_once(self):
         began, known, reading = time.monotonic(), 0, 0

@@ -278,7 +278,11 @@ private:
         acceptor.async_accept([this, &acceptor](boost::system::error_code error, Tcp::socket socket) {
             if (!error && connections_ < options_.most_connections)
                 std::make_shared<Connection>(*this, std::move(socket))->begin();
-            if (error != asio::error::operation_aborted) accept(acceptor);
+            if (error == asio::error::operation_aborted) return;
+            if (!error) return accept(acceptor);
+            // There is no room for it now: the machine, or this program, has too many files open.
+            const auto pause = std::make_shared<asio::steady_timer>(context_, std::chrono::milliseconds(100));
+            pause->async_wait([this, &acceptor, pause](boost::system::error_code) { accept(acceptor); });
         });
     }
 
