@@ -6,6 +6,7 @@
 
 #include "page/terms.hpp"
 #include "report/json_trace.hpp"
+#include "report/report.hpp"
 #include "report/table.hpp"
 #include "report/terminal.hpp"
 #include "support/json_text.hpp"
@@ -73,6 +74,17 @@ Json initial_json(const PageContent& content) {
 }
 
 }  // namespace
+
+std::vector<const Property*> left_out(const PageContent& content) {
+    std::vector<const Property*> list;
+    if (!content.loop.valid()) return list;
+    for (const Property& property : content.model.loops[content.loop].properties) {
+        const bool asked =
+            content.asked.empty() || std::ranges::find(content.asked, property.name) != content.asked.end();
+        if (asked && !has_answer(content.report, property)) list.push_back(&property);
+    }
+    return list;
+}
 
 std::string evidence_name(const PageContent& content, const Analysis& analysis, const Finding& finding) {
     std::string name = finding.code;

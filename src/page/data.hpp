@@ -46,6 +46,9 @@ inline bool can_be_played(const ChartRun& run) {
 /// The runs of the content that can be played, as many as fit: where the model breaks off, violated properties first, witnesses, evidence of findings.
 std::vector<Playable> playable_runs(const PageContent& content);
 
+/// The properties of the loop that were to be decided and have no verdict: the model cannot be asked them.
+std::vector<const Property*> left_out(const PageContent& content);
+
 /// The id of the figure of a component.
 inline std::string component_figure(Id<Component> component) { return "component-" + std::to_string(component.index); }
 

@@ -9,6 +9,7 @@
 
 #include "page/data.hpp"
 #include "page/terms.hpp"
+#include "page/words.hpp"
 #include "report/findings.hpp"
 #include "report/report.hpp"
 #include "report/terminal.hpp"
@@ -19,16 +20,6 @@ namespace grafverif {
 namespace {
 
 constexpr std::size_t longest_table = 400;  // rows of a run as text
-
-std::string counted(std::size_t number, std::string_view one, std::string_view many) {
-    return fmt::format("{} {}", number, number == 1 ? one : many);
-}
-
-std::string listed(const std::vector<std::string>& words) {
-    std::string list;
-    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-    return list;
-}
 
 void begin_section(Html& html, const char* id, std::string_view title) {
     html.open("section", {{"id", id}}).put("h2", title);
@@ -43,129 +34,6 @@ void add_play(Html& html, const ChartRun& trace, const std::string& run, std::st
         return;
     }
     html.put("button", fmt::format("▶ Play the {}", what), {{"type", "button"}, {"class", "play"}, {"data-run", run}});
-}
-
-// -- head ----------------------------------------------------------------------------------------------------------------
-
-struct Glance {
-    const char* kind = "";
-    std::string words = {};
-};
-
-/// The properties of the loop that were to be decided and have no verdict: the model cannot be asked them.
-std::vector<const Property*> left_out(const PageContent& content) {
-    std::vector<const Property*> list;
-    if (!content.loop.valid()) return list;
-    for (const Property& property : content.model.loops[content.loop].properties) {
-        const bool asked =
-            content.asked.empty() || std::ranges::find(content.asked, property.name) != content.asked.end();
-        if (asked && !has_answer(content.report, property)) list.push_back(&property);
-    }
-    return list;
-}
-
-std::size_t undecided(const PageContent& content) {
-    const Tally count = tally(content.report);
-    return count.unknown + count.undeclared_unknown + left_out(content).size();
-}
-
-/// Errors that the analyses found and nobody has accepted.
-std::size_t errors_found(const PageContent& content) {
-    std::size_t errors = 0;
-    for (const ChartContent& each : content.charts)
-        errors += static_cast<std::size_t>(std::ranges::count_if(each.analysis.findings, [](const Finding& finding) {
-            return finding.level == Finding::Level::Error && !finding.accepted;
-        }));
-    return errors;
-}
-
-/// All is well only where every property was decided, as expected, and the charts have no errors of their own.
-Glance glance_of(const PageContent& content) {
-    const Report& report = content.report;
-    const Tally count = tally(report);
-    const bool analysis_failed =
-        std::ranges::any_of(content.charts, [](const ChartContent& each) { return !each.analysis.failures.empty(); });
-    if (!report.failures.empty() || analysis_failed)
-        return {"bad", "The program is at fault: a run does not replay on the rules."};
-    if (!report.breakdowns.empty()) return {"bad", "The model breaks off."};
-    if (count.unexpected != 0)
-        return {"bad", fmt::format("{} against expectation.", counted(count.unexpected, "verdict is", "verdicts are"))};
-    if (const std::size_t open = undecided(content); open != 0)
-        return {"unknown", fmt::format("{} not decided.", counted(open, "property is", "properties are"))};
-    if (count.holds + count.violated == 0) return {"unknown", "There is nothing to prove."};
-    std::string words =
-        fmt::format("Every {}{} {}", count.violated == 0 ? "property" : "verdict",
-                    content.asked.empty() ? "" : " asked for", count.violated == 0 ? "holds" : "is as expected");
-    const auto vacuous = static_cast<std::size_t>(
-        std::ranges::count_if(report.answers, [](const Answer& answer) { return answer.verdict.vacuous; }));
-    if (vacuous != 0) words += fmt::format(", {} vacuously", vacuous);
-    const std::size_t errors = errors_found(content);
-    if (errors == 0) return {vacuous == 0 ? "ok" : "unknown", words + "."};
-    return {"unknown",
-            fmt::format("{}; by itself the chart has {} (see Findings).", words, counted(errors, "error", "errors"))};
-}
-
-std::string tally_words(const PageContent& content) {
-    const Tally count = tally(content.report);
-    std::vector<std::string> words;
-    if (count.holds != 0) words.push_back(counted(count.holds, "holds", "hold"));
-    if (count.violated != 0) words.push_back(fmt::format("{} violated", count.violated));
-    if (const std::size_t open = undecided(content); open != 0) words.push_back(fmt::format("{} unknown", open));
-    return listed(words);
-}
-
-/// What all verdicts rest on, a sentence each.
-std::vector<std::string> assumptions(const PageContent& content) {
-    const Basis& basis = content.report.basis;
-    std::vector<std::string> said;
-    if (!content.asked.empty()) said.push_back("Only these properties were asked for: " + listed(content.asked) + ".");
-    if (basis.untimed.empty())
-        said.push_back(
-            fmt::format("Time: what is decided, the {} engine decided on the timed closed loop, in units of {}; "
-                        "a PLC cycle takes no time.",
-                        basis.engine, seconds_text(basis.time_unit_ms)));
-    else
-        said.push_back(fmt::format(
-            "No time: what is decided, the {} engine decided on the untimed model ({}){}.", basis.engine, basis.untimed,
-            content.loop.valid() ? "; what that says of the timed loop stands with each verdict" : ""));
-    if (basis.mode == word(ExecutionMode::StabilitySearch))
-        said.push_back(
-            "The PLC searches for stability: it reads its inputs, evolves until nothing changes any more, "
-            "and writes its outputs then.");
-    else if (basis.mode == word(ExecutionMode::EveryCycle))
-        said.push_back("The PLC makes one evolution in a cycle and writes its outputs in each.");
-    else said.push_back(fmt::format("Modes of the controllers: {}.", basis.mode));
-    if (basis.grain == "phased")
-        said.push_back("Grain phased: the plant and the timers may move between the phases of one PLC cycle.");
-    else if (basis.grain == "atomic")
-        said.push_back(
-            "Grain atomic: the plant does not move while a cycle runs; verdicts are about that model alone, "
-            "unless they say more.");
-    if (!content.loop.valid()) {
-        said.push_back("There is no plant: every input may change at any time.");
-        for (const ChartContent& each : content.charts)
-            for (const Chart::Constraint& constraint : content.model.charts[each.chart].constraints)
-                said.push_back("What the chart says of its inputs is assumed by the findings, not by the verdicts: " +
-                               term_text(content.model.charts[each.chart], constraint.condition));
-        return said;
-    }
-    const ClosedLoop& loop = content.model.loops[content.loop];
-    if (basis.untimed.starts_with("no plant")) {
-        said.push_back("There is no plant in this model: every input may change at any time.");
-        if (basis.untimed.find("constrained inputs") == std::string::npos) return said;
-        for (const ClosedLoop::Constraint& constraint : loop.constraints)
-            said.push_back(fmt::format("But the inputs always keep {}: {}", constraint.name,
-                                       term_text(content.model, loop, constraint.condition)));
-        return said;
-    }
-    std::vector<std::string> environment;
-    for (const ClosedLoop::Instance& instance : loop.instances)
-        if (instance.environment)
-            environment.push_back(
-                fmt::format("{} ({})", instance.name, content.model.components[instance.component].name));
-    if (!environment.empty())
-        said.push_back("Environment, free to act as its components let it: " + listed(environment) + ".");
-    return said;
 }
 
 // -- properties ----------------------------------------------------------------------------------------------------------
@@ -292,28 +160,6 @@ void add_coverage_of(const PageContent& content, std::size_t place, Html& html) 
 }
 
 }  // namespace
-
-void add_head(const PageContent& content, Html& html) {
-    html.open("header").put("h1", content.report.model);
-    html.open("p", {{"class", "about"}}).put("code", content.file).text(" · grafverif " + content.version);
-    if (!content.date.empty()) html.text(" · " + content.date);
-    html.close("p");
-    const Glance glance = glance_of(content);
-    html.open("p", {{"class", std::string("glance ") + glance.kind}}).put("strong", glance.words);
-    html.put("span", tally_words(content)).close("p");
-    for (const Breakdown& each : content.report.breakdowns)
-        html.put("p", "The model breaks off: " + each.message + " [" + each.code + "]", {{"class", "bad"}});
-    for (const std::string& failure : content.report.failures) html.put("p", failure, {{"class", "bad"}});
-    html.open("details", {{"class", "assumed"}, {"open", ""}}).put("summary", "What was assumed").open("ul");
-    for (const std::string& sentence : assumptions(content)) html.put("li", sentence);
-    html.close("ul").close("details");
-    if (!content.warnings.empty())
-        html.open("details", {{"class", "warnings"}, {"open", ""}})
-            .put("summary", "Warnings")
-            .put("pre", content.warnings)
-            .close("details");
-    html.close("header");
-}
 
 void add_verdicts(const PageContent& content, Html& html) {
     begin_section(html, "verdicts", "Properties");

@@ -162,6 +162,22 @@ TEST(Page, SaysHowLongARunIsThatIsTooLongToBePlayed) {
     EXPECT_EQ(count_of(page_of(content), "\"loop_from\":"), 1U) << "two would be too long together";
 }
 
+TEST(Page, SaysThatAllIsWellOnlyWhereTheChartIsKnownToHaveNoErrors) {
+    const Reading reading = read_string(press, "test.grafcet");
+    const Model& model = *reading.model;
+    Diagnostics diagnostics;
+    PageContent content{.model = model, .sources = reading.sources, .asked = {"sound"}, .loop = {0}};
+    content.report = *check(model, {0}, {}, {.properties = {"sound"}}, diagnostics);
+    content.charts.push_back({.chart = {0}, .equations = *equations_of(model, {0}, diagnostics)});
+    const auto glance = [&] { return between(page_of(content), "<p class=\"glance ", "</strong>"); };
+    EXPECT_EQ(glance(), "ok\"><strong>Every property asked for holds.");
+    content.charts[0].analysis.open.push_back({.code = "total-instability"});
+    content.charts[0].analysis.obstacle = "stopped at the time limit";
+    EXPECT_EQ(glance(),
+              "unknown\"><strong>Every property asked for holds; whether the chart by itself has errors is not decided "
+              "(see Findings).");
+}
+
 TEST(Page, CountsWhatTheRunsUsed) {
     const std::string page = page_of_text(press).page;
     const std::string coverage = between(page, "<section id=\"coverage\">", "</section>");
