@@ -6,7 +6,7 @@ export class InstanceView {
     // `plant`: per name of an instance the figure of its component. Without any drawing there is no `element`.
     constructor(plant, run) {
         this.run = run;
-        this.figures = run.trace.instances.map(({name}) => (plant[name] ? document.querySelector(`#${plant[name]} svg`) : null));
+        this.figures = run.trace.instances.map(({name}) => (Object.hasOwn(plant, name) ? document.querySelector(`#${plant[name]} svg`) : null));
         const drawn = run.trace.instances.flatMap((_, k) => (this.figures[k] ? [k] : []));
         if (drawn.length === 0) return;
         this.moment = 0;

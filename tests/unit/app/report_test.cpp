@@ -170,10 +170,10 @@ TEST(Report, PlaysTheSequencesOfATest) {
 }
 
 TEST(Report, OfAChartAloneAsksForItsSteps) {
-    const std::string page = grafverif({"report", station, "--chart", "testing_station"}).out;
-    EXPECT_NE(page.find("id=\"property-reachable.X12\""), std::string::npos);
+    const std::string page = grafverif({"report", blinking, "--chart", "blinker"}).out;
+    EXPECT_NE(page.find("id=\"property-reachable.X2\""), std::string::npos);
     const nlohmann::json data = player_data(page);
-    EXPECT_TRUE(std::ranges::any_of(data["runs"], [](const auto& run) { return run["name"] == "reachable.X12"; }));
+    EXPECT_TRUE(std::ranges::any_of(data["runs"], [](const auto& run) { return run["name"] == "reachable.X2"; }));
 }
 
 }  // namespace
