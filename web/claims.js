@@ -16,11 +16,15 @@ export class Claims {
     value(term, moment) { return this.histories[term].value(moment); }
     // The moment from which on it has had its value.
     since(term, moment) { return this.histories[term].since(moment); }
-    // The first moment from `moment` on at which it has the value; null: there is none.
+    // The first state of the model from `moment` on in which it has the value; null: there is none.
     first(term, value, moment) {
-        if (this.value(term, moment) === value) return moment;
-        const {at, values} = this.histories[term];
-        return at.find((change, k) => change > moment && values[k] === value) ?? null;
+        const history = this.histories[term], {at, values} = history;
+        for (let k = Math.max(history.place(moment), 0); k < at.length; ++k) {
+            if (values[k] !== value) continue;
+            const end = k + 1 < at.length ? at[k + 1] : this.run.last + 1;
+            for (let m = Math.max(at[k], moment); m < end; ++m) if (!this.run.inside.has(m)) return m;
+        }
+        return null;
     }
 
     // The leaves that gave the term its value when it last changed: they changed then, and it could not be what it is without.

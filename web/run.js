@@ -46,6 +46,7 @@ export class Run {
         this.last = data.run.moments.length - 1;
         this.readMoments();
         this.shown = data.rows.flatMap((row, index) => (row.shown ? [index] : []));
+        this.inside = new Set(data.inside);
         this.rowMoments = data.rows.map((row) => row.moment);
     }
 

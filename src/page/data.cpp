@@ -57,6 +57,14 @@ Json conditions_json(const ChartRun& run) {
     return list;
 }
 
+Json inside_json(const Playable& playable) {
+    Json list = Json::array();
+    const std::vector<ChartRun::Moment>& moments = playable.run->moments;
+    for (std::size_t k = 1; k + 1 < moments.size() && !playable.property.empty(); ++k)
+        if (moments[k].move == moments[k + 1].move) list.push_back(k);
+    return list;
+}
+
 Json plant_json(const PageContent& content) {
     Json figures = Json::object();
     if (!content.loop.valid()) return figures;
@@ -160,6 +168,7 @@ std::string page_data(const PageContent& content) {
              {"conditions", conditions_json(run)},
              {"initial", initial_json(content)},
              {"end", playable.end},
+             {"inside", inside_json(playable)},
              {"loop_from", run.loop_from ? Json(*run.loop_from) : Json(nullptr)},
              {"rows", rows_json(run)},
              {"run", run_json(run)}});

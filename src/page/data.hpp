@@ -18,6 +18,8 @@
 //                 or null
 //     initial     per instance, by name, the place of the location where it begins, where that is known
 //     end         what is to be said where the run ends; may be empty
+//     inside      of a run about a property, the moments that are no state of the model: a step of it that the run tells as
+//                 several moments has its state behind the last
 //     run         the run (docs/trace.md), `rows` the same for people: `moment`, `words`, `cleared`, `shown` (false: the next
 //                 row tells it anyhow); `loop_from` as there
 #pragma once

@@ -329,6 +329,16 @@ class Report(browser.Case):
         self.page.find(".player").send_keys(Keys.END)
         self.assertIn("Not answered since", standing())
 
+    def test_what_decides_a_claim_is_a_state_of_the_model(self):
+        at = self.report_of("""grafcet lamp { input ON; output L; initial step 0; step 1 { L; } transition a: 0 -> 1 when ON; transition b: 1 -> 0 when !ON; }
+            closed_loop room { controller lamp with stability_search; environment A = push_button(OUT = ON);
+            property p: never X1 && ON; property q: ON leads to L && !L; property r: always X0 || ON; }""", "--untimed", "--plant", "automata", "--schedule", "synchronous")
+        for name in "pqr":
+            at(f"#{name}/0")
+            inside, decisive = self.page.script("return [[...page.player.run.inside], page.player.decisive]")
+            self.assertTrue(inside)
+            self.assertNotIn(decisive, [None, *inside], name)
+
     def test_the_location_of_an_instance_is_lit_in_its_automaton(self):
         self.at("#P16/0")
         choose = lambda name: self.page.script("""const s = document.querySelector('select[aria-label=Instance]');

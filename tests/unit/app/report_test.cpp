@@ -169,6 +169,35 @@ TEST(Report, PlaysTheSequencesOfATest) {
     EXPECT_FALSE(fs::exists(folder.file("page.html")));
 }
 
+/// Of an untimed run the time counts the steps of the model.
+TEST(Report, TellsWhichMomentsAreNoStatesOfTheModel) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "lamp.grafcet",
+        "grafcet lamp { input ON; output L; initial step 0; step 1 { L; } transition a: 0 -> 1 when ON; transition b: "
+        "1 -> 0 "
+        "when !ON; }\nclosed_loop room { controller lamp with stability_search; plant Lamp = lamp(ON = L);\n"
+        "environment A = push_button(OUT = ON); property DARK: never L && !ON; property OUT: always !Lamp.lit; }\n");
+    const nlohmann::json data =
+        player_data(grafverif({"report", file, "--untimed", "--plant", "automata", "--schedule", "synchronous"}).out);
+    std::size_t told = 0;
+    for (const auto& run : data["runs"]) {
+        if (run["property"].is_null()) {
+            EXPECT_TRUE(run["inside"].empty());
+            continue;
+        }
+        const auto& moments = run["run"]["moments"];
+        std::vector<std::size_t> inside;
+        for (std::size_t k = 1; k + 1 < moments.size(); ++k)
+            if (moments[k]["time"] == moments[k + 1]["time"]) inside.push_back(k);
+        EXPECT_EQ(run["inside"], inside) << run["name"];
+        told += inside.size();
+    }
+    EXPECT_GE(told, 4U);
+    for (const auto& run : player_data(grafverif({"report", file}).out)["runs"])
+        EXPECT_TRUE(run["inside"].empty()) << "a timed run tells each move of the network";
+}
+
 TEST(Report, OfAChartAloneAsksForItsSteps) {
     const std::string page = grafverif({"report", blinking, "--chart", "blinker"}).out;
     EXPECT_NE(page.find("id=\"property-reachable.X2\""), std::string::npos);
