@@ -2,9 +2,11 @@
 // Engines of others, from the PATH. Nothing after an error: the program is not there.
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 
+#include "check/pdr/check.hpp"
 #include "grafverif/ir/report.hpp"
 #include "pipeline/check.hpp"
 
@@ -16,5 +18,15 @@ std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOpti
 /// `NuSMV` or `nuXmv`, on the model we write.
 std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::string& program,
                                      const CheckOptions& options, Diagnostics& diagnostics);
+
+/// ABC (`berkeley-abc`), on the circuit of each property: `bmc3`, then `pdr`. What it proves comes with an invariant.
+std::optional<Report> check_by_abc(const SystemToCheck& check, const CheckOptions& options, Diagnostics& diagnostics);
+
+/// The same as a search, for check_pdr; `program`: the path of ABC.
+decltype(PdrOptions::reach) search_by_abc(std::string program, const std::atomic<bool>* stop);
+
+/// A checker of the hardware model checking competition, run by the shell as `COMMAND model.aig`.
+std::optional<Report> check_by_command(const SystemToCheck& check, const std::string& command,
+                                       const CheckOptions& options);
 
 }  // namespace grafverif::app

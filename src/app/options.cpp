@@ -220,10 +220,13 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
                         {"timed", Engine::Timed},
                         {"symbolic", Engine::Symbolic},
                         {"pdr", Engine::Pdr},
+                        {"abc", Engine::Abc},
                         {"verifyta", Engine::Verifyta},
                         {"NuSMV", Engine::Nusmv},
                         {"nuXmv", Engine::Nuxmv}},
                        &Options::engine, "the engine that proves (default: auto, an embedded one)"),
+        text(Accepts::Search, "engine-command", "CMD", &Options::engine_command,
+             "prove with a checker of the hardware model checking competition: the shell runs CMD FILE.aig"),
         toggle(Accepts::Search, "untimed", &Options::check_untimed,
                "check the untimed model, with the symbolic engine or NuSMV"),
         toggle(Accepts::Search, "whole", &Options::whole,
@@ -357,6 +360,10 @@ std::string settle_untimed(Options& options) {
 
 /// `modelled`: an option of untimed models was given.
 std::string settle_engine(bool modelled, const po::variables_map& values, Options& options) {
+    if (!options.engine_command.empty()) {
+        if (options.engine != Engine::Auto) return "`--engine` and `--engine-command` exclude each other";
+        options.engine = Engine::Hwmcc;
+    }
     options.check_untimed = options.check_untimed || modelled || options.untimed.fairness;
     const bool timed = options.engine == Engine::Timed || options.engine == Engine::Verifyta;
     if (timed && options.check_untimed)

@@ -23,7 +23,17 @@ enum class Format { Text, Json, Latex, Xml, Sarif, Dot, Svg, Csv };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
-enum class Engine { Auto, Timed, Verifyta, Symbolic, Pdr, Nusmv, Nuxmv };  ///< Auto: Timed, of untimed models Symbolic
+enum class Engine {
+    Auto,
+    Timed,
+    Verifyta,
+    Symbolic,
+    Pdr,
+    Abc,
+    Hwmcc,
+    Nusmv,
+    Nuxmv
+};  ///< Auto: Timed, of untimed models Symbolic
 /// How time passes for a controller that runs line by line: by `wait` lines, or by itself.
 enum class Clock { Simulated, Real };
 
@@ -58,6 +68,7 @@ struct Options {
     std::vector<std::string> properties = {};  ///< of `check`; empty: all
     Engine engine = Engine::Auto;
     bool whole = false;                            ///< no sub-loop is judged apart
+    std::string engine_command = {};               ///< of Engine::Hwmcc
     bool check_untimed = false;                    ///< --untimed, or an engine that knows no time
     Ablations without = {};                        ///< cures of the method left out: see docs/method.md
     std::vector<std::string> cures_left_out = {};  ///< the same by name

@@ -24,6 +24,7 @@ std::string_view word(Obstacle obstacle) {
     case Obstacle::Unsupported: return "unsupported";
     case Obstacle::Faulty: return "faulty";
     case Obstacle::Failed: return "failed";
+    case Obstacle::Unchecked: return "unchecked";
     case Obstacle::Disagrees: return "engine-disagrees";
     }
     unreachable();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analyse/analyse.hpp"
+#include "check/pdr/check.hpp"
 #include "grafverif/grafverif.hpp"
 #include "ir/flat_system.hpp"
 #include "pipeline/untimed.hpp"
@@ -67,8 +68,12 @@ private:
 std::vector<std::size_t> asked_properties(const TransitionSystem& system, const std::vector<std::string>& names);
 
 Report check(const SystemToCheck& check, const CheckOptions& options);
-/// The same by property directed reachability: what is about states, one property at a time.
-Report check_by_pdr(const SystemToCheck& check, const CheckOptions& options);
+/// The same of what is about states, one property at a time, by the embedded PDR engine or by who searches in its place.
+struct StateSearch {
+    std::string name = "pdr";
+    decltype(PdrOptions::reach) reach = {};
+};
+Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search = {});
 
 /// Adds what a chart alone is asked: that each of its steps can be reached (`reachable.X2`).
 void ask_for_steps(TransitionSystem& system);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The embedded PDR engine at work.
+// The embedded PDR engine at work, and programs in its place.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +12,9 @@
 
 namespace grafverif {
 
-Report check_by_pdr(const SystemToCheck& check, const CheckOptions& options) {
+Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search) {
     PdrOptions pdr;
+    pdr.reach = search.reach;
     for (const std::size_t index : asked_properties(check.system, options.properties))
         pdr.properties.push_back(check.system.properties[{static_cast<std::uint32_t>(index)}].name);
     set_limits(pdr, options.limits);
@@ -27,7 +28,8 @@ Report check_by_pdr(const SystemToCheck& check, const CheckOptions& options) {
     PdrResult result;
     if (options.properties.empty() || !pdr.properties.empty())  // no names would ask for all
         result = check_pdr(check.system, pdr);
-    SystemReporter reporter(check, SystemReporter::Of::EmbeddedEngine, "pdr", options, result.verdicts);
+    const auto of = search.reach ? SystemReporter::Of::Program : SystemReporter::Of::EmbeddedEngine;
+    SystemReporter reporter(check, of, search.name, options, result.verdicts);
     if (result.fault) reporter.add(*result.fault);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i)
         reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));

@@ -52,6 +52,7 @@ enum class Obstacle {
     Unsupported,  ///< this engine does not take the property
     Faulty,       ///< the model breaks off somewhere: see ModelError
     Failed,       ///< the external program gave no verdict
+    Unchecked,    ///< it says `holds`, and shows nothing that could be checked
     Disagrees,    ///< the external program gave one that its own words, our model or the rules contradict
 };
 
@@ -103,7 +104,7 @@ struct ModelError {
 
 /// `holds`, `violated`, `unknown`.
 std::string_view word(Outcome outcome);
-/// `bound`, `memory`, `stopped`, `inexact`, `unsupported`, `faulty`, `failed`, `engine-disagrees`; empty for None.
+/// `bound`, `memory`, `stopped`, `inexact`, `unsupported`, `faulty`, `failed`, `unchecked`, `engine-disagrees`; empty for None.
 std::string_view word(Obstacle obstacle);
 /// The code of a model error: `out-of-range`, `action-race`, `no-value`.
 std::string_view word(ModelError::Kind kind);

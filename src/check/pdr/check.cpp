@@ -48,10 +48,14 @@ public:
 
     PdrResult result() {
         const std::unordered_set<std::string_view> asked(options_.properties.begin(), options_.properties.end());
+        std::vector<Id<Property>> questions;
+        for (const Id<Property> id : system_.properties.ids())
+            if (asked.empty() || asked.contains(system_.properties[id].name)) questions.push_back(id);
         look_for_faults();
-        for (const Id<Property> id : system_.properties.ids()) {
+        std::size_t left = questions.size();
+        for (const Id<Property> id : questions) {
             const Property& property = system_.properties[id];
-            if (!asked.empty() && !asked.contains(property.name)) continue;
+            watch_.share(left--);
             const auto start = std::chrono::steady_clock::now();
             verdict_ = verdict_on(id, property);
             run_.reset();
@@ -83,7 +87,7 @@ private:
         const auto told = [&](std::size_t frames) {
             if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
         };
-        Answer answer = reach(circuit_, bad, watch_, told);
+        Answer answer = options_.reach ? options_.reach(circuit_, bad, watch_) : reach(circuit_, bad, watch_, told);
         if (answer.reached) return answer;
         if (const std::string why = flaw(circuit_, bad, answer.invariant, watch_); !why.empty())
             throw Unsound{"the invariant found for `" + name + "` is none: " + why};
@@ -118,11 +122,19 @@ private:
         } catch (const std::bad_alloc&) {
             obstacle_ = Obstacle::Memory;
             reason_ = words(Exhausted::Cause::Memory);
+        } catch (const Undecided& undecided) {
+            obstacle_ = undecided.obstacle;
+            reason_ = undecided.reason;
         } catch (const Unsound& unsound) {
-            result_.failures.push_back(unsound.what);
-            obstacle_ = Obstacle::Failed;
-            reason_ = "this engine failed";
+            disbelieve(unsound.what);
         }
+    }
+
+    /// Of ours a failure; a program is not believed.
+    void disbelieve(const std::string& what) {
+        if (!options_.reach) result_.failures.push_back(what);
+        obstacle_ = options_.reach ? Obstacle::Disagrees : Obstacle::Failed;
+        reason_ = options_.reach ? std::string(word(Obstacle::Disagrees)) + ": " + what : "this engine failed";
     }
 
     void look_for_faults() {
@@ -130,9 +142,8 @@ private:
             if (!starts()) result_.fault = SystemFault{SystemFault::Kind::NoInitialState, {}, {}};
             else look_for_leaks();
         });
-        if (!result_.fault) return;
-        obstacle_ = Obstacle::Faulty;
-        reason_ = "the model breaks off; see its fault";
+        fault_obstacle_ = result_.fault ? Obstacle::Faulty : obstacle_;
+        fault_reason_ = result_.fault ? "the model breaks off; see its fault" : reason_;
     }
 
     bool starts() {
@@ -163,13 +174,14 @@ private:
 
     void answer(const Property& property) {
         if (const std::string why = refusal(property.pattern); !why.empty()) return unknown(Obstacle::Unsupported, why);
-        if (obstacle_ != Obstacle::None) return unknown(obstacle_, reason_);
+        if (fault_obstacle_ != Obstacle::None) return unknown(fault_obstacle_, fault_reason_);
+        if (watch_.over()) return unknown(Obstacle::Stopped, "stopped");
+        obstacle_ = Obstacle::None;
         const auto target = std::ranges::find(circuit_.targets, verdict_.about, &Circuit::Target::about);
         guarded([&] { decide(property, *target); });
         if (obstacle_ == Obstacle::None) return;
         unknown(obstacle_, reason_);
         run_.reset();
-        if (obstacle_ != Obstacle::Stopped) obstacle_ = Obstacle::None;  // with less to do, the memory may do
     }
 
     void decide(const Property& property, const Circuit::Target& target) {
@@ -185,7 +197,7 @@ private:
         } else {
             verdict_.notes.push_back("an inductive invariant of " + std::to_string(answer.invariant.size()) +
                                      (answer.invariant.size() == 1 ? " clause" : " clauses") +
-                                     " shows it, checked by a second solver");
+                                     " shows it, checked by " + (options_.reach ? "a solver" : "a second solver"));
             if (!wanted && property.at_stable) mark_vacuous();
         }
     }
@@ -206,8 +218,10 @@ private:
     PdrResult result_ = {};
     Verdict verdict_ = {};
     std::optional<SystemRun> run_ = {};
-    Obstacle obstacle_ = Obstacle::None;  ///< met by every question to come
+    Obstacle obstacle_ = Obstacle::None;  ///< met by the question at hand
     std::string reason_ = {};
+    Obstacle fault_obstacle_ = Obstacle::None;  ///< met by every question
+    std::string fault_reason_ = {};
     std::optional<bool> settled_ = {};  ///< whether some state is settled
 };
 

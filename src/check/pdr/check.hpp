@@ -3,7 +3,7 @@
 // at a time, by property directed reachability on its circuit.
 //
 // `holds` (of `reachable`: violated) rests on an inductive invariant, checked by a second solver that has seen nothing of the
-// search. What is reached comes with a run of the system, held against its terms before it is told.
+// search. Others may search in its place (PdrOptions::reach): what they find is checked alike. What is reached comes with a run of the system, held against its terms before it is told.
 //
 // A system that leaves the range of a variable means nothing, and the engine decides nothing about it (`faulty`); it proves
 // that none does. That every state has a step is not looked at: verdicts are about the states that runs reach.
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "check/pdr/solver.hpp"
+#include "check/pdr/pdr.hpp"
 #include "grafverif/ir/verdict.hpp"
 #include "ir/flat_system.hpp"
 
@@ -27,7 +27,15 @@ struct PdrProgress {
     double seconds = 0;
 };
 
+/// Thrown by who searches in place of the engine, where it has no answer, or one that means nothing.
+struct Undecided {
+    Obstacle obstacle = Obstacle::Failed;
+    std::string reason = {};
+};
+
 struct PdrOptions {
+    /// Searches in place of the engine, as pdr::reach does; what it finds is checked all the same.
+    std::function<pdr::Answer(const Circuit& circuit, Gates::Literal bad, pdr::Watch& watch)> reach = {};
     std::vector<std::string> properties = {};            ///< names; empty: all
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};

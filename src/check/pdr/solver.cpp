@@ -16,7 +16,19 @@ std::uint64_t allocated() {
 
 }  // namespace
 
-Watch::Watch(const Bounds& bounds) : bounds_(bounds), before_(allocated()) {}
+Watch::Watch(const Bounds& bounds) : bounds_(bounds), share_(bounds.deadline), before_(allocated()) {}
+
+void Watch::share(std::size_t parts) {
+    met_.reset();
+    if (!bounds_.deadline || parts == 0) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now < *bounds_.deadline) share_ = now + (*bounds_.deadline - now) / static_cast<std::int64_t>(parts);
+}
+
+bool Watch::over() const {
+    return (bounds_.stop != nullptr && bounds_.stop->load()) ||
+           (bounds_.deadline && std::chrono::steady_clock::now() >= *bounds_.deadline);
+}
 
 std::uint64_t Watch::bytes() const {
     const std::uint64_t now = allocated();
@@ -28,7 +40,7 @@ bool Watch::terminate() {
     if (bounds_.stop != nullptr && bounds_.stop->load(std::memory_order_relaxed)) met_ = Exhausted::Cause::Stopped;
     constexpr std::uint32_t seldom = 64;  // what follows asks the system
     if (++calls_ % seldom != 0 || met_) return met_.has_value();
-    if (bounds_.deadline && std::chrono::steady_clock::now() >= *bounds_.deadline) met_ = Exhausted::Cause::Stopped;
+    if (share_ && std::chrono::steady_clock::now() >= *share_) met_ = Exhausted::Cause::Stopped;
     if (calls_ % (seldom * seldom) == 0 && bytes() > bounds_.memory) met_ = Exhausted::Cause::Memory;
     return met_.has_value();
 }

@@ -35,6 +35,12 @@ class Watch final : public CaDiCaL::Terminator {
 public:
     explicit Watch(const Bounds& bounds);
 
+    /// From now on a share of the time left counts, one of `parts` alike; whoever met that bound may go on in the next.
+    void share(std::size_t parts);
+    std::optional<std::chrono::steady_clock::time_point> deadline() const { return share_; }
+    /// Whether all is over, not a share alone.
+    bool over() const;
+
     bool terminate() override;
     /// Throws Exhausted where a bound is met.
     void look();
@@ -42,6 +48,7 @@ public:
 
 private:
     Bounds bounds_;
+    std::optional<std::chrono::steady_clock::time_point> share_ = {};  ///< the deadline that counts now
     std::uint64_t before_ = 0;
     std::uint32_t calls_ = 0;
     std::optional<Exhausted::Cause> met_ = {};

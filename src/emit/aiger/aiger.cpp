@@ -60,6 +60,9 @@ private:
                 roots.push_back(circuit_.latches[i].next);
             }
         }
+        // Of a run without inputs a witness does not tell how long it is.
+        const bool some = std::ranges::any_of(circuit_.inputs, [&](const auto& input) { return needed_[input.node]; });
+        if (!some && !circuit_.inputs.empty()) needed_[circuit_.inputs.front().node] = true;
     }
 
     void number() {

@@ -27,7 +27,7 @@ struct Written {
     std::vector<Gates::Literal> literals = {};           ///< per node of the circuit: its literal there
 };
 
-/// The whole circuit, or the part of it that the questions depend on.
+/// The whole circuit, or the part of it that the questions depend on, with one input at least where there is any.
 enum class Extent { Whole, Cone };
 Written written(const Circuit& circuit, const std::vector<Question>& questions, Form form, Extent extent);
 

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Circuits from the command line: `aiger`, the PDR engine, ABC and other programs that read circuits, and stand-ins for
+// them that lie, crash, flood or never end.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "support/read_aiger.hpp"
+#include "unit/app/run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+
+std::string lamp(const std::string& properties) {
+    return "grafcet lamp { input A; output L, M; initial step 0; step 1 { L; } step 2 { M; }\n"
+           "transition t0: 0 -> 1 when A; transition t1: 1 -> 2 when !A; transition t2: 2 -> 0 when A; }\n"
+           "closed_loop room { controller lamp; environment a = push_button(OUT = A);\n" +
+           properties + " }\n";
+}
+
+TEST(Aiger, IsWrittenInBothFormsWithAMapToTheChart) {
+    const Folder folder;
+    for (const std::string form : {"aag", "aig"}) {
+        const std::string out = folder.file("tanks." + form);
+        const Result result = grafverif({"aiger", tanks, "--plant", "automata", "-o", out});
+        ASSERT_EQ(result.code, ExitCode::Done) << result.err;
+        EXPECT_EQ(folder.read("tanks." + form).substr(0, 4), form + " ");
+        const AigerFile file = read_aiger(folder.read("tanks." + form));
+        EXPECT_EQ(file.complaint, "");
+        EXPECT_EQ(file.justice.size(), 1u) << "back_to_rest";
+        EXPECT_GE(file.bads.size(), 4u);
+        const auto map = nlohmann::json::parse(folder.read("tanks." + form + ".json"));
+        EXPECT_EQ(map["questions"][0]["property"], "back_to_rest");
+        EXPECT_EQ(map["questions"][1]["symbol"], "b0");
+        EXPECT_EQ(map["controllers"][0]["steps"][0]["name"], "1");
+        const auto& first = map["controllers"][0]["steps"][0]["bits"];
+        ASSERT_EQ(first.size(), 1u);
+        EXPECT_TRUE(aiger_value(aiger_run(file, {std::vector<bool>(file.inputs.size())})[0], first[0]))
+            << "its first step is active at first";
+    }
+    EXPECT_TRUE(grafverif({"aiger", tanks}).out.starts_with("aag "));
+    EXPECT_TRUE(grafverif({"aiger", tanks, "--format", "aig"}).out.starts_with("aig "));
+}
+
+TEST(Aiger, WhatItCannotSayIsNamed) {
+    const Folder folder;
+    const std::string file =
+        folder.write("lamp.grafcet", lamp("property again: always possible X1; property lit: reachable L;"));
+    const Result result = grafverif({"aiger", file});
+    EXPECT_EQ(result.code, ExitCode::Done);
+    EXPECT_NE(result.err.find("property `again` is left out of the AIGER model"), std::string::npos) << result.err;
+    EXPECT_NE(result.out.find("\nb0 lit\n"), std::string::npos) << result.out;
+}
+
+TEST(Pdr, ProvesAndTellsRunsAndLeavesWhatIsAboutRuns) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "lamp.grafcet", lamp("property one: never L && M; property lit: reachable M; property dark: never M;\n"
+                             "property back: X1 leads to X0;"));
+    const Result result = grafverif({"check", file, "--engine", "pdr"});
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    EXPECT_NE(result.out.find("one: holds"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("checked by a second solver"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("lit: holds"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("dark: violated"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("counterexample:"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("why: it is about runs"), std::string::npos) << result.out;
+}
+
+TEST(Pdr, ATimeLimitEndsInUnknown) {
+    const Result result = grafverif({"check", tanks, "--engine", "pdr", "--timeout", "0ms"});
+    EXPECT_EQ(result.code, ExitCode::Unknown);
+    EXPECT_NE(result.out.find("stopped at the time limit of 0 s"), std::string::npos) << result.out;
+}
+
+TEST(Abc, ProvesWithAnInvariantThatIsCheckedAndShowsRuns) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "lamp.grafcet", lamp("property one: never L && M; property lit: reachable M; property dark: never M;"));
+    for (const std::vector<std::string>& plant : {std::vector<std::string>{}, {"--plant", "automata"}}) {
+        std::vector<std::string> arguments = {"check", file, "--engine", "abc"};
+        arguments.insert(arguments.end(), plant.begin(), plant.end());
+        const Result result = grafverif(arguments);
+        EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
+        EXPECT_NE(result.out.find("one: holds"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("shows it, checked by a solver"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("lit: holds"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("dark: violated"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("counterexample:"), std::string::npos) << result.out;
+    }
+}
+
+/// What a stand-in does, and what is said of it.
+struct Lie {
+    const char* property;
+    std::string script, why;
+};
+
+std::string verdict_on(const Folder& folder, const Lie& lie, const std::vector<std::string>& engine) {
+    const std::string file = folder.write("lamp.grafcet", lamp("property P: " + std::string(lie.property) + ";"));
+    std::vector<std::string> arguments = {"check", file};
+    arguments.insert(arguments.end(), engine.begin(), engine.end());
+    const Result result = grafverif(arguments);
+    EXPECT_EQ(result.code, ExitCode::Unknown) << result.out << result.err;
+    EXPECT_NE(result.out.find("P: unknown"), std::string::npos) << result.out;
+    return result.out;
+}
+
+TEST(Abc, AProgramThatLiesIsNotBelieved) {
+    const std::string names = "printf '.i 1\\n.o 1\\n.ilb l0\\n.ob inv\\n";
+    for (const Lie& lie : {
+             Lie{"never L", "case \"$2\" in *pdr*) " + names + ".e\\n' > invariant.pla;; esac",
+                 "engine-disagrees: the invariant found for `P` is none: it does not exclude what it should"},
+             {"never L && M", "case \"$2\" in *pdr*) " + names + "1 1\\n.e\\n' > invariant.pla;; esac",
+              "engine-disagrees: the invariant found for `P` is none: "},
+             {"never L && M", "case \"$2\" in *pdr*) " + names + "0 1\\n.e\\n' > invariant.pla;; esac",
+              "engine-disagrees: the invariant found for `P` is none: it excludes the first state"},
+             {"never L && M", "case \"$2\" in *pdr*) " + names + "1 1\\n' > invariant.pla;; esac",
+              "engine-disagrees: the program shows no invariant for its verdict"},
+             {"never L && M", "case \"$2\" in *pdr*) printf '.ilb l9999999\\n.e\\n' > invariant.pla;; esac",
+              "engine-disagrees: the program shows no invariant for its verdict"},
+             {"never L && M", "printf '1\\nb0\\n' > witness", "engine-disagrees: the program shows no run"},
+             {"never L && M", "printf '1\\nb0\\n11\\n0# DONE\\n' > witness",
+              "engine-disagrees: the program shows no run"},
+             {"never L", "echo 'Property proved.'", "the program gave no verdict"},
+             {"never L", "exec yes", "the program wrote more than is read"},
+             {"never L", "kill -SEGV $$", "the program was ended by signal 11"},
+         }) {
+        SCOPED_TRACE(lie.script);
+        const Folder folder;
+        fs::permissions(folder.write("berkeley-abc", "#!/bin/sh\n" + lie.script + "\n"), fs::perms::owner_all);
+        const Path path(folder.file("") + ":/usr/bin:/bin");
+        const std::string out = verdict_on(folder, lie, {"--engine", "abc"});
+        EXPECT_NE(out.find("why: " + lie.why), std::string::npos) << out;
+    }
+}
+
+TEST(EngineCommand, WhatIsClaimedIsCheckedOrUnknown) {
+    for (const Lie& lie : {
+             Lie{"never L && M", "echo 0; echo b0; echo . ; true",
+                 "unchecked: the program says that no run gets there"},
+             {"never L", "echo 2 ; true", "the program gave no verdict"},
+             {"never L", "echo 1; true", "engine-disagrees: the program shows no run"},
+             {"never L", "exit 1; true", "the program gave no verdict"},
+             {"never L", "kill -SEGV $$; true", "the program was ended by signal 11"},
+         }) {
+        SCOPED_TRACE(lie.script);
+        const Folder folder;
+        const std::string out = verdict_on(folder, lie, {"--engine-command", lie.script});
+        EXPECT_NE(out.find("why: " + lie.why), std::string::npos) << out;
+    }
+}
+
+TEST(EngineCommand, OneThatNeverEndsIsEnded) {
+    const Folder folder;
+    const std::string file = folder.write("lamp.grafcet", lamp("property P: never L;"));
+    const Result result = grafverif({"check", file, "--engine-command", "sleep 1000; true", "--timeout", "300ms"});
+    EXPECT_EQ(result.code, ExitCode::Unknown);
+    EXPECT_NE(result.out.find("why: stopped at the time limit"), std::string::npos) << result.out;
+}
+
+TEST(EngineCommand, ARunThatItShowsIsTold) {
+    const Folder folder;
+    const std::string file = folder.write("lamp.grafcet", lamp("property P: never L;"));
+    const std::string checker = folder.write("checker",
+                                             "#!/bin/sh\nberkeley-abc -q \"read_aiger $1; bmc3 -F 9; write_cex -a "
+                                             "out\" >/dev/null\necho 1; echo b0; sed 's/# DONE//' out; echo .\n");
+    fs::permissions(checker, fs::perms::owner_all);
+    const Result result = grafverif({"check", file, "--engine-command", checker});
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.out;
+    EXPECT_NE(result.out.find("P: violated"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("counterexample:"), std::string::npos) << result.out;
+    const Result both = grafverif({"check", file, "--engine", "abc", "--engine-command", checker});
+    EXPECT_EQ(both.code, ExitCode::Input);
+    EXPECT_NE(both.err.find("exclude each other"), std::string::npos) << both.err;
+}
+
+}  // namespace
+}  // namespace grafverif::app
