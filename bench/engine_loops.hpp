@@ -34,6 +34,9 @@ Network two_stations(Grain grain = Grain::Phased);
 /// sample once per station, its names numbered (`P15_2`).
 std::string stations(int count);
 
+/// A transfer line of `cells` drilling cells between buffers, run by one PLC: the sample of three cells is this text.
+std::string transfer_line(int cells);
+
 /// One chart that drives `cylinders` cylinders, each out and in again with its three sensors, all started together.
 std::string cylinders(int cylinders);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // bench_engine WHAT [atomic|text]: checks one model with the timed engine and prints what it took: states, transitions per
 // second, bytes per state, verdicts. WHAT: `station`, `two` (two stations in one network, searched as a whole), `cylinders N`, `stations N` (in one
-// loop, by sub-loops), or a sample's path. With `text` the model of `cylinders` or `stations` is printed instead.
+// loop, by sub-loops), `line N` (a transfer line of N cells), or a sample's path. With `text` a model that has a number is
+// printed instead.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
@@ -44,7 +45,9 @@ void print(const TimedResult& result, double seconds) {
 /// The text of a model with a size; of others nothing.
 std::string made(const std::string& what, int count, char** values) {
     const int size = count > 2 ? std::atoi(values[2]) : 3;
-    return what == "cylinders" ? bench::cylinders(size) : what == "stations" ? bench::stations(size) : "";
+    if (what == "cylinders") return bench::cylinders(size);
+    if (what == "stations") return bench::stations(size);
+    return what == "line" ? bench::transfer_line(size) : "";
 }
 
 Network chosen(const std::string& what, int count, char** values) {
@@ -60,7 +63,7 @@ Network chosen(const std::string& what, int count, char** values) {
 
 int main(int count, char** values) {
     if (count < 2) {
-        fmt::print(stderr, "usage: bench_engine station|two|cylinders N|stations N|PATH [atomic|text]\n");
+        fmt::print(stderr, "usage: bench_engine station|two|cylinders N|stations N|line N|PATH [atomic|text]\n");
         return 2;
     }
     if (std::strcmp(values[count - 1], "text") == 0) {

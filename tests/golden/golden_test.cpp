@@ -78,6 +78,8 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
         EXPECT_TRUE(verify(*with_plant).empty());
         expect_golden(folder / "5-model-with-plant.smv", nusmv_model(*with_plant, job.diagnostics));
     }
+    EXPECT_FALSE(job.diagnostics.has_errors());
+    if (stem == "transfer_line") return;  // too many states for the timed engine
     CheckOptions options;
     options.witnesses = false;
     const auto report = grafverif::check(*model, *loop, {}, options, job.diagnostics);
@@ -89,7 +91,8 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
 INSTANTIATE_TEST_SUITE_P(Samples, Golden,
                          testing::Values("testing_station/testing_station", "testing_station/faulty",
                                          "oven_door/oven_door", "tanks/tanks", "blinker/blinker",
-                                         "assembly_station/assembly_station", "pick_and_place/pick_and_place"),
+                                         "assembly_station/assembly_station", "pick_and_place/pick_and_place",
+                                         "transfer_line/transfer_line"),
                          [](const auto& sample) { return fs::path(sample.param).filename().string(); });
 
 }  // namespace
