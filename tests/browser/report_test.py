@@ -330,14 +330,15 @@ class Report(browser.Case):
         self.assertIn("Not answered since", standing())
 
     def test_what_decides_a_claim_is_a_state_of_the_model(self):
-        at = self.report_of("""grafcet lamp { input ON; output L; initial step 0; step 1 { L; } transition a: 0 -> 1 when ON; transition b: 1 -> 0 when !ON; }
-            closed_loop room { controller lamp with stability_search; environment A = push_button(OUT = ON);
-            property p: never X1 && ON; property q: ON leads to L && !L; property r: always X0 || ON; }""", "--untimed", "--plant", "automata", "--schedule", "synchronous")
-        for name in "pqr":
-            at(f"#{name}/0")
-            inside, decisive = self.page.script("return [[...page.player.run.inside], page.player.decisive]")
-            self.assertTrue(inside)
-            self.assertNotIn(decisive, [None, *inside], name)
+        at = self.report_of("""component toggle(output OUT) { initial location low; location high; urgent low -> high do OUT := true; urgent high -> low do OUT := false; }
+            grafcet lamp { input ON; output L; initial step 0; step 1 { L; } step 2; step 3; transition a: 0 -> 1 when ON; transition b: 1 -> 2 when !ON;
+            transition c: 2 -> 3 when ON; transition d: 3 -> 0 when ON && !ON; }
+            closed_loop room { controller lamp with every_cycle; environment A = toggle(OUT = ON); property p: never X1 && ON || X3; }""",
+            "--untimed", "--plant", "automata", "--schedule", "synchronous")
+        at("#p/0")
+        self.assertEqual(self.page.script("return page.player.claims.value(page.player.property.operands[0], 3)"), 1,
+                         "the step is new, the input old: that is between two states")
+        self.assertEqual(self.page.script("return page.player.decisive"), 8, "step 3 is active")
 
     def test_the_location_of_an_instance_is_lit_in_its_automaton(self):
         self.at("#P16/0")
