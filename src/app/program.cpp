@@ -33,6 +33,7 @@ constexpr std::array entries = {
     Entry{uppaal_usage, uppaal},
     Entry{nusmv_usage, nusmv},
     Entry{aiger_usage, aiger},
+    Entry{pins_usage, pins},
     Entry{draw_usage, draw},
     Entry{equations_usage, equations},
     Entry{components_usage, components},

@@ -40,6 +40,8 @@ UppaalQuestions uppaal_questions(const Network& network);
 struct AigerModel {
     std::string text = {}, map = {};
 };
+/// The network as a C file for LTSmin.
+std::string pins_model(const Network& network);
 AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnostics& diagnostics);
 
 /// TestSequence -> Structured Text.

@@ -6,6 +6,7 @@
 #include "draw/chart.hpp"
 #include "draw/svg.hpp"
 #include "emit/nusmv/nusmv.hpp"
+#include "emit/pins/pins.hpp"
 #include "emit/uppaal/uppaal.hpp"
 #include "pipeline/models.hpp"
 #include "report/json.hpp"
@@ -33,6 +34,10 @@ UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics) {
     }
     return {written([&](std::ostream& out) { uppaal::emit(lowered, out); }),
             written([&](std::ostream& out) { uppaal::emit_queries(lowered, out); })};
+}
+
+std::string pins_model(const Network& network) {
+    return written([&](std::ostream& out) { pins::emit(network, out); });
 }
 
 UppaalQuestions uppaal_questions(const Network& network) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `uppaal`, `nusmv` and `aiger`: one model, to a file or to standard output.
+// `uppaal`, `pins`, `nusmv` and `aiger`: one model, to a file or to standard output.
 #include "pipeline/models.hpp"
 
 #include <utility>
@@ -10,13 +10,30 @@
 
 namespace grafverif::app {
 
-ExitCode uppaal(Job& job, const Streams& streams) {
+namespace {
+
+/// The timed model of the loop that the options choose.
+std::optional<Network> timed_model(Job& job) {
     const auto model = read_model(job.options.operands[0], job);
     const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
-    const auto network = loop ? network_of(*model, *loop, job) : std::nullopt;
+    return loop ? network_of(*model, *loop, job) : std::nullopt;
+}
+
+}  // namespace
+
+ExitCode uppaal(Job& job, const Streams& streams) {
+    const auto network = timed_model(job);
     if (!network) return ExitCode::Input;
     const UppaalProject project = uppaal_project(*network, job.diagnostics);
     if (!job.diagnostics.has_errors()) deliver(project.project, job, streams);
+    return ExitCode::Done;
+}
+
+ExitCode pins(Job& job, const Streams& streams) {
+    const auto network = timed_model(job);
+    if (!network) return ExitCode::Input;
+    const std::string text = pins_model(*network);
+    if (!job.diagnostics.has_errors()) deliver(text, job, streams);
     return ExitCode::Done;
 }
 
@@ -69,6 +86,22 @@ Verb uppaal_usage() {
         "its timers, and the properties as queries.",
         {"grafverif uppaal samples/oven_door/oven_door.grafcet -o oven_door.xml",
          "grafverif uppaal station.grafcet --mode every-cycle --grain atomic"},
+        {Accepts::Output, Accepts::Loop, Accepts::Mode, Accepts::Grain}};
+}
+
+Verb pins_usage() {
+    return {
+        "pins",
+        "FILE",
+        1,
+        1,
+        "write the timed closed loop as a C file, for LTSmin",
+        "Writes the timed closed loop of FILE, in integer time, with the partitioned next-state interface (PINS) of\n"
+        "LTSmin, whose multi-core, symbolic and distributed engines take what fits into no single memory. It has the\n"
+        "states that `check` looks at; a label per property about states is 1 where it is violated (of `reachable`:\n"
+        "shown). How to build and search it stands in the file.",
+        {"grafverif pins samples/oven_door/oven_door.grafcet -o oven_door.c",
+         "grafverif pins station.grafcet --grain atomic"},
         {Accepts::Output, Accepts::Loop, Accepts::Mode, Accepts::Grain}};
 }
 

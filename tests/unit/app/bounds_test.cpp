@@ -147,6 +147,7 @@ struct Inputs {
                 {"testgen", chart},
                 {"nusmv", chart},
                 {"uppaal", chart},
+                {"pins", chart},
                 {"build", chart, "-o", folder.file("build")},
                 {"simulate", chart},
                 {"plc", chart},
