@@ -34,6 +34,7 @@ constexpr std::array entries = {
     Entry{nusmv_usage, nusmv},
     Entry{aiger_usage, aiger},
     Entry{pins_usage, pins},
+    Entry{btor2_usage, btor2},
     Entry{draw_usage, draw},
     Entry{equations_usage, equations},
     Entry{components_usage, components},

@@ -44,6 +44,9 @@ struct AigerModel {
 std::string pins_model(const Network& network);
 AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnostics& diagnostics);
 
+/// TransitionSystem -> BTOR2, likewise.
+std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics);
+
 /// TestSequence -> Structured Text.
 std::string structured_text_test(const TestSequence& test, structured_text::Form form);
 

@@ -5,6 +5,7 @@
 
 #include "draw/chart.hpp"
 #include "draw/svg.hpp"
+#include "emit/btor2/btor2.hpp"
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/pins/pins.hpp"
 #include "emit/uppaal/uppaal.hpp"
@@ -75,6 +76,15 @@ AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnos
     aiger::Written model = aiger::written(circuit, questions, form, aiger::Extent::Whole);
     std::string map = aiger::map_of(system, flat, circuit, model);
     return {std::move(model.text), std::move(map)};
+}
+
+std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics) {
+    btor2::Written model = btor2::written(system);
+    for (const NotInCircuit& each : model.omitted) {
+        const Property& property = system.properties[each.about];
+        diagnostics.add(messages::not_expressible(property.origin, property.name, "BTOR2", each.reason));
+    }
+    return std::move(model.text);
 }
 
 std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics) {

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
-// A circuit, and the AIGER text of it read back by another reader, make the steps of the system that they are of: what
+// A circuit, the AIGER text of it and the BTOR2 text beside it, read back by other readers, make the steps of the system that they are of: what
 // they take for possible is a run of the system, what is asked holds where the terms do, and every state is reached.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <iostream>
+#include <map>
 #include <set>
 
 #include "check/evidence.hpp"
 #include "circuit/circuit.hpp"
 #include "emit/aiger/aiger.hpp"
+#include "emit/btor2/btor2.hpp"
 #include "support/explicit_search.hpp"
 #include "support/law_size.hpp"
 #include "support/random_loop.hpp"
 #include "support/random_system.hpp"
 #include "support/read_aiger.hpp"
+#include "support/read_btor2.hpp"
 #include "support/untimed_loop.hpp"
 
 namespace grafverif {
@@ -113,6 +116,39 @@ void expect_same_text(const Circuit& circuit, const aiger::Written& written, con
     }
 }
 
+/// Its words say of every state what the circuit's bits say.
+void expect_same_words(const System& system, const FlatSystem& flat, const Circuit& circuit,
+                       const std::vector<std::vector<bool>>& inputs) {
+    const btor2::Written written = btor2::written(system);
+    Btor2File file(written.text);
+    ASSERT_EQ(file.complaint(), "") << written.text;
+    const auto states = states_of(circuit, inputs);
+    std::map<std::string, std::size_t> places;
+    for (const Id<FlatSystem::Variable> id : flat.variables.ids()) places[flat.variables[id].name] = id.index;
+    NodeValues values(circuit.gates.size());
+    for (std::size_t step = 0; step < inputs.size(); ++step) {
+        for (std::size_t i = 0; i < circuit.inputs.size(); ++i) values[circuit.inputs[i].node] = inputs[step][i];
+        evaluate_gates(circuit, values);
+        const std::vector<bool> bad = file.step([&](std::string name) {
+            const bool at_first = name.ends_with(".first");
+            if (at_first) name.resize(name.size() - std::string_view(".first").size());
+            const std::int64_t value = states[at_first ? 0 : step][places.at(name)];
+            return flat.variables[{static_cast<std::uint32_t>(places.at(name))}].type.boolean ? -value : value;
+        });
+        for (const Circuit::Target& target : circuit.targets) {
+            if (!target.justice.empty() || target.undefined != Gates::no) continue;
+            const auto place = std::ranges::find(file.bads(), system.properties[target.about].name);
+            ASSERT_NE(place, file.bads().end());
+            ASSERT_EQ(bad[static_cast<std::size_t>(place - file.bads().begin())], value_of(values, target.bad))
+                << *place << " in step " << step << "\n"
+                << written.text;
+        }
+        std::vector<bool> next;
+        for (const Circuit::Latch& latch : circuit.latches) next.push_back(value_of(values, latch.next));
+        for (std::size_t i = 0; i < next.size(); ++i) values[circuit.latches[i].node] = next[i];
+    }
+}
+
 void compare(const System& system, Random& random, Seen& seen) {
     FlatSystem flat = flattened(system);
     const Circuit circuit = circuit_of(system, flat).circuit;
@@ -134,6 +170,7 @@ void compare(const System& system, Random& random, Seen& seen) {
             walk.step();
         }
         if (!walk.inputs.empty()) ++seen.starts;
+        ASSERT_NO_FATAL_FAILURE(expect_same_words(system, flat, circuit, walk.inputs));
         const std::vector<aiger::Question> asked = aiger::questions_of(system, flat, circuit);
         for (const aiger::Form form : {aiger::Form::Ascii, aiger::Form::Binary})
             for (const aiger::Extent extent : {aiger::Extent::Whole, aiger::Extent::Cone})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `uppaal`, `pins`, `nusmv` and `aiger`: one model, to a file or to standard output.
+// `uppaal`, `pins`, `nusmv`, `aiger` and `btor2`: one model, to a file or to standard output.
 #include "pipeline/models.hpp"
 
 #include <utility>
@@ -75,6 +75,15 @@ ExitCode aiger(Job& job, const Streams& streams) {
     return write_outputs(files, job, streams) ? ExitCode::Done : ExitCode::Input;
 }
 
+ExitCode btor2(Job& job, const Streams& streams) {
+    auto system = untimed_model(job);
+    if (!system) return ExitCode::Input;
+    if (job.options.chart || system->properties.empty()) ask_for_steps(*system);
+    const std::string text = btor2_model(*system, job.diagnostics);
+    if (!job.diagnostics.has_errors()) deliver(text, job, streams);
+    return ExitCode::Done;
+}
+
 Verb uppaal_usage() {
     return {
         "uppaal",
@@ -139,6 +148,22 @@ Verb aiger_usage() {
          "grafverif aiger samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
         {Accepts::Output, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed,
          Accepts::FormatAiger}};
+}
+
+Verb btor2_usage() {
+    return {
+        "btor2",
+        "FILE",
+        1,
+        1,
+        "write the untimed model in words of bits, for model checkers of hardware",
+        "Writes the model that `nusmv` writes in the format BTOR2: a state per variable, named as there, and a bad "
+        "state\n"
+        "per property about states (of `reachable`: the state that shows it). What is about runs is left out, with a\n"
+        "warning; `aiger` says it.",
+        {"grafverif btor2 samples/tanks/tanks.grafcet -o tanks.btor2",
+         "grafverif btor2 samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
+        {Accepts::Output, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed}};
 }
 
 }  // namespace grafverif::app

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/read_aiger.hpp"
+#include "support/read_btor2.hpp"
 #include "unit/app/run_program.hpp"
 
 namespace grafverif::app {
@@ -53,6 +54,16 @@ TEST(Aiger, WhatItCannotSayIsNamed) {
     EXPECT_EQ(result.code, ExitCode::Done);
     EXPECT_NE(result.err.find("property `again` is left out of the AIGER model"), std::string::npos) << result.err;
     EXPECT_NE(result.out.find("\nb0 lit\n"), std::string::npos) << result.out;
+}
+
+TEST(Btor2, SaysWhatIsAboutStatesAndNamesTheRest) {
+    const Result result = grafverif({"btor2", tanks, "--plant", "automata"});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    EXPECT_NE(result.err.find("property `back_to_rest` is left out of the BTOR2 model"), std::string::npos);
+    const Btor2File file(result.out);
+    EXPECT_EQ(file.complaint(), "");
+    ASSERT_GE(file.bads().size(), 4u);
+    EXPECT_EQ(file.bads()[0], "no_overflow");
 }
 
 TEST(Pdr, ProvesAndTellsRunsAndLeavesWhatIsAboutRuns) {

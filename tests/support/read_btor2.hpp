@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// BTOR2 read by its specification alone, as far as we write it, and executed: another opinion on what we write.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace grafverif {
+
+class Btor2File {
+public:
+    explicit Btor2File(const std::string& text);
+
+    const std::string& complaint() const { return complaint_; }
+    /// The names of the bad states, in order.
+    const std::vector<std::string>& bads() const { return bads_; }
+    /// One state: which bad ones it is, with the inputs that `input` gives by name; then one step.
+    std::vector<bool> step(const std::function<std::int64_t(const std::string&)>& input);
+
+private:
+    struct Line {
+        std::uint64_t number = 0;
+        std::string op = {};
+        unsigned width = 0;
+        std::vector<std::int64_t> arguments = {};
+        std::string name = {};
+    };
+
+    std::int64_t value(const Line& line, const std::function<std::int64_t(const std::string&)>& input) const;
+
+    std::vector<Line> lines_ = {};
+    std::vector<std::string> bads_ = {};
+    std::map<std::uint64_t, unsigned> sorts_ = {}, widths_ = {};
+    std::map<std::uint64_t, std::int64_t> states_ = {}, values_ = {};  ///< values as signed numbers of their width
+    std::string complaint_ = {};
+};
+
+}  // namespace grafverif
