@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The symbolic engine. bench_symbolic stations N: N assembly stations (DESDES06) side by side in one chart, with free
-// inputs, the growth with the number of steps and inputs. bench_symbolic PATH APPROACH [SCHEDULE] [discrete] [atomic]: the closed loop of
-// samples/PATH with all its properties; none, constraints or automata; interleaved, synchronous or sequenced; `discrete`:
-// clocks count; `atomic`: in that grain.
+// inputs, the growth with the number of steps and inputs. bench_symbolic PATH|cylinders N|two APPROACH [SCHEDULE] [discrete]
+// [atomic]: the closed loop of samples/PATH, of N cylinders, or two testing stations that share nothing but time (the
+// properties of one), with all properties; none, constraints or automata; interleaved, synchronous or sequenced;
+// `discrete`: clocks count; `atomic`: in that grain. `nusmv` as the last word prints the model instead.
 #include "check/symbolic/symbolic.hpp"
 
 #include <fmt/core.h>
 
 #include <cstdlib>
+#include <iostream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -16,6 +18,7 @@
 
 #include "compose/compose.hpp"
 #include "derive/derive.hpp"
+#include "emit/nusmv/nusmv.hpp"
 #include "engine_loops.hpp"
 #include "generate.hpp"
 #include "read/text.hpp"
@@ -60,8 +63,8 @@ TransitionSystem stations(std::size_t count) {
     return system;
 }
 
-TransitionSystem sample(const std::string& path, const ScheduleOptions& options, std::optional<Grain> grain) {
-    const bench::LoopParts parts = bench::parts(bench::sample(path));
+TransitionSystem closed_loop(const bench::LoopParts& parts, const std::optional<Network>& composed,
+                             const ScheduleOptions& options, std::optional<Grain> grain) {
     const ClosedLoop& loop = parts.model.loops[{0}];
     if (options.plant != PlantApproach::Automata)
         return schedule_controllers(parts.model, loop, parts.equations, options);
@@ -70,8 +73,9 @@ TransitionSystem sample(const std::string& path, const ScheduleOptions& options,
         options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
     std::optional<TransitionSystem> made;
     if (!interleaved) made = schedule_together(parts.model, loop, parts.equations, parts.plant, options, diagnostics);
-    else if (const auto network =
-                 compose(parts.plant, loop, parts.equations, {.grain = grain.value_or(loop.grain)}, diagnostics))
+    else if (const auto network = composed ? composed
+                                           : compose(parts.plant, loop, parts.equations,
+                                                     {.grain = grain.value_or(loop.grain)}, diagnostics))
         made = schedule_network(parts.model, loop, parts.equations, *network, options, diagnostics);
     if (!made) give_up(diagnostics, {});
     return std::move(*made);
@@ -82,7 +86,9 @@ template <class Value>
 Value meant(const std::map<std::string, Value>& table, const std::string& word) {
     const auto found = table.find(word);
     if (found == table.end())
-        throw std::invalid_argument("usage: bench_symbolic stations N | PATH APPROACH [SCHEDULE] [discrete] [atomic]");
+        throw std::invalid_argument(
+            "usage: bench_symbolic stations N | PATH|cylinders N|two APPROACH [SCHEDULE] [discrete] "
+            "[atomic] [nusmv]");
     return found->second;
 }
 
@@ -91,17 +97,25 @@ TransitionSystem system_of(const std::vector<std::string>& words) {
         return stations(static_cast<std::size_t>(std::atoi(words[1].c_str())));
     using enum PlantApproach;
     using enum Schedule;
+    const bool grows = words.size() > 1 && words[0] == "cylinders", two = words.size() > 1 && words[0] == "two";
     ScheduleOptions options;
     std::optional<Grain> grain;
-    options.plant = meant<PlantApproach>({{"none", None}, {"constraints", Constraints}, {"automata", Automata}},
-                                         words.size() > 1 ? words[1] : "");
-    for (std::size_t i = 2; i < words.size(); ++i)
+    for (std::size_t i = grows ? 2 : 1; i < words.size(); ++i)
         if (words[i] == "discrete") options.time = TimeModel::Discrete;
         else if (words[i] == "atomic") grain = Grain::Atomic;
+        else if (words[i] == "none" || words[i] == "constraints" || words[i] == "automata")
+            options.plant =
+                meant<PlantApproach>({{"none", None}, {"constraints", Constraints}, {"automata", Automata}}, words[i]);
         else
             options.schedule = meant<Schedule>(
                 {{"interleaved", Interleaved}, {"synchronous", Synchronous}, {"sequenced", Sequenced}}, words[i]);
-    return sample(words[0], options, grain);
+    if (words.empty()) meant<Grain>({}, "");
+    bench::LoopParts parts =
+        bench::parts(grows ? bench::cylinders(std::atoi(words[1].c_str()))
+                           : bench::sample(two ? "testing_station/testing_station.grafcet" : words[0]));
+    if (!two) return closed_loop(parts, {}, options, grain);
+    parts.equations.push_back(parts.equations.front());
+    return closed_loop(parts, bench::two_stations(grain.value_or(Grain::Phased)), options, grain);
 }
 
 void measure(const TransitionSystem& system) {
@@ -109,8 +123,8 @@ void measure(const TransitionSystem& system) {
         fmt::print(stderr, "\r{} steps deep, {} MiB, {:.1f} s ", now.depth, now.bytes >> 20U, now.seconds);
     };
     SymbolicOptions options;
+    options.witnesses = false;  // as `check` does it
     if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
-    options.by_kind = std::getenv("PLAIN") == nullptr;
     const SymbolicResult result = check_symbolic(system, options);
     fmt::print("{} steps, {} inputs: {} states, {} steps deep, {} MiB, {:.2f} s\n",
                system.controllers.front().words.steps.size(), system.controllers.front().words.inputs.size(),
@@ -123,7 +137,12 @@ void measure(const TransitionSystem& system) {
 
 int main(int count, char** values) {
     try {
-        measure(system_of({values + 1, values + count}));
+        std::vector<std::string> words{values + 1, values + count};
+        const bool write = !words.empty() && words.back() == "nusmv";
+        if (write) words.pop_back();
+        const TransitionSystem system = system_of(words);
+        if (write) nusmv::emit(system, std::cout);
+        else measure(system);
     } catch (const std::invalid_argument& error) {
         fmt::print(stderr, "{}\n", error.what());
         return 2;

@@ -30,6 +30,7 @@ Steps::Steps(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> 
 Saturation::Saturation(const BddSpace& space, const std::deque<Steps>& kinds) : space_(space) {
     std::map<std::uint32_t, std::vector<const Steps*>> by_level;
     for (const Steps& kind : kinds) {
+        if (kind.relation.bits().empty()) continue;  // it leads nowhere else
         std::uint32_t top = constant_level;
         for (const std::uint32_t variable : kind.relation.variables())
             top = std::min(top, space.kernel().order.level_of[variable]);

@@ -122,6 +122,7 @@ bool SystemReporter::replays(const SystemRun& run, const std::string& what) {
 
 Report check(const SystemToCheck& check, const CheckOptions& options) {
     SymbolicOptions symbolic;
+    symbolic.witnesses = options.witnesses;
     for (const std::size_t index : asked_properties(check.system, options.properties))
         symbolic.properties.push_back(check.system.properties[{static_cast<std::uint32_t>(index)}].name);
     set_limits(symbolic, options.limits);

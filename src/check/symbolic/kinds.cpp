@@ -13,6 +13,8 @@ namespace {
 
 /// A choice is split if that leaves at most so many of the bits to change, in the mean over its values.
 constexpr double worth_splitting = 0.6;
+/// Larger conditions are not asked whether they keep a bit as it is.
+constexpr std::size_t easily_joined = 100;
 
 /// Of a function that is read again and again: what it reads.
 struct Read {
@@ -111,7 +113,8 @@ private:
     bool stays(std::uint32_t bit, const Read& value, const std::vector<Read>& conditions) const {
         Bdd changes = value.function ^ space_.variable(bit);
         for (const Read& each : conditions)
-            if (!changes.is_false() && !each.reads_any(bits_)) changes &= each.function;
+            if (!changes.is_false() && !each.reads_any(bits_) && size(each.function) <= easily_joined)
+                changes &= each.function;
         return changes.is_false();
     }
 

@@ -146,7 +146,8 @@ void Questions::answer_state(Found& found, const Question& question, const Sets&
     if (!seen && search.obstacle != Obstacle::None) return unknown(verdict, search.obstacle, search.reason);
     const bool wanted = of(question).pattern == Pattern::Reachable;
     verdict.outcome = seen == wanted ? Outcome::Holds : Outcome::Violated;
-    if (seen) found.run = run_of(model, flat_, {shortest_way(model, search, sets.operands.front()), {}});
+    if (seen && (search.witnesses || verdict.outcome == Outcome::Violated))
+        found.run = run_of(model, flat_, {shortest_way(model, search, sets.operands.front()), {}});
 }
 
 void Questions::prepare(const StateSpace& model, Search& search) {

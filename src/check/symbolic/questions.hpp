@@ -14,6 +14,7 @@ namespace grafverif::symbolic {
 struct Search {
     bdd::Rings rings = {};  ///< around the initial states, as many as were needed so far
     Bdd reached = {};
+    bool witnesses = true;               ///< a run for each `reachable` that holds
     Obstacle obstacle = Obstacle::None;  ///< None: all are reached
     std::string reason = {};
 };

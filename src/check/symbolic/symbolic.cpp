@@ -81,6 +81,7 @@ private:
                 return !kinds || space_.work() < enough;
             };
         };
+        search_.witnesses = options_.witnesses;
         search_.rings.add(model.initial());
         search_.reached = search_.rings.reached;
         const bool more = grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds()));

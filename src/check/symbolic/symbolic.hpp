@@ -39,6 +39,7 @@ struct SymbolicOptions {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;                     ///< set by somebody else: end with what is known
     std::function<void(const SymbolicProgress&)> progress = {};  ///< called after every step of the search
+    bool witnesses = true;                                       ///< a run for each `reachable` that holds
     bool by_kind = true;  ///< steps that change few bits are kept apart, and all they lead to is found by saturation,
     std::uint64_t one_by_one = 200'000;  ///< once so many steps of operations have been spent on a search step by step
 };

@@ -12,14 +12,14 @@ namespace grafverif::bdd {
 namespace {
 
 /// Bits of a state at 0, 2, 4, ..., with what they become right after them; below them choices.
-struct Steps {
+struct RandomSteps {
     static constexpr std::uint32_t bits = 4, choices = 2, choice = 2 * bits;
     BddSpace space = BddSpace();
     std::vector<NextBit> next = {};
     Bdd offered = {};
     std::vector<std::uint32_t> before = {}, choosing = {}, all = {};
 
-    explicit Steps(Random& random) {
+    explicit RandomSteps(Random& random) {
         space.add_variables(2 * bits + choices);
         for (std::uint32_t bit = 0; bit < bits; ++bit) before.push_back(2 * bit);
         for (std::uint32_t k = 0; k < choices; ++k) choosing.push_back(choice + k);
@@ -64,17 +64,17 @@ struct Steps {
 TEST(Relation, LeadsWhereStepsLeadOneByOne) {
     for (int seed = 1; seed <= law_size(200); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        Steps steps(random);
+        RandomSteps steps(random);
         const Relation relation(steps.space, steps.next, {steps.offered}, steps.choosing);
         const Bdd from = steps.function(random, steps.before), to = steps.function(random, steps.before);
-        std::vector<bool> led(1U << Steps::bits);
+        std::vector<bool> led(1U << RandomSteps::bits);
         steps.for_each([&](std::uint32_t, std::uint32_t, const std::vector<bool>& values) {
             if (evaluate(from & steps.offered, values)) led[steps.after(values)] = true;
         });
         const Bdd image = relation.image(from, relation.quantified(steps.before)), preimage = relation.preimage(to);
         const Relation kept(steps.space, steps.next);  // what is chosen is kept
         const Bdd chosen = kept.image(from & steps.offered, kept.quantified(steps.before));
-        std::vector<bool> leads(1U << Steps::bits);
+        std::vector<bool> leads(1U << RandomSteps::bits);
         steps.for_each([&](std::uint32_t state, std::uint32_t, const std::vector<bool>& values) {
             if (evaluate(steps.offered, values) && evaluate(to, steps.assignment(steps.after(values), 0)))
                 leads[state] = true;
@@ -83,7 +83,7 @@ TEST(Relation, LeadsWhereStepsLeadOneByOne) {
             EXPECT_EQ(evaluate(image, values), led[state]) << "seed " << seed;
             EXPECT_EQ(evaluate(preimage, values), leads[state]) << "seed " << seed;
             bool chosen_leads = false;  // by that choice alone
-            for (std::uint32_t origin = 0; origin < 1U << Steps::bits; ++origin) {
+            for (std::uint32_t origin = 0; origin < 1U << RandomSteps::bits; ++origin) {
                 const std::vector<bool> there = steps.assignment(origin, choice);
                 chosen_leads = chosen_leads || (evaluate(from & steps.offered, there) && steps.after(there) == state);
             }
@@ -93,10 +93,10 @@ TEST(Relation, LeadsWhereStepsLeadOneByOne) {
 }
 
 /// Distances from `first`, by states; -1: out of reach.
-std::vector<int> distances(const Steps& steps, std::uint32_t first) {
-    std::vector<int> distance(1U << Steps::bits, -1);
+std::vector<int> distances(const RandomSteps& steps, std::uint32_t first) {
+    std::vector<int> distance(1U << RandomSteps::bits, -1);
     distance[first] = 0;
-    for (int round = 0; round < 1 << Steps::bits; ++round)
+    for (int round = 0; round < 1 << RandomSteps::bits; ++round)
         steps.for_each([&](std::uint32_t state, std::uint32_t, const std::vector<bool>& values) {
             int& next = distance[steps.after(values)];
             if (distance[state] == round && evaluate(steps.offered, values) && next < 0) next = round + 1;
@@ -108,12 +108,12 @@ TEST(Rings, HoldTheStatesByTheirDistanceAndShortestPathsLeadBackThroughThem) {
     for (int seed = 1; seed <= law_size(200); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        Steps steps(random);
+        RandomSteps steps(random);
         const Relation relation(steps.space, steps.next, {steps.offered}, steps.choosing);
         const Relation::Quantified all = relation.quantified(steps.before);
         const auto only = [&](std::uint32_t state) {
             std::vector<BddLiteral> literals;
-            for (std::uint32_t bit = 0; bit < Steps::bits; ++bit)
+            for (std::uint32_t bit = 0; bit < RandomSteps::bits; ++bit)
                 literals.push_back({2 * bit, (state >> bit & 1U) != 0});
             return cube(steps.space, literals);
         };
@@ -122,7 +122,7 @@ TEST(Rings, HoldTheStatesByTheirDistanceAndShortestPathsLeadBackThroughThem) {
         EXPECT_EQ(rings.nearest(Bdd::constant(true)), std::nullopt);
         for (bool found = rings.add(only(0)); found;) found = rings.add(relation.image(rings.each.back(), all));
         const std::vector<int> distance = distances(steps, 0);
-        for (std::uint32_t state = 0; state < 1U << Steps::bits; ++state) {
+        for (std::uint32_t state = 0; state < 1U << RandomSteps::bits; ++state) {
             const std::optional<std::size_t> ring = rings.nearest(only(state));
             ASSERT_EQ(ring ? static_cast<int>(*ring) : -1, distance[state]) << state;
             if (!ring) continue;

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The symbolic engine beside NuSMV with dynamic reordering, processor seconds of both for all properties of a model, one
+# run each: bench/beside_nusmv.sh [BUILD [SECONDS]]. BUILD (build/release) has bench_symbolic; NuSMV is on the PATH; what
+# takes more than SECONDS (60) of the processor is ended.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+build=${1:-build/release} most=${2:-60}
+command -v NuSMV >/dev/null || { echo "NuSMV is not on the PATH" >&2; exit 2; }
+bench=$build/bench/bench_symbolic
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# seconds OUTPUT COMMAND...: processor seconds of COMMAND, or `>` and how many it had
+seconds() {
+    local out=$1
+    shift
+    TIMEFORMAT='%U %S'
+    { time OUT=$out bash -c 'ulimit -t "$0" && exec "$@" >"$OUT" 2>&1' "$most" "$@"; } 2>"$folder/time" || true
+    tail -1 "$folder/time" |
+        awk -v most="$most" '{ if ($1 + $2 >= most - 1) print ">" most; else printf "%.2f\n", $1 + $2 }'
+}
+
+# row WORDS...: of bench_symbolic
+row() {
+    local theirs ours states
+    "$bench" "$@" nusmv >"$folder/model.smv"
+    theirs=$(seconds "$folder/theirs" NuSMV -dynamic "$folder/model.smv")
+    ours=$(seconds "$folder/ours" "$bench" "$@")
+    states=$(sed -n 's/.*inputs: \([0-9]*\) states.*/\1/p' "$folder/ours")
+    echo "| \`$*\` | $states | $ours | $theirs |"
+}
+
+echo '| model | states | ours | NuSMV |'
+echo '| --- | --- | --- | --- |'
+{
+    for sample in blinker/blinker oven_door/oven_door tanks/tanks assembly_station/assembly_station \
+        testing_station/testing_station testing_station/faulty pick_and_place/pick_and_place; do
+        for schedule in interleaved synchronous sequenced; do row $sample.grafcet automata $schedule; done
+    done
+    row testing_station/testing_station.grafcet automata discrete
+    for count in 1 2 3 4; do row cylinders $count automata interleaved; done
+    for count in 2 3; do row cylinders $count automata discrete; done
+    for count in 2 8 16; do row stations $count; done
+} | tee "$folder/rows"
+awk -F'|' '{ gsub(/ /, "", $4); gsub(/ /, "", $5) }
+    $4 !~ />/ { theirs = $5; sub(/>/, "", theirs); ratio += log(($4 < 0.01 ? 0.01 : $4) / (theirs < 0.01 ? 0.01 : theirs)); ++rows }
+    END { printf "ours to NuSMV, geometric mean of %d models: %.2f\n", rows, exp(ratio / rows) }' "$folder/rows"
