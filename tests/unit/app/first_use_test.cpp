@@ -111,7 +111,7 @@ TEST(FirstUse, AReasonNamesWhatStoppedTheEngine) {
 }
 
 TEST(FirstUse, TheTimeLimitIsNamedByEveryVerbThatEndsAtIt) {
-    EXPECT_NE(grafverif({"check", station, "--timeout", "0"}).out.find("why: stopped at the time limit of 0 s"),
+    EXPECT_NE(grafverif({"check", station, "--timeout", "0"}).out.find("): stopped at the time limit of 0 s"),
               std::string::npos);
     EXPECT_NE(
         grafverif({"analyse", station, "--timeout", "0"}).out.find("stopped at the time limit of 0 s before the end"),
