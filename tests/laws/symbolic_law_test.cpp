@@ -201,7 +201,7 @@ TEST(SymbolicLaw, AgreesWithAnExplicitSearchOnRandomControllers) {
 /// Every model of a loop, with its plant and without; its automata take turns in some.
 TEST(SymbolicLaw, StepsByKindSayWhatStepsAtOnceSayOfRandomLoops) {
     std::size_t systems = 0, saturated = 0, runs = 0;
-    for (int seed = 1; seed <= law_size(6); ++seed) {
+    for (int seed = 1; seed <= law_size(12); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const Model model = random_loop(random);
