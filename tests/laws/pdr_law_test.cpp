@@ -127,6 +127,29 @@ TEST(PdrLaw, AgreesWithTheOtherEnginesOnRandomLoopsAndItsRunsReplay) {
     EXPECT_GT(replayed, 0u);
 }
 
+TEST(PdrLaw, AgreesWithTheOtherEnginesOnASmallLoopInEveryApproachAndSchedule) {
+    const Model model =
+        read_loop(
+            "grafcet lamp { input PRESS; output LIGHT; initial step 0; step 1 { LIGHT; }\n"
+            "transition t0: 0 -> 1 when PRESS; transition t1: 1 -> 0 when !PRESS; }\n"
+            "closed_loop room { controller lamp; environment a = push_button(OUT = PRESS);\n"
+            "property shown: reachable LIGHT; property pressed: reachable PRESS at stable; property both: reachable X0 "
+            "&& X1;\n"
+            "property follows: always PRESS || !LIGHT at stable; property one: exactly one of { X0, X1 }; }\n")
+            .model;
+    Random random(7);
+    Compared compared;
+    for (System& system : untimed_models(model)) {
+        SCOPED_TRACE(system.scope);
+        ask_more(system, random);
+        ASSERT_NO_FATAL_FAILURE(compare(system, compared));
+    }
+    std::cout << compared.systems << " models, " << compared.verdicts << " verdicts, " << compared.given_up
+              << " given up\n";
+    EXPECT_GT(compared.systems, 5u);
+    EXPECT_GT(compared.violated, 5u);
+}
+
 TEST(PdrLaw, AnInvariantFromWhichAClauseOrALiteralIsTakenIsCheckedAnew) {
     std::size_t whole = 0, rejected = 0;
     for (int seed = 1; seed <= law_size(150); ++seed) {
