@@ -23,6 +23,18 @@ struct ProgramResult {
     bool operator==(const ProgramResult&) const = default;
 };
 
+/// How a program was ended from without; empty: it ended by itself.
+inline std::string ended_by(const ProgramResult& said) {
+    switch (said.end) {
+    case ProgramResult::End::TimedOut: return "stopped at the time limit";
+    case ProgramResult::End::Stopped: return "stopped";
+    case ProgramResult::End::TooMuchOutput: return "the program wrote more than is read";
+    case ProgramResult::End::Signalled: return "the program was ended by signal " + std::to_string(said.status);
+    case ProgramResult::End::Exited: break;
+    }
+    return {};
+}
+
 /// Runs a program with `arguments`, the first one being the program itself, and waits for its end.
 using RunProgram = std::function<ProgramResult(const std::vector<std::string>& arguments)>;
 

@@ -115,13 +115,7 @@ std::optional<std::vector<pdr::Cube>> read_invariant(const Circuit& circuit, std
 }
 
 std::string failure_of(const ProgramResult& said) {
-    switch (said.end) {
-    case ProgramResult::End::TimedOut: return "stopped at the time limit";
-    case ProgramResult::End::Stopped: return "stopped";
-    case ProgramResult::End::TooMuchOutput: return "the program wrote more than is read";
-    case ProgramResult::End::Signalled: return "the program was ended by signal " + std::to_string(said.status);
-    case ProgramResult::End::Exited: break;
-    }
+    if (std::string ended = ended_by(said); !ended.empty()) return ended;
     return "the program gave no verdict";
 }
 

@@ -160,7 +160,7 @@ void Questions::answer_liveness(Question& question, Graph& graph, const Limits& 
     if (*holds) return holds_if_dense(question, graph, graph.stuck_bound);
     std::erase_if(roots, [&](std::uint32_t root) { return met->has(root); });
     // Where integer time is stuck by a strict bound, dense time may pass a little more.
-    const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value());
+    const Lasso lasso = avoiding(graph, *met, roots, inexact_.has_value(), limits);
     if (lasso.path.empty()) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     violated(question.verdict, graph.run_along(lasso.path, lasso.loop));
 }

@@ -35,7 +35,8 @@ struct Lasso {
     std::vector<std::uint32_t> path = {};  ///< a loop is closed: its first state comes again at the end
     std::optional<std::size_t> loop = {};
 };
-Lasso avoiding(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots, bool endless);
+Lasso avoiding(Graph& graph, const StateSet& met, const std::vector<std::uint32_t>& roots, bool endless,
+               const Limits& limits);
 
 /// The first state that is `judged` and from which no edge can fire, now or after any delay.
 std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged,
