@@ -76,6 +76,7 @@ private:
         const std::uint64_t enough = space_.work() + options_.one_by_one;
         const auto goes_on = [&](bool kinds) {
             return [this, &enough, kinds](std::size_t depth) {
+                search_.reached = search_.rings.reached;
                 result_.bytes = std::max(result_.bytes, space_.bytes());
                 if (options_.progress) options_.progress({depth, space_.bytes(), seconds()});
                 return !kinds || space_.work() < enough;
@@ -83,18 +84,11 @@ private:
         };
         search_.witnesses = options_.witnesses;
         search_.rings.add(model.initial());
-        search_.reached = search_.rings.reached;
-        const bool more = grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds()));
-        search_.reached = search_.rings.reached;
-        if (more) {
+        if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds()))) {
             const Bdd closure = model.closure(search_.reached);
-            // With what is outside of a range other faults may follow that no run leads to.
-            if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) {
-                search_.reached = closure;
-            } else {
-                grow(model, search_.rings, model.invariant(), {}, goes_on(false));
-                search_.reached = search_.rings.reached;
-            }
+            // With what no run leads to, outside of a range or of the invariants, more may follow.
+            if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
+            else grow(model, search_.rings, model.invariant(), {}, goes_on(false));
         }
         result_.depth = search_.rings.each.empty() ? 0 : search_.rings.each.size() - 1;
     }

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The symbolic engine where a search ends early, and where choices change nothing.
+#include "check/symbolic/symbolic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+
+namespace grafverif {
+namespace {
+
+using System = TransitionSystem;
+
+Id<Expr> add_state(System& system, const std::string& name, Type type, Id<Expr> initial) {
+    System::Module& main = system.modules[system.main];
+    const Id<System::Symbol> id = main.symbols.add({name, type, System::StateSymbol{initial, {}}, "", {}});
+    return system.exprs.leaf(Op::Variable, id.index);
+}
+
+void set_next(System& system, Id<Expr> state, Id<Expr> next) {
+    const auto symbol = static_cast<std::uint32_t>(system.exprs[state].value);
+    std::get<System::StateSymbol>(system.modules[system.main].symbols[{symbol}].kind).next = next;
+}
+
+System empty_system() {
+    System system;
+    system.name = "by hand";
+    system.main = system.modules.add({.name = "main"});
+    system.settled = system.exprs.constant(true);
+    return system;
+}
+
+void ask(System& system, Pattern pattern, Id<Expr> operand) {
+    Property property{.name = "p" + std::to_string(system.properties.size()), .pattern = pattern};
+    property.operands = {operand};
+    system.properties.add(std::move(property));
+}
+
+/// A number that counts to `last`, and round again.
+System counter(std::int64_t last) {
+    System system = empty_system();
+    Exprs& exprs = system.exprs;
+    const Id<Expr> number = add_state(system, "number", integer_type(0, last), exprs.integer(0));
+    set_next(system, number,
+             exprs.conditional(exprs.apply(Op::Less, number, exprs.integer(last)),
+                               exprs.apply(Op::Plus, number, exprs.integer(1)), exprs.integer(0)));
+    for (const std::int64_t seen : {std::int64_t{3}, last}) {
+        const Id<Expr> there = exprs.apply(Op::Equal, number, exprs.integer(seen));
+        ask(system, Pattern::Never, there);
+        ask(system, Pattern::Reachable, there);
+    }
+    ask(system, Pattern::Inevitable, exprs.apply(Op::Equal, number, exprs.integer(3)));
+    return system;
+}
+
+TEST(Symbolic, WhatASearchHasSeenBeforeItIsStoppedIsSaidAndNothingElse) {
+    const System system = counter(4000);
+    ASSERT_EQ(verify(system), std::vector<std::string>{});
+    for (const Id<Property> id : system.properties.ids()) {
+        SCOPED_TRACE(system.properties[id].name);
+        std::atomic<bool> stop = false;
+        SymbolicOptions options{.properties = {system.properties[id].name}, .stop = &stop};
+        options.progress = [&](const SymbolicProgress& now) { stop = now.depth >= 1000; };
+        const SymbolicResult result = check_symbolic(system, options);
+        EXPECT_EQ(result.states, "");
+        ASSERT_EQ(result.verdicts.size(), 1u);
+        const Verdict& verdict = result.verdicts.front();
+        if (id.index < 2) {
+            EXPECT_EQ(verdict.outcome, id.index == 0 ? Outcome::Violated : Outcome::Holds);
+            ASSERT_TRUE(result.runs.front());
+            EXPECT_EQ(result.runs.front()->states.size(), 4u);
+        } else {
+            EXPECT_EQ(verdict.outcome, Outcome::Unknown);
+            EXPECT_EQ(verdict.obstacle, Obstacle::Stopped);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace grafverif
