@@ -62,7 +62,7 @@ public:
             double changed = 0;
             for (const Rules& part : parts) changed += static_cast<double>(part.bits.size());
             changed /= static_cast<double>(std::max<std::size_t>(parts.size(), 1));
-            if (parts.size() < 2 || changed > least) continue;
+            if (parts.size() < 2 || rules.bits.empty() || changed > least) continue;
             least = changed;
             best = std::move(parts);
         }

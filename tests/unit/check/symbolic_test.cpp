@@ -77,5 +77,25 @@ TEST(Symbolic, WhatASearchHasSeenBeforeItIsStoppedIsSaidAndNothingElse) {
     }
 }
 
+TEST(Symbolic, ChoicesThatChangeNothingDoNotMultiplyTheKindsOfSteps) {
+    System system = empty_system();
+    Exprs& exprs = system.exprs;
+    const Id<Expr> lamp = add_state(system, "lamp", {}, exprs.constant(false));
+    Id<Expr> first = {};
+    for (int i = 0; i < 30; ++i) {
+        const Id<System::Symbol> id = system.modules[system.main].symbols.add(
+            {"choice_" + std::to_string(i), integer_type(0, 2), System::ChoiceSymbol{}, "", {}});
+        if (i == 0) first = exprs.leaf(Op::Variable, id.index);
+    }
+    set_next(system, lamp,
+             exprs.conditional(exprs.apply(Op::Equal, first, exprs.integer(0)), exprs.negation(lamp), lamp));
+    ask(system, Pattern::Reachable, lamp);
+    ASSERT_EQ(verify(system), std::vector<std::string>{});
+    const SymbolicResult result =
+        check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10)});
+    EXPECT_EQ(result.states, "2");
+    EXPECT_EQ(result.verdicts.front().outcome, Outcome::Holds);
+}
+
 }  // namespace
 }  // namespace grafverif
