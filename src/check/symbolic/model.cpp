@@ -200,11 +200,11 @@ void StateSpace::add_next_bits(BddTerms& terms) {
     }
 }
 
-/// A kind leaves bits as they are; free inputs never stay, and of what they may be invariants speak: then all is one kind.
+/// A kind leaves bits as they are, and free inputs never stay: with them all is one kind.
 void StateSpace::add_steps(bool by_kind) {
     Kind all{offered_, next_bits_};
     std::vector<Kind> found;
-    if (by_kind && free_.is_true() && flat_.invariants.empty()) {
+    if (by_kind && free_.is_true()) {
         std::vector<BddWord> choices;
         for (const Id<Variable> id : flat_.variables.ids())
             if (flat_.variables[id].choice) choices.push_back(words_[id.index]);
