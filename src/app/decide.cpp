@@ -31,7 +31,6 @@ bool takes_system(Engine engine) {
 }
 
 std::optional<Report> system_report(const SystemToCheck& check, Job& job, const CheckOptions& options) {
-    if (!all_known(options.properties, property_names(check.system), job.diagnostics)) return {};
     if (job.options.engine == Engine::Pdr) return check_states(check, options);
     if (job.options.engine == Engine::Abc) return check_by_abc(check, options, job.diagnostics);
     if (job.options.engine == Engine::Hwmcc) return check_by_command(check, job.options.engine_command, options);
@@ -42,7 +41,7 @@ std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job&
     const ModelOptions how = model_options(job.options);
     if (!takes_system(job.options.engine)) return check_untimed(model, id, how, options, job.diagnostics);
     const auto system = transition_system_of(model, id, job);
-    if (!system) return {};
+    if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
     const ClosedLoop& loop = model.loops[id];
     return system_report({*system, charts_of(model, loop), abstraction_of(how, &loop)}, job, options);
 }
@@ -50,10 +49,8 @@ std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job&
 std::optional<Report> chart_report(const Model& model, Id<Chart> chart, Job& job, const CheckOptions& options) {
     const ModelOptions how = model_options(job.options);
     if (!takes_system(job.options.engine)) return check_untimed(model, chart, how, options, job.diagnostics);
-    auto system = grafverif::transition_system_of(model, chart, how, job.diagnostics);
-    if (!system) return {};
-    ask_for_steps(*system);
-    return system_report({*system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, job, options);
+    const auto decide = [&](const SystemToCheck& check) { return system_report(check, job, options); };
+    return check_chart(model, chart, how, options, job.diagnostics, decide);
 }
 
 void say_who_stopped(Report& report, bool by_user, const Options& options) {

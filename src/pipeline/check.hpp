@@ -3,6 +3,7 @@
 // on the rules.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -74,6 +75,12 @@ struct StateSearch {
     decltype(PdrOptions::reach) reach = {};
 };
 Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search = {});
+
+/// Has `decide` answer what a chart alone is asked; under stability search the search of `analyse` adds whether it stabilises,
+/// which no engine is asked. Nothing after an error.
+std::optional<Report> check_chart(const Model& model, Id<Chart> chart, const ModelOptions& how,
+                                  const CheckOptions& options, Diagnostics& diagnostics,
+                                  const std::function<std::optional<Report>(const SystemToCheck& check)>& decide);
 
 /// Adds what a chart alone is asked: that each of its steps can be reached (`reachable.X2`).
 void ask_for_steps(TransitionSystem& system);

@@ -181,6 +181,8 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Limits
         verdict.obstacle = stopped ? Obstacle::Stopped : Obstacle::Memory;
         verdict.reason = analysis.obstacle;
     }
+    if (const std::string& engine = report.basis.engine; engine != "symbolic")
+        verdict.notes.push_back(fmt::format("decided by the search of `analyse`, not by {}", engine));
     report.answers.push_back(std::move(answer));
 }
 
@@ -196,6 +198,13 @@ std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> id, const
 
 std::optional<Report> check_untimed(const Model& model, Id<Chart> chart, const ModelOptions& how,
                                     const CheckOptions& options, Diagnostics& diagnostics) {
+    const auto embedded = [&](const SystemToCheck& system) { return std::optional(check(system, options)); };
+    return check_chart(model, chart, how, options, diagnostics, embedded);
+}
+
+std::optional<Report> check_chart(const Model& model, Id<Chart> chart, const ModelOptions& how,
+                                  const CheckOptions& options, Diagnostics& diagnostics,
+                                  const std::function<std::optional<Report>(const SystemToCheck& check)>& decide) {
     const auto equations = equations_of(model, chart, diagnostics);
     if (!equations) return {};
     TransitionSystem system = transition_system_of(model, chart, *equations, how.mode);
@@ -204,9 +213,9 @@ std::optional<Report> check_untimed(const Model& model, Id<Chart> chart, const M
     std::vector<std::string> known = property_names(system);
     if (stability) known.emplace_back(stabilises);
     if (!all_known(options.properties, known, diagnostics)) return {};
-    Report report = check(SystemToCheck{system, {&model.charts[chart]}, abstraction_of(how, nullptr)}, options);
-    if (stability && (options.properties.empty() || is_asked(stabilises, options.properties)))
-        add_stabilises(model.charts[chart], *equations, options.limits, report);
+    std::optional<Report> report = decide({system, {&model.charts[chart]}, abstraction_of(how, nullptr)});
+    if (report && stability && (options.properties.empty() || is_asked(stabilises, options.properties)))
+        add_stabilises(model.charts[chart], *equations, options.limits, *report);
     return report;
 }
 

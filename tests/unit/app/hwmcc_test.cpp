@@ -87,6 +87,25 @@ TEST(Pdr, ATimeLimitEndsInUnknown) {
     EXPECT_NE(result.out.find("stopped at the time limit of 0 s"), std::string::npos) << result.out;
 }
 
+TEST(Pdr, WhetherAChartAloneStabilisesIsAskedTooAndByWhom) {
+    const Folder folder;
+    const std::string file = folder.write("flutter.grafcet",
+                                          "grafcet flutter { input A; output L; initial step 0; step 1 { L; }\n"
+                                          "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when A; }\n");
+    for (const std::string engine : {"pdr", "abc"}) {
+        const Result result = grafverif({"check", file, "--engine", engine});
+        EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
+        EXPECT_NE(result.out.find("reachable.X1: holds"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("(not declared): violated"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("note: decided by the search of `analyse`, not by " + engine), std::string::npos)
+            << result.out;
+        const Result alone = grafverif({"check", file, "--engine", engine, "--property", "stabilises"});
+        EXPECT_EQ(alone.code, ExitCode::Verdict) << alone.err;
+        EXPECT_EQ(alone.out.find("reachable.X1"), std::string::npos) << alone.out;
+    }
+    EXPECT_EQ(grafverif({"check", file}).out.find("not by"), std::string::npos) << "the engine is one with it";
+}
+
 TEST(Abc, ProvesWithAnInvariantThatIsCheckedAndShowsRuns) {
     const Folder folder;
     const std::string file = folder.write(
