@@ -65,19 +65,26 @@ std::int64_t value_of(const NodeValues& values, const Circuit::Word& word) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(word.base) + value);
 }
 
-std::vector<std::vector<std::int64_t>> states_of(const Circuit& circuit, const std::vector<std::vector<bool>>& inputs) {
-    std::vector<std::vector<std::int64_t>> states;
+void run_through(const Circuit& circuit, const std::vector<std::vector<bool>>& inputs,
+                 const std::function<void(const NodeValues&)>& look) {
     NodeValues values(circuit.gates.size());
     for (const std::vector<bool>& given : inputs) {
         for (std::size_t i = 0; i < circuit.inputs.size(); ++i)
             values[circuit.inputs[i].node] = i < given.size() && given[i];
         evaluate_gates(circuit, values);
-        std::vector<std::int64_t>& state = states.emplace_back();
-        for (const Circuit::Word& word : circuit.words) state.push_back(value_of(values, word));
+        look(values);
         std::vector<bool> next;
         for (const Circuit::Latch& latch : circuit.latches) next.push_back(value_of(values, latch.next));
         for (std::size_t i = 0; i < next.size(); ++i) values[circuit.latches[i].node] = next[i];
     }
+}
+
+std::vector<std::vector<std::int64_t>> states_of(const Circuit& circuit, const std::vector<std::vector<bool>>& inputs) {
+    std::vector<std::vector<std::int64_t>> states;
+    run_through(circuit, inputs, [&](const NodeValues& values) {
+        std::vector<std::int64_t>& state = states.emplace_back();
+        for (const Circuit::Word& word : circuit.words) state.push_back(value_of(values, word));
+    });
     return states;
 }
 

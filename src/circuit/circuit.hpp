@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,10 @@ inline bool value_of(const NodeValues& values, Gates::Literal literal) {
     return values[node_of(literal)] != is_inverted(literal);
 }
 std::int64_t value_of(const NodeValues& values, const Circuit::Word& word);
+
+/// Looks at each state of a run, given by the values of the inputs in each, those that are missing being false.
+void run_through(const Circuit& circuit, const std::vector<std::vector<bool>>& inputs,
+                 const std::function<void(const NodeValues&)>& look);
 
 /// The states of a run, from the values of the inputs in each: a value for each variable of the flat system.
 std::vector<std::vector<std::int64_t>> states_of(const Circuit& circuit, const std::vector<std::vector<bool>>& inputs);

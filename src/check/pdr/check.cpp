@@ -82,16 +82,32 @@ private:
         return cause == Exhausted::Cause::Stopped ? Obstacle::Stopped : Obstacle::Memory;
     }
 
-    /// Whether a state with `bad` is reached; what says no has been checked.
+    /// Whether a state with `bad` is reached. What says so and what says no has been checked, whatever was asked: on a fault
+    /// or on what is settled other verdicts rest.
     Answer searched(Literal bad, const std::string& name) {
         const auto told = [&](std::size_t frames) {
             if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
         };
         Answer answer = options_.reach ? options_.reach(circuit_, bad, watch_) : reach(circuit_, bad, watch_, told);
-        if (answer.reached) return answer;
+        if (answer.reached) {
+            if (!gets_to(bad, answer.inputs))
+                throw Unsound{"the run found for `" + name + "` is none: it does not get there"};
+            return answer;
+        }
         if (const std::string why = flaw(circuit_, bad, answer.invariant, watch_); !why.empty())
             throw Unsound{"the invariant found for `" + name + "` is none: " + why};
         return answer;
+    }
+
+    /// Whether the run has a state with `bad`; what follows the first of them is cut off.
+    bool gets_to(Literal bad, std::vector<std::vector<bool>>& inputs) const {
+        std::size_t states = 0, first = 0;
+        run_through(circuit_, inputs, [&](const NodeValues& values) {
+            ++states;
+            if (first == 0 && value_of(values, bad)) first = states;
+        });
+        inputs.resize(first);
+        return first != 0;
     }
 
     /// Something of ours that does not stand up.
