@@ -150,7 +150,9 @@ TEST(PdrLaw, AgreesWithTheOtherEnginesOnASmallLoopInEveryApproachAndSchedule) {
     for (System& system : untimed_models(model)) {
         SCOPED_TRACE(system.scope);
         ask_more(system, random);
-        ASSERT_NO_FATAL_FAILURE(compare(system, compared));
+        const auto graph = explored(system, 400);
+        if (!graph) continue;
+        ASSERT_NO_FATAL_FAILURE(compare(system, graph, patient(system), compared));
     }
     std::cout << compared.systems << " models, " << compared.verdicts << " verdicts, " << compared.given_up
               << " given up\n";

@@ -116,7 +116,8 @@ std::optional<std::vector<pdr::Cube>> read_invariant(const Circuit& circuit, std
 
 std::string failure_of(const ProgramResult& said) {
     if (std::string ended = ended_by(said); !ended.empty()) return ended;
-    return "the program gave no verdict";
+    return said.status == 0 ? "the program gave no verdict"
+                            : "the program gave no verdict, and ended with status " + std::to_string(said.status);
 }
 
 }  // namespace grafverif::hwmcc

@@ -144,6 +144,7 @@ private:
         } catch (const Unsound& unsound) {
             disbelieve(unsound.what);
         }
+        if (obstacle_ == Obstacle::Stopped && !watch_.over()) reason_ = "its share of the time is over";
     }
 
     /// Of ours a failure; a program is not believed.

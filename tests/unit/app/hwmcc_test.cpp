@@ -189,7 +189,23 @@ TEST(EngineCommand, OneThatNeverEndsIsEnded) {
     const std::string file = folder.write("lamp.grafcet", lamp("property P: never L;"));
     const Result result = grafverif({"check", file, "--engine-command", "sleep 1000; true", "--timeout", "300ms"});
     EXPECT_EQ(result.code, ExitCode::Unknown);
-    EXPECT_NE(result.out.find("why: stopped at the time limit"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("why: stopped at the time limit of 300 ms"), std::string::npos) << result.out;
+}
+
+TEST(EngineCommand, WhatOneQuestionMayTakeIsNoLimitOfAll) {
+    const Folder folder;
+    const std::string file = folder.write("lamp.grafcet", lamp("property P: never L; property Q: never M;"));
+    const Result result = grafverif({"check", file, "--engine-command", "sleep 1000; true", "--timeout", "600ms"});
+    EXPECT_EQ(result.code, ExitCode::Unknown);
+    const std::size_t first = result.out.find("why: its share of the time is over");
+    EXPECT_NE(first, std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("why: stopped at the time limit of 600 ms", first), std::string::npos) << result.out;
+}
+
+TEST(EngineCommand, AProgramThatIsNotThereIsNoVerdict) {
+    const Folder folder;
+    const std::string out = verdict_on(folder, {"never L", "", ""}, {"--engine-command", "no-such-checker"});
+    EXPECT_NE(out.find("why: the program gave no verdict, and ended with status 127"), std::string::npos) << out;
 }
 
 TEST(EngineCommand, ARunThatItShowsIsTold) {
