@@ -39,7 +39,7 @@ std::string objection(const Neighbour& other, const Verdict& verdict, bool at_st
     const std::string name = "`" + other.name + "` ";
     if (claim == Claim::Everywhere && !at_stable) return {};
     if (!other.searched) return name + "could not be searched to its end";
-    if (other.faulty && !about_single_states(verdict.pattern)) return name + "breaks off somewhere";
+    if (other.faulty && (at_stable || !about_single_states(verdict.pattern))) return name + "breaks off somewhere";
     if (claim == Claim::Somewhere || claim == Claim::Everywhere) {
         if (!other.diverges) return name + "cannot let time pass for ever";
         return at_stable && !other.settles ? "time passes in " + name + "while it is not settled" : "";

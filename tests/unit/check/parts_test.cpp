@@ -175,6 +175,26 @@ TEST(Parts, AnErrorOfOneLeavesWhatAddsNoState) {
     EXPECT_EQ(told(result, "on"), "unknown (faulty)");
 }
 
+/// The way to `dark` leads over a unit of time in which the breaking part is not settled.
+TEST(Parts, AnErrorOfOneLeavesNothingThatIsSaidOfSettledStates) {
+    Sketch s;
+    const auto brief = s.process("brief", 3, 1), breaking = s.process("breaking", 3, 1);
+    s.invariant(brief, 0, {0, Op::LessEqual, 2});
+    s.edge(brief, {.from = 0, .to = 1, .when = {{0, Op::Equal, 2}}});
+    s.edge(brief, {.from = 1, .to = 2, .urgent = true});
+    const auto full = s.integer("full", 0, 1, 1);
+    s.invariant(breaking, 0, {0, Op::LessEqual, 1});
+    s.invariant(breaking, 1, {0, Op::LessEqual, 3});
+    s.edge(breaking, {.from = 0, .to = 1, .when = {{0, Op::Equal, 1}}});
+    s.edge(breaking, {.from = 1, .to = 1, .set = {{full, s.op(Op::Plus, s.is(full), s.number(1))}}});
+    s.edge(breaking, {.from = 1, .to = 2, .when = {{0, Op::Equal, 3}}});
+    s.network.settled = s.no(s.at(breaking, 1));
+    s.property("dark", Pattern::Never, {s.at(brief, 1)}, true);
+    const TimedResult result = agreed_apart(s.network);
+    EXPECT_EQ(told(result, "dark"), "unknown (faulty)");
+    EXPECT_FALSE(apart(result, "dark"));
+}
+
 TEST(Parts, ARunThatWouldRepeatOnlyAfterVeryLongIsNotShown) {
     Sketch s;
     const Pulse lamp(s);
