@@ -268,16 +268,26 @@ void ByParts::take(Question& question, Verdict verdict) const {
     given.run = std::move(verdict.run);
 }
 
-/// Whether a verdict on `chosen` is that of the whole, or unknown for good; else `why` not. Where an error of the model
-/// alone keeps a property from holding, the whole is asked where it would be if it held.
-bool ByParts::carries(const Question& question, const Verdict& verdict, const Parts& chosen, std::string& why) const {
-    Verdict supposed = verdict;
+/// What is to be carried over for the verdict to be that of the whole. What an error or inexact time alone keeps from
+/// holding has to hold of the whole but for these; a search that is too large is so in the whole where the others let
+/// time pass.
+Outcome supposed(const Verdict& verdict) {
     const bool wanted = verdict.pattern == Pattern::Reachable;
-    if (verdict.obstacle == Obstacle::Faulty) supposed.outcome = wanted ? Outcome::Violated : Outcome::Holds;
-    why = "it is unknown for the sub-loop alone";
+    switch (verdict.obstacle) {
+    case Obstacle::Faulty:
+    case Obstacle::Inexact: return wanted ? Outcome::Violated : Outcome::Holds;
+    case Obstacle::Bound:
+    case Obstacle::Memory: return wanted ? Outcome::Holds : Outcome::Violated;
+    default: return verdict.outcome;
+    }
+}
+
+/// Whether a verdict on `chosen` is that of the whole, or unknown for good; else `why` not.
+bool ByParts::carries(const Question& question, const Verdict& verdict, const Parts& chosen, std::string& why) const {
     if (verdict.obstacle == Obstacle::Stopped || verdict.obstacle == Obstacle::Unsupported) return true;
-    if (supposed.outcome == Outcome::Unknown) return false;
-    why = objection(supposed, question.property.at_stable, left_out(chosen));
+    Verdict carried = verdict;
+    carried.outcome = supposed(verdict);
+    why = objection(carried, question.property.at_stable, left_out(chosen));
     return why.empty();
 }
 
@@ -337,8 +347,8 @@ void ByParts::answer_each(Question& question) {
         }
         if (verdict.outcome == Outcome::Violated) return need_whole(question, why);
         if (verdict.outcome == Outcome::Holds) continue;
-        const bool for_good = verdict.obstacle == Obstacle::Faulty || verdict.obstacle == Obstacle::Stopped;
-        if (!for_good) return need_whole(question, "it is unknown for a sub-loop alone");
+        const bool for_good = verdict.obstacle == Obstacle::Faulty || verdict.obstacle == Obstacle::Inexact;
+        if (!for_good && !carries(question, verdict, {part}, why)) return need_whole(question, why);
         if (!unknown) unknown = verdict;
     }
     if (unknown) return take(question, std::move(*unknown));

@@ -195,6 +195,47 @@ TEST(Parts, AnErrorOfOneLeavesNothingThatIsSaidOfSettledStates) {
     EXPECT_FALSE(apart(result, "dark"));
 }
 
+TEST(Parts, WhatIntegerTimeLeavesOpenOfOneIsNotSearchedForInTheWhole) {
+    Sketch s;
+    const Pulse lamp(s), other(s, "other");
+    const auto strict = s.process("strict", 2, 1);
+    s.edge(strict, {.from = 0, .to = 1, .when = {{0, Op::Greater, 1}}, .reset = {0}});
+    s.edge(strict, {.from = 1, .to = 0, .reset = {0}});
+    s.property("again", Pattern::AlwaysPossible, {s.at(lamp.process, 1)});
+    s.property("seldom", Pattern::Never, {s.network.exprs.conjunction(s.at(strict, 0), s.at(strict, 1))});
+    s.property("alive", Pattern::NoDeadlock);
+    TimedResult result = agreed_apart(s.network);
+    EXPECT_EQ(told(result, "seldom"), "unknown (inexact)");
+    EXPECT_TRUE(apart(result, "seldom"));
+    EXPECT_EQ(told(result, "alive"), "unknown (inexact)");
+    EXPECT_EQ(told(result, "no_timelock"), "unknown (inexact)");
+    EXPECT_FALSE(apart(result, "again")) << "whether `strict` locks time is not known";
+
+    Sketch t;
+    const Pulse one(t, "one"), two(t, "two");
+    t.property("again", Pattern::AlwaysPossible, {t.at(one.process, 1)});
+    result = agreed_apart(t.network);
+    EXPECT_EQ(told(result, "again"), "unknown (inexact)");
+    EXPECT_EQ(result.states, 10U) << "of 5 and 5";
+}
+
+TEST(Parts, WhatIsTooLargeAloneIsNotSearchedWithOthersThatLetTimePass) {
+    Sketch s;
+    const Pulse lamp(s);
+    ask_of(s, lamp);
+    const auto slow = s.process("slow", 1, 1);
+    s.invariant(slow, 0, {0, Op::LessEqual, 50});
+    s.edge(slow, {.when = {{0, Op::Equal, 50}}, .reset = {0}});
+    s.property("there", Pattern::Always, {s.at(slow, 0)});
+    s.property("alive", Pattern::NoDeadlock);
+    const TimedResult result = check_timed_by_parts(s.network, {.max_states = 20});
+    EXPECT_EQ(told(result, "one"), "holds");
+    EXPECT_EQ(told(result, "there"), "unknown (bound)");
+    EXPECT_TRUE(apart(result, "there"));
+    EXPECT_TRUE(verdict(result, "there").notes.empty());
+    EXPECT_TRUE(verdict(result, "alive").notes.empty());
+}
+
 TEST(Parts, ARunThatWouldRepeatOnlyAfterVeryLongIsNotShown) {
     Sketch s;
     const Pulse lamp(s);
