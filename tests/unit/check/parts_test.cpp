@@ -253,6 +253,20 @@ TEST(Parts, ARunThatWouldRepeatOnlyAfterVeryLongIsNotShown) {
     EXPECT_EQ(verdict(result, "never").notes.size(), 1U);
 }
 
+TEST(Parts, ARunInWhichOthersMoveTooOftenIsNotShown) {
+    Sketch s;
+    const Pulse lamp(s);
+    const auto slow = s.process("slow", 2, 1);
+    s.invariant(slow, 0, {0, Op::LessEqual, 200'000});
+    s.edge(slow, {.from = 0, .to = 1, .when = {{0, Op::Equal, 200'000}}});
+    s.property("never", Pattern::Never, {s.at(slow, 1)});
+    const TimedResult result = check_timed_by_parts(s.network);
+    EXPECT_EQ(told(result, "never"), "violated");
+    EXPECT_FALSE(verdict(result, "never").run);
+    EXPECT_EQ(verdict(result, "never").notes,
+              std::vector<std::string>{"no run is shown: with the other sub-loops it has too many moves"});
+}
+
 TEST(Parts, ABoundOfOneSearchIsReportedAsThatOfTheWhole) {
     Sketch s;
     const Pulse lamp(s), other(s, "other");
