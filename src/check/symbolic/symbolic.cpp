@@ -86,8 +86,8 @@ private:
         search_.rings.add(model.initial());
         if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds()))) {
             const Bdd closure = model.closure(search_.reached);
-            // With what no run leads to, outside of a range or of the invariants, more may follow.
-            if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
+            // From what no run leads to, outside of a range or of the invariants, more may follow.
+            if ((closure & ~model.invariant()).is_false()) search_.reached = closure;
             else grow(model, search_.rings, model.invariant(), {}, goes_on(false));
         }
         result_.depth = search_.rings.each.empty() ? 0 : search_.rings.each.size() - 1;
@@ -99,8 +99,13 @@ private:
         const auto path_to = [&](const Bdd& states) {
             return run_of(model, flat_, {shortest_way(model, search_, states), {}});
         };
-        if (const auto leak = model.leak(search_.reached))
-            return SystemFault{Kind::OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};
+        if (const auto some = model.leak(search_.reached)) {
+            (void)shortest_way(model, search_, some->states);
+            // The nearest: what follows a leak is no run.
+            for (const Bdd& ring : search_.rings.each)
+                if (const auto leak = model.leak(ring))
+                    return SystemFault{Kind::OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};
+        }
         const Bdd stuck = search_.reached & ~model.preimage(search_.reached);
         if (!stuck.is_false()) return SystemFault{Kind::DeadEnd, {}, path_to(stuck)};
         return {};

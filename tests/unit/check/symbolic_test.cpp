@@ -77,6 +77,22 @@ TEST(Symbolic, WhatASearchHasSeenBeforeItIsStoppedIsSaidAndNothingElse) {
     }
 }
 
+TEST(Symbolic, TheFirstValueOutsideItsRangeIsShown) {
+    System system = empty_system();
+    Exprs& exprs = system.exprs;
+    const Id<Expr> later = add_state(system, "later", integer_type(0, 3), exprs.integer(0));
+    const Id<Expr> broken = add_state(system, "broken", {}, exprs.constant(false));
+    const Id<Expr> number = add_state(system, "number", integer_type(0, 3), exprs.integer(0));
+    set_next(system, number, exprs.apply(Op::Plus, number, exprs.integer(1)));
+    set_next(system, broken, exprs.apply(Op::Equal, number, exprs.integer(3)));
+    set_next(system, later, exprs.conditional(broken, exprs.integer(4), later));
+    ASSERT_EQ(verify(system), std::vector<std::string>{});
+    const SymbolicResult result = check_symbolic(system);
+    ASSERT_TRUE(result.fault);
+    EXPECT_EQ(result.fault->variable, "number");
+    EXPECT_EQ(result.fault->run.states.size(), 4u);
+}
+
 TEST(Symbolic, ChoicesThatChangeNothingDoNotMultiplyTheKindsOfSteps) {
     System system = empty_system();
     Exprs& exprs = system.exprs;
