@@ -155,8 +155,8 @@ TEST(SymbolicLaw, AgreesWithAnExplicitSearchOnRandomSystems) {
 }
 
 /// Of three that take turns, which a choice decides: nothing changes but what has its turn. Free inputs begin somewhere,
-/// and half of the systems have none.
-System taking_turns(Random& random) {
+/// and half of the systems have none. `leaking`: numbers leave their ranges, or are divided by zero.
+System taking_turns(Random& random, bool leaking) {
     System system = random_system(random);
     Exprs& exprs = system.exprs;
     const bool closed = chance(random, 50);
@@ -175,7 +175,9 @@ System taking_turns(Random& random) {
             if (!state->initial && chance(random, 70))
                 state->initial = type.boolean ? exprs.constant(chance(random, 50)) : exprs.integer(type.low);
             if (!state->next && !closed) continue;
-            const Id<Expr> next = state->next ? *state->next : type.boolean ? exprs.negation(self) : self;
+            Id<Expr> next = state->next ? *state->next : type.boolean ? exprs.negation(self) : self;
+            if (leaking && !type.boolean && chance(random, 60))
+                next = exprs.apply(chance(random, 70) ? Op::Plus : Op::Divide, exprs.integer(1), self);
             const Id<Expr> mine =
                 main ? exprs.apply(Op::Equal, chosen, exprs.integer(random_number(random, 0, 2))) : chosen;
             state->next = exprs.conditional(mine, next, self);
@@ -192,7 +194,7 @@ TEST(SymbolicLaw, StepsByKindSayWhatAnExplicitSearchSaysOfWhatTakesTurns) {
     for (int seed = 1; seed <= law_size(500); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
-        System system = taking_turns(random);
+        System system = taking_turns(random, false);
         ask_more(system, random);
         compare(system, 400, compared, by_kind);
         if (testing::Test::HasFailure()) return;
@@ -206,6 +208,32 @@ TEST(SymbolicLaw, StepsByKindSayWhatAnExplicitSearchSaysOfWhatTakesTurns) {
     EXPECT_GT(compared.saturated, compared.systems / 10);
     EXPECT_GT(compared.faults, 0u);
     EXPECT_GT(vacuous, 0u);
+}
+
+TEST(SymbolicLaw, StepsByKindBreakOffWhereStepsAtOnceDo) {
+    std::size_t leaks = 0, dead_ends = 0, sound = 0;
+    for (int seed = 1; seed <= law_size(600); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const System system = taking_turns(random, true);
+        ASSERT_EQ(verify(system), std::vector<std::string>{});
+        const SymbolicResult whole = check_symbolic(system, plain), apart = check_symbolic(system, by_kind);
+        ASSERT_EQ(apart.fault.has_value(), whole.fault.has_value());
+        ASSERT_EQ(apart.states, whole.states);
+        if (!whole.fault) {
+            ++sound;
+            continue;
+        }
+        ASSERT_EQ(apart.fault->kind, whole.fault->kind);
+        ASSERT_EQ(apart.fault->variable, whole.fault->variable);
+        ASSERT_EQ(apart.fault->run.states.size(), whole.fault->run.states.size());
+        if (whole.fault->kind == SystemFault::Kind::OutOfRange) ++leaks;
+        if (whole.fault->kind == SystemFault::Kind::DeadEnd) ++dead_ends;
+    }
+    std::cout << leaks << " leave ranges, " << dead_ends << " dead ends, " << sound << " go on\n";
+    EXPECT_GT(leaks, 0u);
+    EXPECT_GT(dead_ends, 0u);
+    EXPECT_GT(sound, 0u);
 }
 
 /// Every run that the engine shows is one by the rules of IEC 60848, and can be told.
