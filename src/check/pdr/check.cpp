@@ -8,6 +8,7 @@
 
 #include "check/evidence.hpp"
 #include "check/pdr/pdr.hpp"
+#include "check/refusal.hpp"
 
 namespace grafverif {
 
@@ -19,22 +20,9 @@ using Literal = Gates::Literal;
 
 /// Why this engine does not take a property; empty: it does.
 std::string refusal(Pattern pattern) {
-    switch (pattern) {
-    case Pattern::Always:
-    case Pattern::Never:
-    case Pattern::Reachable:
-    case Pattern::ExactlyOneOf: return {};
-    case Pattern::Inevitable:
-    case Pattern::LeadsTo:
-    case Pattern::AlwaysPossible: return "it is about runs, and this engine decides what is about states";
-    case Pattern::RawUppaal: return "UPPAAL's formulas are decided by UPPAAL only";
-    case Pattern::RawCtl: return "CTL formulas of NuSMV are decided by NuSMV and nuXmv only";
-    case Pattern::RawLtl: return "LTL formulas of NuSMV are decided by NuSMV and nuXmv only";
-    case Pattern::NoDeadlock:
-    case Pattern::NoTimelock: return "an untimed model has no deadlock and no time to lock";
-    case Pattern::ReachableAllSteps: return "it is asked step by step";
-    }
-    return "nobody knows it";
+    const bool about_runs =
+        pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
+    return about_runs ? "it is about runs, and this engine decides what is about states" : untimed_refusal(pattern);
 }
 
 class Check {

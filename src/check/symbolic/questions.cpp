@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "support/overloaded.hpp"
+#include "check/refusal.hpp"
 
 namespace grafverif::symbolic {
 
@@ -15,26 +15,6 @@ void unknown(Verdict& verdict, Obstacle obstacle, std::string reason) {
     verdict.outcome = Outcome::Unknown;
     verdict.obstacle = obstacle;
     verdict.reason = std::move(reason);
-}
-
-/// Why this engine does not take a property; empty: it does.
-std::string refusal(Pattern pattern) {
-    switch (pattern) {
-    case Pattern::NoDeadlock:
-    case Pattern::NoTimelock: return "an untimed model has no deadlock and no time to lock";
-    case Pattern::RawUppaal: return "UPPAAL's formulas are decided by UPPAAL only";
-    case Pattern::RawCtl: return "CTL formulas of NuSMV are decided by NuSMV and nuXmv only";
-    case Pattern::RawLtl: return "LTL formulas of NuSMV are decided by NuSMV and nuXmv only";
-    case Pattern::ReachableAllSteps: return "it is asked step by step";
-    case Pattern::Always:
-    case Pattern::Never:
-    case Pattern::Reachable:
-    case Pattern::Inevitable:
-    case Pattern::LeadsTo:
-    case Pattern::ExactlyOneOf:
-    case Pattern::AlwaysPossible: return {};
-    }
-    unreachable();
 }
 
 bool about_states(Pattern pattern) {
@@ -123,7 +103,7 @@ Found Questions::answer(const Question& question, const StateSpace& model, Searc
     Found found{verdict_on(question.about, of(question)), {}};
     Verdict& verdict = found.verdict;
     const Pattern pattern = of(question).pattern;
-    if (const std::string reason = refusal(pattern); !reason.empty()) {
+    if (const std::string reason = untimed_refusal(pattern); !reason.empty()) {
         unknown(verdict, Obstacle::Unsupported, reason);
         return found;
     }

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What the embedded engines of untimed models leave to others.
+#pragma once
+
+#include <string>
+
+#include "grafverif/ir/property.hpp"
+#include "support/overloaded.hpp"
+
+namespace grafverif {
+
+/// Why nobody here decides a property of this pattern on a transition system; empty: somebody does.
+inline std::string untimed_refusal(Pattern pattern) {
+    switch (pattern) {
+    case Pattern::NoDeadlock:
+    case Pattern::NoTimelock: return "an untimed model has no deadlock and no time to lock";
+    case Pattern::RawUppaal: return "UPPAAL's formulas are decided by UPPAAL only";
+    case Pattern::RawCtl: return "CTL formulas of NuSMV are decided by NuSMV and nuXmv only";
+    case Pattern::RawLtl: return "LTL formulas of NuSMV are decided by NuSMV and nuXmv only";
+    case Pattern::ReachableAllSteps: return "it is asked step by step";
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::Reachable:
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo:
+    case Pattern::ExactlyOneOf:
+    case Pattern::AlwaysPossible: return {};
+    }
+    unreachable();
+}
+
+}  // namespace grafverif
