@@ -4,6 +4,7 @@
 #include "check/parts/join.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -65,6 +66,15 @@ private:
     std::int64_t now_ = 0;
 };
 
+/// All that tells a state from others of the same network.
+std::vector<std::int64_t> values_of(const NetworkState& state) {
+    std::vector<std::int64_t> values = state.variables;
+    for (const Id<Network::Location> location : state.locations) values.push_back(location.index);
+    for (const std::vector<std::int64_t>& clocks : state.clocks)
+        values.insert(values.end(), clocks.begin(), clocks.end());
+    return values;
+}
+
 }  // namespace
 
 std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Ending ending) {
@@ -107,21 +117,20 @@ std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Endi
 Run gone_on(const Network& network, Run run) {
     NetworkState state = initial_state(network);
     for (const Move& move : run.moves) perform(network, state, move);
-    std::vector<NetworkState> seen;
-    const std::size_t before = run.moves.size();
-    for (;;) {
-        const auto known = std::ranges::find(seen, state);
-        if (known != seen.end()) {
-            run.loop = before + static_cast<std::size_t>(known - seen.begin());
+    std::map<std::vector<std::int64_t>, std::size_t> seen;  // and after how many moves
+    while (run.moves.size() <= most_moves) {
+        const auto [known, fresh] = seen.emplace(values_of(state), run.moves.size());
+        if (!fresh) {
+            run.loop = known->second;
             return run;
         }
-        seen.push_back(state);
         const std::vector<Fire> moves = enabled(network, state);
         const auto done = std::ranges::find_if(
             moves, [&](const Fire& move) { return perform(network, state, move).result == Step::Result::Done; });
         if (done == moves.end()) return run;
         run.moves.emplace_back(*done);
     }
+    return run;
 }
 
 }  // namespace grafverif

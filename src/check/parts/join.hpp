@@ -3,12 +3,16 @@
 // all wait for each other before time passes.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "grafverif/ir/verdict.hpp"
 
 namespace grafverif {
+
+/// A run of more moves is not shown.
+constexpr std::size_t most_moves = 100'000;
 
 /// Where the others are when `shown` ends.
 enum class Ending {
@@ -20,7 +24,7 @@ enum class Ending {
 /// Empty where it would repeat only after very long.
 std::optional<Run> joined(const Run& shown, const std::vector<Run>& others, Ending ending);
 
-/// The run, and on until nothing can happen without the passing of time, or until that repeats.
+/// The run, and on until nothing can happen without the passing of time, until that repeats, or for too many moves.
 Run gone_on(const Network& network, Run run);
 
 }  // namespace grafverif

@@ -19,7 +19,6 @@ using Parts = std::vector<std::uint32_t>;
 
 const char* const timelock_probe = "no timelock";
 const char* const deadlock_probe = "no deadlock";
-constexpr std::size_t most_moves = 100'000;  // of a run that is shown
 
 /// One verdict to give.
 struct Question {
@@ -296,16 +295,16 @@ bool ByParts::carries(const Question& question, const Verdict& verdict, const Pa
 void ByParts::show(Verdict& verdict, const SubNetwork& of, const Parts& chosen, bool at_stable) const {
     if (!verdict.run) return;
     verdict.run = joined(in_whole(of, *verdict.run), beside(chosen), at_stable ? Ending::Waiting : Ending::Anywhere);
-    if (!verdict.run || verdict.run->moves.size() > most_moves) {
-        verdict.notes.emplace_back(verdict.run ? "no run is shown: with the other sub-loops it has too many moves"
-                                               : "no run is shown: with the other sub-loops it would repeat only after "
-                                                 "very long");
-        verdict.run.reset();
+    if (!verdict.run) {
+        verdict.notes.emplace_back("no run is shown: with the other sub-loops it would repeat only after very long");
         return;
     }
     const bool maximal = verdict.pattern == Pattern::Inevitable || verdict.pattern == Pattern::LeadsTo ||
                          verdict.pattern == Pattern::NoTimelock;
     if (maximal && !verdict.run->loop) verdict.run = gone_on(network_, std::move(*verdict.run));
+    if (verdict.run->moves.size() <= most_moves) return;
+    verdict.run.reset();
+    verdict.notes.emplace_back("no run is shown: with the other sub-loops it has too many moves");
 }
 
 void ByParts::answer(Question& question) {

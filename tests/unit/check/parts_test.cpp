@@ -267,6 +267,27 @@ TEST(Parts, ARunInWhichOthersMoveTooOftenIsNotShown) {
               std::vector<std::string>{"no run is shown: with the other sub-loops it has too many moves"});
 }
 
+/// The end of time of one, and another that counts for very long within that instant.
+TEST(Parts, ARunThatEndsBesideOneThatGoesOnForTooManyMovesIsNotShown) {
+    Sketch s;
+    const auto brief = s.process("brief", 2, 1);
+    s.invariant(brief, 0, {0, Op::LessEqual, 1});
+    s.edge(brief, {.from = 0, .to = 0, .guard = s.no(s.yes())});
+    s.property("ends", Pattern::Inevitable, {s.at(brief, 1)});
+    const auto low = s.integer("low", 0, 400), high = s.integer("high", 0, 400);
+    const auto counter = s.process("counter", 1);
+    const auto more = [&](Id<Network::Variable> count) { return s.op(Op::Plus, s.is(count), s.number(1)); };
+    s.edge(counter, {.guard = s.op(Op::Less, s.is(low), s.number(400)), .set = {{low, more(low)}}});
+    s.edge(counter, {.guard = s.network.exprs.conjunction(s.op(Op::Equal, s.is(low), s.number(400)),
+                                                          s.op(Op::Less, s.is(high), s.number(400))),
+                     .set = {{low, s.number(0)}, {high, more(high)}}});
+    const TimedResult result = check_timed_by_parts(s.network);
+    EXPECT_EQ(told(result, "ends"), "violated");
+    EXPECT_FALSE(verdict(result, "ends").run);
+    EXPECT_EQ(verdict(result, "ends").notes,
+              std::vector<std::string>{"no run is shown: with the other sub-loops it has too many moves"});
+}
+
 TEST(Parts, ABoundOfOneSearchIsReportedAsThatOfTheWhole) {
     Sketch s;
     const Pulse lamp(s), other(s, "other");
