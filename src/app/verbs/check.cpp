@@ -99,7 +99,9 @@ Verb check_usage() {
         "`--engine verifyta` asks the model checker of UPPAAL instead, where it is on the PATH: verdicts, no traces.\n"
         "With --untimed the model without time is checked, by the embedded symbolic engine or by NuSMV or nuXmv from\n"
         "the PATH; so is a chart that belongs to no loop, with free inputs. What that says of the real plant stands\n"
-        "under each verdict.\n"
+        "under each verdict. Of properties about states alone ask `--engine pdr`, embedded, where the states are too "
+        "many;\n"
+        "`--engine abc` and `--engine-command` ask hardware model checkers.\n"
         "Formats: text, JSON (--format json), JUnit XML (--junit); traces also as VCD and SVG.",
         {"grafverif check samples/testing_station/testing_station.grafcet",
          "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
