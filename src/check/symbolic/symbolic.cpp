@@ -74,9 +74,14 @@ private:
 
     void search(const StateSpace& model) {
         const std::uint64_t enough = space_.work() + options_.one_by_one;
+        // What follows a step out of a range is no state: the search ends there, and until a ring was looked at for
+        // such steps, what it leads to is not believed.
+        bool leaks = false;
         const auto goes_on = [&](bool kinds) {
-            return [this, &enough, kinds](std::size_t depth) {
+            return [&, kinds](std::size_t depth) {
                 search_.reached = search_.rings.reached;
+                leaks = leaks || model.leak(search_.rings.each.back());
+                if (leaks) return false;
                 result_.bytes = std::max(result_.bytes, space_.bytes());
                 if (options_.progress) options_.progress({depth, space_.bytes(), seconds()});
                 return !kinds || space_.work() < enough;
@@ -84,10 +89,10 @@ private:
         };
         search_.witnesses = options_.witnesses;
         search_.rings.add(model.initial());
-        if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds()))) {
+        if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds())) && !leaks) {
             const Bdd closure = model.closure(search_.reached);
             // From what no run leads to, outside of a range or of the invariants, more may follow.
-            if ((closure & ~model.invariant()).is_false()) search_.reached = closure;
+            if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
             else grow(model, search_.rings, model.invariant(), {}, goes_on(false));
         }
         result_.depth = search_.rings.each.empty() ? 0 : search_.rings.each.size() - 1;

@@ -93,6 +93,32 @@ TEST(Symbolic, TheFirstValueOutsideItsRangeIsShown) {
     EXPECT_EQ(result.fault->run.states.size(), 4u);
 }
 
+TEST(Symbolic, NothingThatFollowsAStepOutOfARangeIsBelievedWhereTheSearchIsStopped) {
+    System system = empty_system();
+    Exprs& exprs = system.exprs;
+    const Id<Expr> number = add_state(system, "number", integer_type(0, 3), exprs.integer(0));
+    const Id<Expr> behind = add_state(system, "behind", {}, exprs.constant(false));
+    const Id<Expr> clock = add_state(system, "clock", integer_type(0, 63), exprs.integer(0));
+    set_next(system, number, exprs.apply(Op::Plus, number, exprs.integer(1)));
+    set_next(system, behind,
+             exprs.conjunction(exprs.apply(Op::Less, number, exprs.integer(3)),
+                               exprs.apply(Op::Greater, clock, exprs.integer(3))));
+    const Id<Expr> full = exprs.apply(Op::Equal, clock, exprs.integer(63));
+    set_next(system, clock, exprs.conditional(full, clock, exprs.apply(Op::Plus, clock, exprs.integer(1))));
+    ask(system, Pattern::Never, behind);
+    ASSERT_EQ(verify(system), std::vector<std::string>{});
+    std::atomic<bool> stop = false;
+    std::size_t deepest = 0;
+    const SymbolicResult result = check_symbolic(system, {.stop = &stop, .progress = [&](const SymbolicProgress& now) {
+                                                              deepest = std::max(deepest, now.depth);
+                                                              stop = now.depth > 12;
+                                                          }});
+    EXPECT_LE(deepest, 4U) << "the fourth ring is the last that a run reaches";
+    ASSERT_TRUE(result.fault);
+    EXPECT_EQ(result.fault->variable, "number");
+    EXPECT_EQ(result.verdicts.at(0).outcome, Outcome::Unknown);
+}
+
 TEST(Symbolic, ChoicesThatChangeNothingDoNotMultiplyTheKindsOfSteps) {
     System system = empty_system();
     Exprs& exprs = system.exprs;
