@@ -36,7 +36,8 @@ TEST(Diagrams, ATimeLimitIsKeptWithinOneLongOperation) {
     const Folder folder;
     const std::string file = poor_order(folder);
     const auto start = std::chrono::steady_clock::now();
-    const Result result = grafverif({"check", file, "--untimed", "--plant", "automata", "--timeout", "1s"});
+    const Result result =
+        grafverif({"check", file, "--untimed", "--plant", "automata", "--schedule", "sequenced", "--timeout", "1s"});
     EXPECT_EQ(result.code, ExitCode::Unknown) << result.err;
     EXPECT_NE(result.out.find("stopped at the time limit of 1 s"), std::string::npos) << result.out;
     EXPECT_LE(std::chrono::steady_clock::now() - start, std::chrono::seconds(15)) << "generous: machines may be busy";

@@ -189,7 +189,7 @@ TEST(EngineCommand, OneThatNeverEndsIsEnded) {
     const std::string file = folder.write("lamp.grafcet", lamp("property P: never L;"));
     const Result result = grafverif({"check", file, "--engine-command", "sleep 1000; true", "--timeout", "300ms"});
     EXPECT_EQ(result.code, ExitCode::Unknown);
-    EXPECT_NE(result.out.find("why: stopped at the time limit of 300 ms"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("why: stopped at the time limit of 0.3 s"), std::string::npos) << result.out;
 }
 
 TEST(EngineCommand, WhatOneQuestionMayTakeIsNoLimitOfAll) {
@@ -199,7 +199,7 @@ TEST(EngineCommand, WhatOneQuestionMayTakeIsNoLimitOfAll) {
     EXPECT_EQ(result.code, ExitCode::Unknown);
     const std::size_t first = result.out.find("why: its share of the time is over");
     EXPECT_NE(first, std::string::npos) << result.out;
-    EXPECT_NE(result.out.find("why: stopped at the time limit of 600 ms", first), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("why: stopped at the time limit of 0.6 s", first), std::string::npos) << result.out;
 }
 
 TEST(EngineCommand, AProgramThatIsNotThereIsNoVerdict) {
