@@ -32,8 +32,8 @@ bool all_known(const std::vector<std::string>& names, const std::vector<std::str
 struct LoopToCheck {
     const Network& network;
     std::vector<const Chart*> charts = {};
-    bool cures_left_out = false;                      ///< its runs are not those of its charts, which is the point
-    std::optional<StateProfile::Finest> finest = {};  ///< the duration that makes its time unit fine
+    bool cures_left_out = false;  ///< its runs are not those of its charts, which is the point
+    std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< asked where states are explained
 };
 /// `network` is that of `loop`.
 LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network& network);

@@ -66,7 +66,7 @@ public:
             report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
         }
         report.profile = std::move(result.profile);
-        if (report.profile) report.profile->finest = loop_.finest;
+        if (report.profile && loop_.finest) report.profile->finest = loop_.finest();
         report.failures = std::move(failures_);
         return report;
     }
@@ -98,7 +98,8 @@ private:
 }  // namespace
 
 LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network& network) {
-    return {network, charts_of(model, model.loops[loop]), false, finest_duration(model, model.loops[loop])};
+    return {network, charts_of(model, model.loops[loop]), false,
+            [&model, loop] { return finest_duration(model, model.loops[loop]); }};
 }
 
 Report check(const LoopToCheck& loop, const CheckOptions& options) {

@@ -2,7 +2,9 @@
 #include "plant/time_unit.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <ranges>
 #include <variant>
 #include <vector>
 
@@ -71,12 +73,27 @@ std::vector<Duration> durations(const Model& model, const ClosedLoop& loop) {
     return found;
 }
 
-/// Of those that are not `left_out`; 0 where there is none.
-std::int64_t common_divisor(const std::vector<Duration>& all, std::int64_t left_out = 0) {
+/// 0 where there is none.
+std::int64_t common_divisor(const std::vector<Duration>& all) {
     std::int64_t divisor = 0;
-    for (const Duration& duration : all)
-        if (duration.milliseconds != left_out) divisor = std::gcd(divisor, duration.milliseconds);
+    for (const Duration& duration : all) divisor = std::gcd(divisor, duration.milliseconds);
     return divisor;
+}
+
+/// Per length of a duration the common divisor of all others.
+std::map<std::int64_t, std::int64_t> divisors_without(const std::vector<Duration>& all) {
+    std::map<std::int64_t, std::int64_t> without;
+    for (const Duration& duration : all) without.emplace(duration.milliseconds, 0);
+    std::int64_t before = 0, behind = 0;
+    for (auto& [length, divisor] : without) {
+        divisor = before;
+        before = std::gcd(before, length);
+    }
+    for (auto& [length, divisor] : without | std::views::reverse) {
+        divisor = std::gcd(divisor, behind);
+        behind = std::gcd(behind, length);
+    }
+    return without;
 }
 
 }  // namespace
@@ -112,8 +129,9 @@ std::optional<StateProfile::Finest> finest_duration(const Model& model, const Cl
         return StateProfile::Finest{0, *loop.time_unit_ms, divisor, loop.time_unit_origin, {}};
     std::optional<StateProfile::Finest> found;
     if (loop.time_unit_ms) return found;
+    const std::map<std::int64_t, std::int64_t> divisors = divisors_without(all);
     for (const Duration& duration : all) {
-        const std::int64_t without = common_divisor(all, duration.milliseconds);
+        const std::int64_t without = divisors.at(duration.milliseconds);
         if (without > (found ? found->coarser_ms : divisor))
             found = StateProfile::Finest{duration.milliseconds, divisor, without, duration.where, {}};
     }
