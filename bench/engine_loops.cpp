@@ -13,6 +13,7 @@
 
 #include "compose/compose.hpp"
 #include "derive/derive.hpp"
+#include "ir/network_terms.hpp"
 #include "plant/plant.hpp"
 #include "read/text.hpp"
 
@@ -59,23 +60,11 @@ Network beside(Network left, const Network& right) {
             return left.exprs.leaf(leaf.op, static_cast<std::uint32_t>(leaf.value) + variables);
         });
     };
-    const auto copy_constraints = [&](std::vector<Network::ClockConstraint>& list) {
-        for (Network::ClockConstraint& constraint : list) constraint.bound = copy(constraint.bound);
-    };
-    const auto copy_assignments = [&](std::vector<Network::Assignment>& list) {
-        for (auto& [target, value] : list) target = copy(target), value = copy(value);
-    };
     for (const Network::Variable& variable : right.variables) left.variables.add(variable);
     for (Network::Process process : right.processes) {
         Network::Template automaton = right.templates[process.automaton];
         automaton.name += "_2";
-        for (Network::Location& location : automaton.locations) copy_constraints(location.invariant);
-        for (Network::Procedure& procedure : automaton.procedures) copy_assignments(procedure.assignments);
-        for (Network::Edge& edge : automaton.edges) {
-            edge.guard = copy(edge.guard);
-            copy_constraints(edge.constraint);
-            copy_assignments(edge.assignments);
-        }
+        replace_terms(automaton, copy);
         process.automaton = left.templates.add(std::move(automaton));
         left.processes.add(std::move(process));
     }

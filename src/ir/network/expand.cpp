@@ -2,6 +2,7 @@
 // expand: each process gets a template of its own, its arguments written in place of the parameters. What an engine
 // reads, and what the emitters' tests compare with.
 #include "grafverif/ir/network.hpp"
+#include "ir/network_terms.hpp"
 #include "ir/slots.hpp"
 
 namespace grafverif {
@@ -11,25 +12,10 @@ namespace {
 Network::Template expanded(const Slots& slots, Exprs& exprs) {
     Network::Template automaton = slots.automaton;
     TermCopier copy = slots.terms(exprs);
-    const auto copy_constraints = [&copy](std::vector<Network::ClockConstraint>& list) {
-        for (Network::ClockConstraint& constraint : list) constraint.bound = copy(constraint.bound);
-    };
-    const auto copy_assignments = [&copy](std::vector<Network::Assignment>& list) {
-        for (auto& [target, value] : list) {
-            target = copy(target);
-            value = copy(value);
-        }
-    };
     automaton.name = slots.process.name;
     automaton.parameters = {};
     automaton.initial = slots.process.initial;
-    for (Network::Location& location : automaton.locations) copy_constraints(location.invariant);
-    for (Network::Procedure& procedure : automaton.procedures) copy_assignments(procedure.assignments);
-    for (Network::Edge& edge : automaton.edges) {
-        edge.guard = copy(edge.guard);
-        copy_constraints(edge.constraint);
-        copy_assignments(edge.assignments);
-    }
+    replace_terms(automaton, copy);
     return automaton;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ir/network_parts.hpp"
+#include "ir/network_terms.hpp"
 #include "ir/slots.hpp"
 
 namespace grafverif {
@@ -158,19 +159,7 @@ Id<Network::Variable> SubNetworkBuilder::here(Id<Network::Variable> variable) {
 void SubNetworkBuilder::add_process(Id<Network::Process> id) {
     Network::Process process = whole_.processes[id];
     Network::Template automaton = whole_.templates[process.automaton];
-    const auto copy_constraints = [this](std::vector<Network::ClockConstraint>& list) {
-        for (Network::ClockConstraint& constraint : list) constraint.bound = copy_(constraint.bound);
-    };
-    const auto copy_assignments = [this](std::vector<Network::Assignment>& list) {
-        for (auto& [target, value] : list) target = copy_(target), value = copy_(value);
-    };
-    for (Network::Location& location : automaton.locations) copy_constraints(location.invariant);
-    for (Network::Procedure& procedure : automaton.procedures) copy_assignments(procedure.assignments);
-    for (Network::Edge& edge : automaton.edges) {
-        edge.guard = copy_(edge.guard);
-        copy_constraints(edge.constraint);
-        copy_assignments(edge.assignments);
-    }
+    replace_terms(automaton, copy_);
     process.automaton = made_.network.templates.add(std::move(automaton));
     made_.network.processes.add(std::move(process));
 }
