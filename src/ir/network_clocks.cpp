@@ -56,7 +56,7 @@ ProcessClocks analyse(const Network& network, const Network::Template& automaton
             const Network::Edge& edge = automaton.edges[{index}];
             bool grew = false;
             for (std::uint32_t clock = 0; clock < clocks; ++clock) {
-                if (std::ranges::find(edge.resets, Id<Network::Clock>{clock}) != edge.resets.end()) continue;
+                if (resets(edge, {clock})) continue;
                 std::int64_t& cap = result.cap[edge.from.index][clock];
                 grew = grew || cap < result.cap[target][clock] ||
                        (result.bounded[target][clock] && !result.bounded[edge.from.index][clock]);
@@ -98,6 +98,10 @@ std::vector<ClockInterval> admitted(const Network& network, const std::vector<Ne
         all = {std::max(all.low, one.low), std::min(all.high, one.high)};
     }
     return result;
+}
+
+bool resets(const Network::Edge& edge, Id<Network::Clock> clock) {
+    return std::ranges::find(edge.resets, clock) != edge.resets.end();
 }
 
 std::vector<ProcessClocks> analyse_clocks(const Network& network) {

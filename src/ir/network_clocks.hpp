@@ -40,6 +40,8 @@ struct ProcessClocks {
     std::vector<std::int64_t> greatest = {};          ///< per clock, over all locations: the values to make room for
 };
 
+bool resets(const Network::Edge& edge, Id<Network::Clock> clock);
+
 /// Of each process of an expanded network.
 std::vector<ProcessClocks> analyse_clocks(const Network& network);
 

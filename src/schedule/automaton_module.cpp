@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 
+#include "ir/network_clocks.hpp"
 #include "schedule/automaton_edges.hpp"
 
 namespace grafverif::schedule {
@@ -148,10 +149,6 @@ public:
     }
 
 private:
-    static bool resets(const Network::Edge& edge, Id<Network::Clock> id) {
-        return std::ranges::find(edge.resets, id) != edge.resets.end();
-    }
-
     /// What a constraint admits, under the arguments of the process.
     ClockInterval values(const Network::ClockConstraint& constraint) const {
         return admitted(constraint.relation,

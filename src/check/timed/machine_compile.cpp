@@ -18,10 +18,6 @@ std::uint32_t within(Compiler& compiler, const Field& field, const Interval& wan
     return compiler.emit(field_within(field, low, high, yes, no));
 }
 
-bool resets(const Network::Edge& edge, std::uint32_t clock) {
-    return std::ranges::find(edge.resets, Id<Network::Clock>{clock}) != edge.resets.end();
-}
-
 }  // namespace
 
 Machine::Machine(const Network& network)
@@ -86,7 +82,7 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
     const std::vector<Interval> after =
         admitted(network_, automaton.locations[edge.to].invariant, automaton.clocks.size());
     for (std::uint32_t clock = 0; clock < automaton.clocks.size(); ++clock) {
-        const bool reset = resets(edge, clock);
+        const bool reset = resets(edge, {clock});
         if (reset && !after[clock].contains(0)) compiled.clocks = Program::no;
         const Interval both{wanted[clock].low,
                             reset ? wanted[clock].high : std::min(wanted[clock].high, after[clock].high)};
@@ -138,7 +134,7 @@ std::uint32_t Machine::compile_effect(Id<Network::Process> process, const Networ
         const std::int64_t source = caps[edge.from.index][clock];
         const std::int64_t target = caps[edge.to.index][clock];
         if (source == ProcessClocks::dead) continue;
-        if (resets(edge, clock) || target == ProcessClocks::dead) patch(field, 0);
+        if (resets(edge, {clock}) || target == ProcessClocks::dead) patch(field, 0);
         else if (target < source)
             next = compiler_.emit({.mask = field.mask(),
                                    .value = static_cast<Word>(target),
@@ -174,7 +170,7 @@ void Machine::judge_bounds(Id<Network::Process> process, const Network::Edge& ed
     const std::vector<Interval> after = admitted(network_, automaton.locations[edge.to].invariant, clocks);
     const auto free = [&](std::uint32_t clock) {  // the clock has no say, at whatever values the source allows
         if (wanted[clock].low > 0 || wanted[clock].high < given[clock].high) return false;
-        return resets(edge, clock) ? after[clock].high >= 0 : given[clock].high <= after[clock].high;
+        return resets(edge, {clock}) ? after[clock].high >= 0 : given[clock].high <= after[clock].high;
     };
     std::vector<std::uint32_t> speaking;
     for (std::uint32_t clock = 0; clock < clocks; ++clock)
@@ -184,7 +180,7 @@ void Machine::judge_bounds(Id<Network::Process> process, const Network::Edge& ed
          ++bound) {  // further ones stay open
         const std::uint32_t clock = invariant[bound].clock.index;
         const std::int64_t value = admitted(network_, invariant[bound]).high;
-        const bool reset = resets(edge, clock);
+        const bool reset = resets(edge, {clock});
         const bool other = std::ranges::any_of(speaking, [&](std::uint32_t one) { return one != clock; });
         if (other || !wanted[clock].contains(value) || (reset ? 0 : value) > after[clock].high) continue;
         compiled.covers |= Word{1} << bound;

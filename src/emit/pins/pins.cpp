@@ -5,7 +5,6 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <cctype>
 #include <ostream>
 #include <vector>
 
@@ -54,10 +53,7 @@ public:
                     groups_.push_back({process, edge});
         UniqueNames names;
         const auto add = [&](const std::string& name, const std::string& suffix, Id<Expr> term, const Property& of) {
-            std::string wish = name + suffix;
-            for (char& character : wish)
-                if (std::isalnum(static_cast<unsigned char>(character)) == 0) character = '_';
-            labels_.push_back({names.fresh(wish), term, &of});
+            labels_.push_back({names.fresh(identifier(name + suffix)), term, &of});
         };
         for (const Property& property : network.properties) add_labels(property, add);
     }
@@ -234,7 +230,7 @@ void Writer::write_move(std::size_t index, const Group& group) {
     for (std::uint32_t clock = 0; clock < clocks.size(); ++clock) {
         const std::int64_t from = caps[edge.from.index][clock], to = caps[edge.to.index][clock];
         if (!clocks[clock] || from == ProcessClocks::dead) continue;
-        const bool reset = std::ranges::find(edge.resets, Id<Network::Clock>{clock}) != edge.resets.end();
+        const bool reset = resets(edge, {clock});
         if (reset || to == ProcessClocks::dead) fmt::print(out_, "    s[{}] = 0;\n", *clocks[clock]);
         else if (to < from) fmt::print(out_, "    s[{0}] = capped(s[{0}], {1});\n", *clocks[clock], to);
     }
@@ -278,11 +274,9 @@ void Writer::write_time() {
 
 void Writer::write_next() {
     out_ << "typedef bool (*may_t)(const int *);\ntypedef void (*move_t)(int *);\nstatic const may_t may[] = {";
-    for (std::size_t i = 0; i < groups_.size(); ++i)
-        fmt::print(out_, "{}may_{}", i % 8 == 0 ? "\n    " : " ", i), out_ << ',';
+    for (std::size_t i = 0; i < groups_.size(); ++i) fmt::print(out_, "{}may_{},", i % 8 == 0 ? "\n    " : " ", i);
     out_ << "\n    0};\nstatic const move_t move[] = {";
-    for (std::size_t i = 0; i < groups_.size(); ++i)
-        fmt::print(out_, "{}move_{}", i % 8 == 0 ? "\n    " : " ", i), out_ << ',';
+    for (std::size_t i = 0; i < groups_.size(); ++i) fmt::print(out_, "{}move_{},", i % 8 == 0 ? "\n    " : " ", i);
     const std::string race = network_.race.valid() && slots_.variables[network_.race.index]
                                  ? fmt::format("    if (src[{}] != 0) return 0; /* stored actions have raced */\n",
                                                *slots_.variables[network_.race.index])

@@ -10,21 +10,17 @@ namespace grafverif::pins {
 
 namespace {
 
-std::string identifier(std::string name) {
-    for (char& character : name)
-        if (std::isalnum(static_cast<unsigned char>(character)) == 0) character = '_';
-    return name;
-}
-
-bool resets(const Network::Edge& edge, std::uint32_t clock) {
-    return std::ranges::find(edge.resets, Id<Network::Clock>{clock}) != edge.resets.end();
-}
-
 void add(SlotSet& set, const std::optional<Slot>& slot) {
     if (slot) set.insert(*slot);
 }
 
 }  // namespace
+
+std::string identifier(std::string name) {
+    for (char& character : name)
+        if (std::isalnum(static_cast<unsigned char>(character)) == 0) character = '_';
+    return name;
+}
 
 Slots::Slots(const Network& expanded) : network(expanded), caps(analyse_clocks(expanded)) {
     UniqueNames unique;
@@ -84,7 +80,7 @@ std::vector<ClockInterval> Slots::asked(Id<Network::Process> process, const Netw
     std::vector<ClockInterval> wanted = admitted(network, edge.constraint, count);
     const std::vector<ClockInterval> after = admitted(network, automaton(process).locations[edge.to].invariant, count);
     for (std::uint32_t clock = 0; clock < count; ++clock) {
-        if (!resets(edge, clock)) wanted[clock].high = std::min(wanted[clock].high, after[clock].high);
+        if (!resets(edge, {clock})) wanted[clock].high = std::min(wanted[clock].high, after[clock].high);
         else if (!after[clock].contains(0)) wanted[clock] = {1, 0};  // nothing is admitted
     }
     return wanted;

@@ -17,6 +17,9 @@ namespace grafverif::pins {
 using Slot = std::uint32_t;
 using SlotSet = std::set<Slot>;
 
+/// `name` with `_` for all that is no letter and no digit.
+std::string identifier(std::string name);
+
 struct Slots {
     /// `network` is expanded, and outlives this.
     explicit Slots(const Network& network);

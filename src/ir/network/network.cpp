@@ -7,6 +7,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "ir/network_clocks.hpp"
 #include "ir/sorts.hpp"
 
 namespace grafverif {
@@ -248,8 +249,7 @@ bool keeps_target_invariant(const Network& network, const Network::Process& proc
     const Network::Template& automaton = network.templates[process.automaton];
     return std::ranges::all_of(automaton.locations[edge.to].invariant, [&](const Network::ClockConstraint& wanted) {
         const std::int64_t bound = bound_value(network, process, wanted.bound);
-        if (std::ranges::find(edge.resets, wanted.clock) != edge.resets.end())
-            return wanted.relation == Op::Less ? bound > 0 : bound >= 0;
+        if (resets(edge, wanted.clock)) return wanted.relation == Op::Less ? bound > 0 : bound >= 0;
         return std::ranges::any_of(
             automaton.locations[edge.from].invariant, [&](const Network::ClockConstraint& given) {
                 return given.clock == wanted.clock &&
