@@ -1,0 +1,110 @@
+" SPDX-License-Identifier: MIT
+" The .grafcet language of grafverif: GRAFCET charts (IEC 60848), plant components, closed loops.
+" Words that may be names are coloured only where they cannot be: before what a name is never followed by. The words are
+" those of editors/words.json; the result is that of editors/vscode/syntaxes/grafcet.tmLanguage.json.
+scriptencoding utf-8
+if exists('b:current_syntax')
+    finish
+endif
+let s:save_cpo = &cpo
+set cpo&vim
+
+syn case match
+syn sync minlines=200
+
+" Reserved words.
+syn keyword grafcetDeclaration grafcet component closed_loop nextgroup=grafcetTypeName skipwhite
+syn keyword grafcetDeclaration input output internal
+syn keyword grafcetDeclaration step nextgroup=grafcetStepName skipwhite
+syn keyword grafcetDeclaration transition nextgroup=grafcetLabel skipwhite
+syn keyword grafcetControl include when do force
+syn keyword grafcetLogic and or not
+syn keyword grafcetConstant true false
+syn keyword grafcetPattern always never inevitable possible
+syn keyword grafcetPattern reachable nextgroup=grafcetAllSteps skipwhite
+
+" Any other name: what follows decides otherwise, and stands behind it for that.
+syn match grafcetName /\<[A-Za-z_][A-Za-z0-9_]*/
+
+" Words before the beginning of a term, a label, a text: no name is followed by these.
+let s:free = '\.\@1<!\<\%('
+let s:operand = '\%(\%(and\|or\|when\|do\)\>\)\@!'
+let s:follows = '\%(\%(leads\s\+to\|at\s\+stable\|on\s\+\%(activation\|deactivation\|event\)\)\>\)\@!'
+let s:term = '\)\>\%(\s*\%($\|\/\/\|\/\*\|(\)\|\s\+' . s:operand . s:follows . '\%([A-Za-z0-9_↑↓]\|!=\@!\|-[>[:space:]]\@!\)\)\@='
+exe 'syn match grafcetDeclaration /' . s:free . 'variable\|clock\|constraint\|accept\|grain\|schedule\|plant\|environment' . s:term . '/'
+exe 'syn match grafcetDeclaration /' . s:free . 'partial\|expansion\|observer' . s:term . '/ nextgroup=grafcetBlockName skipwhite'
+exe 'syn match grafcetDeclaration /' . s:free . 'controller' . s:term . '/ nextgroup=grafcetTypeName skipwhite'
+exe 'syn match grafcetDeclaration /' . s:free . 'location' . s:term . '/ nextgroup=grafcetStepName skipwhite'
+exe 'syn match grafcetDeclaration /' . s:free . 'property' . s:term . '/ nextgroup=grafcetPropertyName skipwhite'
+exe 'syn match grafcetControl /' . s:free . 'if\|after\|for\|with\|invariant\|initially\|expands\|encloses' . s:term . '/'
+exe 'syn match grafcetModifier /' . s:free . 'urgent\|timed\)\>\%(\s*$\|\s\+' . s:operand . '[A-Za-z0-9_]\)\@=/'
+exe 'syn match grafcetModifier /' . s:free . 'initial\|linked\|entry\|exit\|macro\|enclosing\)\>' .
+            \ '\%(\s*$\|\s\+\%(initial\|linked\|entry\|exit\|macro\|enclosing\|step\|location\)\>\)\@=/'
+exe 'syn match grafcetPattern /' . s:free . 'uppaal\|ctl\|ltl\)\>\%(\s*\%($\|"\)\)\@=/'
+exe 'syn match grafcetEdge /' . s:free . 'rise\|fall\)\>\%(\s*(\)\@=/'
+syn match grafcetEdge /[↑↓]/
+
+" Words that come together.
+exe 'syn match grafcetDeclaration /' . s:free . 'time\)\s\+unit\>/'
+exe 'syn match grafcetControl /' . s:free . 'on\)\s\+\%(activation\|deactivation\|event\)\>/'
+exe 'syn match grafcetControl /' . s:free . 'expected\)\s\+violated\>/'
+exe 'syn match grafcetControl /' . s:free . 'at\)\s\+stable\>/'
+exe 'syn match grafcetPattern /' . s:free . 'leads\)\s\+to\>/'
+exe 'syn match grafcetPattern /' . s:free . 'no\)\s\+\%(deadlock\|timelock\)\>/'
+exe 'syn match grafcetPattern /' . s:free . 'exactly\)\s\+one\s\+of\>/'
+syn match grafcetAllSteps /\<all\s\+steps\>/ contained
+syn match grafcetType /\%(:\s*\)\@<=\%(bool\|int\|duration\)\>\%(\s*\%(->\|leads\>\)\)\@!/
+
+" Names where they are declared.
+syn match grafcetTypeName /\<\%(\%(and\|or\|when\|do\)\>\)\@![A-Za-z_][A-Za-z0-9_]*/ contained
+syn match grafcetTypeName /\%([:=!<>]\@1<!=\s*\)\@<=\%(\%(not\|rise\|fall\)\>\)\@!\<[A-Za-z_][A-Za-z0-9_]*\%(\s*(\)\@=/
+syn match grafcetBlockName /\<[A-Za-z_][A-Za-z0-9_]*\%(\s*\%({\|$\)\)\@=/ contained
+syn match grafcetStepName /\<\%(\%(and\|or\|when\|do\|step\|transition\|input\|output\|internal\)\>\)\@![A-Za-z0-9_]\+/ contained
+syn match grafcetLabel /\<[A-Za-z0-9_]\+\%(\s*:\)\@=/ contained
+syn match grafcetPropertyName /\<[A-Za-z_][A-Za-z0-9_]*/ contained
+
+" Values, signs, texts, comments.
+syn match grafcetStepVariable /\<X[0-9][A-Za-z0-9_]*\>/
+syn match grafcetNumber /\<[0-9]\+\>/
+syn match grafcetInvalid /\<[0-9]\+\%(\.[0-9]\+[A-Za-z0-9_]*\|[A-Za-z_][A-Za-z0-9_]*\)/
+syn match grafcetDuration /\<[0-9]\+\%(\.[0-9]\+\)\?\%(ms\|s\|min\)\>/
+syn match grafcetOperator /[-!<>+*\/%=]/
+syn match grafcetInvalid /<>\|&\||/
+syn match grafcetOperator /:=\|->\|&&\|||\|==\|!=\|<=\|>=\|\.\./
+syn match grafcetAccept /\.\@1<!\<accept\s\+\%(\%(when\|do\)\>\)\@![A-Za-z_][A-Za-z0-9_]*\%(-[A-Za-z_][A-Za-z0-9_]*\)*/ contains=grafcetAcceptWord
+syn match grafcetAcceptWord /\<accept\%(\s\)\@=/ contained nextgroup=grafcetFinding skipwhite
+syn match grafcetFinding /[A-Za-z0-9_-]\+/ contained
+syn match grafcetInvalid /"[^"]*$/
+syn match grafcetString /"[^"]*"/ contains=@Spell
+syn keyword grafcetTodo TODO FIXME XXX contained
+syn match grafcetComment "//.*$" contains=grafcetTodo,@Spell
+syn region grafcetComment start="/\*" end="\*/" contains=grafcetTodo,@Spell
+
+hi def link grafcetDeclaration Type
+hi def link grafcetModifier StorageClass
+hi def link grafcetControl Keyword
+hi def link grafcetLogic Operator
+hi def link grafcetEdge Function
+hi def link grafcetConstant Boolean
+hi def link grafcetType Type
+hi def link grafcetPattern Statement
+hi def link grafcetAllSteps grafcetPattern
+hi def link grafcetTypeName Identifier
+hi def link grafcetBlockName grafcetTypeName
+hi def link grafcetStepName Identifier
+hi def link grafcetLabel Function
+hi def link grafcetPropertyName grafcetLabel
+hi def link grafcetStepVariable Special
+hi def link grafcetNumber Number
+hi def link grafcetDuration Float
+hi def link grafcetOperator Operator
+hi def link grafcetAcceptWord grafcetDeclaration
+hi def link grafcetFinding Constant
+hi def link grafcetInvalid Error
+hi def link grafcetString String
+hi def link grafcetTodo Todo
+hi def link grafcetComment Comment
+
+let b:current_syntax = 'grafcet'
+let &cpo = s:save_cpo
+unlet s:save_cpo s:free s:operand s:follows s:term

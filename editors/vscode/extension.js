@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The client for VS Code: it starts `grafverif lsp` and leaves the rest to it and to vscode-languageclient.
+"use strict";
+const vscode = require("vscode");
+const { LanguageClient } = require("vscode-languageclient/node");
+
+let client;
+
+function made() {
+    const settings = vscode.workspace.getConfiguration("grafverif");
+    const server = { command: settings.get("path") || "grafverif", args: ["lsp", ...(settings.get("arguments") || [])] };
+    return new LanguageClient("grafverif", "grafverif", server, {
+        documentSelector: [{ language: "grafcet" }],
+        middleware: {
+            // From the palette a command says nothing of what it is for: then it is for the file one looks at.
+            executeCommand: (command, given, next) => {
+                const editor = vscode.window.activeTextEditor;
+                return next(command, given.length > 0 || !editor ? given : [editor.document.uri.toString()]);
+            },
+        },
+    });
+}
+
+async function start() {
+    client = made();
+    try {
+        await client.start();
+    } catch (failure) {
+        const what = `grafverif does not start: ${failure.message || failure}. Install it, or say where it is.`;
+        if ((await vscode.window.showErrorMessage(what, "Settings")) === "Settings")
+            await vscode.commands.executeCommand("workbench.action.openSettings", "grafverif.path");
+    }
+}
+
+async function stop() {
+    const old = client;
+    client = undefined;
+    if (old) await old.dispose().catch(() => undefined);
+}
+
+exports.activate = async (context) => {
+    const restart = async () => {
+        await stop();
+        await start();
+    };
+    context.subscriptions.push(
+        vscode.commands.registerCommand("grafverif.restart", restart),
+        vscode.workspace.onDidChangeConfiguration(async (change) => {
+            if (change.affectsConfiguration("grafverif.path") || change.affectsConfiguration("grafverif.arguments")) await restart();
+        }),
+    );
+    await start();
+};
+
+exports.deactivate = stop;
