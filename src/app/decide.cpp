@@ -26,12 +26,13 @@ std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& j
 
 /// Whether the engine asked for takes a transition system by itself; else it is the embedded symbolic one.
 bool takes_system(Engine engine) {
-    return engine == Engine::Pdr || engine == Engine::Abc || engine == Engine::Hwmcc || engine == Engine::Nusmv ||
-           engine == Engine::Nuxmv;
+    return engine == Engine::Pdr || engine == Engine::Bmc || engine == Engine::Abc || engine == Engine::Hwmcc ||
+           engine == Engine::Nusmv || engine == Engine::Nuxmv;
 }
 
 std::optional<Report> system_report(const SystemToCheck& check, Job& job, const CheckOptions& options) {
     if (job.options.engine == Engine::Pdr) return check_states(check, options);
+    if (job.options.engine == Engine::Bmc) return check_states(check, options, bounded_search(job.options.max_steps));
     if (job.options.engine == Engine::Abc) return check_by_abc(check, options, job.diagnostics);
     if (job.options.engine == Engine::Hwmcc) return check_by_command(check, job.options.engine_command, options);
     return check_by_nusmv(check, job.options.engine == Engine::Nusmv ? "NuSMV" : "nuXmv", options, job.diagnostics);

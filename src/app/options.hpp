@@ -29,6 +29,7 @@ enum class Engine {
     Verifyta,
     Symbolic,
     Pdr,
+    Bmc,
     Abc,
     Hwmcc,
     Nusmv,
@@ -73,6 +74,7 @@ struct Options {
     Ablations without = {};                        ///< cures of the method left out: see docs/method.md
     std::vector<std::string> cures_left_out = {};  ///< the same by name
     std::optional<std::uint64_t> max_states = {};
+    std::optional<std::uint64_t> max_steps = {};                         ///< of Engine::Bmc
     std::optional<std::uint64_t> max_memory = {};                        ///< bytes
     std::optional<std::uint64_t> timeout_ms = {};                        ///< a hundred years at most
     std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the same from the start of the run on

@@ -69,11 +69,15 @@ private:
 std::vector<std::size_t> asked_properties(const TransitionSystem& system, const std::vector<std::string>& names);
 
 Report check(const SystemToCheck& check, const CheckOptions& options);
-/// The same of what is about states, one property at a time, by the embedded PDR engine or by who searches in its place.
+/// The same of what is about states, by an embedded engine on circuits or by who searches in its place.
 struct StateSearch {
     std::string name = "pdr";
     decltype(PdrOptions::reach) reach = {};
+    PdrOptions::Method method = PdrOptions::Method::Pdr;
+    std::optional<std::size_t> max_steps = {};  ///< of BMC
 };
+/// BMC; `max_steps`: of the runs looked at, 100 unless said.
+StateSearch bounded_search(std::optional<std::uint64_t> max_steps);
 Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search = {});
 
 /// Has `decide` answer what a chart alone is asked; under stability search the search of `analyse` adds whether it stabilises,

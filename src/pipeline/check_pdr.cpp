@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The embedded PDR engine at work, and programs in its place.
+// The embedded engines on circuits at work, and programs in their place.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +12,14 @@
 
 namespace grafverif {
 
+StateSearch bounded_search(std::optional<std::uint64_t> max_steps) {
+    return {"bmc", {}, PdrOptions::Method::Bmc, max_steps.value_or(100)};
+}
+
 Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search) {
     PdrOptions pdr;
+    pdr.method = search.method;
+    pdr.max_steps = search.max_steps;
     pdr.reach = search.reach;
     for (const std::size_t index : asked_properties(check.system, options.properties))
         pdr.properties.push_back(check.system.properties[{static_cast<std::uint32_t>(index)}].name);
@@ -21,8 +27,9 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
     if (options.limits.progress)
         pdr.progress = [&options](const PdrProgress& now) {
             options.limits.progress({[&now] {
-                return fmt::format("{}: {} frames, {} MiB, {:.0f} s", now.property, now.frames, now.bytes >> 20U,
-                                   now.seconds);
+                const std::string far = now.property.empty() ? fmt::format("{} steps", now.frames)
+                                                             : fmt::format("{}: {} frames", now.property, now.frames);
+                return fmt::format("{}, {} MiB, {:.0f} s", far, now.bytes >> 20U, now.seconds);
             }});
         };
     PdrResult result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The PDR engine against an explicit search and the symbolic engine: the same faults and verdicts, and runs that are runs,
-// on random systems and on random loops in every approach and schedule. A certificate from which something is taken is
-// none.
+// The PDR engine and BMC against an explicit search and the symbolic engine: the same faults and verdicts, and runs that are
+// runs, on random systems and on random loops in every approach and schedule; what is said to be shortest is, and what
+// no run of so many steps is said to reach none reaches. A certificate from which something is taken is none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,6 +27,7 @@ using System = TransitionSystem;
 
 struct Compared {
     std::size_t systems = 0, verdicts = 0, violated = 0, faults = 0, given_up = 0;
+    std::size_t bounded = 0;  ///< verdicts of BMC that its number of steps kept from being given
 };
 
 /// Some small models take an engine minutes.
@@ -36,8 +37,7 @@ bool gave_up(const std::vector<Verdict>& verdicts) {
     return std::ranges::any_of(verdicts, [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Stopped; });
 }
 
-PdrResult patient(const System& system) {
-    PdrOptions options;
+PdrResult patient(const System& system, PdrOptions options = {}) {
     options.deadline = std::chrono::steady_clock::now() + patience;
     return check_pdr(system, options);
 }
@@ -45,6 +45,36 @@ PdrResult patient(const System& system) {
 bool about_states(Pattern pattern) {
     return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf ||
            pattern == Pattern::Reachable;
+}
+
+bool says(const std::vector<std::string>& notes, const char* what) {
+    return std::ranges::find(notes, what) != notes.end();
+}
+
+/// Runs of up to that many steps, against those of the symbolic engine, which are shortest.
+void compare_bounded(const System& system, const SymbolicResult& symbolic, std::size_t steps, Compared& compared) {
+    PdrOptions options;
+    options.method = PdrOptions::Method::Bmc;
+    options.max_steps = steps;
+    const PdrResult found = patient(system, options);
+    ASSERT_EQ(found.failures, std::vector<std::string>{});
+    if (gave_up(found.verdicts)) return;
+    for (std::size_t i = 0; i < found.verdicts.size(); ++i) {
+        const Verdict &verdict = found.verdicts[i], &expected = symbolic.verdicts[i];
+        SCOPED_TRACE(verdict.property);
+        if (!about_states(verdict.pattern) || expected.obstacle != Obstacle::None) continue;
+        if (symbolic.runs[i] && symbolic.runs[i]->states.size() <= steps + 1) {
+            ASSERT_EQ(verdict.outcome, expected.outcome);
+            EXPECT_EQ(found.runs[i]->states.size(), symbolic.runs[i]->states.size());
+            EXPECT_TRUE(says(verdict.notes, "no run with fewer steps shows it"));
+            continue;
+        }
+        EXPECT_EQ(verdict.outcome, Outcome::Unknown);
+        EXPECT_EQ(verdict.obstacle, Obstacle::Bound);
+        EXPECT_EQ(verdict.reason, "no run of up to " + std::to_string(steps) + (steps == 1 ? " step" : " steps") +
+                                      (verdict.pattern == Pattern::Reachable ? " gets there" : " violates it"));
+        ++compared.bounded;
+    }
 }
 
 /// With the symbolic engine, and with `graph` where there is one. The engine looks at no dead end, so a system with one is
@@ -83,10 +113,14 @@ void compare(const System& system, const std::optional<SystemGraph>& graph, cons
         if (!dead_end) {
             ASSERT_EQ(verdict.outcome, symbolic.verdicts[id.index].outcome);
             ASSERT_EQ(verdict.vacuous, symbolic.verdicts[id.index].vacuous);
+            if (found.runs[id.index] && says(verdict.notes, "no run with fewer steps shows it")) {
+                ASSERT_EQ(found.runs[id.index]->states.size(), symbolic.runs[id.index]->states.size());
+            }
         }
         ++compared.verdicts;
         if (!expected) ++compared.violated;
     }
+    if (!dead_end) compare_bounded(system, symbolic, compared.systems % 7, compared);
 }
 
 TEST(PdrLaw, AgreesWithTheOtherEnginesOnRandomSystems) {
@@ -101,8 +135,9 @@ TEST(PdrLaw, AgreesWithTheOtherEnginesOnRandomSystems) {
         ASSERT_NO_FATAL_FAILURE(compare(system, graph, patient(system), compared));
     }
     std::cout << compared.systems << " systems, " << compared.verdicts << " verdicts, " << compared.violated
-              << " of them violated, " << compared.faults << " faults\n";
+              << " of them violated, " << compared.faults << " faults, " << compared.bounded << " within a bound\n";
     EXPECT_GT(compared.violated, compared.verdicts / 5);
+    EXPECT_GT(compared.bounded, 0u);
     EXPECT_GT(compared.faults, 0u);
 }
 

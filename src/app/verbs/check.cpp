@@ -100,7 +100,8 @@ Verb check_usage() {
         "With --untimed the model without time is checked, by the embedded symbolic engine or by NuSMV or nuXmv from\n"
         "the PATH; so is a chart that belongs to no loop, with free inputs. What that says of the real plant stands\n"
         "under each verdict. Of properties about states alone ask `--engine pdr`, embedded, where the states are too "
-        "many;\n"
+        "many,\n"
+        "and `--engine bmc` for the shortest way to what is wrong, as far as it gets;\n"
         "`--engine abc` and `--engine-command` ask hardware model checkers.\n"
         "Formats: text, JSON (--format json), JUnit XML (--junit); traces also as VCD and SVG.",
         {"grafverif check samples/testing_station/testing_station.grafcet",

@@ -8,6 +8,7 @@
 
 #include "check/evidence.hpp"
 #include "check/pdr/pdr.hpp"
+#include "check/pdr/unrolling.hpp"
 #include "check/refusal.hpp"
 
 namespace grafverif {
@@ -36,30 +37,48 @@ public:
 
     PdrResult result() {
         const std::unordered_set<std::string_view> asked(options_.properties.begin(), options_.properties.end());
-        std::vector<Id<Property>> questions;
-        for (const Id<Property> id : system_.properties.ids())
-            if (asked.empty() || asked.contains(system_.properties[id].name)) questions.push_back(id);
         look_for_faults();
-        std::size_t left = questions.size();
-        for (const Id<Property> id : questions) {
-            const Property& property = system_.properties[id];
-            watch_.share(left--);
-            const auto start = std::chrono::steady_clock::now();
-            verdict_ = verdict_on(id, property);
-            run_.reset();
-            answer(property);
-            verdict_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            result_.verdicts.push_back(std::move(verdict_));
-            result_.runs.push_back(std::move(run_));
+        for (const Id<Property> id : system_.properties.ids())
+            if (asked.empty() || asked.contains(system_.properties[id].name)) ask(id);
+        if (options_.method == PdrOptions::Method::Bmc) by_bmc();
+        else by_pdr();
+        for (Question& question : questions_) {
+            result_.verdicts.push_back(std::move(question.verdict));
+            result_.runs.push_back(std::move(question.run));
         }
         return std::move(result_);
     }
 
 private:
-    void unknown(Obstacle obstacle, std::string reason) {
-        verdict_.outcome = Outcome::Unknown;
-        verdict_.obstacle = obstacle;
-        verdict_.reason = std::move(reason);
+    using Clock = std::chrono::steady_clock;
+
+    struct Question {
+        const Property& property;
+        Verdict verdict = {};
+        std::optional<SystemRun> run = {};
+        const Circuit::Target* target = nullptr;  ///< null: there is nothing to search
+        std::size_t cleared = 0;                  ///< the first so many states of every run do not have its `bad`
+        bool open = true;
+
+        bool wants() const { return property.pattern == Pattern::Reachable; }
+    };
+
+    /// What is answered without a search is answered here.
+    void ask(Id<Property> id) {
+        const Property& property = system_.properties[id];
+        Question& question = questions_.emplace_back(Question{property, verdict_on(id, property)});
+        if (const std::string why = refusal(property.pattern); !why.empty())
+            return give_up(question, Obstacle::Unsupported, why);
+        if (fault_obstacle_ != Obstacle::None) return give_up(question, fault_obstacle_, fault_reason_);
+        question.target = &*std::ranges::find(circuit_.targets, id, &Circuit::Target::about);
+    }
+
+    void give_up(Question& question, Obstacle obstacle, std::string reason) {
+        question.open = false;
+        question.run.reset();
+        question.verdict.outcome = Outcome::Unknown;
+        question.verdict.obstacle = obstacle;
+        question.verdict.reason = std::move(reason);
     }
 
     std::string words(Exhausted::Cause cause) const {
@@ -103,7 +122,10 @@ private:
         std::string what = {};
     };
 
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+    double seconds() const { return seconds_since(start_); }
+    static double seconds_since(Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    }
 
     SystemRun run_of(const Answer& answer) const {
         SystemRun run;
@@ -118,6 +140,7 @@ private:
     /// Calls `work`; what it has not come to keeps every verdict from being given.
     template <class Work>
     void guarded(const Work& work) {
+        obstacle_ = Obstacle::None;
         try {
             work();
         } catch (const Exhausted& end) {
@@ -177,53 +200,138 @@ private:
 
     // -- properties --------------------------------------------------------------------------------------------------
 
-    void answer(const Property& property) {
-        if (const std::string why = refusal(property.pattern); !why.empty()) return unknown(Obstacle::Unsupported, why);
-        if (fault_obstacle_ != Obstacle::None) return unknown(fault_obstacle_, fault_reason_);
-        if (watch_.over()) return unknown(Obstacle::Stopped, "stopped");
-        obstacle_ = Obstacle::None;
-        const auto target = std::ranges::find(circuit_.targets, verdict_.about, &Circuit::Target::about);
-        guarded([&] { decide(property, *target); });
-        if (obstacle_ == Obstacle::None) return;
-        unknown(obstacle_, reason_);
-        run_.reset();
-    }
-
-    void decide(const Property& property, const Circuit::Target& target) {
-        if (target.undefined != Gates::no && searched(target.undefined, property.name).reached)
-            return unknown(Obstacle::Faulty, "its condition divides by zero in some reachable state");
-        const Answer answer = searched(target.bad, property.name);
-        const bool wanted = property.pattern == Pattern::Reachable;
-        verdict_.outcome = answer.reached == wanted ? Outcome::Holds : Outcome::Violated;
-        if (answer.reached) {
-            if (const std::string why = doubt(system_, flat_, property, told_run(answer)); !why.empty())
-                throw Unsound{"the run found for `" + property.name + "` is none: " + why};
-            run_ = run_of(answer);
-        } else {
-            verdict_.notes.push_back("an inductive invariant of " + std::to_string(answer.invariant.size()) +
-                                     (answer.invariant.size() == 1 ? " clause" : " clauses") +
-                                     " shows it, checked by " + (options_.reach ? "a solver" : "a second solver"));
-            if (!wanted && property.at_stable) mark_vacuous();
+    /// One after the other, each with its share of the time.
+    void by_pdr() {
+        auto left = static_cast<std::size_t>(std::ranges::count(questions_, true, &Question::open));
+        for (Question& question : questions_) {
+            if (!question.open) continue;
+            const auto start = Clock::now();
+            watch_.share(left--);
+            if (watch_.over()) {
+                give_up(question, Obstacle::Stopped, "stopped");
+                continue;
+            }
+            guarded([&] { decide(question); });
+            if (obstacle_ != Obstacle::None) give_up(question, obstacle_, reason_);
+            question.verdict.seconds = seconds_since(start);
         }
     }
 
-    void mark_vacuous() {
+    void decide(Question& question) {
+        const Property& property = question.property;
+        if (has_no_value(question)) return;
+        const auto start = Clock::now();
+        Answer answer = searched(question.target->bad, property.name);
+        if (answer.reached) {
+            if (!options_.reach) shorten(question, answer, Clock::now() - start);
+            return reached(question, answer);
+        }
+        close(question, question.wants() ? Outcome::Violated : Outcome::Holds);
+        question.verdict.notes.push_back("an inductive invariant of " + std::to_string(answer.invariant.size()) +
+                                         (answer.invariant.size() == 1 ? " clause" : " clauses") +
+                                         " shows it, checked by " + (options_.reach ? "a solver" : "a second solver"));
+        if (!question.wants() && property.at_stable) mark_vacuous(question.verdict);
+    }
+
+    bool has_no_value(Question& question) {
+        const Literal undefined = question.target->undefined;
+        if (undefined == Gates::no || !searched(undefined, question.property.name).reached) return false;
+        give_up(question, Obstacle::Faulty, "its condition divides by zero in some reachable state");
+        return true;
+    }
+
+    void close(Question& question, Outcome outcome) {
+        question.open = false;
+        question.verdict.outcome = outcome;
+    }
+
+    /// What `answer` shows, held against the terms of the system.
+    void reached(Question& question, const Answer& answer) {
+        if (const std::string why = doubt(system_, flat_, question.property, told_run(answer)); !why.empty())
+            throw Unsound{"the run found for `" + question.property.name + "` is none: " + why};
+        question.run = run_of(answer);
+        close(question, question.wants() ? Outcome::Holds : Outcome::Violated);
+        if (options_.reach) return;
+        question.verdict.notes.emplace_back(question.cleared + 1 >= answer.inputs.size()
+                                                ? "no run with fewer steps shows it"
+                                                : "a run with fewer steps may show it");
+    }
+
+    // -- all runs, step by step --------------------------------------------------------------------------------------
+
+    /// Looks for a shorter run, for about as long as it took to find this one.
+    void shorten(Question& question, Answer& answer, Clock::duration took) {
+        watch_.limit(took + std::chrono::seconds(2));
+        try {
+            while (question.cleared + 1 < answer.inputs.size())
+                if (std::optional<RunInputs> shorter = next_step(question)) answer.inputs = std::move(*shorter);
+        } catch (const Exhausted& end) {
+            if (end.cause == Exhausted::Cause::Memory) unrolling_.reset();
+        } catch (const std::bad_alloc&) {
+            unrolling_.reset();
+        }
+    }
+
+    /// A run to the first state that was not looked at yet; nothing: there is none.
+    std::optional<RunInputs> next_step(Question& question) {
+        if (!unrolling_) unrolling_.emplace(circuit_, watch_);
+        std::optional<RunInputs> found = unrolling_->run_to(question.target->bad, question.cleared);
+        if (found && !gets_to(question.target->bad, *found))
+            throw Unsound{"the run found for `" + question.property.name + "` is none: it does not get there"};
+        if (!found) ++question.cleared;
+        return found;
+    }
+
+    /// All that is open, a step of all runs after the other.
+    void by_bmc() {
+        for (Question& question : questions_) {
+            if (!question.open) continue;
+            guarded([&] { has_no_value(question); });
+            if (obstacle_ != Obstacle::None) give_up(question, obstacle_, reason_);
+        }
+        const auto is_open = [](const Question& question) { return question.open; };
+        for (std::size_t steps = 0; std::ranges::any_of(questions_, is_open); ++steps) {
+            if (options_.progress) options_.progress({{}, steps, watch_.bytes(), seconds()});
+            for (Question& question : questions_) {
+                if (!question.open) continue;
+                obstacle_ = Obstacle::Bound;
+                if (steps <= options_.max_steps.value_or(steps))
+                    guarded([&] {
+                        if (auto inputs = next_step(question))
+                            reached(question, {.reached = true, .inputs = std::move(*inputs)});
+                    });
+                question.verdict.seconds = seconds();
+                if (obstacle_ != Obstacle::None) give_up(question, obstacle_, what_is_cleared(question));
+            }
+        }
+    }
+
+    /// Why BMC ends without a run, and what it says of those it has looked at.
+    std::string what_is_cleared(const Question& question) const {
+        std::string words = obstacle_ == Obstacle::Bound ? "" : reason_;
+        if (question.cleared == 0) return words;
+        const std::size_t steps = question.cleared - 1;
+        return words + (words.empty() ? "" : "; ") + "no run of up to " + std::to_string(steps) +
+               (steps == 1 ? " step" : " steps") + (question.wants() ? " gets there" : " violates it");
+    }
+
+    void mark_vacuous(Verdict& verdict) {
         if (!settled_) settled_ = searched(circuit_.settled, "settled").reached;
         if (*settled_) return;
-        verdict_.vacuous = true;
-        verdict_.notes.emplace_back("no state is ever settled");
+        verdict.vacuous = true;
+        verdict.notes.emplace_back("no state is ever settled");
     }
 
     const TransitionSystem& system_;
     const PdrOptions& options_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Clock::time_point start_ = Clock::now();
     FlatSystem flat_;
     Circuit circuit_;
     Watch watch_;
     PdrResult result_ = {};
-    Verdict verdict_ = {};
-    std::optional<SystemRun> run_ = {};
-    Obstacle obstacle_ = Obstacle::None;  ///< met by the question at hand
+    std::vector<Question> questions_ = {};
+    std::optional<Unrolling> unrolling_ = {};
+    Obstacle obstacle_ = Obstacle::None;  ///< met by the work at hand
     std::string reason_ = {};
     Obstacle fault_obstacle_ = Obstacle::None;  ///< met by every question
     std::string fault_reason_ = {};

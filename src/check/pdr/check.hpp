@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The PDR engine: properties about states of a TransitionSystem (`always`, `never`, `exactly one of`, `reachable`), one
-// at a time, by property directed reachability on its circuit.
+// Engines on a circuit: properties about states of a TransitionSystem (`always`, `never`, `exactly one of`, `reachable`),
+// by property directed reachability, one at a time (PDR), or by looking at all runs of one step, two steps, and so on (BMC,
+// bounded model checking).
 //
 // `holds` (of `reachable`: violated) rests on an inductive invariant, checked by a second solver that has seen nothing of the
-// search. Others may search in its place (PdrOptions::reach): what they find is checked alike. What is reached comes with a run of the system, held against its terms before it is told.
+// search; BMC never says it. Others may search in place of PDR (PdrOptions::reach): what they find is checked alike. What is
+// reached comes with a run of the system, held against its terms before it is told. A run of ours is looked at for shorter
+// ones by BMC; a note says whether there are none.
 //
-// A system that leaves the range of a variable means nothing, and the engine decides nothing about it (`faulty`); it proves
+// A system that leaves the range of a variable means nothing, and nothing is decided about it (`faulty`); it is proved, by PDR,
 // that none does. That every state has a step is not looked at: verdicts are about the states that runs reach.
 #pragma once
 
@@ -22,7 +25,7 @@ namespace grafverif {
 
 struct PdrProgress {
     std::string property = {};
-    std::size_t frames = 0;
+    std::size_t frames = 0;  ///< of BMC: steps
     std::uint64_t bytes = 0;
     double seconds = 0;
 };
@@ -34,13 +37,17 @@ struct Undecided {
 };
 
 struct PdrOptions {
-    /// Searches in place of the engine, as pdr::reach does; what it finds is checked all the same.
+    enum class Method { Pdr, Bmc };
+    Method method = Method::Pdr;
+    std::optional<std::size_t> max_steps =
+        {};  ///< of BMC: of the runs that it looks at; empty: as time and memory allow
+    /// Searches in place of PDR, as pdr::reach does; what it finds is checked all the same.
     std::function<pdr::Answer(const Circuit& circuit, Gates::Literal bad, pdr::Watch& watch)> reach = {};
     std::vector<std::string> properties = {};            ///< names; empty: all
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;                ///< set by somebody else: end with what is known
-    std::function<void(const PdrProgress&)> progress = {};  ///< called for every frame
+    std::function<void(const PdrProgress&)> progress = {};  ///< called for every frame or step
 };
 
 struct PdrResult {

@@ -3,6 +3,7 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <array>
 
 namespace grafverif::pdr {
@@ -25,6 +26,12 @@ void Watch::share(std::size_t parts) {
     if (now < *bounds_.deadline) share_ = now + (*bounds_.deadline - now) / static_cast<std::int64_t>(parts);
 }
 
+void Watch::limit(std::chrono::steady_clock::duration time) {
+    met_.reset();
+    share_ = std::chrono::steady_clock::now() + time;
+    if (bounds_.deadline) share_ = std::min(*share_, *bounds_.deadline);
+}
+
 bool Watch::over() const {
     return (bounds_.stop != nullptr && bounds_.stop->load()) ||
            (bounds_.deadline && std::chrono::steady_clock::now() >= *bounds_.deadline);
@@ -37,11 +44,15 @@ std::uint64_t Watch::bytes() const {
 
 bool Watch::terminate() {
     if (met_) return true;
-    if (bounds_.stop != nullptr && bounds_.stop->load(std::memory_order_relaxed)) met_ = Exhausted::Cause::Stopped;
+    for (const std::atomic<bool>* each : {bounds_.stop, moot_})
+        if (each != nullptr && each->load(std::memory_order_relaxed)) met_ = Exhausted::Cause::Stopped;
     constexpr std::uint32_t seldom = 64;  // what follows asks the system
     if (++calls_ % seldom != 0 || met_) return met_.has_value();
-    if (share_ && std::chrono::steady_clock::now() >= *share_) met_ = Exhausted::Cause::Stopped;
-    if (calls_ % (seldom * seldom) == 0 && bytes() > bounds_.memory) met_ = Exhausted::Cause::Memory;
+    const auto now = std::chrono::steady_clock::now();
+    if (share_ && now >= *share_) met_ = Exhausted::Cause::Stopped;
+    if (now < weighed_ + std::chrono::milliseconds(20)) return met_.has_value();
+    weighed_ = now;
+    if (bytes() > bounds_.memory) met_ = Exhausted::Cause::Memory;
     return met_.has_value();
 }
 
@@ -81,6 +92,8 @@ int Solver::literal(Gates::Literal literal) const {
 }
 
 int Solver::of(Gates::Literal wanted) {
+    variable_.resize(circuit_.gates.size());
+    is_latch_.resize(circuit_.gates.size());
     std::vector<std::uint32_t> open;  // gates with a variable and no clauses yet
     const auto name = [&](std::uint32_t node) {
         if (variable_[node] != 0) return;

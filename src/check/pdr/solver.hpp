@@ -37,6 +37,10 @@ public:
 
     /// From now on a share of the time left counts, one of `parts` alike; whoever met that bound may go on in the next.
     void share(std::size_t parts);
+    /// From now on there is that time at most, within what is left at all.
+    void limit(std::chrono::steady_clock::duration time);
+    /// From now on the work ends too where this is set; null: it does not.
+    void end_with(const std::atomic<bool>* moot) { moot_ = moot; }
     std::optional<std::chrono::steady_clock::time_point> deadline() const { return share_; }
     /// Whether all is over, not a share alone.
     bool over() const;
@@ -49,14 +53,16 @@ public:
 private:
     Bounds bounds_;
     std::optional<std::chrono::steady_clock::time_point> share_ = {};  ///< the deadline that counts now
+    const std::atomic<bool>* moot_ = nullptr;
     std::uint64_t before_ = 0;
     std::uint32_t calls_ = 0;
+    std::chrono::steady_clock::time_point weighed_ = {};  ///< when the memory was last looked at
     std::optional<Exhausted::Cause> met_ = {};
 };
 
 class Solver {
 public:
-    /// All outlive it.
+    /// All outlive it; the circuit may gain gates.
     Solver(const Circuit& circuit, Watch& watch);
     ~Solver();
     Solver(const Solver&) = delete;
@@ -74,7 +80,9 @@ public:
     bool solve(std::span<const int> assumptions, std::span<const int> one_of = {});
     /// Of the last answer: the value of a literal that the solver knows; whether an assumption was needed to refute.
     bool value(Gates::Literal literal) const;
-    bool knows(Gates::Literal literal) const { return variable_[node_of(literal)] != 0; }
+    bool knows(Gates::Literal literal) const {
+        return node_of(literal) < variable_.size() && variable_[node_of(literal)] != 0;
+    }
     bool failed(int assumption) { return solver_->failed(assumption); }
 
     std::uint64_t clauses() const { return clauses_; }

@@ -14,6 +14,7 @@ namespace grafverif::app {
 namespace {
 
 const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
 
 std::string lamp(const std::string& properties) {
     return "grafcet lamp { input A; output L, M; initial step 0; step 1 { L; } step 2 { M; }\n"
@@ -81,10 +82,37 @@ TEST(Pdr, ProvesAndTellsRunsAndLeavesWhatIsAboutRuns) {
     EXPECT_NE(result.out.find("why: it is about runs"), std::string::npos) << result.out;
 }
 
-TEST(Pdr, ATimeLimitEndsInUnknown) {
-    const Result result = grafverif({"check", tanks, "--engine", "pdr", "--timeout", "0ms"});
-    EXPECT_EQ(result.code, ExitCode::Unknown);
-    EXPECT_NE(result.out.find("stopped at the time limit of 0 s"), std::string::npos) << result.out;
+TEST(Bmc, ShowsTheShortestRunsAndSaysHowFarItLooked) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "lamp.grafcet", lamp("property one: never L && M; property lit: reachable M; property dark: never M;\n"
+                             "property both: reachable L && M; property back: X1 leads to X0;"));
+    const Result far = grafverif({"check", file, "--engine", "bmc", "--max-steps", "20"});
+    EXPECT_EQ(far.code, ExitCode::Verdict) << far.err;
+    EXPECT_NE(far.out.find("one: unknown"), std::string::npos) << far.out;
+    EXPECT_NE(far.out.find("no run of up to 20 steps violates it"), std::string::npos) << far.out;
+    EXPECT_NE(far.out.find("no run of up to 20 steps gets there"), std::string::npos) << far.out;
+    EXPECT_NE(far.out.find("lit: holds"), std::string::npos) << far.out;
+    EXPECT_NE(far.out.find("dark: violated"), std::string::npos) << far.out;
+    EXPECT_NE(far.out.find("note: no run with fewer steps shows it"), std::string::npos) << far.out;
+    EXPECT_NE(far.out.find("counterexample:"), std::string::npos) << far.out;
+    EXPECT_NE(far.out.find("why: it is about runs"), std::string::npos) << far.out;
+
+    const Result near = grafverif({"check", file, "--engine", "bmc", "--max-steps", "1", "--property", "dark"});
+    EXPECT_EQ(near.code, ExitCode::Unknown) << near.err;
+    EXPECT_NE(near.out.find("no run of up to 1 step violates it"), std::string::npos) << near.out;
+}
+
+TEST(Pdr, TimeAndMemoryEndInUnknown) {
+    for (const std::string engine : {"pdr", "bmc"}) {
+        const Result late = grafverif({"check", tanks, "--engine", engine, "--timeout", "0ms"});
+        EXPECT_EQ(late.code, ExitCode::Unknown);
+        EXPECT_NE(late.out.find("stopped at the time limit of 0 s"), std::string::npos) << late.out;
+        const Result small = grafverif({"check", station, "--engine", engine, "--plant", "automata", "--time",
+                                        "discrete", "--max-memory", "1M", "--property", "P15"});
+        EXPECT_EQ(small.code, ExitCode::Unknown) << small.err;
+        EXPECT_NE(small.out.find("the memory allowed, 1 MiB, is used up"), std::string::npos) << small.out;
+    }
 }
 
 TEST(Pdr, WhetherAChartAloneStabilisesIsAskedTooAndByWhom) {
