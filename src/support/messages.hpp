@@ -126,7 +126,8 @@ Diagnostic missing_argument(Span where, std::string_view component, std::string_
                             std::string_view example);
 Diagnostic argument_not_a_name(Span where, std::string_view parameter, std::string_view kind);
 Diagnostic missing_initially(Span where, std::string_view component, std::string_view locations);
-Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean);
+/// `loop`: the whole of it, its last brace included.
+Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean, Span loop);
 Diagnostic undriven_variable(Span where, std::string_view variable, std::string_view suggestion);
 Diagnostic argument_type(Span where, std::string_view name, std::string_view found, std::string_view expected);
 Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, std::int64_t high,

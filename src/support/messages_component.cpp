@@ -27,8 +27,10 @@ Diagnostic clock_not_equal(Span where) {
 }
 
 Diagnostic clock_reset(Span where, std::string_view clock) {
-    return error("clock-reset", where,
-                 fmt::format("the clock `{0}` is set to another value than 0; write `{0} := 0`", clipped(clock)));
+    return with_fix(
+        error("clock-reset", where,
+              fmt::format("the clock `{0}` is set to another value than 0; write `{0} := 0`", clipped(clock))),
+        where, fmt::format("{} := 0", clock));
 }
 
 Diagnostic urgent_clock_guard(Span where) {

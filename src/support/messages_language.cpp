@@ -64,15 +64,16 @@ Diagnostic too_deep(Span where, std::size_t limit) {
 }
 
 Diagnostic other_spelling(Span where, std::string_view seen, std::string_view meant) {
-    return error("other-spelling", where, fmt::format("`{}` is no operator here; write `{}`", seen, meant));
+    return with_fix(error("other-spelling", where, fmt::format("`{}` is no operator here; write `{}`", seen, meant)),
+                    where, meant);
 }
 
 Diagnostic single_equals(Span where, std::string_view what, std::string_view meant) {
-    return error("single-equals", where, fmt::format("`=` is no {}; write `{}`", what, meant));
+    return with_fix(error("single-equals", where, fmt::format("`=` is no {}; write `{}`", what, meant)), where, meant);
 }
 
 Diagnostic missing_semicolon(Span where) {
-    return error("missing-semicolon", where, "the declaration has no end; write `;`");
+    return with_fix(error("missing-semicolon", where, "the declaration has no end; write `;`"), where, ";");
 }
 
 Diagnostic unexpected(Span where, std::string_view seen, std::string_view expected) {

@@ -25,19 +25,25 @@ Diagnostic missing_initially(Span where, std::string_view component, std::string
                              clipped(component), locations));
 }
 
-Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean) {
+Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean, Span loop) {
     const std::string cure = boolean
                                  ? fmt::format("environment {0}_any = free(OUT = {0});", clipped(input))
                                  : fmt::format("environment {0}_any = free_integer(OUT = {0}, ...);", clipped(input));
-    return error(
-        "undriven-input", where,
-        fmt::format("nothing drives the input `{}` of `{}`; write `{}`", clipped(input), clipped(reader), cure));
+    Diagnostic diagnostic =
+        error("undriven-input", where,
+              fmt::format("nothing drives the input `{}` of `{}`; write `{}`", clipped(input), clipped(reader), cure));
+    if (!boolean) return diagnostic;
+    const Span before_end = {loop.source, loop.end - 1, loop.end - 1};
+    return with_fix(std::move(diagnostic), before_end,
+                    fmt::format("    environment {0}_any = free(OUT = {0});\n", input));
 }
 
 Diagnostic undriven_variable(Span where, std::string_view variable, std::string_view suggestion) {
     std::string cure = fmt::format("write `environment {0}_any = free(OUT = {0});`", clipped(variable));
     if (!suggestion.empty()) cure = fmt::format("did you mean `{}`?", clipped(suggestion));
-    return error("undriven-input", where, fmt::format("nothing drives `{}`; {}", clipped(variable), cure));
+    Diagnostic diagnostic =
+        error("undriven-input", where, fmt::format("nothing drives `{}`; {}", clipped(variable), cure));
+    return suggestion.empty() ? diagnostic : with_fix(std::move(diagnostic), where, suggestion);
 }
 
 Diagnostic argument_type(Span where, std::string_view name, std::string_view found, std::string_view expected) {

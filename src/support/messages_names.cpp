@@ -14,7 +14,8 @@ Diagnostic unknown(Span where, std::string_view kind, std::string_view name, std
     std::string message = fmt::format("unknown {} `{}`", kind, clipped(name));
     message += suggestion.empty() ? "; nothing of that name is declared"
                                   : fmt::format("; did you mean `{}`?", clipped(suggestion));
-    return error(code, where, std::move(message));
+    Diagnostic diagnostic = error(code, where, std::move(message));
+    return suggestion.empty() ? diagnostic : with_fix(std::move(diagnostic), last_of(where, name.size()), suggestion);
 }
 
 Diagnostic unknown_component(Span where, std::string_view name, std::string_view suggestion, std::string_view known) {

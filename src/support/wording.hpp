@@ -2,6 +2,9 @@
 // What the wordings of diagnostics share.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -10,14 +13,28 @@
 namespace grafverif::messages {
 
 inline Diagnostic error(std::string_view code, Span where, std::string message) {
-    return {Severity::Error, std::string(code), where, std::move(message), {}};
+    return {Severity::Error, std::string(code), where, std::move(message), {}, {}};
 }
 
 inline Diagnostic warning(std::string_view code, Span where, std::string message) {
-    return {Severity::Warning, std::string(code), where, std::move(message), {}};
+    return {Severity::Warning, std::string(code), where, std::move(message), {}, {}};
 }
 
-inline Diagnostic note(Span where, std::string message) { return {Severity::Note, {}, where, std::move(message), {}}; }
+inline Diagnostic note(Span where, std::string message) {
+    return {Severity::Note, {}, where, std::move(message), {}, {}};
+}
+
+/// The same with a hint that leaves no choice: `replacement` for what stands at `where`.
+inline Diagnostic with_fix(Diagnostic diagnostic, Span where, std::string_view replacement) {
+    diagnostic.fix = Fix{where, std::string(replacement)};
+    return diagnostic;
+}
+
+/// The last `bytes` of a span: a name behind what it belongs to, `X2` of `G2.X2`.
+inline Span last_of(Span where, std::size_t bytes) {
+    const auto length = static_cast<std::uint32_t>(std::min<std::size_t>(bytes, where.end - where.begin));
+    return {where.source, where.end - length, where.end};
+}
 
 /// A name as shown in a message: long ones are cut at a character.
 inline std::string clipped(std::string_view name) {

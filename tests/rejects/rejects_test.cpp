@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -107,7 +108,12 @@ void exclude(const std::string& name, const std::optional<Model>& model, Sources
     read_exclusions(id, sources, *model->charts.begin(), diagnostics);
 }
 
-std::string said_about(const std::string& name, const std::string& text) {
+struct Said {
+    Sources sources = {};
+    Diagnostics diagnostics = {};
+};
+
+Said said_about(const std::string& name, const std::string& text) {
     std::vector<LibraryEntry> library;
     for (const LibraryFile& file : library_files()) library.push_back({file.name, file.text, file.path});
     const ReadContext context{[](const std::string& path, std::string& why) {
@@ -116,15 +122,26 @@ std::string said_about(const std::string& name, const std::string& text) {
                                   return found;
                               },
                               library};
-    Sources sources;
-    Diagnostics diagnostics;
+    Said said;
+    auto& [sources, diagnostics] = said;
     const auto model = read_text(sources.add({name, text}), sources, context, diagnostics);
     EXPECT_EQ(model.has_value(), !diagnostics.has_errors());
     if (model) build(*model, text.starts_with("// testgen"), diagnostics);
     exclude(name, model, sources, diagnostics);
-    std::ostringstream said;
-    render_text(diagnostics.all(), sources, Colour::Plain, said);
-    return std::move(said).str();
+    return said;
+}
+
+std::string words(const Said& said) {
+    std::ostringstream text;
+    render_text(said.diagnostics.all(), said.sources, Colour::Plain, text);
+    return std::move(text).str();
+}
+
+/// How often it is said.
+std::ptrdiff_t times(const Said& said, const Diagnostic& one) {
+    return std::ranges::count_if(said.diagnostics.all(), [&](const Diagnostic& other) {
+        return other.code == one.code && other.message == one.message;
+    });
 }
 
 /// `unknown-step-2` is about `unknown-step`.
@@ -139,12 +156,32 @@ TEST(Rejects, SayWhatIsExpected) {
     const bool update = std::getenv("GRAFVERIF_UPDATE_GOLDEN") != nullptr;
     for (const fs::path& reject : rejects()) {
         SCOPED_TRACE(reject.filename().string());
-        const std::string said = said_about(reject.filename().string(), content(reject).value());
+        const std::string said = words(said_about(reject.filename().string(), content(reject).value()));
         const fs::path expected = fs::path(reject).replace_extension(".expected");
         if (update) std::ofstream(expected, std::ios::binary) << said;
         EXPECT_EQ(content(expected).value_or(""), said);
         EXPECT_NE(said.find('[' + code_of(reject) + ']'), std::string::npos) << said;
     }
+}
+
+TEST(Rejects, AreMendedWhereAHintLeavesNoChoice) {
+    std::set<std::string> codes;
+    for (const fs::path& reject : rejects()) {
+        const std::string name = reject.filename().string(), text = content(reject).value();
+        const Said said = said_about(name, text);
+        for (const Diagnostic& diagnostic : said.diagnostics.all()) {
+            if (!diagnostic.fix || said.sources[diagnostic.fix->where.source].name != name) continue;
+            SCOPED_TRACE(name + ": " + diagnostic.message);
+            codes.insert(diagnostic.code);
+            const Fix& fix = *diagnostic.fix;
+            std::string mended = text;
+            mended.replace(fix.where.begin, fix.where.end - fix.where.begin, fix.replacement);
+            EXPECT_LT(times(said_about(name, mended), diagnostic), times(said, diagnostic)) << mended;
+        }
+    }
+    for (const char* code : {"unknown-variable", "unknown-step", "unknown-component", "undriven-input",
+                             "missing-semicolon", "single-equals", "other-spelling", "clock-reset"})
+        EXPECT_TRUE(codes.contains(code)) << code;
 }
 
 TEST(Rejects, ThatParseAreFormattedOnceAndForAll) {

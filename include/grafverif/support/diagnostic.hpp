@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,12 +15,19 @@ namespace grafverif {
 
 enum class Severity { Error, Warning, Note };
 
+/// What the hint of a message asks for, to be done by a program: `replacement` stands where the span was.
+struct Fix {
+    Span where = {};
+    std::string replacement = {};
+};
+
 struct Diagnostic {
     Severity severity = Severity::Error;
     std::string code = {};     ///< stable kebab-case word, shown in brackets
     Span where = {};           ///< no valid source: the diagnostic is about the whole input
     std::string message = {};  ///< lower case, names in backticks, no full stop; what was seen, then `; ` and the hint
     std::vector<Diagnostic> notes = {};
+    std::optional<Fix> fix = {};  ///< where the hint leaves no choice
 };
 
 /// The sink: errors and warnings in the order of their discovery. After `limit` errors it keeps counting but stores

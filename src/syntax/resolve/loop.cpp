@@ -229,14 +229,14 @@ void resolve_questions(LoopScope& scope, const tree::ClosedLoop& written) {
 }
 
 /// Every input of a controller is driven: by another controller, or by an instance.
-void check_driven(LoopScope& scope) {
+void check_driven(LoopScope& scope, Span loop) {
     for (const Id<ClosedLoop::Shared> id : scope.loop.shared.ids()) {
         const ClosedLoop::Shared& shared = scope.loop.shared[id];
         if (!shared.reader.valid() || shared.writer.valid() || !scope.instance_writers[id.index].empty()) continue;
         if (scope.excused.contains(shared.name)) continue;
         scope.diagnostics.add(messages::undriven_input(scope.loop.controllers[shared.reader].origin, shared.name,
-                                                       scope.loop.controllers[shared.reader].name,
-                                                       shared.type.boolean));
+                                                       scope.loop.controllers[shared.reader].name, shared.type.boolean,
+                                                       loop));
     }
 }
 
@@ -263,7 +263,7 @@ std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::Close
     look_inside(scope);
     resolve_instances(scope, written);
     resolve_questions(scope, written);
-    if (!scope.incomplete) check_driven(scope);
+    if (!scope.incomplete) check_driven(scope, written.where);
     if (scope.incomplete || diagnostics.errors() != errors) return {};
     return std::move(scope.loop);
 }

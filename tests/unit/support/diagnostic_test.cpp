@@ -17,7 +17,7 @@ Sources one(std::string text) {
 }
 
 Diagnostic error_at(std::uint32_t begin, std::uint32_t end) {
-    return {Severity::Error, "unknown-step", {Id<Source>{0}, begin, end}, "unknown step `X12`; did you mean `X2`?", {}};
+    return {Severity::Error, "unknown-step", {Id<Source>{0}, begin, end}, "unknown step `X12`; did you mean `X2`?"};
 }
 
 std::string text(const std::vector<Diagnostic>& diagnostics, const Sources& sources, Colour colour = Colour::Plain) {

@@ -62,7 +62,7 @@ TEST(RenderText, PutsCaretsUnderTheColumnsOfATerminal) {
         const auto begin = static_cast<std::uint32_t>(c.before.size()),
                    end = begin + static_cast<std::uint32_t>(c.marked.size());
         std::ostringstream out;
-        render_text({{Severity::Error, "code", {file, begin, end}, "message \x1B", {}}}, sources, Colour::Plain, out);
+        render_text({{Severity::Error, "code", {file, begin, end}, "message \x1B"}}, sources, Colour::Plain, out);
         EXPECT_EQ(out.str(), "a?b?.grafcet:1:" + std::to_string(begin + 1) + ": error: message ? [code]\n    " +
                                  c.shown + "\n    " + c.blanks + c.carets + "\n");
     }
