@@ -77,9 +77,8 @@ Transition Builder::links(std::vector<Name> from, std::vector<Name> to) const {
     return {{}, std::move(from), std::move(to), {}, {}, {}};
 }
 
-Transition Builder::transition(Name name, Transition links, Id<Expr> condition, std::vector<Assignment> assignments,
+Transition Builder::transition(Transition links, Id<Expr> condition, std::vector<Assignment> assignments,
                                Span where) const {
-    links.name = name;
     links.condition = condition;
     links.assignments = std::move(assignments);
     links.where = where;

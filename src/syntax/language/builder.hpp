@@ -38,7 +38,7 @@ public:
                               std::vector<tree::Action> actions, Span where) const;
     tree::ForcingOrder forcing(tree::Name chart, std::vector<tree::Name> situation, Span where) const;
     tree::Transition links(std::vector<tree::Name> from, std::vector<tree::Name> to) const;
-    tree::Transition transition(tree::Name name, tree::Transition links, Id<tree::Expr> condition,
+    tree::Transition transition(tree::Transition links, Id<tree::Expr> condition,
                                 std::vector<tree::Assignment> assignments, Span where) const;
     tree::Property pattern(Pattern pattern, std::vector<Id<tree::Expr>> operands) const;
     tree::Property formula(Pattern pattern, std::string raw, Span where) const;
