@@ -21,7 +21,10 @@ namespace po = boost::program_options;
 
 bool accepts(const Verb& verb, Accepts what) {
     if (what == Accepts::File) return verb.operand == "FILE";
-    if (what == Accepts::Timeout) return !accepts(verb, Accepts::Bench) && !accepts(verb, Accepts::Serve);
+    if (what == Accepts::Timeout) {
+        const auto has_another = {Accepts::Bench, Accepts::Serve, Accepts::Lsp};
+        return std::ranges::none_of(has_another, [&](Accepts other) { return accepts(verb, other); });
+    }
     return what == Accepts::Always || std::ranges::find(verb.accepts, what) != verb.accepts.end();
 }
 
@@ -270,6 +273,11 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
         toggle(Accepts::Serve, "open", &Options::open, "open the page in the browser"),
         number(Accepts::Serve, "timeout", "TIME", times, &Options::patience_ms,
                "give each check up after TIME, such as 90s or 5min"),
+        number(Accepts::Lsp, "timeout", "TIME", times, &Options::patience_ms,
+               "give each check up after TIME, such as 90s or 5min"),
+        toggle(Accepts::Lsp, "stdio", &Options::stdio, "speak on standard input and output, as it does anyhow"),
+        list(Accepts::Lsp, "include,I", "DIR", &Options::include_folders,
+             "look for included files in DIR too, and let them be read; may be repeated"),
         toggle(Accepts::Verbose, "verbose,v", &Options::verbose, "tell what is internal too"),
     };
 }

@@ -96,6 +96,7 @@ struct Options {
     Notation notation = Notation::Iec;
     std::uint64_t port = 0;  ///< of `serve`; 0: any that is free
     bool open = false;       ///< of `serve`: in a browser, too
+    bool stdio = false;      ///< of `lsp`, which knows no other way
 };
 
 /// The groups of options a verb may take besides those that all take; File: those of verbs that read one; Timeout: of those
@@ -135,7 +136,8 @@ enum class Accepts {
     Limits,
     Date,
     Drawing,
-    Serve
+    Serve,
+    Lsp
 };
 
 struct Verb {

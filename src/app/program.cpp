@@ -44,6 +44,7 @@ constexpr std::array entries = {
     Entry{report_usage, report},
     Entry{simulate_usage, simulate},
     Entry{serve_usage, serve},
+    Entry{lsp_usage, lsp},
     Entry{analyse_usage, analyse},
     Entry{automaton_usage, automaton},
     Entry{mealy_usage, mealy},

@@ -125,6 +125,29 @@ std::string identity_of_existing(const std::string& path) {
     return ::stat(path.c_str(), &status) == 0 ? device_and_node(status) : std::string();
 }
 
+FilesBelow files_below(const std::string& folder, std::string_view ending, std::size_t& most) {
+    FilesBelow found;
+    std::vector<fs::path> open = {folder};
+    while (!open.empty() && most > 0) {
+        const fs::path place = std::move(open.back());
+        open.pop_back();
+        found.folders.push_back(place.string());
+        std::error_code failure;
+        for (fs::directory_iterator entry(place, failure), end; !failure && entry != end; entry.increment(failure)) {
+            if (--most == 0) break;
+            const std::string name = entry->path().filename().string();
+            std::error_code ignored;
+            if (entry->is_directory(ignored) && !entry->is_symlink(ignored)) {
+                if (!name.starts_with('.')) open.push_back(entry->path());
+            } else if (name.ends_with(ending)) {
+                found.files.push_back(entry->path().string());
+            }
+        }
+    }
+    std::ranges::sort(found.files);
+    return found;
+}
+
 Reach::Reach(const fs::path& main, const std::vector<std::string>& folders) {
     roots_.push_back(fs::weakly_canonical(fs::absolute(main).parent_path()));
     if (auto project = project_of(roots_.front())) roots_.push_back(std::move(*project));

@@ -2,11 +2,13 @@
 // Files are read whole, with a bound; and what tells one file from another.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace grafverif {
@@ -29,6 +31,13 @@ std::optional<std::string> read_stream(std::istream& in, std::string& why);
 std::string file_identity(const std::filesystem::path& path);
 /// The same of what is there, whatever it is; empty: nothing is.
 std::string identity_of_existing(const std::string& path);
+
+/// The files below `folder` whose names end in `ending`, in order; hidden folders are left out, links to folders are not
+/// followed. At most `most` files and folders are looked at, in all calls that share it; 0 is left where that was too few.
+struct FilesBelow {
+    std::vector<std::string> files = {}, folders = {};  ///< all folders that were looked into
+};
+FilesBelow files_below(const std::string& folder, std::string_view ending, std::size_t& most);
 
 /// Which files a file may include: those below the folder of the main file, below the folder of its project, and below
 /// folders that the user names. A chart does not decide which other files of the machine are read; the current folder has

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/serve/watch.hpp"
+#include "pipeline/watch.hpp"
 
 #include <sys/stat.h>
 
@@ -8,7 +8,7 @@
 #include <ctime>
 #include <thread>
 
-namespace grafverif::app {
+namespace grafverif {
 
 namespace {
 
@@ -50,4 +50,4 @@ bool Watch::changed() const {
     return std::ranges::any_of(seen_, [](const auto& seen) { return stamp(seen.first) != seen.second; });
 }
 
-}  // namespace grafverif::app
+}  // namespace grafverif

@@ -10,7 +10,7 @@
 #include <map>
 #include <string>
 
-namespace grafverif::app {
+namespace grafverif {
 
 class Watch {
 public:
@@ -33,4 +33,4 @@ private:
     std::map<std::string, Stamp> seen_ = {};
 };
 
-}  // namespace grafverif::app
+}  // namespace grafverif

@@ -35,15 +35,6 @@ std::string joined(const std::filesystem::path& folder, const std::string& writt
                : path.generic_string();
 }
 
-/// The file that `written` means in the file named `from`: the first that is there, or else the first looked for.
-std::string located(const std::string& from, const std::string& written, const ReadContext& context) {
-    const std::string beside = joined(std::filesystem::path(from).parent_path(), written, context);
-    if (!context.identity || !context.identity(beside).empty()) return beside;
-    for (const std::string& folder : context.folders)
-        if (const std::string path = joined(folder, written, context); !context.identity(path).empty()) return path;
-    return beside;
-}
-
 enum class State { Open, Done };
 
 /// A file whose includes are being followed; the chain of open files is explicit, so that its length is no matter.
@@ -76,7 +67,7 @@ std::vector<tree::File> parse_with_includes(Id<Source> file, Sources& sources, c
         }
         const auto* include = std::get_if<tree::Include>(&top.file.declarations[top.next++]);
         if (include == nullptr) continue;
-        const std::string path = located(sources[top.file.source].name, include->path, context);
+        const std::string path = path_of_include(sources[top.file.source].name, include->path, context);
         const std::string known_as = identity(path, context);
         const auto known = states.find(known_as.empty() ? path : known_as);
         if (known != states.end()) {
@@ -198,6 +189,14 @@ void read_loops(Reading& reading, const tree::File& file, const LoopContext& con
 }
 
 }  // namespace
+
+std::string path_of_include(const std::string& from, const std::string& written, const ReadContext& context) {
+    const std::string beside = joined(std::filesystem::path(from).parent_path(), written, context);
+    if (!context.identity || !context.identity(beside).empty()) return beside;
+    for (const std::string& folder : context.folders)
+        if (const std::string path = joined(folder, written, context); !context.identity(path).empty()) return path;
+    return beside;
+}
 
 std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context,
                                Diagnostics& diagnostics) {

@@ -34,6 +34,9 @@ struct ReadContext {
     std::span<const std::string> folders = {};  ///< looked in for includes, after the folder of the including file
 };
 
+/// The file that `written` means in the file named `from`: the first that is there, or else the first looked for.
+std::string path_of_include(const std::string& from, const std::string& written, const ReadContext& context);
+
 /// Charts, components and loops of `file` and what it includes, in order; empty after at least one error.
 /// Guarantees verify(model).empty().
 std::optional<Model> read_text(Id<Source> file, Sources& sources, const ReadContext& context, Diagnostics& diagnostics);

@@ -8,11 +8,11 @@
 #include <system_error>
 #include <utility>
 
-#include "app/serve/watch.hpp"
 #include "app/stop_words.hpp"
 #include "page/terms.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/watch.hpp"
 #include "report/report.hpp"
 #include "support/json_text.hpp"
 #include "support/messages.hpp"

@@ -12,7 +12,7 @@
 
 #include "app/serve/bench.hpp"
 #include "app/serve/play.hpp"
-#include "app/serve/watch.hpp"
+#include "pipeline/watch.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "lsp/server.hpp"
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <thread>
+
+#include "lsp/inbox.hpp"
+#include "lsp/session.hpp"
+
+namespace grafverif::lsp {
+
+void Inbox::put(Item item) {
+    const std::lock_guard hold(door_);
+    items_.push_back(std::move(item));
+    wake_.notify_all();
+}
+
+void Inbox::cancel(const Json& id) {
+    const std::lock_guard hold(door_);
+    for (Item& item : items_)
+        if (item.message != nullptr && item.message->is_object() && item.message->contains("method") &&
+            item.message->value("id", Json()) == id)
+            item.cancelled = true;
+}
+
+void Inbox::close() {
+    const std::lock_guard hold(door_);
+    closed_ = true;
+    wake_.notify_all();
+}
+
+std::optional<Item> Inbox::take(std::chrono::milliseconds patience) {
+    std::unique_lock hold(door_);
+    wake_.wait_for(hold, patience, [this] { return closed_ || !items_.empty(); });
+    if (items_.empty()) return {};
+    Item item = std::move(items_.front());
+    items_.pop_front();
+    return item;
+}
+
+bool Inbox::closed() const {
+    const std::lock_guard hold(door_);
+    return closed_ && items_.empty();
+}
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// How often we look whether the client is alive, and whether files have changed.
+constexpr auto look_around_every = 250ms;
+
+std::string method_of(const Json& message) {
+    if (!message.is_object()) return {};
+    const auto method = message.find("method");
+    return method != message.end() && method->is_string() ? method->get<std::string>() : std::string();
+}
+
+Item item_of(Framed framed) {
+    if (!framed.complaint.empty()) return {.complaint = std::move(framed.complaint)};
+    if (nests_too_deep(framed.body)) return {.complaint = "the message nests too deep"};
+    Json message = Json::parse(framed.body, nullptr, false);
+    if (message.is_discarded()) return {.complaint = "the message is no JSON"};
+    return {.message = std::make_shared<const Json>(std::move(message))};
+}
+
+/// Until the stream is over, or the client has said that it wants no more.
+void receive_all(const Receive& receive, Inbox& inbox) {
+    try {
+        Framing framing(receive);
+        while (auto framed = framing.next()) {
+            Item item;
+            try {
+                item = item_of(std::move(*framed));
+            } catch (const std::bad_alloc&) {
+                item = {.complaint = "there is not enough memory for the message"};
+            }
+            const std::string method = item.message != nullptr ? method_of(*item.message) : std::string();
+            if (method == "$/cancelRequest" && item.message->contains("params") &&
+                (*item.message)["params"].is_object())
+                inbox.cancel((*item.message)["params"].value("id", Json()));
+            else inbox.put(std::move(item));
+            if (method == "exit") break;
+        }
+    } catch (const std::bad_alloc&) {  // the stream cannot be held: the client is as good as gone
+    } catch (const std::system_error&) {
+    }
+    inbox.close();
+}
+
+}  // namespace
+
+Ending converse(const Receive& receive, const Send& send, const Surroundings& surroundings) {
+    Inbox inbox;
+    std::thread receiver([&] { receive_all(receive, inbox); });
+    Session session(send, surroundings);
+    bool gone = false;
+    while (!session.over() && !gone) {
+        auto item = inbox.take(0ms);
+        if (!item) {
+            session.settle();
+            item = inbox.take(look_around_every);
+        }
+        if (item && item->call) item->call();
+        else if (item && item->message != nullptr) session.take(*item->message, item->cancelled);
+        else if (item) session.refuse(item->complaint);
+        else if (inbox.closed()) gone = true;
+        else if (session.client() && surroundings.is_alive) gone = !surroundings.is_alive(*session.client());
+    }
+    if (surroundings.hang_up) surroundings.hang_up();
+    receiver.join();
+    if (gone) return Ending::Gone;
+    return session.asked_to_end() ? Ending::Asked : Ending::Unasked;
+}
+
+}  // namespace grafverif::lsp

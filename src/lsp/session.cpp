@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "lsp/session.hpp"
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+namespace grafverif::lsp {
+
+namespace {
+
+// JSON-RPC 2.0 section 5.1, LSP 3.17 "ErrorCodes".
+constexpr int parse_error = -32700, invalid_request = -32600, no_such_method = -32601, invalid_params = -32602,
+              internal_error = -32603, not_initialized = -32002, request_failed = -32803, request_cancelled = -32800;
+
+bool is_id(const Json& id) { return id.is_string() || id.is_number_integer(); }
+
+const Json& member(const Json& object, const char* name) {
+    static const Json nothing;
+    const auto found = object.is_object() ? object.find(name) : object.end();
+    return object.is_object() && found != object.end() ? *found : nothing;
+}
+
+}  // namespace
+
+void Session::send(const Json& message) { send_(framed(message.dump(-1, ' ', false, Json::error_handler_t::replace))); }
+
+void Session::fail(const Json& id, int code, const std::string& message) {
+    send({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", message}}}});
+}
+
+void Session::refuse(const std::string& complaint) { fail(nullptr, parse_error, complaint); }
+
+void Session::take(const Json& message, bool cancelled) {
+    const Json& id = member(message, "id");
+    const Json& method = member(message, "method");
+    if (!method.is_string()) {
+        const bool answers = is_id(id) && (message.contains("result") || message.contains("error"));
+        if (!answers) fail(is_id(id) ? id : Json(), invalid_request, "this is neither a request nor a notification");
+        return;
+    }
+    const std::string name = method.get<std::string>();
+    const bool request = is_id(id);
+    try {
+        if (!request) return notified(name, member(message, "params"));
+        if (cancelled) return fail(id, request_cancelled, "cancelled");
+        send({{"jsonrpc", "2.0"}, {"id", id}, {"result", answer(name, member(message, "params"))}});
+    } catch (const Refusal& refusal) {
+        if (request) fail(id, refusal.code, refusal.message);
+    } catch (const Json::exception&) {
+        if (request) fail(id, invalid_params, "the parameters of " + name + " are not as the protocol has them");
+    } catch (const std::bad_alloc&) {
+        if (request) fail(id, internal_error, "there is not enough memory");
+    } catch (const std::system_error& failure) {
+        if (request) fail(id, internal_error, failure.what());
+    }
+}
+
+// -- the life of a session -----------------------------------------------------------------------------------------------
+
+Json Session::initialize(const Json& params) {
+    if (member(params, "processId").is_number_integer()) client_ = params["processId"].get<std::int64_t>();
+    const Json& folders = member(params, "workspaceFolders");
+    for (const Json& folder : folders.is_array() ? folders : Json::array())
+        if (member(folder, "uri").is_string()) workspace_.add_folder(path_of_uri(folder["uri"].get<std::string>()));
+    if (!folders.is_array() && member(params, "rootUri").is_string())
+        workspace_.add_folder(path_of_uri(params["rootUri"].get<std::string>()));
+    state_ = State::Running;
+    Json capabilities = {
+        {"positionEncoding", "utf-16"},
+        {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
+        {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
+        {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
+    };
+    return {{"capabilities", std::move(capabilities)},
+            {"serverInfo", {{"name", "grafverif"}, {"version", surroundings_.version}}}};
+}
+
+void Session::did_open(const Json& params) {
+    const Json& document = params.at("textDocument");
+    workspace_.open(document.at("uri").get<std::string>(), document.at("version").get<std::int64_t>(),
+                    document.at("text").get<std::string>());
+    dirty_ = true;
+}
+
+void Session::did_change(const Json& params) {
+    const Json& document = params.at("textDocument");
+    workspace_.change(document.at("uri").get<std::string>(), document.at("version").get<std::int64_t>(),
+                      changes_of(params.at("contentChanges")));
+    dirty_ = true;
+}
+
+void Session::notified(const std::string& method, const Json& params) {
+    if (method == "exit") {
+        asked_to_end_ = state_ == State::ShutDown;
+        state_ = State::Over;
+    }
+    if (state_ != State::Running) return;
+    if (method == "textDocument/didOpen") return did_open(params);
+    if (method == "textDocument/didChange") return did_change(params);
+    if (method == "textDocument/didClose") {
+        workspace_.close(params.at("textDocument").at("uri").get<std::string>());
+        dirty_ = true;
+    }
+    if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles") dirty_ = true;
+    if (method == "workspace/didChangeWorkspaceFolders") {
+        for (const Json& folder : params.at("event").at("added"))
+            workspace_.add_folder(path_of_uri(folder.at("uri").get<std::string>()));
+        dirty_ = true;
+    }
+}
+
+Json Session::answer(const std::string& method, const Json& params) {
+    if (method == "initialize" && state_ == State::Fresh) return initialize(params);
+    if (state_ == State::Fresh) throw Refusal{not_initialized, "`initialize` comes first"};
+    if (state_ != State::Running || method == "initialize")
+        throw Refusal{invalid_request, method + " has no place here any more"};
+    if (method == "shutdown") {
+        state_ = State::ShutDown;
+        return nullptr;
+    }
+    if (method == "textDocument/codeAction") return code_actions(params);
+    throw Refusal{no_such_method, "there is no " + method + " here"};
+}
+
+// -- what is wrong with the texts ----------------------------------------------------------------------------------------
+
+UriOf Session::uris() const {
+    return [this](const std::string& path) { return workspace_.uri_of(path); };
+}
+
+std::string Session::document(const Json& params) const {
+    const auto uri = params.at("textDocument").at("uri").get<std::string>();
+    const OpenText* const open = workspace_.find(uri);
+    if (open == nullptr) throw Refusal{request_failed, "`" + uri + "` is not open"};
+    return open->path;
+}
+
+void Session::settle() {
+    if (state_ != State::Running) return;
+    try {
+        dirty_ = workspace_.refresh() || dirty_;
+        if (!dirty_) return;
+        dirty_ = false;
+        board_.look(workspace_);
+        publish();
+    } catch (const std::bad_alloc&) {  // it is tried again with the next change
+    } catch (const std::system_error&) {
+    }
+}
+
+void Session::publish() {
+    std::map<std::string, std::string> now;
+    for (const auto& [path, told] : board_.all()) {
+        const std::string uri = workspace_.uri_of(path);
+        Json params = {{"uri", uri}, {"diagnostics", Json::array()}};
+        for (const Told& one : told) params["diagnostics"].push_back(json_of(one, uris()));
+        now[uri] = params.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+    for (const OpenText& open : workspace_.open_texts())
+        now.try_emplace(open.uri, Json{{"uri", open.uri}, {"diagnostics", Json::array()}}.dump());
+    for (const auto& [uri, params] : published_)
+        if (!now.contains(uri))
+            send_(framed(Json{{"jsonrpc", "2.0"},
+                              {"method", "textDocument/publishDiagnostics"},
+                              {"params", {{"uri", uri}, {"diagnostics", Json::array()}}}}
+                             .dump()));
+    for (const auto& [uri, params] : now) {
+        const auto before = published_.find(uri);
+        if (before != published_.end() && before->second == params) continue;
+        Json told = Json::parse(params);
+        if (const OpenText* const open = workspace_.find(uri)) told["version"] = open->version;
+        send({{"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(told)}});
+    }
+    published_ = std::move(now);
+}
+
+Json Session::code_actions(const Json& params) {
+    const std::string path = document(params);
+    const Range asked = range_of(params.at("range"));
+    settle();
+    Json actions = Json::array();
+    const auto all = board_.all();
+    const auto here = all.find(path);
+    if (here == all.end()) return actions;
+    for (const Told& one : here->second)
+        if (one.fix && one.where.range.start <= asked.end && asked.start <= one.where.range.end)
+            actions.push_back(quick_fix(one, uris()));
+    return actions;
+}
+
+}  // namespace grafverif::lsp

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "lsp/workspace.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "pipeline/files.hpp"
+#include "pipeline/models.hpp"
+#include "read/formats.hpp"
+#include "syntax/language/parse.hpp"
+
+namespace grafverif::lsp {
+
+namespace {
+
+constexpr std::size_t most_entries = 20'000;        ///< of the folders of the workspace
+constexpr std::size_t largest_scanned = 4U << 20U;  ///< bytes of a file that is read only to know what it includes
+
+}  // namespace
+
+// -- what is open -----------------------------------------------------------------------------------------------------
+
+std::string Workspace::key(const std::string& path) const {
+    std::string known_as = identity_of_existing(path);
+    return known_as.empty() ? path : known_as;
+}
+
+void Workspace::open(const std::string& uri, std::int64_t version, std::string text) {
+    const std::string path = path_of_uri(uri);
+    open_[uri] = {uri, path, identity_of_existing(path), version, std::make_shared<const Text>(std::move(text))};
+}
+
+void Workspace::change(const std::string& uri, std::int64_t version, const std::vector<Change>& changes) {
+    const auto found = open_.find(uri);
+    if (found == open_.end()) return;
+    for (const Change& change : changes)
+        found->second.text = std::make_shared<const Text>(changed(*found->second.text, change));
+    found->second.version = version;
+}
+
+void Workspace::close(const std::string& uri) {
+    open_.erase(uri);
+    disk_.erase(path_of_uri(uri));
+}
+
+const OpenText* Workspace::find(const std::string& uri) const {
+    const auto found = open_.find(uri);
+    return found == open_.end() ? nullptr : &found->second;
+}
+
+const OpenText* Workspace::open_at(const std::string& path) const {
+    for (const auto& [uri, open] : open_)
+        if (open.path == path) return &open;
+    const std::string wanted = identity_of_existing(path);
+    if (wanted.empty()) return nullptr;
+    for (const auto& [uri, open] : open_)
+        if (open.identity == wanted) return &open;
+    return nullptr;
+}
+
+std::string Workspace::uri_of(const std::string& path) const {
+    const OpenText* const open = open_at(path);
+    return open != nullptr ? open->uri : uri_of_path(path);
+}
+
+std::string Workspace::shown(const std::string& path) const {
+    const OpenText* const open = open_at(path);
+    return open != nullptr ? open->path : path;
+}
+
+std::vector<OpenText> Workspace::open_texts() const {
+    std::vector<OpenText> all;
+    for (const auto& [uri, open] : open_) all.push_back(open);
+    return all;
+}
+
+// -- the disk ---------------------------------------------------------------------------------------------------------
+
+bool Workspace::refresh() {
+    for (auto& [uri, open] : open_) open.identity = identity_of_existing(open.path);
+    if (!watch_.changed()) return false;
+    watch_.clear();
+    disk_.clear();
+    scanned_ = false;
+    return true;
+}
+
+std::shared_ptr<const Text> Workspace::text(const std::string& path) {
+    if (const OpenText* const open = open_at(path)) return open->text;
+    const auto [known, fresh] = disk_.try_emplace(path);
+    if (!fresh) return known->second;
+    watch_.note(path);
+    std::string why;
+    if (auto content = content_of_file(path, why)) known->second = std::make_shared<const Text>(std::move(*content));
+    return known->second;
+}
+
+std::shared_ptr<const Parsed> Workspace::parsed(const std::string& path) {
+    auto text = this->text(path);
+    if (text == nullptr) return nullptr;
+    std::shared_ptr<const Parsed>& known = parsed_[path];
+    if (known != nullptr && (known->text == text || known->text->bytes() == text->bytes())) return known;
+    auto parsed = std::make_shared<Parsed>();
+    parsed->path = path;
+    parsed->text = text;
+    const FileFormat format = format_of(text->bytes());
+    if (format == FileFormat::Grafcet || format == FileFormat::Unknown) {
+        Sources sources;
+        Diagnostics diagnostics;
+        parsed->tree = parse_file(sources.add({path, text->bytes()}), sources, diagnostics);
+        parsed->broken = parsed->tree.broken;
+    }
+    return known = parsed;
+}
+
+// -- who includes whom ------------------------------------------------------------------------------------------------
+
+std::vector<std::string> Workspace::includes(const Parsed& file) {
+    ReadContext context;
+    context.folders = include_folders_;
+    context.identity = [this](const std::string& path) {
+        std::string known_as = identity_of_existing(path);
+        return known_as.empty() && open_at(path) != nullptr ? path : known_as;
+    };
+    std::vector<std::string> paths;
+    for (const tree::Declaration& declaration : file.tree.declarations)
+        if (const auto* include = std::get_if<tree::Include>(&declaration))
+            paths.push_back(path_of_include(file.path, include->path, context));
+    return paths;
+}
+
+Files Workspace::closure(const std::string& path) {
+    Files found;
+    std::set<std::string> seen = {key(path)};
+    std::vector<std::string> waiting = {path};
+    while (!waiting.empty()) {
+        const auto file = parsed(waiting.back());
+        waiting.pop_back();
+        if (file == nullptr) continue;
+        found.push_back(file);
+        for (std::string& included : includes(*file))
+            if (seen.insert(key(included)).second) waiting.push_back(std::move(included));
+    }
+    return found;
+}
+
+void Workspace::scan() {
+    if (scanned_) return;
+    scanned_ = true;
+    std::size_t most = most_entries;
+    std::set<std::string> files;
+    for (const std::string& folder : folders_) {
+        FilesBelow below = files_below(folder, ".grafcet", most);
+        for (const std::string& each : below.folders) watch_.note(each);
+        files.insert(below.files.begin(), below.files.end());
+    }
+    cut_short_ = most == 0;
+    files_.assign(files.begin(), files.end());
+}
+
+std::vector<std::string> Workspace::roots(const std::string& path) {
+    scan();
+    std::set<std::string> candidates(files_.begin(), files_.end());
+    for (const auto& [uri, open] : open_) candidates.insert(open.path);
+    std::map<std::string, std::vector<std::string>> includers;  // by key of the included file
+    std::map<std::string, std::string> keys;
+    for (const std::string& candidate : candidates) {
+        const auto text = this->text(candidate);
+        if (text == nullptr || text->bytes().size() > largest_scanned) continue;
+        if (text->bytes().find("include") == std::string::npos) continue;
+        for (const std::string& included : includes(*parsed(candidate))) includers[key(included)].push_back(candidate);
+    }
+    std::vector<std::string> found = {path};
+    std::set<std::string> seen = {key(path)};
+    for (std::size_t next = 0; next < found.size(); ++next)
+        for (const std::string& includer : includers[key(found[next])])
+            if (seen.insert(key(includer)).second) found.push_back(includer);
+    return found;
+}
+
+Files Workspace::related(const std::string& path) {
+    Files found;
+    std::set<std::string> seen;
+    for (const std::string& root : roots(path))
+        for (const auto& file : closure(root))
+            if (seen.insert(key(file->path)).second) found.push_back(file);
+    return found;
+}
+
+// -- what is read -----------------------------------------------------------------------------------------------------
+
+Reading Workspace::reading(const std::string& path, Inputs& inputs) {
+    Reading reading;
+    const auto main = text(path);
+    inputs.emplace_back(path, main);
+    if (main == nullptr) return reading;
+    const Id<Source> file = reading.sources.add({path, main->bytes()});
+    const Reach reach(path, include_folders_);
+    ReadContext context = context_of(reach, include_folders_, false);
+    context.load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
+        const auto content = text(included);
+        inputs.emplace_back(included, content);
+        auto on_disk = reach.read(included, why);
+        if (!on_disk && !identity_of_existing(included).empty()) return {};  // it is there, and out of reach
+        if (content == nullptr) return on_disk;
+        return content->bytes();
+    };
+    context.identity = [this](const std::string& included) {
+        std::string known_as = identity_of_existing(included);
+        return known_as.empty() && open_at(included) != nullptr ? included : known_as;
+    };
+    reading.model = read_text(file, reading.sources, context, reading.diagnostics);
+    return reading;
+}
+
+bool Workspace::holds(const Inputs& inputs) {
+    return std::ranges::all_of(inputs, [this](const auto& input) { return text(input.first) == input.second; });
+}
+
+}  // namespace grafverif::lsp

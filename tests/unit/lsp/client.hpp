@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// A client of the language server in the same process: what it says, cut as one likes, and what it is answered.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "lsp/server.hpp"
+#include "lsp/text.hpp"
+
+namespace grafverif::lsp {
+
+using Json = nlohmann::json;
+
+/// Of a text that is nowhere on the disk.
+inline constexpr const char* address = "file:///nowhere/a.grafcet";
+
+class Client {
+public:
+    explicit Client(Surroundings surroundings = {}) : surroundings_(std::move(surroundings)) {
+        surroundings_.hang_up = [this] { hang_up(); };
+        server_ = std::thread([this] {
+            const Ending ending = converse([this](std::span<char> room) { return give(room); },
+                                           [this](std::string_view bytes) { take(bytes); }, surroundings_);
+            const std::lock_guard hold(door_);
+            ending_ = ending;
+            wake_.notify_all();
+        });
+    }
+    ~Client() {
+        hang_up();
+        server_.join();
+    }
+
+    // -- bytes
+    void write(std::string_view bytes) {
+        const std::lock_guard hold(door_);
+        to_server_ += bytes;
+        wake_.notify_all();
+    }
+    void hang_up() {
+        const std::lock_guard hold(door_);
+        gone_ = true;
+        wake_.notify_all();
+    }
+    /// Waits for the end.
+    Ending ending() {
+        std::unique_lock hold(door_);
+        wake_.wait_for(hold, patience, [this] { return ending_.has_value(); });
+        EXPECT_TRUE(ending_.has_value());
+        return ending_.value_or(Ending::Gone);
+    }
+
+    // -- messages
+    void send(const Json& message) { write(framed(message.dump())); }
+    void notify(const std::string& method, const Json& params) {
+        send({{"jsonrpc", "2.0"}, {"method", method}, {"params", params}});
+    }
+    int ask(const std::string& method, const Json& params) {
+        send({{"jsonrpc", "2.0"}, {"id", ++last_}, {"method", method}, {"params", params}});
+        return last_;
+    }
+    /// The answer to the request of that number, whole.
+    Json answer(const Json& id) {
+        return wait([&](const Json& message) {
+            return !message.contains("method") && message.contains("id") && message["id"] == id;
+        });
+    }
+    Json result(const std::string& method, const Json& params) {
+        const Json whole = answer(ask(method, params));
+        EXPECT_TRUE(whole.contains("result")) << method << ' ' << whole;
+        return whole.value("result", Json());
+    }
+    /// The next notification of that kind for which `that` holds; those before it are dropped.
+    template <class That>
+    Json next(const std::string& method, That that) {
+        return wait([&](const Json& message) {
+            return message.value("method", "") == method && that(message["params"]);
+        })["params"];
+    }
+    std::size_t waiting() {
+        const std::lock_guard hold(door_);
+        return arrived_.size();
+    }
+
+    // -- a session
+    Json begin(const Json& capabilities = Json::object(), const std::string& folder = "") {
+        Json params = {{"processId", nullptr}, {"rootUri", nullptr}, {"capabilities", capabilities}};
+        if (!folder.empty()) params["workspaceFolders"] = Json::array({{{"uri", uri_of_path(folder)}, {"name", "w"}}});
+        Json answered = result("initialize", params);
+        notify("initialized", Json::object());
+        return answered;
+    }
+    void open(const std::string& uri, const std::string& text) {
+        notify("textDocument/didOpen",
+               {{"textDocument", {{"uri", uri}, {"languageId", "grafcet"}, {"version", 1}, {"text", text}}}});
+    }
+    /// All of the text anew.
+    void retype(const std::string& uri, int version, const std::string& text) {
+        notify("textDocument/didChange", {{"textDocument", {{"uri", uri}, {"version", version}}},
+                                          {"contentChanges", Json::array({{{"text", text}}})}});
+    }
+    /// What is told next about `uri`, of that version or any.
+    Json diagnostics(const std::string& uri, int version = 0) {
+        return next("textDocument/publishDiagnostics", [&](const Json& params) {
+            return params["uri"] == uri && (version == 0 || params.value("version", 0) == version);
+        })["diagnostics"];
+    }
+
+private:
+    static constexpr std::chrono::seconds patience{60};
+
+    std::size_t give(std::span<char> room) {
+        std::unique_lock hold(door_);
+        wake_.wait(hold, [this] { return gone_ || !to_server_.empty(); });
+        const std::size_t count = std::min(room.size(), to_server_.size());
+        std::copy_n(to_server_.begin(), count, room.begin());
+        to_server_.erase(0, count);
+        return count;
+    }
+
+    void take(std::string_view bytes) {
+        const std::lock_guard hold(door_);
+        const std::size_t body = bytes.find("\r\n\r\n");
+        EXPECT_NE(body, std::string_view::npos);
+        arrived_.push_back(Json::parse(bytes.substr(body + 4)));
+        wake_.notify_all();
+    }
+
+    template <class That>
+    Json wait(That that) {
+        std::unique_lock hold(door_);
+        auto found = arrived_.end();
+        const bool there = wake_.wait_for(hold, patience, [&] {
+            found = std::ranges::find_if(arrived_, that);
+            return found != arrived_.end();
+        });
+        EXPECT_TRUE(there) << "nothing came";
+        if (!there) return Json::object({{"params", {{"diagnostics", Json::array()}}}});
+        Json message = *found;
+        arrived_.erase(found);
+        return message;
+    }
+
+    Surroundings surroundings_;
+    std::mutex door_ = {};
+    std::condition_variable wake_ = {};
+    std::string to_server_ = {};
+    bool gone_ = false;
+    std::vector<Json> arrived_ = {};
+    std::optional<Ending> ending_ = {};
+    int last_ = 0;
+    std::thread server_ = {};
+};
+
+/// A folder that is there for one test.
+class Folder {
+public:
+    Folder() {
+        std::string name = (std::filesystem::temp_directory_path() / "grafverif-lsp-XXXXXX").string();
+        path_ = ::mkdtemp(name.data()) != nullptr ? name : "";
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    const std::string& path() const { return path_; }
+    std::string file(const std::string& name) const { return path_ + "/" + name; }
+    std::string uri(const std::string& name) const { return uri_of_path(file(name)); }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(file(name), std::ios::binary) << text;
+    }
+
+private:
+    std::string path_ = {};
+};
+
+}  // namespace grafverif::lsp

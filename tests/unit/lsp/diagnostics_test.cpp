@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// What is wrong with texts while they are typed, and how it is mended.
+#include "unit/lsp/client.hpp"
+
+namespace grafverif::lsp {
+namespace {
+
+std::vector<std::string> codes(const Json& diagnostics) {
+    std::vector<std::string> found;
+    for (const Json& each : diagnostics) found.push_back(each.value("code", ""));
+    return found;
+}
+using Codes = std::vector<std::string>;
+
+Json at(int line, int character) { return {{"line", line}, {"character", character}}; }
+
+TEST(LspText, CountsUnitsOfUtf16) {
+    const Text text("a\u00E9\U0001F600b\r\nx\ry\n");
+    EXPECT_EQ(text.lines(), 4U);
+    EXPECT_EQ(text.position(7), (Position{0, 4}));
+    EXPECT_EQ(text.offset({0, 4}), 7U);
+    EXPECT_EQ(text.offset({0, 3}), 3U);  // in the midst of a character: its beginning
+    EXPECT_EQ(text.offset({0, 99}), 8U);
+    EXPECT_EQ(text.offset({1, 0}), 10U);
+    EXPECT_EQ(text.position(12), (Position{2, 0}));
+    EXPECT_EQ(text.offset({99, 0}), 14U);
+    for (std::uint32_t byte : {0U, 1U, 3U, 7U, 10U, 12U, 14U}) EXPECT_EQ(text.offset(text.position(byte)), byte);
+}
+
+TEST(LspText, IsChangedInPlaces) {
+    EXPECT_EQ(changed(Text("one\ntwo\n"), {Range{{1, 0}, {1, 3}}, "drei"}), "one\ndrei\n");
+    EXPECT_EQ(changed(Text("one"), {Range{{5, 0}, {9, 9}}, "!"}), "one!");
+    EXPECT_EQ(changed(Text("one"), {Range{{0, 2}, {0, 1}}, "-"}), "on-e");  // the wrong way round: nothing is taken
+    EXPECT_EQ(changed(Text("one"), {{}, "two"}), "two");
+}
+
+TEST(LspText, NamesFilesByAddress) {
+    const std::string path = "/a b/\u00E9%#.grafcet";
+    EXPECT_EQ(uri_of_path(path), "file:///a%20b/%C3%A9%25%23.grafcet");
+    EXPECT_EQ(path_of_uri(uri_of_path(path)), path);
+    EXPECT_EQ(path_of_uri("file://localhost/a%2"), "/a%2");
+    EXPECT_EQ(path_of_uri("untitled:Untitled-1"), "untitled:Untitled-1");
+    EXPECT_EQ(uri_of_path("untitled:Untitled-1"), "untitled:Untitled-1");
+}
+
+TEST(LspDiagnostics, FollowWhatIsTyped) {
+    Client client;
+    client.begin();
+    client.open(address,
+                "grafcet a {\n    input START;\n    initial step 0;\n    transition t: 0 -> 0 when STRAT;\n}\n");
+    Json told = client.diagnostics(address, 1);
+    ASSERT_EQ(codes(told), Codes{"unknown-variable"});
+    EXPECT_EQ(told[0]["range"], (Json{{"start", at(3, 30)}, {"end", at(3, 35)}}));
+    EXPECT_EQ(told[0]["severity"], 1);
+    EXPECT_EQ(told[0]["message"], "unknown variable `STRAT`; did you mean `START`?");
+
+    client.notify(
+        "textDocument/didChange",
+        {{"textDocument", {{"uri", address}, {"version", 2}}},
+         {"contentChanges", Json::array({{{"range", {{"start", at(3, 32)}, {"end", at(3, 34)}}}, {"text", "A"}},
+                                         {{"range", {{"start", at(3, 33)}, {"end", at(3, 33)}}}, {"text", "R"}}})}});
+    EXPECT_EQ(client.diagnostics(address, 2), Json::array());
+    client.notify("textDocument/didClose", {{"textDocument", {{"uri", address}}}});
+}
+
+TEST(LspDiagnostics, NameTheOtherPlace) {
+    Client client;
+    client.begin();
+    client.open(address, "grafcet a {\n    input A;\n    input A;\n    initial step 0;\n}\n");
+    const Json told = client.diagnostics(address);
+    ASSERT_EQ(codes(told), Codes{"duplicate-name"});
+    const Json related = told[0]["relatedInformation"];
+    ASSERT_EQ(related.size(), 1U);
+    EXPECT_EQ(related[0]["message"], "the first one is here");
+    EXPECT_EQ(related[0]["location"]["uri"], address);
+    EXPECT_EQ(related[0]["location"]["range"]["start"], at(1, 10));
+}
+
+TEST(LspDiagnostics, AreMendedByWhatTheHintSays) {
+    Client client;
+    client.begin();
+    const std::string text =
+        "grafcet a {\n    input START\n    initial step 0;\n    transition t: 0 -> 0 when X1;\n}\n";
+    client.open(address, text);
+    const auto actions = [&](int line) {
+        return client.result("textDocument/codeAction", {{"textDocument", {{"uri", address}}},
+                                                         {"range", {{"start", at(line, 0)}, {"end", at(line, 40)}}},
+                                                         {"context", {{"diagnostics", Json::array()}}}});
+    };
+    Json found = actions(1);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0]["title"], "write `;`");
+    EXPECT_EQ(found[0]["kind"], "quickfix");
+    EXPECT_EQ(found[0]["diagnostics"][0]["code"], "missing-semicolon");
+    const Json edit = found[0]["edit"]["changes"][address];
+    ASSERT_EQ(edit.size(), 1U);
+    EXPECT_EQ(edit[0], (Json{{"range", {{"start", at(1, 15)}, {"end", at(1, 15)}}}, {"newText", ";"}}));
+    EXPECT_EQ(actions(0), Json::array());
+
+    client.retype(address, 2, changed(Text(text), {Range{{1, 15}, {1, 15}}, ";"}));
+    found = actions(3);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0]["title"], "write `X0`");
+}
+
+TEST(LspDiagnostics, AreToldOfAllFilesThatIncludeWhatIsOpen) {
+    const Folder folder;
+    folder.write("part.grafcet", "component lever(output OUT) {\n    initial location off;\n}\n");
+    folder.write("main.grafcet",
+                 "include \"part.grafcet\";\ngrafcet g {\n    input A;\n    initial step 0;\n    transition t: 0 -> 0 "
+                 "when A;\n}\n"
+                 "closed_loop l {\n    controller g;\n    plant Lever = lever(OUT = A);\n}\n");
+    folder.write("other.grafcet", "grafcet unrelated {\n    nonsense\n}\n");
+    Client client;
+    client.begin(Json::object(), folder.path());
+    client.open(folder.uri("part.grafcet"), "component lever(output NEW) {\n    initial location off;\n}\n");
+    const Json told = client.diagnostics(folder.uri("main.grafcet"));
+    EXPECT_EQ(codes(told), Codes{"unknown-parameter"});
+    EXPECT_EQ(client.diagnostics(folder.uri("part.grafcet")), Json::array());
+
+    client.retype(folder.uri("part.grafcet"), 2, "component lever(output OUT) {\n    initial location off;\n}\n");
+    EXPECT_EQ(client.diagnostics(folder.uri("main.grafcet")), Json::array());
+
+    // What is on the disk is read again when it changes; the open text stays what it is.
+    folder.write("part.grafcet", "nonsense");
+    folder.write("main.grafcet", "include \"part.grafcet\";\ngrafcet g {\n}\n");
+    EXPECT_EQ(codes(client.diagnostics(folder.uri("main.grafcet"))), Codes{"empty-chart"});
+}
+
+TEST(LspDiagnostics, LiveThroughHalfAndDamagedTexts) {
+    Client client;
+    client.begin();
+    const std::string whole =
+        "grafcet a {\n    input START, B;\n    initial step 0 { X; }\n    step 1;\n"
+        "    transition t: 0 -> 1 when START && (B || X1) do N := 1;\n}\nclosed_loop l {\n    controller a;\n"
+        "    plant P = valve(ON = B);\n    property p \"t\": never B && !B;\n}\n";
+    client.open(address, "");
+    int version = 1;
+    for (std::size_t length = 0; length <= whole.size(); length += 3)
+        client.retype(address, ++version, whole.substr(0, length));
+    for (std::size_t at = 0; at < whole.size(); at += 5) {
+        std::string damaged = whole;
+        damaged.erase(at, 4);
+        client.retype(address, ++version, damaged);
+    }
+    client.retype(address, ++version, "grafcet a {\n    initial step 0;\n}\n");
+    EXPECT_EQ(client.diagnostics(address, version), Json::array());
+}
+
+}  // namespace
+}  // namespace grafverif::lsp
