@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "check/timed/column.hpp"
 #include "check/timed/explore.hpp"
 
 namespace grafverif::timed {

@@ -28,8 +28,9 @@ bool Limits::stopped() const {
 
 Obstacle Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more) {
     if (stopped()) return Obstacle::Stopped;
-    // Links let the index go before properties are judged; without them judging comes on top.
-    const std::size_t bytes = graph.bytes() + more + (graph.linked ? 0 : 16 * graph.states());
+    // Judging properties comes on top; where there are links, the index has gone by then.
+    const std::size_t freed = graph.linked ? graph.store.index_bytes() : 0;
+    const std::size_t bytes = graph.bytes() + more + std::max(16 * graph.states(), freed) - freed;
     if (allowed_used_ = bytes > options_.max_memory; allowed_used_) return Obstacle::Memory;
     if (!options_.progress) return Obstacle::None;
     const double now = seconds();
@@ -61,7 +62,7 @@ public:
 
     Obstacle run(Limits& limits) {
         const std::vector<Word> initial = packed_initial(graph_.machine.network(), graph_.machine.layout());
-        discover(initial.data(), graph_.machine.hash(initial.data()), 0);
+        discover(initial.data(), graph_.store.fold(initial.data(), {}, next_), 0);
         for (std::uint32_t state = 0; state < graph_.states(); ++state) {
             if (limits.too_many(graph_.states())) return Obstacle::Bound;
             if (state % judge_every == 0 || computed_words_ > judge_after) {
@@ -77,7 +78,7 @@ public:
             look_ahead(state);
             visit(state);
             graph_.looked_at = state + 1;
-            if (Moves& done = ring_[state % ahead]; done.words.size() > kept_words) done.words = {};
+            if (Moves& done = ring_[state % ahead].moves; done.words.size() > kept_words) done.words = {};
             drop_links_if_many();
         }
         return Obstacle::None;
@@ -91,41 +92,44 @@ private:
     /// Bytes of the moves ahead.
     std::size_t held() const {
         std::size_t words = 0;
-        for (const Moves& moves : ring_) words += moves.words.capacity();
+        for (const auto& [moves, roots] : ring_) words += moves.words.capacity() + roots.capacity();
         return words * sizeof(Word);
     }
 
     /// The number of the state; a new one is watched and gets its parent: all of it, or nothing where memory ends.
-    std::uint32_t discover(const Word* words, std::uint64_t hash, std::uint32_t parent) {
-        graph_.parent.make_room();
-        graph_.kinds.make_room();
-        const Store::Interned interned = graph_.store.intern(words, hash);
-        if (!interned.fresh) return interned.state;
+    std::uint32_t discover(const Word* words, Word root, std::uint32_t parent) {
+        graph_.parent.make_room(1);
+        graph_.kinds.make_room(1);
+        const Pairs::Interned interned = graph_.store.intern(root);
+        if (!interned.fresh) return interned.number;
         graph_.parent.push_back(parent);
         graph_.kinds.push_back(0);
-        watch_.look(graph_.machine, interned.state, words);
-        return interned.state;
+        watch_.look(graph_.machine, interned.number, words);
+        return interned.number;
     }
 
     void look_ahead(std::uint32_t state) {
         const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(graph_.states(), state + depth_));
         for (; computed_ < end; ++computed_) {
-            Moves& moves = ring_[computed_ % ahead];
-            const Word* const words = graph_.load(computed_);
-            if (races(words)) {
-                moves.successors.clear();
-                continue;
-            }
-            graph_.machine.expand(words, moves);
-            const std::size_t computed = moves.successors.size() * graph_.machine.layout().words;
+            auto& [moves, roots] = ring_[computed_ % ahead];
+            graph_.store.load(computed_, now_);
+            const std::size_t words = graph_.machine.layout().words;
+            moves.edges.clear();
+            roots.clear();
+            if (races(now_.words.data())) continue;
+            graph_.machine.expand(now_.words.data(), moves);
+            const std::size_t computed = moves.edges.size() * words;
             computed_words_ += computed;
             if (depth_ > 1 && computed > ahead_words / ahead) depth_ = 1;
-            for (const Successor& successor : moves.successors) graph_.store.prefetch(successor.hash);
+            for (std::size_t i = 0; i < moves.edges.size(); ++i) {
+                roots.push_back(graph_.store.fold(moves.words.data() + i * words, now_, next_));
+                graph_.store.prefetch(roots.back());
+            }
         }
     }
 
     void visit(std::uint32_t state) {
-        const Moves& moves = ring_[state % ahead];
+        const auto& [moves, roots] = ring_[state % ahead];
         const std::size_t words = graph_.machine.layout().words;
         if (graph_.linked) graph_.links.begin(state);
         if (!races_.empty() && races(graph_.load(state))) {
@@ -134,14 +138,14 @@ private:
             return;
         }
         std::uint32_t onward = 0;  // where an urgent edge leads; a late state, since those lead on
-        for (std::size_t i = 0; i < moves.successors.size(); ++i) {
-            const std::uint32_t next = discover(moves.words.data() + i * words, moves.successors[i].hash, state);
+        for (std::size_t i = 0; i < roots.size(); ++i) {
+            const std::uint32_t next = discover(moves.words.data() + i * words, roots[i], state);
             if (graph_.linked) graph_.links.add(next);
-            if (moves.urgent && graph_.machine.urgent(moves.successors[i].edge)) onward = std::max(onward, next);
+            if (moves.urgent && graph_.machine.urgent(moves.edges[i])) onward = std::max(onward, next);
         }
-        graph_.transitions += moves.successors.size();
+        graph_.transitions += roots.size();
         note(state, moves);
-        const bool acts = !moves.successors.empty();
+        const bool acts = !roots.empty();
         if (moves.urgent) graph_.set_kind(state, StateKind::Urgent, onward);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
@@ -153,14 +157,16 @@ private:
     /// See the essay.
     void pass_time(std::uint32_t state) {
         Machine& machine = graph_.machine;
-        time_.resize(machine.layout().words);
-        graph_.store.load(state, time_.data());
+        graph_.store.load(state, now_);
         for (std::uint32_t now = state; graph_.kind(now) == StateKind::Unknown;) {
-            if (!machine.delay(time_.data())) {
+            next_.words = now_.words;
+            if (!machine.delay(next_.words.data())) {
                 graph_.set_kind(now, StateKind::Stuck, now);
                 return;
             }
-            const std::uint32_t next = discover(time_.data(), machine.hash(time_.data()), now);
+            const Word root = graph_.store.fold(next_.words.data(), now_, next_);
+            const std::uint32_t next = discover(next_.words.data(), root, now);
+            std::swap(now_, next_);
             graph_.set_kind(now, StateKind::Passes, next);
             ++graph_.transitions;
             graph_.time_passes = true;
@@ -192,12 +198,16 @@ private:
     Graph& graph_;
     Watch& watch_;
     const std::vector<Field>& races_;
-    std::array<Moves, ahead> ring_ = {};
+    struct Ahead {
+        Moves moves = {};
+        std::vector<Word> roots = {};
+    };
+    std::array<Ahead, ahead> ring_ = {};
     std::uint32_t depth_ = ahead;     // of the look ahead
     std::size_t computed_words_ = 0;  // since the last look at the limits
     std::uint32_t computed_ = 0;      // the states below have their moves in the ring, or are done
     std::uint32_t level_end_ = 0;
-    std::vector<Word> time_ = {};
+    Unfolded now_ = {}, next_ = {};
 };
 
 }  // namespace

@@ -12,16 +12,18 @@ void Graph::urgent_successors(std::uint32_t state, std::vector<std::uint32_t>& f
     each_action(state, [&](std::uint32_t next) { found.push_back(next); });
     expand(state);
     std::size_t move = 0;  // links are in the order of the moves
-    std::erase_if(found, [&](std::uint32_t) { return !machine.urgent(moves_.successors[move++].edge); });
+    std::erase_if(found, [&](std::uint32_t) { return !machine.urgent(moves_.edges[move++]); });
 }
 
 Move Graph::move_between(std::uint32_t from, std::uint32_t to) {
+    load(to);
+    const std::vector<Word> target(now_.words.data(), now_.words.data() + machine.layout().stored);
+    const auto leads = [&](const Word* words) { return std::equal(target.begin(), target.end(), words); };
     expand(from);
-    if (!moves_.urgent && machine.delay(words_.data()) && store.is(to, words_.data())) return Delay{1};
-    for (std::size_t i = 0; i < moves_.successors.size(); ++i) {
-        if (!store.is(to, moves_.words.data() + i * machine.layout().words)) continue;
-        const std::uint32_t edge = moves_.successors[i].edge;
-        return Fire{machine.process_of(edge), machine.edge_of(edge)};
+    if (!moves_.urgent && machine.delay(now_.words.data()) && leads(now_.words.data())) return Delay{1};
+    for (std::size_t i = 0; i < moves_.edges.size(); ++i) {
+        if (!leads(moves_.words.data() + i * machine.layout().words)) continue;
+        return Fire{machine.process_of(moves_.edges[i]), machine.edge_of(moves_.edges[i])};
     }
     unreachable();
 }

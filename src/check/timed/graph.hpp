@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "check/timed/column.hpp"
 #include "check/timed/machine.hpp"
 #include "check/timed/store.hpp"
 #include "grafverif/ir/verdict.hpp"
@@ -136,8 +137,8 @@ public:
             return;
         }
         expand(state);
-        for (std::size_t i = 0; i < moves_.successors.size(); ++i)
-            visit(store.find(moves_.words.data() + i * machine.layout().words, moves_.successors[i].hash));
+        for (std::size_t i = 0; i < moves_.edges.size(); ++i)
+            visit(store.find(moves_.words.data() + i * machine.layout().words, found_));
     }
     /// The same for time as well.
     template <class Visit>
@@ -156,21 +157,17 @@ public:
     std::vector<std::uint32_t> path_to(std::uint32_t state) const;
     Run run_to(std::uint32_t state) { return run_along(path_to(state)); }
 
-    End holds(std::uint32_t predicate, std::uint32_t state) {
-        load(state);
-        return machine.holds(predicate, words_.data());
-    }
+    End holds(std::uint32_t predicate, std::uint32_t state) { return machine.holds(predicate, load(state)); }
     const Word* load(std::uint32_t state) {
-        words_.resize(machine.layout().words);
-        store.load(state, words_.data());
-        return words_.data();
+        store.load(state, now_);
+        return now_.words.data();
     }
 
 private:
     void expand(std::uint32_t state) { machine.expand(load(state), moves_); }
 
     Moves moves_ = {};
-    std::vector<Word> words_ = {};
+    Unfolded now_ = {}, found_ = {};
 };
 
 }  // namespace grafverif::timed

@@ -2,6 +2,9 @@
 #include "check/timed/layout.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "ir/network_parts.hpp"
 
 namespace grafverif::timed {
 
@@ -22,6 +25,13 @@ public:
         return field;
     }
 
+    /// Later fields begin a fresh half word; returns its number.
+    std::size_t seam() {
+        first_ = std::max<std::size_t>(used_.size(), 1) - 1;
+        if (last() > 0) used_.back() = last() <= 32 ? 32 : 64;
+        return 2 * used_.size() - (last() == 32 ? 1 : 0);
+    }
+
     /// Later fields go into fresh words.
     void close() {
         base_ = size();
@@ -40,23 +50,57 @@ private:
 
 std::uint64_t values_of(const Type& type) { return static_cast<std::uint64_t>(type.high - type.low) + 1; }
 
+/// The processes, sub-loop by sub-loop.
+std::vector<Id<Network::Process>> by_part(const Network& network, const NetworkParts& parts) {
+    std::vector<Id<Network::Process>> processes;
+    for (const Id<Network::Process> process : network.processes.ids()) processes.push_back(process);
+    std::ranges::stable_sort(processes, {}, [&](Id<Network::Process> id) { return parts.of_process[id.index]; });
+    return processes;
+}
+
+/// Per process the variables that it writes and none before it, in order; those that nobody writes come last.
+std::vector<std::vector<Id<Network::Variable>>> written_by_process(const Network& network) {
+    std::vector<std::size_t> writer(network.variables.size(), network.processes.size());
+    for (const Id<Network::Process> id : network.processes.ids()) {
+        const auto take = [&](const std::vector<Network::Assignment>& assignments) {
+            for (const Network::Assignment& assignment : assignments) {
+                std::size_t& first = writer[static_cast<std::size_t>(network.exprs[assignment.target].value)];
+                first = std::min<std::size_t>(first, id.index);
+            }
+        };
+        const Network::Template& automaton = network.templates[network.processes[id].automaton];
+        for (const Network::Edge& edge : automaton.edges) take(edge.assignments);
+        for (const Network::Procedure& procedure : automaton.procedures) take(procedure.assignments);
+    }
+    std::vector<std::vector<Id<Network::Variable>>> written(network.processes.size() + 1);
+    for (const Id<Network::Variable> id : network.variables.ids()) written[writer[id.index]].push_back(id);
+    return written;
+}
+
 }  // namespace
 
 Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clocks) {
     Layout layout;
     Bits bits;
-    for (const Id<Network::Process> process : network.processes.ids()) {
-        layout.locations.push_back(
-            bits.take(network.templates[network.processes[process].automaton].locations.size(), 0));
-        layout.clocks.emplace_back();
-        for (const std::int64_t greatest : clocks[process.index].greatest)
-            layout.clocks.back().push_back(bits.take(static_cast<std::uint64_t>(greatest) + 1, 0));
-    }
+    layout.locations.resize(network.processes.size());
+    layout.clocks.resize(network.processes.size());
     layout.variables.resize(network.variables.size());
-    for (const Id<Network::Variable> id : network.variables.ids()) {
+    const std::vector<std::vector<Id<Network::Variable>>> written = written_by_process(network);
+    const auto take = [&](Id<Network::Variable> id) {
         const Network::Variable& variable = network.variables[id];
         if (!variable.scratch) layout.variables[id.index] = bits.take(values_of(variable.type), variable.type.low);
+    };
+    const NetworkParts parts = parts_of(network);
+    std::uint32_t part = 0;
+    for (const Id<Network::Process> process : by_part(network, parts)) {
+        if (std::exchange(part, parts.of_process[process.index]) != part) layout.seams.push_back(bits.seam());
+        const Network::Process& made = network.processes[process];
+        layout.locations[process.index] = bits.take(network.templates[made.automaton].locations.size(), 0);
+        for (const std::int64_t greatest : clocks[process.index].greatest)
+            layout.clocks[process.index].push_back(bits.take(static_cast<std::uint64_t>(greatest) + 1, 0));
+        std::ranges::for_each(written[process.index], take);
     }
+    std::ranges::for_each(written.back(), take);
     layout.stored = std::max<std::size_t>(1, bits.size());
     layout.halves = 2 * layout.stored - (bits.last() <= 32 ? 1 : 0);
     bits.close();

@@ -55,6 +55,7 @@ struct Layout {
     std::size_t stored = 1;                       ///< words of a state
     std::size_t words = 1;                        ///< the same with scratch variables
     std::size_t halves = 1;                       ///< 32-bit units that hold every stored bit
+    std::vector<std::size_t> seams = {};          ///< those of them that a sub-loop begins with, but the first
 };
 
 /// `network` is expanded.

@@ -8,7 +8,7 @@
 namespace grafverif::timed {
 
 void Machine::expand(const Word* words, Moves& moves) {
-    moves.successors.clear();
+    moves.edges.clear();
     moves.urgent = false;
     moves.fault.reset();
     moves.stuck_bound.reset();
@@ -43,14 +43,14 @@ void Machine::expand(const Word* words, Moves& moves) {
 }
 
 void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) {
-    if (const std::size_t room = (moves.successors.size() + 1) * layout_.words; moves.words.size() < room)
+    if (const std::size_t room = (moves.edges.size() + 1) * layout_.words; moves.words.size() < room)
         moves.words.resize(2 * room);
-    Word* const next = moves.words.data() + moves.successors.size() * layout_.words;
+    Word* const next = moves.words.data() + moves.edges.size() * layout_.words;
     for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
     const Ran ran = run(program_, edges_[edge].effect, next, registers_.data());
     moves.urgent = moves.urgent || edges_[edge].urgent;  // also where it breaks off
     if (ran.end == End::Yes) {
-        moves.successors.push_back({hash(next), edge});
+        moves.edges.push_back(edge);
     } else if (!moves.fault) {
         moves.fault = Fault{ran.end, edge, program_.code[ran.place].to};
     }
@@ -72,16 +72,6 @@ bool Machine::delay(Word* words) const {
 End Machine::holds(std::uint32_t predicate, const Word* words) {
     if (registers_.size() < program_.registers) registers_.resize(program_.registers);
     return test(program_, predicate, words, registers_.data()).end;
-}
-
-std::uint64_t Machine::hash(const Word* words) const {
-    std::uint64_t hash = 0x9E3779B97F4A7C15ULL;
-    for (std::size_t i = 0; i < layout_.stored; ++i) {
-        hash = (hash ^ words[i]) * 0xD6E8FEB86659FD93ULL;
-        hash ^= hash >> 32U;
-    }
-    hash *= 0xD6E8FEB86659FD93ULL;
-    return hash ^ (hash >> 29U);
 }
 
 }  // namespace grafverif::timed

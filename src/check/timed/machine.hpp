@@ -19,12 +19,6 @@
 
 namespace grafverif::timed {
 
-/// A state that an edge leads to.
-struct Successor {
-    std::uint64_t hash = 0;
-    std::uint32_t edge = 0;  ///< in Machine::edges
-};
-
 /// A place where the model breaks off.
 struct Fault {
     End kind = End::OutOfRange;
@@ -40,9 +34,9 @@ struct UncoveredBound {
 
 /// The moves of one state; reused, so that the search does not allocate.
 struct Moves {
-    std::vector<Successor> successors = {};  ///< in the order of processes and edges
-    std::vector<Word> words = {};            ///< the states, Machine::layout.words apart
-    bool urgent = false;                     ///< some urgent edge can fire: time stands
+    std::vector<std::uint32_t> edges = {};  ///< those that can fire, in the order of processes and edges
+    std::vector<Word> words = {};           ///< the states they lead to, Machine::layout.words apart
+    bool urgent = false;                    ///< some urgent edge can fire: time stands
     std::optional<Fault> fault = {};
     std::optional<UncoveredBound> stuck_bound = {};   ///< a run may end here between the ticks
     std::optional<UncoveredBound> locked_bound = {};  ///< time may be locked here between the ticks
@@ -65,7 +59,6 @@ public:
     /// A term over variables and locations; fallible terms without value are reported as NoValue.
     End holds(std::uint32_t predicate, const Word* words);
 
-    std::uint64_t hash(const Word* words) const;
     Id<Network::Process> process_of(std::uint32_t edge) const { return {edges_[edge].process}; }
     Id<Network::Edge> edge_of(std::uint32_t edge) const { return {edges_[edge].index}; }
     bool urgent(std::uint32_t edge) const { return edges_[edge].urgent; }

@@ -2,103 +2,102 @@
 #include "check/timed/store.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <utility>
 
 namespace grafverif::timed {
 
 namespace {
 
-constexpr std::size_t first_slots = 64;
-
-std::size_t shard_of(std::uint64_t hash, unsigned bits) { return static_cast<std::size_t>(hash >> (64U - bits)); }
-std::uint32_t print_of(std::uint64_t hash) { return static_cast<std::uint32_t>(hash); }
+constexpr unsigned shard_bits = 6;  // of the root
 
 }  // namespace
 
-Store::Store(const Layout& layout) : halves_(layout.halves), shards_(std::size_t{1} << shard_bits) {
-    for (Shard& shard : shards_) shard.slots.resize(first_slots);
-    slots_ = shards_.size() * first_slots;
+Store::Store(const Layout& layout)
+    : words_(static_cast<std::uint32_t>(layout.words)),
+      stored_(static_cast<std::uint32_t>(layout.stored)),
+      halves_(static_cast<std::uint32_t>(layout.halves)),
+      root_(shard_bits) {
+    grow(layout.seams, 0, std::max(halves_, 2U));
+    for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) tables_.emplace_back(0);
 }
 
-bool Store::is(std::uint32_t state, const Word* words) const {
-    const std::uint32_t* const stored = at(state);
-    Word different = 0;
-    std::size_t half = 0;
-    for (; half + 1 < halves_; half += 2) {
-        Word word = 0;
-        std::memcpy(&word, stored + half, sizeof word);
-        different |= word ^ words[half / 2];
+/// The subtree of the halves from `first` on; returns its root as a place in Unfolded::numbers. It forks in the middle, or
+/// at the seam next to it: sub-loops that share only time multiply, so each is best kept by itself.
+std::uint32_t Store::grow(const std::vector<std::size_t>& seams, std::uint32_t first, std::uint32_t end) {
+    if (end - first == 1) return first;
+    const std::uint32_t middle = (first + end + 1) / 2;
+    std::uint32_t fork = middle;
+    std::uint32_t far = end;
+    for (const std::size_t seam : seams) {
+        const auto at = static_cast<std::uint32_t>(seam);
+        const std::uint32_t distance = at < middle ? middle - at : at - middle;
+        if (at <= first || at >= end || distance >= far) continue;
+        fork = at;
+        far = distance;
     }
-    if (half < halves_) different |= stored[half] ^ words[half / 2];
-    return different == 0;
+    const std::uint32_t low = grow(seams, first, fork);
+    const std::uint32_t high = grow(seams, fork, end);
+    nodes_.push_back({low, high});
+    return 2 * stored_ + static_cast<std::uint32_t>(nodes_.size()) - 1;
 }
 
-void Store::load(std::uint32_t state, Word* words) const {
-    const std::uint32_t* const stored = at(state);
-    std::size_t half = 0;
-    for (; half + 1 < halves_; half += 2) std::memcpy(words + half / 2, stored + half, sizeof(Word));
-    if (half < halves_) words[half / 2] = stored[half];
-}
-
-std::uint32_t Store::append(const Word* words) {
-    if ((size_ & (chunk - 1)) == 0) chunks_.push_back(std::make_unique_for_overwrite<std::uint32_t[]>(chunk * halves_));
-    const auto state = static_cast<std::uint32_t>(size_++);
-    std::uint32_t* const stored = chunks_[state >> shift].get() + (state & (chunk - 1)) * halves_;
-    std::size_t half = 0;
-    for (; half + 1 < halves_; half += 2) std::memcpy(stored + half, words + half / 2, sizeof(Word));
-    if (half < halves_) stored[half] = static_cast<std::uint32_t>(words[half / 2]);
-    return state;
-}
-
-void Store::prefetch(std::uint64_t hash) const {
-    const Shard& shard = shards_[shard_of(hash, shard_bits)];
-    __builtin_prefetch(shard.slots.data() + home(print_of(hash), shard.slots.size()));
-}
-
-Store::Interned Store::intern(const Word* words, std::uint64_t hash) {
-    Shard& shard = shards_[shard_of(hash, shard_bits)];
-    if (5 * (shard.used + 1) > 4 * shard.slots.size()) grow(shard);
-    const std::uint32_t print = print_of(hash);
-    const std::size_t slots = shard.slots.size();
-    std::size_t place = home(print, slots);
-    for (;; place = place + 1 == slots ? 0 : place + 1) {
-        const Slot slot = shard.slots[place];
-        if (slot.state == 0) break;
-        if (slot.print == print && is(slot.state - 1, words)) return {slot.state - 1, false};
-    }
-    const std::uint32_t state = append(words);
-    shard.slots[place] = {print, state + 1};
-    ++shard.used;
-    return {state, true};
-}
-
-std::uint32_t Store::find(const Word* words, std::uint64_t hash) const {
-    const Shard& shard = shards_[shard_of(hash, shard_bits)];
-    const std::uint32_t print = print_of(hash);
-    const std::size_t slots = shard.slots.size();
-    for (std::size_t place = home(print, slots);; place = place + 1 == slots ? 0 : place + 1) {
-        const Slot slot = shard.slots[place];
-        if (slot.state == 0) return none;
-        if (slot.print == print && is(slot.state - 1, words)) return slot.state - 1;
+void Store::take(const Word* words, Unfolded& now) const {
+    now.numbers.resize(2 * stored_ + nodes_.size());
+    for (std::uint32_t word = 0; word < stored_; ++word) {
+        now.numbers[2 * word] = Pairs::low(words[word]);
+        now.numbers[2 * word + 1] = Pairs::high(words[word]);
     }
 }
 
-/// Slots keep the order of their prints, so the old ones are read and the new ones written nearly in sequence.
-void Store::grow(Shard& shard) {
-    std::vector<Slot> wider(shard.slots.size() + shard.slots.size() / 2);
-    for (const Slot slot : shard.slots) {
-        if (slot.state == 0) continue;
-        std::size_t place = home(slot.print, wider.size());
-        while (wider[place].state != 0) place = place + 1 == wider.size() ? 0 : place + 1;
-        wider[place] = slot;
+Word Store::fold(const Word* words, const Unfolded& before, Unfolded& now) {
+    take(words, now);
+    std::uint32_t* const numbers = now.numbers.data();
+    const std::uint32_t* const same = before.numbers.data();
+    for (std::size_t i = 0; i < tables_.size(); ++i) {
+        const auto [low, high] = nodes_[i];
+        const bool known = !before.numbers.empty() && numbers[low] == same[low] && numbers[high] == same[high];
+        const std::size_t at = 2 * stored_ + i;
+        numbers[at] = known ? same[at] : tables_[i].intern(Pairs::pair(numbers[low], numbers[high])).number;
     }
-    slots_ += wider.size() - shard.slots.size();
-    shard.slots = std::move(wider);
+    return Pairs::pair(numbers[nodes_.back().low], numbers[nodes_.back().high]);
 }
 
-void Store::drop_index() {
-    shards_.clear();
-    slots_ = 0;
+std::uint32_t Store::find(const Word* words, Unfolded& now) const {
+    take(words, now);
+    std::uint32_t* const numbers = now.numbers.data();
+    for (std::size_t i = 0; i < tables_.size(); ++i) {
+        const auto [low, high] = nodes_[i];
+        numbers[2 * stored_ + i] = tables_[i].find(Pairs::pair(numbers[low], numbers[high]));
+        if (numbers[2 * stored_ + i] == none) return none;
+    }
+    return root_.find(Pairs::pair(numbers[nodes_.back().low], numbers[nodes_.back().high]));
+}
+
+void Store::unfold(std::size_t node, Word pair, std::uint32_t* numbers) const {
+    const auto put = [&](std::uint32_t at, std::uint32_t number) {
+        if (std::exchange(numbers[at], number) == number || at < 2 * stored_) return;
+        unfold(at - 2 * stored_, tables_[at - 2 * stored_][number], numbers);
+    };
+    put(nodes_[node].low, Pairs::low(pair));
+    put(nodes_[node].high, Pairs::high(pair));
+}
+
+void Store::load(std::uint32_t state, Unfolded& unfolded) const {
+    unfolded.words.resize(words_);
+    if (unfolded.numbers.empty()) {
+        unfolded.numbers.resize(2 * stored_, 0);
+        unfolded.numbers.resize(2 * stored_ + nodes_.size(), none);
+    }
+    const std::uint32_t* const numbers = unfolded.numbers.data();
+    unfold(tables_.size(), root_[state], unfolded.numbers.data());
+    for (std::uint32_t word = 0; word < stored_; ++word)
+        unfolded.words[word] = Pairs::pair(numbers[2 * word], numbers[2 * word + 1]);
+}
+
+std::size_t Store::bytes() const {
+    std::size_t bytes = root_.bytes();
+    for (const Pairs& table : tables_) bytes += table.bytes();
+    return bytes;
 }
 
 }  // namespace grafverif::timed

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Facts about states, by number. Memory grows in chunks: nothing is copied and no growth doubles the peak.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace grafverif::timed {
+
+/// A vector that never moves its elements.
+template <class T>
+class Column {
+public:
+    static constexpr std::size_t shift = 12, chunk = std::size_t{1} << shift;
+
+    T& operator[](std::size_t i) { return chunks_[i >> shift][i & (chunk - 1)]; }
+    const T& operator[](std::size_t i) const { return chunks_[i >> shift][i & (chunk - 1)]; }
+    void push_back(T value) {
+        make_room(1);
+        (*this)[size_++] = value;
+    }
+    /// The next `count` times `push_back` needs no memory.
+    void make_room(std::size_t count) {
+        while (chunks_.size() * chunk < size_ + count) chunks_.push_back(std::make_unique_for_overwrite<T[]>(chunk));
+    }
+    void pop_back() { --size_; }
+    T& back() { return (*this)[size_ - 1]; }
+    void assign(std::size_t size, T value) {
+        clear();
+        while (size_ < size) push_back(value);
+    }
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    std::size_t bytes() const { return chunks_.size() * chunk * sizeof(T); }
+    void clear() {
+        chunks_.clear();
+        size_ = 0;
+    }
+
+private:
+    std::vector<std::unique_ptr<T[]>> chunks_ = {};
+    std::size_t size_ = 0;
+};
+
+}  // namespace grafverif::timed

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "check/timed/pairs.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <new>
+
+namespace grafverif::timed {
+
+namespace {
+
+constexpr std::size_t first_slots = 16;
+constexpr std::size_t fetched_ahead = 32;   // slots whose pairs are fetched ahead of their use
+constexpr unsigned least_number_bits = 12;  // so that a print has at most the 20 bits that no place is made of
+
+/// Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014), the mixing of SplitMix64.
+std::uint64_t hash_of(Word pair) {
+    std::uint64_t hash = pair + 0x9E3779B97F4A7C15U;
+    hash = (hash ^ (hash >> 30U)) * 0xBF58476D1CE4E5B9U;
+    hash = (hash ^ (hash >> 27U)) * 0x94D049BB133111EBU;
+    return hash ^ (hash >> 31U);
+}
+
+// Of a hash, the topmost bits choose the shard, the lowest are the print, those between the place in the shard.
+
+std::uint32_t print_of(std::uint64_t hash, unsigned number_bits) {
+    return static_cast<std::uint32_t>(hash) & ((1U << (32U - number_bits)) - 1);
+}
+
+std::size_t home_of(std::uint64_t hash, std::size_t slots) {
+    return static_cast<std::size_t>(((hash >> 22U & 0xFFFFFFFFU) * slots) >> 32U);
+}
+
+std::uint32_t mask_of(unsigned bits) { return bits == 0 ? 0 : 0xFFFFFFFFU >> (32U - bits); }
+
+}  // namespace
+
+Pairs::Pairs(unsigned shard_bits)
+    : open_(std::make_unique_for_overwrite<Word[]>(chunk)), shards_(std::size_t{1} << shard_bits) {
+    chunk_bytes_ = chunk * sizeof(Word);
+    for (Shard& shard : shards_) rebuild(shard, first_slots);
+}
+
+void Pairs::prefetch(Word pair) const {
+    const std::uint64_t hash = hash_of(pair);
+    const Shard& shard = shard_of(hash);
+    __builtin_prefetch(shard.slots.data() + home_of(hash, shard.slots.size()));
+}
+
+std::uint32_t Pairs::find(Word pair) const {
+    const std::uint64_t hash = hash_of(pair);
+    const Shard& shard = shard_of(hash);
+    const std::uint32_t print = print_of(hash, shard.number_bits);
+    const std::size_t slots = shard.slots.size();
+    for (std::size_t place = home_of(hash, slots);; place = place + 1 == slots ? 0 : place + 1) {
+        const std::uint32_t slot = shard.slots[place];
+        if (slot == 0) return none;
+        if (slot >> shard.number_bits != print) continue;
+        const std::uint32_t number = (slot & mask_of(shard.number_bits)) - 1;
+        if ((*this)[number] == pair) return number;
+    }
+}
+
+Pairs::Interned Pairs::intern(Word pair) {
+    const std::uint64_t hash = hash_of(pair);
+    Shard& shard = shard_of(hash);
+    if (5 * (shard.used + 1) > 4 * shard.slots.size()) rebuild(shard, shard.slots.size() + shard.slots.size() / 2);
+    const std::uint32_t print = print_of(hash, shard.number_bits);
+    const std::size_t slots = shard.slots.size();
+    std::size_t place = home_of(hash, slots);
+    for (;; place = place + 1 == slots ? 0 : place + 1) {
+        const std::uint32_t slot = shard.slots[place];
+        if (slot == 0) break;
+        if (slot >> shard.number_bits != print) continue;
+        const std::uint32_t number = (slot & mask_of(shard.number_bits)) - 1;
+        if ((*this)[number] == pair) return {number, false};
+    }
+    if (size_ >= most) throw std::bad_alloc();
+    if ((size_ + 1) >> shard.number_bits != 0) {
+        rebuild(shard, slots);
+        return intern(pair);
+    }
+    if (size_ != 0 && (size_ & (chunk - 1)) == 0 && packed_.size() << shift != size_) pack();
+    open_[size_ & (chunk - 1)] = pair;
+    const auto number = static_cast<std::uint32_t>(size_++);
+    shard.slots[place] = print << shard.number_bits | (number + 1);
+    ++shard.used;
+    return {number, true};
+}
+
+/// The open chunk is full.
+void Pairs::pack() {
+    std::uint32_t lows = 0, highs = 0;
+    for (std::size_t i = 0; i < chunk; ++i) {
+        lows |= low(open_[i]);
+        highs |= high(open_[i]);
+    }
+    Chunk packed;
+    packed.low_bits = static_cast<std::uint8_t>(std::bit_width(lows));
+    packed.low = mask_of(packed.low_bits);
+    packed.high = mask_of(static_cast<unsigned>(std::bit_width(highs)));
+    packed.each = static_cast<std::uint8_t>((packed.low_bits + std::bit_width(highs) + 7) / 8);
+    const std::size_t bytes = chunk * packed.each + sizeof(Word);  // the last pairs are read as words too
+    packed.bytes = std::make_unique<std::uint8_t[]>(bytes);
+    for (std::size_t i = 0; i < chunk; ++i) {
+        const Word word = low(open_[i]) | Word{high(open_[i])} << packed.low_bits;
+        std::memcpy(packed.bytes.get() + i * packed.each, &word, sizeof word);
+    }
+    packed_.push_back(std::move(packed));
+    chunk_bytes_ += bytes + sizeof(Chunk);
+}
+
+/// With as many slots, and bits for as many numbers as there may be until it is full.
+void Pairs::rebuild(Shard& shard, std::size_t slots) {
+    Shard wider{std::vector<std::uint32_t>(slots), shard.used, 0};
+    wider.number_bits = std::max(least_number_bits, static_cast<unsigned>(std::bit_width(size_ + size_ / 2 + 1)));
+    const std::uint32_t numbers_of = mask_of(shard.number_bits);
+    for (std::size_t at = 0; at < shard.slots.size(); ++at) {
+        if (const std::size_t soon = at + fetched_ahead; soon < shard.slots.size() && shard.slots[soon] != 0)
+            prefetch_pair((shard.slots[soon] & numbers_of) - 1);
+        if (shard.slots[at] == 0) continue;
+        const std::uint32_t number = (shard.slots[at] & numbers_of) - 1;
+        const std::uint64_t hash = hash_of((*this)[number]);
+        std::size_t place = home_of(hash, slots);
+        while (wider.slots[place] != 0) place = place + 1 == slots ? 0 : place + 1;
+        wider.slots[place] = print_of(hash, wider.number_bits) << wider.number_bits | (number + 1);
+    }
+    slots_ += slots - shard.slots.size();
+    shard = std::move(wider);
+}
+
+void Pairs::drop_index() {
+    shards_ = {};
+    slots_ = 0;
+}
+
+}  // namespace grafverif::timed

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// The states found: what goes in comes out, and is found again.
+#include "check/timed/store.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace grafverif::timed {
+namespace {
+
+/// Numbers of up to `bits` bits that look random.
+std::uint32_t some(std::uint64_t seed, unsigned bits) {
+    seed = (seed + 1) * 0x9E3779B97F4A7C15U;
+    return static_cast<std::uint32_t>((seed ^ seed >> 29U) * 0xBF58476D1CE4E5B9U >> (64U - bits));
+}
+
+TEST(Pairs, AreNumberedInTheOrderTheyCameInAndFoundAgainHoweverManyThereAre) {
+    for (const auto& [low, high] : {std::pair{8U, 12U}, std::pair{32U, 32U}, std::pair{1U, 32U}, std::pair{20U, 1U}}) {
+        SCOPED_TRACE(std::to_string(low) + " and " + std::to_string(high) + " bits");
+        Pairs pairs(6);
+        std::map<Word, std::uint32_t> expected;
+        std::vector<Word> order;
+        for (std::uint64_t i = 0; i < 40'000; ++i) {
+            const Word pair = Pairs::pair(some(2 * i, low), some(2 * i + 1, high));
+            ASSERT_EQ(pairs.find(pair), expected.contains(pair) ? expected.at(pair) : Pairs::none);
+            const bool fresh = expected.emplace(pair, static_cast<std::uint32_t>(order.size())).second;
+            if (fresh) order.push_back(pair);
+            const Pairs::Interned interned = pairs.intern(pair);
+            ASSERT_EQ(interned.fresh, fresh);
+            ASSERT_EQ(interned.number, expected.at(pair));
+        }
+        ASSERT_EQ(pairs.size(), order.size());
+        for (std::uint32_t number = 0; number < order.size(); ++number) {
+            ASSERT_EQ(pairs[number], order[number]);
+            ASSERT_EQ(pairs.find(order[number]), number);
+        }
+    }
+}
+
+TEST(Store, GivesBackEveryStateOfEachSize) {
+    for (const unsigned halves : {1U, 2U, 3U, 5U, 6U, 11U, 16U}) {
+        SCOPED_TRACE(halves);
+        Layout layout{.locations = {},
+                      .variables = {},
+                      .clocks = {},
+                      .stored = (halves + 1) / 2,
+                      .words = (halves + 1) / 2,
+                      .halves = halves};
+        if (halves > 5) layout.seams = {1, 3};
+        Store store(layout);
+        std::vector<std::vector<Word>> states;
+        Unfolded before, now;
+        for (std::uint64_t i = 0; i < 3000; ++i) {
+            std::vector<Word> words(layout.words, 0);
+            for (unsigned half = 0; half < halves; ++half)
+                words[half / 2] |= Word{some(i / (1 + half % 7) * 31 + half, 5 + half % 28)} << (half % 2 * 32);
+            const bool known = store.find(words.data(), now) != Store::none;
+            const Pairs::Interned interned = store.intern(store.fold(words.data(), before, now));
+            ASSERT_EQ(interned.fresh, !known);
+            if (interned.fresh) states.push_back(words);
+            ASSERT_EQ(states[interned.number], words);
+            std::swap(before, now);
+        }
+        ASSERT_GT(states.size(), 10U);
+        Unfolded unfolded;
+        for (std::uint32_t state = 0; state < states.size(); ++state) {
+            const std::uint32_t other = some(state, 20) % static_cast<std::uint32_t>(states.size());
+            for (const std::uint32_t at : {state, other}) {
+                store.load(at, unfolded);
+                ASSERT_EQ(unfolded.words, states[at]);
+            }
+            ASSERT_EQ(store.find(states[state].data(), now), state);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace grafverif::timed
