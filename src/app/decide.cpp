@@ -91,7 +91,7 @@ std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool
     }
     if (!found) return {};
     decided.report = std::move(*found);
-    if (decided.report.profile) name_places(*decided.report.profile, job.sources);
+    name_places(decided.report, job.sources);
     say_who_stopped(decided.report, bounds.interrupted(), job.options);
     return decided;
 }

@@ -304,7 +304,7 @@ std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& ti
             Accepts::Always, "color",
             {{"auto", ColourChoice::Auto}, {"always", ColourChoice::Always}, {"never", ColourChoice::Never}},
             &Options::colour, "colours in errors and warnings (default: auto)"),
-        toggle(Accepts::Always, "quiet,q", &Options::quiet, "no warnings, no list of files"),
+        toggle(Accepts::Always, "quiet,q", &Options::quiet, "no warnings, no list of files; of `check`: failures only"),
         toggle(Accepts::Always, "help,h", &Options::help, "show this help"),
         {Accepts::Ablations, "without", "CURE", "", leave_out_cures, true},
         list(Accepts::Always, "operand", "", &Options::operands, ""),

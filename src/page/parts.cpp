@@ -10,6 +10,7 @@
 #include "page/data.hpp"
 #include "page/terms.hpp"
 #include "page/words.hpp"
+#include "report/basis.hpp"
 #include "report/findings.hpp"
 #include "report/report.hpp"
 #include "report/terminal.hpp"

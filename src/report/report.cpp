@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "report/profile.hpp"
 #include "run/project.hpp"
 #include "support/overloaded.hpp"
 
@@ -98,6 +99,13 @@ Answer answer_of(const Network& network, Verdict verdict, Detail detail) {
 
 Breakdown breakdown_of(const Network& network, const ModelError& error, Detail detail) {
     return {std::string(word(error.kind)), message_of(network, error), tell(project(network, error.run), detail)};
+}
+
+void name_places(Report& report, const Sources& sources) {
+    for (Answer& answer : report.answers)
+        if (sources.contains(answer.verdict.origin.source))
+            answer.place = file_and_line(sources, answer.verdict.origin);
+    if (report.profile) name_places(*report.profile, sources);
 }
 
 Tally tally(const Report& report) {

@@ -27,6 +27,9 @@ Answer answer_of(const TransitionSystem& system, Verdict verdict, const std::opt
 Breakdown breakdown_of(const TransitionSystem& system, const SystemFault& fault, Detail detail);
 Breakdown breakdown_of(const Network& network, const ModelError& error, Detail detail);
 
+/// Where the properties stand, and what is in the profile.
+void name_places(Report& report, const Sources& sources);
+
 /// How many verdicts there are of each kind. An unknown verdict that the model does not ask for is only a note.
 struct Tally {
     std::size_t holds = 0, violated = 0, unknown = 0, undeclared_unknown = 0;

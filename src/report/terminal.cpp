@@ -14,7 +14,6 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::size_t widest_line = 100;
 constexpr std::size_t gutter = 2;   // before the table: the bar of a loop
 constexpr std::size_t between = 2;  // between columns
 constexpr std::size_t least_width = 8;

@@ -19,17 +19,21 @@
 namespace grafverif {
 
 struct TextOptions {
-    bool verbose = false;  ///< witnesses of `reachable` too, and how long it took
+    bool verbose = false;        ///< witnesses of `reachable` too, and how long it took
+    bool failures_only = false;  ///< what is violated against expectation or undecided; nothing where there is no such
     Colour colour = Colour::Plain;
+    std::size_t columns = 0;  ///< of the terminal, into which the closing table fits; 0: as wide as it gets
 };
-
-/// What a verdict rests on: engine, mode, grain, time, states; of an untimed one what it says of the timed loop.
-std::string basis_words(const Report& report, const Answer& answer);
 
 /// What is wrong where a finite counterexample ends; empty: the state there says it.
 std::string_view end_of(const Verdict& verdict);
 
+/// What the verdicts rest on, once; in full what is violated or unknown; a table of all verdicts, and their number. The
+/// steps of `reachable all steps` that are reached are one line of it.
 void print_report(const Report& report, const TextOptions& options, std::ostream& out);
+
+/// Of a line of text, in columns.
+inline constexpr std::size_t widest_line = 100;
 
 /// The whole table, its columns as wide as their content asks for.
 void print_trace(const ChartRun& run, std::ostream& out);

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Verdicts as text: a line each, what it rests on under it, then notes and the trace.
+// Verdicts as text: what they rest on, once; in full what does not hold, with notes and the trace; all of them as a table.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
 #include <ostream>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
 
+#include "report/basis.hpp"
 #include "report/profile.hpp"
+#include "report/table.hpp"
 #include "report/terminal.hpp"
 #include "support/printable.hpp"
 
@@ -14,17 +20,60 @@ namespace grafverif {
 
 namespace {
 
+bool fails(const Answer& answer) {
+    const Verdict& verdict = answer.verdict;
+    return verdict.outcome == Outcome::Unknown ? verdict.declared : !as_expected(verdict);
+}
+
+using Answers = std::vector<const Answer*>;
+
+/// Texts that several answers share, in the order of the first: a reason, a note.
+struct Shared {
+    std::string text = {};
+    Answers answers = {};
+};
+void share(std::vector<Shared>& all, const std::string& text, const Answer& answer) {
+    auto found = std::ranges::find(all, text, &Shared::text);
+    if (found == all.end()) found = all.insert(found, {text, {}});
+    found->answers.push_back(&answer);
+}
+
+/// `text` in lines of 100 columns at most, the second and further ones behind so many blanks.
+std::string folded(const std::string& text, std::size_t indentation) {
+    std::string lines;
+    for (std::string_view rest = text; lines.empty() || !rest.empty();) {
+        const std::size_t blanks = lines.empty() ? 0 : indentation;
+        const std::string line = wrapped(rest, widest_line - blanks).front();
+        rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+        lines += std::string(blanks, ' ') + printable(line) + '\n';
+    }
+    return lines;
+}
+
+/// A row of the closing table, as wide as it is.
+struct Row {
+    std::string property = {}, verdict = {}, place = {}, text = {};
+    int colour = 0;  ///< of the verdict
+};
+
 class Printer {
 public:
     Printer(const Report& report, const TextOptions& options, std::ostream& out)
         : report_(report), options_(options), out_(out) {}
 
     void print() {
+        for (const Answer& answer : report_.answers) {
+            if (options_.failures_only && !fails(answer)) continue;
+            shown_.push_back(&answer);
+            if (is_reason_only(answer)) share(reasons_, answer.verdict.reason, answer);
+            for (const std::string& note : answer.verdict.notes) share(notes_, note, answer);
+        }
         for (const Breakdown& breakdown : report_.breakdowns) print(breakdown);
-        shared_reason_ = shared_reason();
-        for (const Answer& answer : report_.answers) print(answer);
-        if (!shared_reason_.empty()) print_shared_reason();
-        if (report_.profile) print_profile(*report_.profile, out_);
+        if (!shown_.empty()) print_basis();
+        print_in_full();
+        if (options_.failures_only) return;
+        if (report_.profile) print_profile(*report_.profile, out_ << '\n');
+        print_table();
         print_tally();
     }
 
@@ -35,59 +84,164 @@ private:
         return fmt::format("\033[1;{}m{}\033[0m", colour, text);
     }
 
-    /// What keeps the engine from several verdicts, said once; empty: there is no such thing.
-    std::string shared_reason() const {
-        std::map<std::string_view, std::size_t> times;
-        for (const Answer& answer : report_.answers)
-            if (answer.verdict.outcome == Outcome::Unknown) ++times[answer.verdict.reason];
-        const auto most = std::ranges::max_element(times, {}, [](const auto& entry) { return entry.second; });
-        return most != times.end() && most->second > 1 ? std::string(most->first) : std::string();
+    static constexpr int red = 31, green = 32, yellow = 33;
+
+    static int colour_of(const Verdict& verdict) {
+        if (verdict.outcome == Outcome::Unknown) return yellow;
+        return as_expected(verdict) ? green : red;
     }
 
-    std::string outcome(const Verdict& verdict) const {
-        constexpr int red = 31, green = 32, yellow = 33;
-        if (verdict.outcome == Outcome::Unknown) return painted("unknown", yellow);
+    static std::string outcome(const Verdict& verdict) {
         std::string text(word(verdict.outcome));
         if (verdict.vacuous) text += ", vacuously";
-        if (verdict.expected_violated) text += as_expected(verdict) ? ", as expected" : ", but expected to be violated";
-        return painted(text, as_expected(verdict) ? green : red);
+        if (verdict.outcome != Outcome::Unknown && verdict.expected_violated)
+            text += as_expected(verdict) ? ", as expected" : ", but expected to be violated";
+        return text;
     }
 
-    void print(const Answer& answer) {
+    /// Whether the table tells all there is of it.
+    static bool in_table_only(const Answer& answer) {
+        return answer.verdict.outcome == Outcome::Holds && as_expected(answer.verdict);
+    }
+
+    /// Whether nothing is known of it but why it is undecided.
+    static bool is_reason_only(const Answer& answer) {
         const Verdict& verdict = answer.verdict;
-        out_ << verdict.property;
-        if (!answer.text.empty()) out_ << " \"" << printable(answer.text) << '"';
-        if (!verdict.declared) out_ << " (not declared)";
-        out_ << ": " << outcome(verdict) << "\n    " << basis_words(report_, answer) << '\n';
-        if (!verdict.reason.empty() && verdict.reason != shared_reason_)
-            out_ << "    why: " << printable(verdict.reason) << '\n';
-        for (const std::string& note : verdict.notes) out_ << "    note: " << printable(note) << '\n';
-        if (!answer.trace) return;
-        const bool witness = verdict.outcome == Outcome::Holds;
-        if (witness && !options_.verbose) return;
-        print_told(witness ? "witness" : "counterexample", *answer.trace, end_of(verdict));
+        return verdict.outcome == Outcome::Unknown && !verdict.reason.empty() && !answer.trace && verdict.notes.empty();
     }
 
-    void print_shared_reason() {
-        std::string names;
-        for (const Answer& answer : report_.answers)
-            if (answer.verdict.outcome == Outcome::Unknown && answer.verdict.reason == shared_reason_)
-                names += (names.empty() ? "" : ", ") + answer.verdict.property;
-        out_ << "why unknown (" << names << "): " << printable(shared_reason_) << '\n';
+    /// Notes of what holds, and those that several share, stand here; the others under their verdict.
+    bool is_told_above(const Shared& note) const {
+        return note.answers.size() > 1 || in_table_only(*note.answers.front());
+    }
+
+    void print_basis() {
+        const SharedBasis basis = shared_basis(report_, shown_);
+        out_ << report_.model << ", checked with: " << printable(basis.shared) << '\n';
+        for (const SharedBasis::Group& group : basis.groups)
+            out_ << folded(fmt::format("    {}: {}", names_of(report_, group.answers), group.words), 8);
+        for (const Shared& note : notes_) {
+            if (!is_told_above(note)) continue;
+            const bool all = note.answers.size() == shown_.size();
+            out_ << folded(
+                fmt::format("    note{}: {}", all ? "" : " (" + names_of(report_, note.answers) + ")", note.text), 8);
+        }
+    }
+
+    /// What does not hold, in the order of the model; those that are undecided for one reason together.
+    void print_in_full() {
+        bool alone = false;
+        for (const Answer* answer : shown_) {
+            const std::string text = in_full(*answer);
+            const bool lone_line = std::ranges::count(text, '\n') == 1;
+            if (!text.empty()) out_ << (alone && lone_line ? "" : "\n") << text;
+            if (!text.empty()) alone = lone_line;
+        }
+    }
+
+    static std::string name_in_full(const Answer& answer) {
+        return printable(answer.place) + (answer.place.empty() ? "" : ": ") + answer.verdict.property +
+               (answer.text.empty() ? "" : " \"" + printable(answer.text) + '"') +
+               (answer.verdict.declared ? "" : " (not declared)");
+    }
+
+    std::string in_full(const Answer& answer) const {
+        const Verdict& verdict = answer.verdict;
+        const bool witness = verdict.outcome == Outcome::Holds && answer.trace && options_.verbose;
+        if (in_table_only(answer) && !witness) return {};
+        const auto reason = std::ranges::find(reasons_, verdict.reason, &Shared::text);
+        const bool together = is_reason_only(answer) && reason->answers.size() > 1;
+        if (together && reason->answers.front() != &answer) return {};
+        std::ostringstream out;
+        const std::string said = outcome(verdict);
+        std::string head = together ? folded(names_of(report_, reason->answers) + ": " + said, 4)
+                                    : name_in_full(answer) + ": " + said + '\n';
+        head.replace(head.size() - said.size() - 1, said.size(), painted(said, colour_of(verdict)));
+        out << head;
+        if (!verdict.reason.empty()) out << "    why: " << printable(verdict.reason) << '\n';
+        for (const Shared& note : notes_)
+            if (!is_told_above(note) && note.answers.front() == &answer)
+                out << "    note: " << printable(note.text) << '\n';
+        if (witness) print_told("witness", *answer.trace, end_of(verdict), out);
+        if (answer.trace && verdict.outcome != Outcome::Holds)
+            print_told("counterexample", *answer.trace, end_of(verdict), out);
+        return std::move(out).str();
     }
 
     /// `end`: said of a trace that does not repeat.
-    void print_told(std::string_view what, const ChartRun& run, std::string_view end) {
-        out_ << '\n' << what << ":\n";
-        print_trace(run, out_);
-        if (!run.loop_from && !end.empty()) out_ << "    " << end << '\n';
-        out_ << '\n';
+    static void print_told(std::string_view what, const ChartRun& run, std::string_view end, std::ostream& out) {
+        out << what << ":\n";
+        print_trace(run, out);
+        if (!run.loop_from && !end.empty()) out << "    " << end << '\n';
     }
 
     void print(const Breakdown& breakdown) {
-        out_ << painted("the model breaks off", 31) << ": " << printable(breakdown.message) << " [" << breakdown.code
+        out_ << painted("the model breaks off", red) << ": " << printable(breakdown.message) << " [" << breakdown.code
              << "]\n";
-        if (!breakdown.trace.steps.empty()) print_told("the way there", breakdown.trace, "");
+        if (!breakdown.trace.steps.empty()) print_told("the way there", breakdown.trace, "", out_);
+        out_ << '\n';
+    }
+
+    /// The steps of one property that are reached are one row.
+    std::vector<Row> rows() const {
+        std::vector<Row> rows;
+        std::set<std::string> families;
+        for (const Answer& answer : report_.answers) {
+            const Verdict& verdict = answer.verdict;
+            const std::string family = family_of(answer), said = outcome(verdict);
+            Row row{verdict.property, said, answer.place, answer.text, colour_of(verdict)};
+            if (!verdict.declared) row.property += " (not declared)";
+            if (!family.empty() && said == word(Outcome::Holds)) {
+                if (!families.insert(family).second) continue;
+                row.property = family + steps_that_hold(family);
+            }
+            rows.push_back(std::move(row));
+        }
+        return rows;
+    }
+
+    /// ` (9 of 11 steps)`
+    std::string steps_that_hold(const std::string& family) const {
+        std::size_t holding = 0, all = 0;
+        for (const Answer& answer : report_.answers) {
+            if (family_of(answer) != family) continue;
+            ++all;
+            if (outcome(answer.verdict) == word(Outcome::Holds)) ++holding;
+        }
+        const std::string of = holding == all ? "" : fmt::format("{} of ", holding);
+        return fmt::format(" ({}{} step{})", of, all, all == 1 ? "" : "s");
+    }
+
+    void print_table() {
+        std::vector<Row> all = rows();
+        if (all.empty()) return;
+        all.insert(all.begin(), {"property", "verdict", "stands at", "says"});
+        constexpr std::array columns = {&Row::property, &Row::verdict, &Row::place, &Row::text};
+        std::array<std::size_t, columns.size()> widths = {};  // 0: there is nothing to show
+        for (std::size_t k = 0; k < columns.size(); ++k)
+            for (Row& row : all) {
+                std::string& cell = row.*columns[k] = printable(row.*columns[k]);
+                if (&row != &all.front() && !cell.empty())
+                    widths[k] = std::max({widths[k], columns_of(cell), columns_of(all[0].*columns[k])});
+            }
+        const std::size_t used = 2 * 3 + widths[0] + widths[1] + widths[2];
+        constexpr std::size_t least_of_text = 20;
+        if (options_.columns != 0) {
+            const std::size_t room = options_.columns > used ? options_.columns - used : 0;
+            widths[3] = room < least_of_text ? 0 : std::min(widths[3], room);
+        }
+        out_ << '\n';
+        for (const Row& row : all) {
+            std::string line, blanks;
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+                if (widths[k] == 0) continue;
+                const std::string cell = cut_to(row.*columns[k], widths[k]);
+                if (!cell.empty())
+                    line += std::exchange(blanks, "") + (k == 1 && row.colour != 0 ? painted(cell, row.colour) : cell);
+                blanks += std::string(widths[k] + 2 - columns_of(cell), ' ');
+            }
+            out_ << line << '\n';
+        }
     }
 
     void print_tally() {
@@ -110,43 +264,11 @@ private:
     const Report& report_;
     const TextOptions& options_;
     std::ostream& out_;
-    std::string shared_reason_ = {};
+    Answers shown_ = {};
+    std::vector<Shared> reasons_ = {}, notes_ = {};
 };
 
-/// `a, b, c and 46 more`
-std::string some_of(const std::vector<std::string>& names) {
-    constexpr std::size_t shown = 3;
-    std::string words;
-    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i)
-        words += fmt::format("{}`{}`", i == 0 ? "" : ", ", names[i]);
-    return names.size() <= shown ? words : fmt::format("{} and {} more", words, names.size() - shown);
-}
-
-/// What a verdict on sub-loops leaves out, and why it may.
-std::string scope_words(const Scope& scope) {
-    if (scope.searched.empty()) return {};
-    const bool one = scope.searched.size() == 1;
-    const std::string what = fmt::format("; sub-loop{} {}", one ? "" : "s", some_of(scope.searched));
-    if (scope.left_out.empty()) return what + ", each by itself";
-    const std::string rest = fmt::format("{} alone; left out: {}", what, some_of(scope.left_out));
-    if (scope.because.empty()) return rest;
-    return fmt::format("{}, {} {}", rest, scope.left_out.size() == 1 ? "which" : "each of which", scope.because);
-}
-
 }  // namespace
-
-std::string basis_words(const Report& report, const Answer& answer) {
-    const Basis& basis = report.basis;
-    const Verdict& verdict = answer.verdict;
-    const std::string states = verdict.states.empty() ? "" : "; " + verdict.states + " states";
-    if (!basis.untimed.empty()) {
-        const std::string grain = basis.grain.empty() ? "" : ", " + basis.grain + " grain";
-        return fmt::format("{}, untimed: {}; {}{}{}{}", basis.engine, basis.untimed, basis.mode, grain, states,
-                           answer.carries.empty() ? "" : "; " + answer.carries);
-    }
-    return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero{}{}", basis.engine, basis.mode,
-                       basis.grain, seconds_text(basis.time_unit_ms), states, scope_words(verdict.scope));
-}
 
 std::string_view end_of(const Verdict& verdict) {
     if (verdict.outcome == Outcome::Holds) return {};

@@ -76,6 +76,23 @@ Glyph first_glyph(std::string_view text) {
     return glyph;
 }
 
+std::size_t columns_of(std::string_view text) {
+    std::size_t columns = 0;
+    for (; !text.empty(); text.remove_prefix(first_glyph(text).bytes)) columns += first_glyph(text).columns;
+    return columns;
+}
+
+std::string cut_to(std::string_view text, std::size_t columns) {
+    if (columns_of(text) <= columns) return std::string(text);
+    std::size_t bytes = 0;
+    for (std::size_t used = 1;;) {
+        const Glyph glyph = first_glyph(text.substr(bytes));
+        if ((used += glyph.columns) > columns) break;
+        bytes += glyph.bytes;
+    }
+    return std::string(text.substr(0, bytes)) + "…";
+}
+
 std::string printable(std::string_view text) { return shown(text, "\t"); }
 
 std::string printable_lines(std::string_view text) { return shown(text, "\t\n"); }

@@ -24,6 +24,12 @@ struct Glyph {
 /// Requires a text that is not empty.
 Glyph first_glyph(std::string_view text);
 
+/// The columns that `text`, in one line, takes on a terminal; a tab counts 1.
+std::size_t columns_of(std::string_view text);
+
+/// What there is room for in so many columns: `text`, or its beginning and `…`; `columns` is 1 at least.
+std::string cut_to(std::string_view text, std::size_t columns);
+
 /// `text` in one line: `?` for what a terminal obeys, but a tab.
 std::string printable(std::string_view text);
 

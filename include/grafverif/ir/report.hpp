@@ -31,6 +31,7 @@ struct Answer {
     std::string text = {};               ///< of the property, as the model has it
     std::optional<ChartRun> trace = {};  ///< the verdict's run
     std::string carries = {};            ///< of an untimed verdict: what it says of the timed loop
+    std::string place = {};  ///< `file:line` of the property, where somebody with the sources has looked it up
 
     bool operator==(const Answer&) const = default;
 };

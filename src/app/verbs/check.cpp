@@ -76,7 +76,8 @@ ExitCode check(Job& job, const Streams& streams) {
     if (job.options.format == Format::Json) print_json(report, streams.out);
     else
         print_report(report,
-                     {job.options.verbose, job.options.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain},
+                     {job.options.verbose, job.options.quiet,
+                      job.options.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain},
                      streams.out);
     for (const std::string& failure : report.failures)
         streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
@@ -94,12 +95,12 @@ Verb check_usage() {
         1,
         "prove the properties of a closed loop, with counterexamples in the chart's words",
         "Decides every property of FILE's closed loop with the embedded timed engine, and whether time can stop. "
-        "Each verdict\n"
-        "says what it rests on; a violated property comes with a trace, replayed on the rules of IEC 60848 first.\n"
+        "What they\n"
+        "rest on is said once; a violated property comes with a trace, replayed on the rules of IEC 60848 first.\n"
         "`--engine verifyta` asks the model checker of UPPAAL instead, where it is on the PATH: verdicts, no traces.\n"
         "With --untimed the model without time is checked, by the embedded symbolic engine or by NuSMV or nuXmv from\n"
         "the PATH; so is a chart that belongs to no loop, with free inputs. What that says of the real plant stands\n"
-        "under each verdict. Of properties about states alone ask `--engine pdr`, embedded, where the states are too "
+        "before the verdicts. Of properties about states alone ask `--engine pdr`, embedded, where the states are too "
         "many,\n"
         "and `--engine bmc` for the shortest way to what is wrong, as far as it gets;\n"
         "`--engine abc` and `--engine-command` ask hardware model checkers.\n"

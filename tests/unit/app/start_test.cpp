@@ -200,9 +200,7 @@ TEST(CheckOfAChart, ReportsTotalInstabilityAsAnalyseDoes) {
     const std::string calm = folder.write(
         "d.grafcet",
         "grafcet d { input a; initial step 0; step 1; transition t: 0 -> 1 when a; transition u: 1 -> 0 when !a; }\n");
-    EXPECT_NE(grafverif({"check", calm})
-                  .out.find("stabilises \"whatever the inputs, the situation becomes stable\" (not declared): holds"),
-              std::string::npos);
+    EXPECT_NE(grafverif({"check", calm}).out.find("stabilises (not declared)  holds    "), std::string::npos);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::string table(const ChartRun& run) {
 
 std::string text(const Report& report, bool verbose = false) {
     std::ostringstream out;
-    print_report(report, {verbose, Colour::Plain}, out);
+    print_report(report, {.verbose = verbose}, out);
     return out.str();
 }
 
@@ -56,18 +56,134 @@ TEST(Terminal, FitsAHundredColumnsWhateverTheNames) {
     EXPECT_EQ(std::count(whole.begin(), whole.end(), 'n') >= 300, true);
 }
 
-TEST(Terminal, SaysUnderEachVerdictWhatItRestsOn) {
-    const std::string told = text(sample_report());
+TEST(Terminal, SaysOnceWhatVerdictsRestOn) {
+    Report report = sample_report();
+    report.answers.resize(3);
+    const std::string told = text(report);
     EXPECT_TRUE(
-        told.starts_with("P1 \"all is well\": holds\n"
-                         "    timed engine; stability-search, phased grain; time unit 0.5 s, cycle time taken as zero; "
-                         "12 states\n"))
+        told.starts_with("station, checked with: timed engine; stability-search, phased grain; time unit 0.5 s, cycle "
+                         "time taken as zero; 12 states\n"
+                         "\nP2 \"a <dangerous> & \"quoted\" text\": violated\ncounterexample:\n"))
         << told;
-    for (const char* line :
-         {"P2 \"a <dangerous> & \"quoted\" text\": violated\n", "P3: unknown\n", "    why: 12 states are not enough\n",
-          "no_timelock (not declared): unknown\n", "P4: violated, as expected\n", "P5: holds, vacuously\n",
-          "    note: time never passes\n", "station: 2 hold, 2 violated, 2 unknown; 1 against expectation\n"})
-        EXPECT_NE(told.find(line), std::string::npos) << line << "in\n" << told;
+    EXPECT_EQ(told.find("12 states\n"), told.rfind("12 states\n")) << told;
+    EXPECT_EQ(told.find("P1 \"all"), std::string::npos) << "what holds is told by the table alone";
+    EXPECT_TRUE(
+        told.ends_with("\nP3: unknown\n    why: 12 states are not enough\n"
+                       "\n"
+                       "property  verdict   says\n"
+                       "P1        holds     all is well\n"
+                       "P2        violated  a <dangerous> & \"quoted\" text\n"
+                       "P3        unknown\n"
+                       "station: 1 holds, 1 violated, 1 unknown; 1 against expectation\n"))
+        << told;
+}
+
+TEST(Terminal, SaysOfEachGroupOfVerdictsWhatItAloneRestsOn) {
+    Report report{"station", {"timed", "every-cycle", "atomic", 1000}, {}, {}};
+    const Scope alone{{"left"}, {"right"}, "has no say"};
+    const auto answer = [](const char* name, const char* states, const Scope& scope) {
+        return Answer{{.property = name, .outcome = Outcome::Holds, .states = states, .scope = scope}, "", {}, {}, ""};
+    };
+    report.answers = {answer("A", "7", alone), answer("S.X1", "9", {}), answer("S.X2", "9", {}),
+                      answer("B", "7", alone), answer("T.X1", "9", {}), answer("T.X2", "7", alone)};
+    const std::string told = text(report);
+    EXPECT_TRUE(told.starts_with(
+        "station, checked with: timed engine; every-cycle, atomic grain; time unit 1 s, cycle time taken as zero\n"
+        "    A, B, T.X2: 7 states; sub-loop `left` alone; left out: `right`, which has no say\n"
+        "    S, T.X1: 9 states\n"))
+        << told;
+}
+
+TEST(Terminal, ClaimsOfUndecidedPropertiesNothingThatItClaimsOfDecidedOnes) {
+    Report report{"tanks", {"symbolic", "every-cycle", "", 0, "no plant"}, {}, {}};
+    report.answers = {{{.property = "A", .outcome = Outcome::Holds, .states = "9"}, "", {}, "so with every plant", ""},
+                      {{.property = "B", .reason = "it is about time"}, "", {}, "", ""}};
+    EXPECT_TRUE(
+        text(report).starts_with("tanks, checked with: symbolic, untimed: no plant; every-cycle; 9 states\n"
+                                 "    A: so with every plant\n"
+                                 "\nB: unknown\n    why: it is about time\n"))
+        << text(report);
+}
+
+TEST(Terminal, TellsStepsThatAreReachedInOneLineAndTheOthersEach) {
+    Report report{"line", {"timed", "every-cycle", "atomic", 1000}, {}, {}};
+    for (const char* step : {"0", "1", "2"})
+        report.answers.push_back({{.property = std::string("S.X") + step,
+                                   .pattern = Pattern::Reachable,
+                                   .outcome = *step == '1' ? Outcome::Violated : Outcome::Holds,
+                                   .states = "3"},
+                                  "all are of use",
+                                  {},
+                                  "",
+                                  "a.grafcet:7"});
+    EXPECT_TRUE(
+        text(report).ends_with("; 3 states\n"
+                               "\na.grafcet:7: S.X1 \"all are of use\": violated\n"
+                               "\n"
+                               "property          verdict   stands at    says\n"
+                               "S (2 of 3 steps)  holds     a.grafcet:7  all are of use\n"
+                               "S.X1              violated  a.grafcet:7  all are of use\n"
+                               "line: 2 hold, 1 violated; 1 against expectation\n"))
+        << text(report);
+    report.answers[1].verdict.outcome = Outcome::Holds;
+    EXPECT_NE(text(report).find("S (3 steps)  holds"), std::string::npos) << text(report);
+}
+
+TEST(Terminal, TellsNotesOfWhatHoldsWithWhatItRestsOnAndOthersWhereTheyBelong) {
+    Report report = sample_report();
+    const std::string told = text(report);
+    EXPECT_NE(told.find("    note (P5): time never passes\n\nP2 "), std::string::npos) << told;
+    EXPECT_NE(told.find("P5                          holds, vacuously\n"), std::string::npos) << told;
+    EXPECT_NE(told.find("P4: violated, as expected\ncounterexample:\n"), std::string::npos) << told;
+    EXPECT_NE(told.find("no_timelock (not declared)  unknown\n"), std::string::npos) << told;
+    report.answers[1].verdict.notes = {"of this one"};
+    EXPECT_NE(text(report).find("violated\n    note: of this one\ncounterexample:"), std::string::npos) << text(report);
+    for (Answer& answer : report.answers) answer.verdict.notes = {"of all"};
+    EXPECT_NE(text(report).find("    note: of all\n"), std::string::npos) << text(report);
+    EXPECT_EQ(text(report).find("of all"), text(report).rfind("of all")) << text(report);
+}
+
+TEST(Terminal, TellsFailuresOnlyWhereAskedTo) {
+    std::ostringstream out;
+    Report report = sample_report();
+    print_report(report, {.failures_only = true}, out);
+    EXPECT_NE(out.str().find("\nP2 \"a <dangerous>"), std::string::npos) << out.str();
+    EXPECT_TRUE(out.str().ends_with("\nP3: unknown\n    why: 12 states are not enough\n")) << out.str();
+    for (const char* other : {"P1", "P4", "P5", "no_timelock", "property", "station:"})
+        EXPECT_EQ(out.str().find(other), std::string::npos) << other << " in\n" << out.str();
+    report.answers.resize(1);
+    std::ostringstream none;
+    print_report(report, {.failures_only = true}, none);
+    EXPECT_EQ(none.str(), "") << "what holds is no failure";
+}
+
+TEST(Terminal, FitsTheClosingTableIntoTheTerminalAsFarAsItsTextGoes) {
+    Report report = sample_report();
+    report.answers.resize(1);
+    report.answers[0].text = "字字字字字字字字字字字字";
+    report.answers[0].place = "a.grafcet:7";
+    const auto last_rows = [&](std::size_t columns) {
+        std::ostringstream out;
+        print_report(report, {.columns = columns}, out);
+        return out.str().substr(out.str().find("\n\n") + 2);
+    };
+    EXPECT_EQ(last_rows(0),
+              "property  verdict  stands at    says\n"
+              "P1        holds    a.grafcet:7  字字字字字字字字字字字字\nstation: 1 holds\n");
+    EXPECT_EQ(last_rows(52),
+              "property  verdict  stands at    says\n"
+              "P1        holds    a.grafcet:7  字字字字字字字字字…\nstation: 1 holds\n");
+    EXPECT_EQ(last_rows(51), "property  verdict  stands at\nP1        holds    a.grafcet:7\nstation: 1 holds\n")
+        << "a place is never cut";
+}
+
+TEST(Terminal, PaintsVerdicts) {
+    std::ostringstream out;
+    print_report(sample_report(), {.colour = Colour::Ansi}, out);
+    for (const char* painted :
+         {"P1                          \033[1;32mholds\033[0m", "P3                          \033[1;33munknown\033[0m",
+          "P2                          \033[1;31mviolated\033[0m", "P3: \033[1;33munknown\033[0m\n"})
+        EXPECT_NE(out.str().find(painted), std::string::npos) << painted << " in\n" << out.str();
 }
 
 TEST(Terminal, SaysOnceWhatKeepsItFromSeveralVerdicts) {
@@ -78,13 +194,14 @@ TEST(Terminal, SaysOnceWhatKeepsItFromSeveralVerdicts) {
                                    .obstacle = Obstacle::Bound,
                                    .reason = "the bound is reached: 7 states"},
                                   "",
-                                  {}});
+                                  {},
+                                  "",
+                                  ""});
     const std::string told = text(report);
-    const std::string once = "why unknown (Q1, Q2): the bound is reached: 7 states\n";
+    const std::string once = "\nQ1, Q2: unknown\n    why: the bound is reached: 7 states\n";
     EXPECT_NE(told.find(once), std::string::npos) << told;
     EXPECT_EQ(told.find("the bound is reached"), told.rfind("the bound is reached")) << told;
-    EXPECT_NE(told.find("P3: unknown"), std::string::npos);
-    EXPECT_NE(told.find("    why: 12 states are not enough\n"), std::string::npos)
+    EXPECT_NE(told.find("\nP3: unknown\n    why: 12 states are not enough\n"), std::string::npos)
         << "a reason of its own stays where it is";
 }
 

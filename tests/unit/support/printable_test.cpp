@@ -43,6 +43,19 @@ TEST(Printable, JsonAndXmlGiveBackWhatTheyHide) {
     EXPECT_EQ(unescape_xml(xml), legal);
 }
 
+TEST(Printable, CutsTextToTheColumnsItMayTake) {
+    struct Case {
+        std::string text;
+        std::size_t columns;
+        std::string cut;
+    };
+    for (const Case& c :
+         {Case{"abc", 3, "abc"}, Case{"abcd", 3, "ab…"}, Case{"字字", 4, "字字"}, Case{"字字", 3, "字…"},
+          Case{"字字字", 4, "字…"}, Case{"e\xCC\x81xy", 2, "e\xCC\x81…"}, Case{"ab", 1, "…"}})
+        EXPECT_EQ(cut_to(c.text, c.columns), c.cut) << c.text;
+    EXPECT_EQ(columns_of("e\xCC\x81字"), 3U);
+}
+
 TEST(RenderText, PutsCaretsUnderTheColumnsOfATerminal) {
     struct Case {
         std::string before, marked, shown, blanks, carets;

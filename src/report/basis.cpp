@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "report/basis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+
+#include "grafverif/ir/chart_run.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// `a, b, c and 46 more`
+std::string some_of(const std::vector<std::string>& names) {
+    constexpr std::size_t shown = 3;
+    std::string words;
+    for (std::size_t i = 0; i < std::min(shown, names.size()); ++i)
+        words += fmt::format("{}`{}`", i == 0 ? "" : ", ", names[i]);
+    return names.size() <= shown ? words : fmt::format("{} and {} more", words, names.size() - shown);
+}
+
+/// What a verdict on sub-loops leaves out, and why it may.
+std::string scope_words(const Scope& scope) {
+    if (scope.searched.empty()) return {};
+    const bool one = scope.searched.size() == 1;
+    const std::string what = fmt::format("sub-loop{} {}", one ? "" : "s", some_of(scope.searched));
+    if (scope.left_out.empty()) return what + ", each by itself";
+    const std::string rest = fmt::format("{} alone; left out: {}", what, some_of(scope.left_out));
+    if (scope.because.empty()) return rest;
+    return fmt::format("{}, {} {}", rest, scope.left_out.size() == 1 ? "which" : "each of which", scope.because);
+}
+
+/// What every verdict of a report rests on.
+std::string common_words(const Basis& basis) {
+    if (basis.untimed.empty())
+        return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero", basis.engine, basis.mode,
+                           basis.grain, seconds_text(basis.time_unit_ms));
+    const std::string grain = basis.grain.empty() ? "" : ", " + basis.grain + " grain";
+    return fmt::format("{}, untimed: {}; {}{}", basis.engine, basis.untimed, basis.mode, grain);
+}
+
+/// What a verdict rests on beside that: states, sub-loops, what it says of the timed loop; empty: nothing.
+using Parts = std::array<std::string, 3>;
+Parts parts_of(const Answer& answer) {
+    const Verdict& verdict = answer.verdict;
+    return {verdict.states.empty() ? "" : verdict.states + " states", scope_words(verdict.scope), answer.carries};
+}
+
+void append(std::string& words, std::string_view more, std::string_view between) {
+    if (!more.empty()) words.append(words.empty() ? "" : between).append(more);
+}
+
+/// Per part what all have there; empty optional: they differ. What was not searched for an undecided one says nothing.
+std::array<std::optional<std::string>, 3> agreed(const std::vector<const Answer*>& answers) {
+    std::array<std::set<std::string>, 3> values;
+    for (const Answer* answer : answers) {
+        const Parts parts = parts_of(*answer);
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            if (k != 0 || !parts[0].empty() || answer->verdict.outcome != Outcome::Unknown) values[k].insert(parts[k]);
+    }
+    std::array<std::optional<std::string>, 3> same;
+    for (std::size_t k = 0; k < same.size(); ++k)
+        if (values[k].size() == 1) same[k] = *values[k].begin();
+    return same;
+}
+
+}  // namespace
+
+std::string basis_words(const Report& report, const Answer& answer) {
+    std::string words = common_words(report.basis);
+    for (const std::string& part : parts_of(answer)) append(words, part, "; ");
+    return words;
+}
+
+SharedBasis shared_basis(const Report& report, const std::vector<const Answer*>& answers) {
+    SharedBasis basis{common_words(report.basis), {}};
+    const auto same = agreed(answers);
+    for (const auto& part : same) append(basis.shared, part.value_or(""), "; ");
+    for (const Answer* answer : answers) {
+        const Parts parts = parts_of(*answer);
+        std::string own;
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            if (parts[k] != same[k]) append(own, parts[k], "; ");
+        if (own.empty()) continue;
+        auto group = std::ranges::find(basis.groups, own, &SharedBasis::Group::words);
+        if (group == basis.groups.end()) group = basis.groups.insert(group, {own, {}});
+        group->answers.push_back(answer);
+    }
+    return basis;
+}
+
+std::string family_of(const Answer& answer) {
+    const std::size_t dot = answer.verdict.property.find('.');
+    return dot == std::string::npos ? "" : answer.verdict.property.substr(0, dot);
+}
+
+std::string names_of(const Report& report, const std::vector<const Answer*>& answers) {
+    const auto size = [](const std::string& family, const auto& list, const auto& answer_of) {
+        return std::ranges::count_if(list, [&](const auto& one) { return family_of(answer_of(one)) == family; });
+    };
+    std::string names;
+    std::set<std::string> named;
+    for (const Answer* answer : answers) {
+        std::string name = answer->verdict.property;
+        const std::string family = family_of(*answer);
+        const auto itself = [](const Answer& one) -> const Answer& { return one; };
+        const auto behind = [](const Answer* one) -> const Answer& { return *one; };
+        if (!family.empty() && size(family, answers, behind) == size(family, report.answers, itself)) name = family;
+        if (named.insert(name).second) append(names, name, ", ");
+    }
+    return names;
+}
+
+}  // namespace grafverif
