@@ -12,6 +12,7 @@
 #include "app/program.hpp"
 #include "app/progress_line.hpp"
 #include "app/system/interrupt.hpp"
+#include "app/system/write_files.hpp"
 #include "emit/structured_text/structured_text.hpp"
 #include "grafverif/grafverif.hpp"
 
@@ -22,6 +23,12 @@ struct InputFile {
     std::string path = {}, identity = {};
 };
 
+/// A file to be written, and what to do with it.
+struct Product {
+    OutputFile file = {};
+    std::string use = {};
+};
+
 /// One run of a verb: what was asked, what was read, what is wrong with it.
 struct Job {
     Options options = {};
@@ -29,7 +36,9 @@ struct Job {
     Diagnostics diagnostics = {};
     std::string closing = {};    ///< goes to standard output after the diagnostics, so that a person reads it last
     std::istream* in = nullptr;  ///< standard input, for `-`
-    std::vector<InputFile> inputs = {};
+    std::vector<InputFile> inputs = {};  ///< of all files of the call
+    std::vector<Product> products = {};  ///< of a verb that writes what it made of all its files at once
+    bool depfile_written = false;
 };
 
 /// While it exists: what bounds the work of the job, Ctrl-C included, and a line on the terminal that tells how far it is.

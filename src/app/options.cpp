@@ -19,15 +19,6 @@ namespace {
 
 namespace po = boost::program_options;
 
-bool accepts(const Verb& verb, Accepts what) {
-    if (what == Accepts::File) return verb.operand == "FILE";
-    if (what == Accepts::Timeout) {
-        const auto has_another = {Accepts::Bench, Accepts::Serve, Accepts::Lsp};
-        return std::ranges::none_of(has_another, [&](Accepts other) { return accepts(verb, other); });
-    }
-    return what == Accepts::Always || std::ranges::find(verb.accepts, what) != verb.accepts.end();
-}
-
 /// An option of the verbs that accept its group.
 struct Option {
     Accepts accepts = Accepts::Always;
@@ -138,7 +129,10 @@ std::vector<Option> options_for_models() {
     return {
         text(Accepts::Output, "output,o", "FILE", &Options::output, "write to FILE instead of standard output"),
         text(Accepts::OutputDirectory, "output,o", "DIR", &Options::output,
-             "write into DIR, made if missing (default: ./NAME.grafverif)"),
+             "write into DIR (default: ./NAME.grafverif, made if missing)"),
+        text(Accepts::OutputDirectory, "name", "NAME", &Options::name,
+             "call the files NAME.xml, NAME.q, NAME.smv (default: the name of the loop)"),
+        toggle(Accepts::All, "all", &Options::all, "every closed loop of FILE (`analyse`: every chart), one by one"),
         choice<Target>(Accepts::Target, "target", {{"uppaal", Target::Uppaal}, {"nusmv", Target::Nusmv}},
                        &Options::target, "write one target only (default: both)"),
         text(Accepts::Loop, "loop", "NAME", &Options::loop, "the closed loop, where the file has several"),
@@ -291,6 +285,11 @@ std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& ti
              "look for included files in DIR too, and let them be read; may be repeated"),
         toggle(Accepts::File, "lossy", &Options::lossy,
                "leave out what cannot be taken over from another format, with a warning"),
+        toggle(Accepts::Writes, "create", &Options::create, "make missing folders of outputs"),
+        text(Accepts::Writes, "depfile", "FILE", &Options::depfile,
+             "write to FILE, for Make or Ninja, which files the outputs were made from, included ones too"),
+        text(Accepts::Writes, "depfile-target", "NAME", &Options::depfile_target,
+             "what --depfile calls the result (default: the outputs, as named here)"),
         number(Accepts::Always, "max-memory", "SIZE", {{"", mega}, {"K", mega >> 10U}, {"M", mega}, {"G", mega << 10U}},
                &Options::max_memory,
                "give up above SIZE, such as 500M or 2G (default: 4G of states, 2G of decision diagrams, and what the "
@@ -398,7 +397,36 @@ std::string settle_limits(Options& options) {
     return {};
 }
 
+/// What is said of outputs fits together, and is enough to write them.
+std::string settle_outputs(const Verb& verb, const Options& options) {
+    const bool several = options.operands.size() > 1 || options.all;
+    if (options.name && several)
+        return "`--name` names the files of one loop; of several FILEs, and with `--all`, each loop names its own";
+    if (options.name && (options.name->empty() || options.name->find('/') != std::string::npos))
+        return fmt::format("`--name` takes the name of a file without its folder; not `{}`", *options.name);
+    if (options.all && (options.loop || options.chart)) return "`--all` and `--loop` or `--chart` exclude each other";
+    if (options.depfile_target && !options.depfile) return "`--depfile-target` needs `--depfile`";
+    const bool to_file = accepts(verb, Accepts::OutputDirectory) || (options.output && *options.output != "-") ||
+                         options.junit || options.trace_vcd || options.trace_svg;
+    if (options.depfile && !options.depfile_target && !to_file)
+        return "`--depfile` says what a file was made from: name one (`-o FILE`), or what the build system calls the "
+               "result of this run (`--depfile-target NAME`)";
+    return {};
+}
+
 }  // namespace
+
+bool accepts(const Verb& verb, Accepts what) {
+    if (what == Accepts::File) return verb.operand.starts_with("FILE");
+    if (what == Accepts::Timeout) {
+        const auto has_another = {Accepts::Bench, Accepts::Serve, Accepts::Lsp};
+        return std::ranges::none_of(has_another, [&](Accepts other) { return accepts(verb, other); });
+    }
+    if (what == Accepts::Writes)
+        return accepts(verb, Accepts::Output) || accepts(verb, Accepts::OutputDirectory) ||
+               accepts(verb, Accepts::Search) || accepts(verb, Accepts::Bench) || accepts(verb, Accepts::Traces);
+    return what == Accepts::Always || std::ranges::find(verb.accepts, what) != verb.accepts.end();
+}
 
 ParsedOptions parse_options(const Verb& verb, std::span<const std::string> arguments) {
     const std::vector<Option> known = options_of(verb);
@@ -433,6 +461,7 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
     if (options.events.from > options.events.to) return {{}, "`--from` is behind `--to`"};
     if (options.go_on && options.stop_on_failure) return {{}, "`--stop-on-failure` and `--go-on` exclude each other"};
+    if (complaint = settle_outputs(verb, options); !complaint.empty()) return {{}, complaint};
     if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
     if (options.operands.size() > verb.most_operands)
         return {{}, fmt::format("one argument too many: `{}`", options.operands[verb.most_operands])};

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <iosfwd>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,6 +42,10 @@ enum class Clock { Simulated, Real };
 struct Options {
     std::vector<std::string> operands = {};  ///< FILE, or NAME for `components`
     std::optional<std::string> output = {};  ///< -o
+    std::optional<std::string> name = {};    ///< of the files of `build`
+    bool create = false;                     ///< missing folders of outputs are made
+    std::optional<std::string> depfile = {}, depfile_target = {};
+    bool all = false;  ///< every loop, or chart, of a file
     std::optional<std::string> loop = {};
     std::optional<std::string> chart = {};
     std::optional<ExecutionMode> mode = {};
@@ -100,11 +105,13 @@ struct Options {
 };
 
 /// The groups of options a verb may take besides those that all take; File: those of verbs that read one; Timeout: of those
-/// that have no other.
+/// that have no other; Writes: of those that may write files.
 enum class Accepts {
     Always,
     File,
     Timeout,
+    Writes,
+    All,
     Output,
     OutputDirectory,
     Loop,
@@ -140,9 +147,12 @@ enum class Accepts {
     Lsp
 };
 
+/// Of a verb that takes one file after the other.
+inline constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
+
 struct Verb {
     std::string name = {};
-    std::string operand = {};  ///< as shown in the usage line: `FILE`, `[NAME]`
+    std::string operand = {};  ///< as shown in the usage line: `FILE`, `FILE...`, `[NAME]`
     std::size_t least_operands = 1, most_operands = 1;
     std::string summary = {};      ///< one line, for the list of verbs
     std::string description = {};  ///< for --help
@@ -156,6 +166,9 @@ struct ParsedOptions {
     std::string complaint = {};
 };
 ParsedOptions parse_options(const Verb& verb, std::span<const std::string> arguments);
+
+/// Whether `verb` takes the options of the group.
+bool accepts(const Verb& verb, Accepts what);
 
 /// `grafverif VERB --help`.
 void print_help(const Verb& verb, std::ostream& out);

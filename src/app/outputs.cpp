@@ -5,6 +5,7 @@
 
 #include <ostream>
 
+#include "app/depfile.hpp"
 #include "app/system/guard.hpp"
 #include "pipeline/files.hpp"
 #include "support/messages.hpp"
@@ -17,7 +18,7 @@ namespace {
 std::vector<std::string> outputs_of(const Options& options) {
     std::vector<std::string> paths;
     for (const std::optional<std::string>* one :
-         {&options.output, &options.junit, &options.trace_vcd, &options.trace_svg})
+         {&options.output, &options.junit, &options.trace_vcd, &options.trace_svg, &options.depfile})
         if (*one) paths.push_back(**one);
     return paths;
 }
@@ -52,7 +53,21 @@ std::ostream* stream_at(const std::filesystem::path& path, const Streams& stream
 
 }  // namespace
 
-bool outputs_differ(Job& job) { return differ(outputs_of(job.options), job); }
+bool outputs_fit(bool folder, Job& job) {
+    const std::vector<std::string> paths = outputs_of(job.options);
+    if (!differ(paths, job)) return false;
+    if (job.options.create) return true;
+    for (const std::string& path : paths) {
+        const std::filesystem::path file(path);
+        const bool is_folder = folder && job.options.output == path;
+        const std::filesystem::path needed = is_folder ? file : file.parent_path();
+        std::error_code failure;
+        if (path == "-" || needed.empty() || std::filesystem::exists(needed, failure)) continue;
+        job.diagnostics.add(messages::missing_folder(path, needed.string()));
+        return false;
+    }
+    return true;
+}
 
 bool note_input(const std::string& path, Job& job) {
     job.inputs.push_back({path, file_identity(path == "-" ? "/dev/stdin" : path)});
@@ -71,6 +86,8 @@ bool write_outputs(const std::vector<OutputFile>& files, Job& job, const Streams
         if (stream_at(file.path, streams) == nullptr) others.push_back(file);
     }
     if (!differ(paths, job)) return false;
+    if (const auto depfile = depfile_of(others, job)) others.insert(others.begin(), *depfile);
+    if (job.diagnostics.has_errors() && job.options.depfile) return false;
     write_files(others);
     for (const OutputFile& file : files)
         if (std::ostream* const stream = stream_at(file.path, streams)) {

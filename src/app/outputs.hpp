@@ -12,14 +12,15 @@
 
 namespace grafverif::app {
 
-/// The files that the options name as outputs are different ones; false after an error.
-bool outputs_differ(Job& job);
+/// The files that the options name as outputs are different ones, in folders that are there or may be made; false after
+/// an error. `folder`: what `-o` names is a folder.
+bool outputs_fit(bool folder, Job& job);
 
 /// Notes that the file at `path` is read in this run; false after an error: it is to be written too.
 bool note_input(const std::string& path, Job& job);
 
-/// Writes the set (see write_files); `-` and standard output and error by another name go to the streams. False after
-/// an error: one of the files is an input, or is there twice.
+/// Writes the set (see write_files), the depfile first if one is asked for; `-` and standard output and error by another
+/// name go to the streams. False after an error: one of the files is an input, or is there twice.
 bool write_outputs(const std::vector<OutputFile>& files, Job& job, const Streams& streams);
 
 }  // namespace grafverif::app

@@ -26,10 +26,11 @@ namespace {
 struct Entry {
     Verb (*usage)() = nullptr;
     ExitCode (*run)(Job&, const Streams&) = nullptr;
+    void (*list)(Job&) = nullptr;  ///< tells what was made of all files, when it is written
 };
 
 constexpr std::array entries = {
-    Entry{build_usage, build},
+    Entry{build_usage, build, list_products},
     Entry{uppaal_usage, uppaal},
     Entry{nusmv_usage, nusmv},
     Entry{aiger_usage, aiger},
@@ -117,6 +118,96 @@ ExitCode exit_code(const Job& job, ExitCode code) {
     return code == ExitCode::Verdict ? code : ExitCode::Unknown;
 }
 
+/// Where several apply: Failure before Input before Verdict before Unknown.
+ExitCode worse(ExitCode one, ExitCode other) {
+    constexpr std::array order = {ExitCode::Failure, ExitCode::Input, ExitCode::Verdict, ExitCode::Unknown,
+                                  ExitCode::Done};
+    return *std::ranges::find_if(order, [&](ExitCode code) { return code == one || code == other; });
+}
+
+/// A call of the program: a verb on each of its files, then what is written of all of them.
+class Call {
+public:
+    Call(const Entry& entry, const Verb& verb, const Options& options, const Streams& streams)
+        : entry_(entry), verb_(verb), asked_(options), streams_(streams), job_{.options = options, .in = &streams.in} {}
+
+    ExitCode run() {
+        std::optional<Guard> guard;
+        const auto begin = [&] {
+            if (streams_.alone) guard.emplace(orders(job_, streams_));
+            return outputs_fit(accepts(verb_, Accepts::OutputDirectory), job_) ? ExitCode::Done : ExitCode::Input;
+        };
+        if (attempt(begin) != ExitCode::Done) return tell(), code_;
+        const std::vector<std::vector<std::string>> rounds = rounds_of();
+        for (const std::vector<std::string>& operands : rounds) {
+            begin_round(operands);
+            attempt([&] { return entry_.run(job_, streams_); });
+            if (&operands == &rounds.back()) attempt([&] { return finish(); });
+            tell();
+        }
+        return code_;
+    }
+
+private:
+    /// The operands of each run of the verb.
+    std::vector<std::vector<std::string>> rounds_of() const {
+        if (verb_.most_operands != any_number) return {asked_.operands};
+        std::vector<std::vector<std::string>> rounds;
+        for (const std::string& file : asked_.operands) rounds.push_back({file});
+        return rounds;
+    }
+
+    void begin_round(const std::vector<std::string>& operands) {
+        job_.options = asked_;
+        job_.options.operands = operands;
+        job_.sources = {};
+        job_.diagnostics = {};
+        job_.closing.clear();
+    }
+
+    /// What the system refuses is told like any other error.
+    template <class Work>
+    ExitCode attempt(const Work& work) {
+        ExitCode code = ExitCode::Done;
+        try {
+            code = work();
+        } catch (const std::bad_alloc&) {
+            job_.diagnostics.add(messages::out_of_memory(job_.options.max_memory));
+        } catch (const std::system_error& failure) {
+            const bool memory = failure.code() == std::errc::not_enough_memory;
+            job_.diagnostics.add(memory ? messages::out_of_memory(job_.options.max_memory)
+                                        : messages::world_failed(failure.what()));
+        }
+        code = exit_code(job_, code);
+        failed_ = failed_ || job_.diagnostics.has_errors();
+        code_ = worse(code_, code);
+        return code;
+    }
+
+    ExitCode finish() {
+        if (failed_) return ExitCode::Done;
+        std::vector<OutputFile> files;
+        for (const Product& product : job_.products) files.push_back(product.file);
+        if (!files.empty() || (job_.options.depfile && !job_.depfile_written))
+            if (!write_outputs(files, job_, streams_)) return ExitCode::Input;
+        if (entry_.list != nullptr) entry_.list(job_);
+        return ExitCode::Done;
+    }
+
+    void tell() {
+        render_diagnostics(job_, streams_);
+        streams_.out << job_.closing << std::flush;
+    }
+
+    const Entry& entry_;
+    const Verb& verb_;
+    const Options& asked_;
+    const Streams& streams_;
+    Job job_;
+    ExitCode code_ = ExitCode::Done;
+    bool failed_ = false;
+};
+
 ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, const Streams& streams) {
     const Verb verb = entry.usage();
     ParsedOptions parsed = parse_options(verb, arguments);
@@ -125,24 +216,10 @@ ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, co
         print_help(verb, streams.out);
         return ExitCode::Done;
     }
-    Job job{.options = *parsed.options, .in = &streams.in};
-    if (job.options.timeout_ms)
-        job.options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*job.options.timeout_ms);
-    ExitCode code = ExitCode::Done;
-    std::optional<Guard> guard;
-    try {
-        if (streams.alone) guard.emplace(orders(job, streams));
-        code = outputs_differ(job) ? entry.run(job, streams) : ExitCode::Input;
-    } catch (const std::bad_alloc&) {
-        job.diagnostics.add(messages::out_of_memory(job.options.max_memory));
-    } catch (const std::system_error& failure) {
-        const bool memory = failure.code() == std::errc::not_enough_memory;
-        job.diagnostics.add(memory ? messages::out_of_memory(job.options.max_memory)
-                                   : messages::world_failed(failure.what()));
-    }
-    render_diagnostics(job, streams);
-    streams.out << job.closing << std::flush;
-    return exit_code(job, code);
+    Options& options = *parsed.options;
+    if (options.timeout_ms)
+        options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(*options.timeout_ms);
+    return Call(entry, verb, options, streams).run();
 }
 
 }  // namespace

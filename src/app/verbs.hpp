@@ -56,6 +56,9 @@ Verb plc_usage();
 Verb st_usage();
 Verb test_usage();
 
+/// Of `build`, when its products are written: their list goes to the closing words.
+void list_products(Job& job);
+
 /// Writes `content` to the file of `-o`, or to standard output without it.
 void deliver(const std::string& content, Job& job, const Streams& streams);
 

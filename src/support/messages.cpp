@@ -51,6 +51,20 @@ Diagnostic output_twice(std::string_view one, std::string_view other) {
                           other));
 }
 
+Diagnostic missing_folder(std::string_view output, std::string_view folder) {
+    return error("missing-folder", {},
+                 output == folder
+                     ? fmt::format("there is no folder `{}` to write into; make it, or say `--create`", folder)
+                     : fmt::format("`{}` would be written into the folder `{}`, which is not there; make it, or say "
+                                   "`--create`",
+                                   output, folder));
+}
+
+Diagnostic not_in_depfile(std::string_view name) {
+    return error("not-in-depfile", {},
+                 fmt::format("`{}` has a line break in its name, which no depfile can say; rename it", name));
+}
+
 Diagnostic cure_left_out(std::string_view cure) {
     return warning("cure-left-out", {},
                    fmt::format("`{}` is left out of the model: no verdict here is about the chart", cure));

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/outputs.hpp"
 #include "app/verbs.hpp"
 #include "support/json_text.hpp"
 #include "support/printable.hpp"
@@ -14,13 +13,8 @@ namespace grafverif::app {
 
 namespace {
 
-struct Product {
-    OutputFile file = {};
-    std::string use = {};  ///< what to do with it
-};
-
 std::vector<Product> products(const Model& model, Id<ClosedLoop> loop, Job& job) {
-    const std::string& name = model.loops[loop].name;
+    const std::string name = job.options.name.value_or(model.loops[loop].name);
     const std::filesystem::path folder = job.options.output.value_or("./" + name + ".grafverif");
     std::vector<Product> made;
     if (job.options.target != Target::Nusmv) {
@@ -57,26 +51,27 @@ std::string listed(const std::vector<Product>& made, Format format) {
 
 }  // namespace
 
-ExitCode build(Job& job, const Streams& streams) {
+ExitCode build(Job& job, const Streams&) {
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
-    const auto loop = chosen_loop(*model, job);
-    if (!loop) return ExitCode::Input;
-    const std::vector<Product> made = products(*model, *loop, job);
-    if (job.diagnostics.has_errors()) return ExitCode::Input;
-
-    std::vector<OutputFile> files;
-    for (const Product& product : made) files.push_back(product.file);
-    if (!write_outputs(files, job, streams)) return ExitCode::Input;
-    if (!job.options.quiet) job.closing = listed(made, job.options.format);
+    std::vector<Id<ClosedLoop>> loops;
+    if (job.options.all) loops.assign(model->loops.ids().begin(), model->loops.ids().end());
+    if (loops.empty())  // of no loop `--all` has nothing to write
+        if (const auto loop = chosen_loop(*model, job)) loops = {*loop};
+    for (const Id<ClosedLoop> loop : loops)
+        for (Product& product : products(*model, loop, job)) job.products.push_back(std::move(product));
     return ExitCode::Done;
+}
+
+void list_products(Job& job) {
+    if (!job.options.quiet && !job.products.empty()) job.closing = listed(job.products, job.options.format);
 }
 
 Verb build_usage() {
     return {"build",
-            "FILE",
+            "FILE...",
             1,
-            1,
+            any_number,
             "write the UPPAAL project and the NuSMV model of a closed loop",
             "Reads FILE (.grafcet) and writes, for its closed loop NAME,\n"
             "  NAME.xml  the UPPAAL project of the timed closed loop, with its queries\n"
@@ -85,11 +80,15 @@ Verb build_usage() {
             "the loop\n"
             "What cannot be translated exactly is refused with its line, and nothing is written. After an error or a "
             "signal all\n"
-            "files are written or none has changed; docs/files.md tells what is promised.",
+            "files are written or none has changed; docs/files.md tells what is promised. --depfile tells a build "
+            "system what\n"
+            "they were made from (docs/build_systems.md).",
             {"grafverif build samples/testing_station/testing_station.grafcet",
-             "grafverif build station.grafcet -o models --grain atomic --target uppaal"},
-            {Accepts::OutputDirectory, Accepts::Target, Accepts::Loop, Accepts::Mode, Accepts::Grain, Accepts::Untimed,
-             Accepts::Format}};
+             "grafverif build station.grafcet -o models --create --grain atomic --target uppaal",
+             "grafverif build station.grafcet -o models --name station --depfile models/station.d",
+             "grafverif build press.grafcet oven.grafcet --all -o models"},
+            {Accepts::OutputDirectory, Accepts::All, Accepts::Target, Accepts::Loop, Accepts::Mode, Accepts::Grain,
+             Accepts::Untimed, Accepts::Format}};
 }
 
 }  // namespace grafverif::app

@@ -148,7 +148,7 @@ struct Inputs {
                 {"nusmv", chart},
                 {"uppaal", chart},
                 {"pins", chart},
-                {"build", chart, "-o", folder.file("build")},
+                {"build", chart, "-o", folder.file("build"), "--create"},
                 {"simulate", chart},
                 {"plc", chart},
                 {"test", chart, "--against", "cat"}};

@@ -166,7 +166,7 @@ TEST(Check, WritesJunitAndTraces) {
     const Folder folder;
     const std::string file =
         folder.write("counter.grafcet", counter("property a \"few\": always N < 2; property b: always N <= 2;"));
-    const Result result = grafverif({"check", file, "--junit", folder.file("r/report.xml"), "--trace-vcd",
+    const Result result = grafverif({"check", file, "--junit", folder.file("r/report.xml"), "--create", "--trace-vcd",
                                      folder.file("a.vcd"), "--trace-svg", folder.file("a.svg")});
     EXPECT_EQ(result.code, ExitCode::Verdict);
     pugi::xml_document junit, svg;

@@ -27,8 +27,8 @@ TEST(Program, RefusesWrongUsageWithExitCodeTwo) {
     for (const Case& c : std::vector<Case>{
              {{}, "no verb given"},
              {{"frobnicate"}, "there is no verb `frobnicate`"},
-             {{"build"}, "`FILE` is missing"},
-             {{"build", station, "second"}, "one argument too many: `second`"},
+             {{"build"}, "`FILE...` is missing"},
+             {{"uppaal", station, "second"}, "one argument too many: `second`"},
              {{"build", station, "--grain", "coarse"}, "`--grain` takes one of `phased`, `atomic`; not `coarse`"},
              {{"equations", station, "--format", "pdf"}, "not `pdf`"},
              {{"nusmv", station, "--plant", "none", "--fairness"}, "`--fairness` needs `--plant automata`"},
@@ -48,7 +48,7 @@ TEST(Program, RefusesWrongUsageWithExitCodeTwo) {
 
 TEST(Build, WritesTheProjectItsQueriesAndTheNusmvModel) {
     const Folder folder;
-    const Result result = grafverif({"build", station, "-o", folder.file("out")});
+    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create"});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_TRUE(folder.read("out/station.xml").starts_with("<?xml"));
     EXPECT_NE(folder.read("out/station.q").find("-->"), std::string::npos);
@@ -60,19 +60,19 @@ TEST(Build, WritesTheProjectItsQueriesAndTheNusmvModel) {
 
 TEST(Build, WarnsOfPropertiesThatATargetCannotSay) {
     const Folder folder;
-    const Result result = grafverif({"build", station, "-o", folder.file("out")});
+    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create"});
     EXPECT_NE(result.err.find("property `no_timelock` is left out of the UPPAAL model"), std::string::npos)
         << result.err;
     EXPECT_NE(result.err.find("property `no_deadlock` is left out of the NuSMV model"), std::string::npos)
         << result.err;
     EXPECT_NE(result.err.find("[not-expressible]"), std::string::npos);
-    EXPECT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--quiet"}).err, "");
+    EXPECT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create", "--quiet"}).err, "");
 }
 
 TEST(Build, TellsItsFilesAsJson) {
     const Folder folder;
     const Result result =
-        grafverif({"build", station, "-o", folder.file("out"), "--format", "json", "--target", "uppaal"});
+        grafverif({"build", station, "-o", folder.file("out"), "--create", "--format", "json", "--target", "uppaal"});
     const auto files = nlohmann::json::parse(result.out)["files"];
     ASSERT_EQ(files.size(), 2u);
     EXPECT_EQ(files[0]["path"], folder.file("out/station.xml"));
@@ -81,8 +81,8 @@ TEST(Build, TellsItsFilesAsJson) {
 
 TEST(Build, IsDeterministic) {
     const Folder folder;
-    grafverif({"build", station, "-o", folder.file("one")});
-    grafverif({"build", station, "-o", folder.file("two")});
+    grafverif({"build", station, "-o", folder.file("one"), "--create"});
+    grafverif({"build", station, "-o", folder.file("two"), "--create"});
     for (const char* name : {"station.xml", "station.q", "station.smv"}) {
         EXPECT_FALSE(folder.read(std::string("one/") + name).empty());
         EXPECT_EQ(folder.read(std::string("one/") + name), folder.read(std::string("two/") + name));
@@ -92,7 +92,7 @@ TEST(Build, IsDeterministic) {
 TEST(Build, WritesNothingWhenTheInputIsWrong) {
     const Folder folder;
     const std::string broken = folder.write("broken.grafcet", "grafcet a { input x; step 1; }\n");
-    const Result result = grafverif({"build", broken, "-o", folder.file("out")});
+    const Result result = grafverif({"build", broken, "-o", folder.file("out"), "--create"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("[no-initial-step]"), std::string::npos) << result.err;
     EXPECT_EQ(folder.entries(), 1u);
@@ -100,11 +100,11 @@ TEST(Build, WritesNothingWhenTheInputIsWrong) {
 
 TEST(Build, LeavesExistingOutputsUntouchedOnError) {
     const Folder folder;
-    ASSERT_EQ(grafverif({"build", station, "-o", folder.file("out")}).code, ExitCode::Done);
+    ASSERT_EQ(grafverif({"build", station, "-o", folder.file("out"), "--create"}).code, ExitCode::Done);
     const std::string before = folder.read("out/station.xml");
     fs::remove(folder.file("out/station.q"));
     fs::create_directory(folder.file("out/station.q"));  // cannot be written over
-    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--grain", "atomic"});
+    const Result result = grafverif({"build", station, "-o", folder.file("out"), "--create", "--grain", "atomic"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_EQ(folder.read("out/station.xml"), before);
     EXPECT_EQ(folder.entries(), 4u) << "a draft was left behind";
@@ -115,7 +115,7 @@ TEST(Build, TakesOnlyAClosedLoop) {
     const std::string chart = folder.write("lone.grafcet",
                                            "grafcet a { input x; output L; initial step 0; step 1 { L; }\n"
                                            "transition t: 0 -> 1 when x; transition u: 1 -> 0 when !x; }\n");
-    const Result result = grafverif({"build", chart, "-o", folder.file("out")});
+    const Result result = grafverif({"build", chart, "-o", folder.file("out"), "--create"});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("[no-closed-loop]"), std::string::npos) << result.err;
     EXPECT_EQ(grafverif({"nusmv", chart}).code, ExitCode::Done);

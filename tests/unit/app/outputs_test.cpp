@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// What build systems ask of outputs: names known beforehand, what they were made from, and that nothing is made by mistake.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "app/depfile.hpp"
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+std::string loop(const std::string& name, const std::string& chart) {
+    return "closed_loop " + name + " {\n    controller " + chart +
+           ";\n    environment E = push_button(OUT = x);\n    property p: always true;\n}\n";
+}
+std::string chart(const std::string& name) {
+    return "grafcet " + name +
+           " { input x; output L; initial step 0; step 1 { L; } transition t: 0 -> 1 when x; transition u: 1 -> 0 when "
+           "!x; }\n";
+}
+
+/// What `command` prints, run by a shell.
+std::string printed(const std::string& command) {
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
+    std::string text;
+    std::array<char, 4096> buffer = {};
+    for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), pipe.get())) > 0;)
+        text.append(buffer.data(), got);
+    return text;
+}
+
+TEST(Depfile, NamesEveryFileReadAndEveryFileWritten) {
+    const Folder folder;
+    fs::create_directory(folder.file("lib"));
+    folder.write("lib/deep.grafcet", chart("deep"));
+    folder.write("part.grafcet", "include \"deep.grafcet\";\n");
+    const std::string main =
+        folder.write("main.grafcet", "include \"part.grafcet\";\ninclude \"part.grafcet\";\n" + loop("main", "deep"));
+    const std::string out = folder.file("out");
+    const Result result = grafverif(
+        {"build", main, "-I", folder.file("lib"), "-o", out, "--create", "--name", "m", "--depfile", out + "/m.d"});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    const std::string part = folder.file("part.grafcet"), deep = folder.file("lib/deep.grafcet");
+    EXPECT_EQ(folder.read("out/m.d"), out + "/m.xml " + out + "/m.q " + out + "/m.smv: \\\n  " + main + " \\\n  " +
+                                          part + " \\\n  " + deep + "\n\n" + main + ":\n\n" + part + ":\n\n" + deep +
+                                          ":\n");
+}
+
+TEST(Depfile, IsWrittenByEveryVerbThatWrites) {
+    const Folder folder;
+    const std::string main = folder.write("main.grafcet", chart("c") + loop("l", "c"));
+    const std::string pairs = folder.write("pairs.csv", "variable1,variable2,reason\n");
+    const std::string out = folder.file("out"), depfile = folder.file("out.d");
+    for (const char* verb : {"uppaal", "nusmv", "aiger", "btor2", "pins", "draw", "equations", "report", "analyse",
+                             "automaton", "mealy", "testgen", "st", "fmt"}) {
+        SCOPED_TRACE(verb);
+        fs::remove(depfile);
+        EXPECT_EQ(grafverif({verb, main, "-o", out, "--depfile", depfile}).code, ExitCode::Done);
+        EXPECT_TRUE(folder.read("out.d").starts_with(out + (std::string(verb) == "aiger" ? " " + out + ".json" : "") +
+                                                     ": \\\n  " + main + "\n"))
+            << folder.read("out.d");
+    }
+    EXPECT_EQ(grafverif({"analyse", main, "--exclusions", pairs, "-o", out, "--depfile", depfile}).code,
+              ExitCode::Done);
+    EXPECT_NE(folder.read("out.d").find(pairs), std::string::npos);
+    EXPECT_EQ(grafverif({"check", main, "--junit", out, "--depfile", depfile, "--depfile-target", "stamp"}).code,
+              ExitCode::Done);
+    EXPECT_TRUE(folder.read("out.d").starts_with("stamp: \\\n"));
+    fs::remove(depfile);
+    EXPECT_EQ(grafverif({"check", main, "--depfile", depfile, "--depfile-target", "stamp"}).code, ExitCode::Done);
+    EXPECT_TRUE(folder.read("out.d").starts_with("stamp: \\\n"));
+}
+
+TEST(Depfile, StaysAsItWasWhereNothingIsWritten) {
+    const Folder folder;
+    const std::string main = folder.write("main.grafcet", "grafcet broken {");
+    folder.write("out.d", "before");
+    EXPECT_EQ(grafverif({"uppaal", main, "-o", folder.file("out"), "--depfile", folder.file("out.d")}).code,
+              ExitCode::Input);
+    EXPECT_EQ(folder.read("out.d"), "before");
+}
+
+TEST(Depfile, IsRefusedWhereItWouldSayNothing) {
+    const Folder folder;
+    const std::string main = folder.write("main.grafcet", chart("c") + loop("l", "c"));
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"equations", main, "--depfile", "d"},
+                                               {"equations", main, "-o", "-", "--depfile", "d"},
+                                               {"check", main, "--depfile", "d"},
+                                               {"equations", main, "--depfile-target", "d"}}) {
+        const Result result = grafverif(arguments);
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find("`--depfile"), std::string::npos) << result.err;
+    }
+    EXPECT_NE(grafverif({"equations", main, "-o", folder.file("two\nlines"), "--depfile", folder.file("d")})
+                  .err.find("[not-in-depfile]"),
+              std::string::npos);
+    EXPECT_FALSE(fs::exists(folder.file("two\nlines")));
+    EXPECT_FALSE(fs::exists(folder.file("d")));
+}
+
+/// Names that Make and Ninja read alike, and what else Make can say.
+const std::vector<std::string> alike = {"plain", "a b", "a$b", "a#b", "a\\b", "a\\ b", "a:b", "$(x) y", "a\\\\ # $$b"};
+
+TEST(Depfile, IsReadByMakeAsItIsMeant) {
+    if (printed("command -v make").empty()) GTEST_SKIP() << "there is no make";
+    std::vector<std::string> names = alike;
+    names.insert(names.end(), {"end\\", "a\\#b", "a\\\\#b", "a\\:b"});
+    for (const std::string result : {"result", "the $result #1\\2"}) {
+        for (const std::string& touched : names) {
+            SCOPED_TRACE(touched);
+            const Folder folder;
+            for (const std::string& name : names) folder.write(name, "");
+            folder.write(result, "");
+            folder.write("Makefile", depfile_text({result}, names) + make_name(result) + ": ; @false\n");
+            const auto old = fs::file_time_type::clock::now() - std::chrono::hours(2);
+            for (const std::string& name : names) fs::last_write_time(folder.file(name), old);
+            fs::last_write_time(folder.file(result), old + std::chrono::hours(1));
+            const std::string make = "make -rq -C '" + folder.file("") + "' >/dev/null 2>&1; echo $?";
+            EXPECT_EQ(printed(make), "0\n") << "nothing has changed";
+            fs::last_write_time(folder.file(touched), old + std::chrono::hours(2));
+            EXPECT_EQ(printed(make), "1\n") << "one has changed";
+            fs::remove(folder.file(touched));
+            EXPECT_EQ(printed(make), "1\n") << "one is gone";
+        }
+    }
+}
+
+TEST(Depfile, IsReadByNinjaAsItIsMeant) {
+    if (printed("command -v ninja").empty()) GTEST_SKIP() << "there is no ninja";
+    const Folder folder;
+    for (const std::string& name : alike) folder.write(name, "");
+    folder.write("result.d.in", depfile_text({"result"}, alike));
+    folder.write("build.ninja",
+                 "rule r\n  command = cp result.d.in result.d && touch result\n  depfile = result.d\n  deps = gcc\n"
+                 "build result: r\ndefault result\n");
+    const std::string ninja = "ninja -C '" + folder.file("") + "' ";
+    ASSERT_EQ(std::system((ninja + ">/dev/null").c_str()), 0);
+    std::string expected;
+    for (const std::string& name : alike) expected += "    " + name + "\n";
+    const std::string deps = printed(ninja + "-t deps result 2>/dev/null");
+    EXPECT_NE(deps.find(expected), std::string::npos) << deps;
+    EXPECT_NE(printed(ninja).find("no work to do"), std::string::npos);
+}
+
+TEST(Build, TakesSeveralFilesAndAllTheirLoopsAtOnce) {
+    const Folder folder;
+    const std::string one = folder.write("one.grafcet", chart("c") + loop("first", "c") + loop("second", "c"));
+    const std::string two = folder.write("two.grafcet", chart("c") + loop("third", "c"));
+    const std::string out = folder.file("out");
+    EXPECT_NE(grafverif({"build", one, two, "-o", out, "--create"}).err.find("[ambiguous-choice]"), std::string::npos);
+    EXPECT_FALSE(fs::exists(out)) << "all or nothing";
+    const Result all = grafverif({"build", one, two, "--all", "-o", out, "--create", "--depfile", folder.file("d")});
+    EXPECT_EQ(all.code, ExitCode::Done) << all.err;
+    for (const char* name : {"first", "second", "third"})
+        for (const char* ending : {".xml", ".q", ".smv"}) {
+            EXPECT_TRUE(fs::exists(out + "/" + name + ending)) << name << ending;
+            EXPECT_NE(all.out.find(std::string(name) + ending), std::string::npos);
+        }
+    EXPECT_EQ(std::ranges::count(folder.read("d"), '\n'), 7) << folder.read("d");
+    EXPECT_EQ(grafverif({"build", one, "--loop", "first"}).code, ExitCode::Done) << "its own folder is made";
+    fs::remove_all("first.grafverif");
+    const Result twice = grafverif({"build", two, two, "-o", out});
+    EXPECT_NE(twice.err.find("[output-twice]"), std::string::npos) << twice.err;
+}
+
+TEST(Build, NamesItsFilesAsAsked) {
+    const Folder folder;
+    const std::string one = folder.write("one.grafcet", chart("c") + loop("first", "c"));
+    EXPECT_EQ(grafverif({"build", one, "-o", folder.file(""), "--name", "press"}).code, ExitCode::Done);
+    for (const char* name : {"press.xml", "press.q", "press.smv"}) EXPECT_TRUE(fs::exists(folder.file(name))) << name;
+    for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{{"--name", "a/b"},
+                                                                                       {"--name", ""},
+                                                                                       {"--name", "n", "--all"},
+                                                                                       {"--name", "n", one},
+                                                                                       {"--all", "--loop", "l"}}) {
+        std::vector<std::string> arguments{"build", one, "-o", folder.file("")};
+        arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+        EXPECT_EQ(grafverif(arguments).code, ExitCode::Input) << wrong.back();
+    }
+}
+
+TEST(Outputs, AreWrittenIntoFoldersThatAreThere) {
+    const Folder folder;
+    const std::string file = folder.write("one.grafcet", chart("c") + loop("first", "c"));
+    const std::string missing = folder.file("missing");
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"build", file, "-o", missing},
+                                               {"build", file, "-o", missing + "/deeper"},
+                                               {"uppaal", file, "-o", missing + "/l.xml"},
+                                               {"check", file, "--junit", missing + "/r.xml"},
+                                               {"check", file, "--trace-svg", missing + "/r.svg"},
+                                               {"build", file, "-o", folder.file(""), "--depfile", missing + "/d"}}) {
+        SCOPED_TRACE(arguments.back());
+        const Result result = grafverif(arguments);
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find("or say `--create` [missing-folder]"), std::string::npos) << result.err;
+        EXPECT_EQ(result.out, "") << "said before there is any work";
+        EXPECT_EQ(folder.entries(), 1u);
+    }
+    EXPECT_EQ(grafverif({"uppaal", file, "-o", missing + "/deeper/l.xml", "--create"}).code, ExitCode::Done);
+    EXPECT_TRUE(fs::exists(missing + "/deeper/l.xml"));
+}
+
+}  // namespace
+}  // namespace grafverif::app
