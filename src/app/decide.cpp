@@ -24,23 +24,26 @@ std::optional<Report> timed_report(const Model& model, Id<ClosedLoop> id, Job& j
                                                   : check(loop, options);
 }
 
-/// Whether the engine asked for takes a transition system by itself; else it is the embedded symbolic one.
-bool takes_system(Engine engine) {
-    return engine == Engine::Pdr || engine == Engine::Bmc || engine == Engine::Abc || engine == Engine::Hwmcc ||
-           engine == Engine::Nusmv || engine == Engine::Nuxmv;
-}
-
-std::optional<Report> system_report(const SystemToCheck& check, Job& job, const CheckOptions& options) {
-    if (job.options.engine == Engine::Pdr) return check_states(check, options);
-    if (job.options.engine == Engine::Bmc) return check_states(check, options, bounded_search(job.options.max_steps));
-    if (job.options.engine == Engine::Abc) return check_by_abc(check, options, job.diagnostics);
-    if (job.options.engine == Engine::Hwmcc) return check_by_command(check, job.options.engine_command, options);
-    return check_by_nusmv(check, job.options.engine == Engine::Nusmv ? "NuSMV" : "nuXmv", options, job.diagnostics);
+/// What the engine asked for finds out of a system; the symbolic one, where it is for timed models.
+std::optional<Report> system_report(const SystemToCheck& system, Job& job, const CheckOptions& options) {
+    switch (job.options.engine) {
+    case Engine::Auto: return check_together(system, options);
+    case Engine::Pdr: return check_states(system, options);
+    case Engine::Bmc: return check_states(system, options, bounded_search(job.options.max_steps));
+    case Engine::Abc: return check_by_abc(system, options, job.diagnostics);
+    case Engine::Hwmcc: return check_by_command(system, job.options.engine_command, options);
+    case Engine::Nusmv: return check_by_nusmv(system, "NuSMV", options, job.diagnostics);
+    case Engine::Nuxmv: return check_by_nusmv(system, "nuXmv", options, job.diagnostics);
+    case Engine::Embedded:
+    case Engine::Symbolic:
+    case Engine::Timed:
+    case Engine::Verifyta: break;
+    }
+    return check(system, options);
 }
 
 std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
     const ModelOptions how = model_options(job.options);
-    if (!takes_system(job.options.engine)) return check_untimed(model, id, how, options, job.diagnostics);
     const auto system = transition_system_of(model, id, job);
     if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
     const ClosedLoop& loop = model.loops[id];
@@ -48,10 +51,8 @@ std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job&
 }
 
 std::optional<Report> chart_report(const Model& model, Id<Chart> chart, Job& job, const CheckOptions& options) {
-    const ModelOptions how = model_options(job.options);
-    if (!takes_system(job.options.engine)) return check_untimed(model, chart, how, options, job.diagnostics);
-    const auto decide = [&](const SystemToCheck& check) { return system_report(check, job, options); };
-    return check_chart(model, chart, how, options, job.diagnostics, decide);
+    const auto decide = [&](const SystemToCheck& system) { return system_report(system, job, options); };
+    return check_chart(model, chart, model_options(job.options), options, job.diagnostics, decide);
 }
 
 void say_who_stopped(Report& report, bool by_user, const Options& options) {

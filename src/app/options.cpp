@@ -212,17 +212,20 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
     using F = Format;
     return {
         list(Accepts::Search, "property", "NAME", &Options::properties, "check this property only; may be repeated"),
-        choice<Engine>(Accepts::Search, "engine",
-                       {{"auto", Engine::Auto},
-                        {"timed", Engine::Timed},
-                        {"symbolic", Engine::Symbolic},
-                        {"pdr", Engine::Pdr},
-                        {"bmc", Engine::Bmc},
-                        {"abc", Engine::Abc},
-                        {"verifyta", Engine::Verifyta},
-                        {"NuSMV", Engine::Nusmv},
-                        {"nuXmv", Engine::Nuxmv}},
-                       &Options::engine, "the engine that proves (default: auto, an embedded one)"),
+        choice<Engine>(
+            Accepts::Search, "engine",
+            {{"auto", Engine::Auto},
+             {"timed", Engine::Timed},
+             {"symbolic", Engine::Symbolic},
+             {"pdr", Engine::Pdr},
+             {"bmc", Engine::Bmc},
+             {"abc", Engine::Abc},
+             {"verifyta", Engine::Verifyta},
+             {"NuSMV", Engine::Nusmv},
+             {"nuXmv", Engine::Nuxmv}},
+            &Options::engine,
+            "the engine that proves (default: timed, of untimed models symbolic; auto: of untimed models the "
+            "embedded ones beside each other)"),
         text(Accepts::Search, "engine-command", "CMD", &Options::engine_command,
              "prove with a checker of the hardware model checking competition: the shell runs CMD FILE.aig"),
         toggle(Accepts::Search, "untimed", &Options::check_untimed,
@@ -371,7 +374,7 @@ std::string settle_untimed(Options& options) {
 /// `modelled`: an option of untimed models was given.
 std::string settle_engine(bool modelled, const po::variables_map& values, Options& options) {
     if (!options.engine_command.empty()) {
-        if (options.engine != Engine::Auto) return "`--engine` and `--engine-command` exclude each other";
+        if (options.engine != Engine::Embedded) return "`--engine` and `--engine-command` exclude each other";
         options.engine = Engine::Hwmcc;
     }
     options.check_untimed = options.check_untimed || modelled || options.untimed.fairness;
@@ -379,10 +382,10 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
     if (timed && options.check_untimed)
         return fmt::format("`--engine {}` checks timed models; leave out `--untimed` and what it takes",
                            values["engine"].as<std::string>());
-    if (options.stats &&
-        (options.check_untimed || !(options.engine == Engine::Auto || options.engine == Engine::Timed)))
+    const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;  // to either kind of model
+    if (options.stats && (options.check_untimed || !(open || options.engine == Engine::Timed)))
         return "`--stats` asks the embedded timed engine where its states come from; other engines cannot say";
-    options.check_untimed = options.check_untimed || (!timed && options.engine != Engine::Auto);
+    options.check_untimed = options.check_untimed || (!timed && !open);
     return {};
 }
 

@@ -25,6 +25,7 @@ enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
 enum class Engine {
+    Embedded,
     Auto,
     Timed,
     Verifyta,
@@ -35,7 +36,7 @@ enum class Engine {
     Hwmcc,
     Nusmv,
     Nuxmv
-};  ///< Auto: Timed, of untimed models Symbolic
+};  ///< Embedded: Timed, of untimed models Symbolic; Auto: Timed, of untimed models several beside each other
 /// How time passes for a controller that runs line by line: by `wait` lines, or by itself.
 enum class Clock { Simulated, Real };
 
@@ -72,7 +73,7 @@ struct Options {
     bool help = false;
 
     std::vector<std::string> properties = {};  ///< of `check`; empty: all
-    Engine engine = Engine::Auto;
+    Engine engine = Engine::Embedded;
     bool whole = false;                            ///< no sub-loop is judged apart
     std::string engine_command = {};               ///< of Engine::Hwmcc
     bool check_untimed = false;                    ///< --untimed, or an engine that knows no time

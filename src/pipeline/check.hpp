@@ -50,6 +50,14 @@ public:
 
     void add(Verdict verdict, std::optional<SystemRun> run);
     void add(const SystemFault& fault);
+    /// All that an embedded engine found, and what cannot be asked.
+    template <class Found>
+    void add_all(Found&& found) {
+        if (found.fault) add(*found.fault);
+        for (std::size_t i = 0; i < found.verdicts.size(); ++i)
+            add(std::move(found.verdicts[i]), std::move(found.runs[i]));
+        add_omitted();
+    }
     /// What cannot be asked of the system, each in its place among the properties.
     void add_omitted();
 
@@ -67,6 +75,7 @@ private:
 
 /// Those of the system's properties that are asked for.
 std::vector<std::size_t> asked_properties(const TransitionSystem& system, const std::vector<std::string>& names);
+std::vector<std::string> names_asked(const TransitionSystem& system, const std::vector<std::string>& names);
 
 Report check(const SystemToCheck& check, const CheckOptions& options);
 /// The same of what is about states, by an embedded engine on circuits or by who searches in its place.
@@ -79,6 +88,9 @@ struct StateSearch {
 /// BMC; `max_steps`: of the runs looked at, 100 unless said.
 StateSearch bounded_search(std::optional<std::uint64_t> max_steps);
 Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search = {});
+
+/// The same by the embedded engines beside each other.
+Report check_together(const SystemToCheck& check, const CheckOptions& options);
 
 /// Has `decide` answer what a chart alone is asked; under stability search the search of `analyse` adds whether it stabilises,
 /// which no engine is asked. Nothing after an error.

@@ -2,11 +2,10 @@
 // The embedded engines on circuits at work, and programs in their place.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "check/pdr/check.hpp"
+#include "check/together.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 
@@ -16,34 +15,56 @@ StateSearch bounded_search(std::optional<std::uint64_t> max_steps) {
     return {"bmc", {}, PdrOptions::Method::Bmc, max_steps.value_or(100)};
 }
 
+namespace {
+
+std::string words_of(const PdrProgress& now) {
+    const std::string far = now.property.empty() ? fmt::format("{} steps", now.frames)
+                                                 : fmt::format("{}: {} frames", now.property, now.frames);
+    return fmt::format("{}, {} MiB, {:.0f} s", far, now.bytes >> 20U, now.seconds);
+}
+
+/// `result`, which is empty where nothing was asked, as a report.
+Report reported(PdrResult result, const SystemToCheck& check, SystemReporter::Of of, const std::string& engine,
+                const CheckOptions& options) {
+    SystemReporter reporter(check, of, engine, options, result.verdicts);
+    const std::vector<std::string> failures = std::move(result.failures);
+    reporter.add_all(std::move(result));
+    Report report = std::move(reporter).report();
+    report.failures.insert(report.failures.end(), failures.begin(), failures.end());
+    return report;
+}
+
+}  // namespace
+
 Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search) {
     PdrOptions pdr;
     pdr.method = search.method;
     pdr.max_steps = search.max_steps;
     pdr.reach = search.reach;
-    for (const std::size_t index : asked_properties(check.system, options.properties))
-        pdr.properties.push_back(check.system.properties[{static_cast<std::uint32_t>(index)}].name);
+    pdr.properties = names_asked(check.system, options.properties);
     set_limits(pdr, options.limits);
     if (options.limits.progress)
         pdr.progress = [&options](const PdrProgress& now) {
-            options.limits.progress({[&now] {
-                const std::string far = now.property.empty() ? fmt::format("{} steps", now.frames)
-                                                             : fmt::format("{}: {} frames", now.property, now.frames);
-                return fmt::format("{}, {} MiB, {:.0f} s", far, now.bytes >> 20U, now.seconds);
-            }});
+            options.limits.progress({[&now] { return words_of(now); }});
         };
-    PdrResult result;
-    if (options.properties.empty() || !pdr.properties.empty())  // no names would ask for all
-        result = check_pdr(check.system, pdr);
+    const bool asks = options.properties.empty() || !pdr.properties.empty();  // no names would ask for all
     const auto of = search.reach ? SystemReporter::Of::Program : SystemReporter::Of::EmbeddedEngine;
-    SystemReporter reporter(check, of, search.name, options, result.verdicts);
-    if (result.fault) reporter.add(*result.fault);
-    for (std::size_t i = 0; i < result.verdicts.size(); ++i)
-        reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));
-    reporter.add_omitted();
-    Report report = std::move(reporter).report();
-    std::ranges::move(result.failures, std::back_inserter(report.failures));
-    return report;
+    return reported(asks ? check_pdr(check.system, pdr) : PdrResult(), check, of, search.name, options);
+}
+
+Report check_together(const SystemToCheck& check, const CheckOptions& options) {
+    TogetherOptions all;
+    all.witnesses = options.witnesses;
+    all.properties = names_asked(check.system, options.properties);
+    set_limits(all, options.limits);
+    if (options.limits.progress)
+        all.progress = [&options](const TogetherProgress& now) {
+            options.limits.progress(
+                {[&now] { return fmt::format("symbolic: {} steps deep; {}", now.symbolic.depth, words_of(now.pdr)); }});
+        };
+    const bool asks = options.properties.empty() || !all.properties.empty();
+    return reported(asks ? check_together(check.system, all) : PdrResult(), check, SystemReporter::Of::EmbeddedEngine,
+                    "auto", options);
 }
 
 }  // namespace grafverif

@@ -67,6 +67,13 @@ std::vector<std::size_t> asked_properties(const TransitionSystem& system, const 
     return asked;
 }
 
+std::vector<std::string> names_asked(const TransitionSystem& system, const std::vector<std::string>& names) {
+    std::vector<std::string> asked;
+    for (const std::size_t index : asked_properties(system, names))
+        asked.push_back(system.properties[{static_cast<std::uint32_t>(index)}].name);
+    return asked;
+}
+
 SystemReporter::SystemReporter(const SystemToCheck& check, Of of, std::string engine, const CheckOptions& options,
                                const std::vector<Verdict>& verdicts)
     : check_(check), of_(of), options_(options), unproven_(unproven_faults(check.system, verdicts)) {
@@ -123,8 +130,7 @@ bool SystemReporter::replays(const SystemRun& run, const std::string& what) {
 Report check(const SystemToCheck& check, const CheckOptions& options) {
     SymbolicOptions symbolic;
     symbolic.witnesses = options.witnesses;
-    for (const std::size_t index : asked_properties(check.system, options.properties))
-        symbolic.properties.push_back(check.system.properties[{static_cast<std::uint32_t>(index)}].name);
+    symbolic.properties = names_asked(check.system, options.properties);
     set_limits(symbolic, options.limits);
     if (options.limits.progress)
         symbolic.progress = [&options](const SymbolicProgress& now) {
@@ -136,10 +142,7 @@ Report check(const SystemToCheck& check, const CheckOptions& options) {
     if (options.properties.empty() || !symbolic.properties.empty())  // no names would ask for all
         result = check_symbolic(check.system, symbolic);
     SystemReporter reporter(check, SystemReporter::Of::EmbeddedEngine, "symbolic", options, result.verdicts);
-    if (result.fault) reporter.add(*result.fault);
-    for (std::size_t i = 0; i < result.verdicts.size(); ++i)
-        reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));
-    reporter.add_omitted();
+    reporter.add_all(std::move(result));
     return std::move(reporter).report();
 }
 

@@ -125,6 +125,7 @@ void compare(const System& system, const std::optional<SystemGraph>& graph, cons
 
 TEST(PdrLaw, AgreesWithTheOtherEnginesOnRandomSystems) {
     Compared compared;
+    std::size_t by_bmc = 0;
     for (int seed = 1; seed <= law_size(400); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
@@ -132,10 +133,19 @@ TEST(PdrLaw, AgreesWithTheOtherEnginesOnRandomSystems) {
         ask_more(system, random);
         const auto graph = explored(system, 400);
         if (!graph) continue;
-        ASSERT_NO_FATAL_FAILURE(compare(system, graph, patient(system), compared));
+        PdrOptions options;
+        if (seed % 2 == 0) {
+            options.method = PdrOptions::Method::InTurns;
+            options.first_turn = std::chrono::microseconds(10);
+        }
+        const PdrResult found = patient(system, options);
+        for (const Verdict& verdict : found.verdicts) by_bmc += says(verdict.notes, "decided by bmc") ? 1U : 0U;
+        ASSERT_NO_FATAL_FAILURE(compare(system, graph, found, compared));
     }
     std::cout << compared.systems << " systems, " << compared.verdicts << " verdicts, " << compared.violated
-              << " of them violated, " << compared.faults << " faults, " << compared.bounded << " within a bound\n";
+              << " of them violated, " << compared.faults << " faults, " << compared.bounded << " within a bound, "
+              << by_bmc << " by bmc in its turn\n";
+    EXPECT_GT(by_bmc, 10u);
     EXPECT_GT(compared.violated, compared.verdicts / 5);
     EXPECT_GT(compared.bounded, 0u);
     EXPECT_GT(compared.faults, 0u);

@@ -102,7 +102,7 @@ Verb check_usage() {
         "the PATH; so is a chart that belongs to no loop, with free inputs. What that says of the real plant stands\n"
         "before the verdicts. Of properties about states alone ask `--engine pdr`, embedded, where the states are too "
         "many,\n"
-        "and `--engine bmc` for the shortest way to what is wrong, as far as it gets;\n"
+        "and `--engine bmc` for the shortest way to what is wrong, as far as it gets; `--engine auto` asks all three;\n"
         "`--engine abc` and `--engine-command` ask hardware model checkers.\n"
         "Formats: text, JSON (--format json), JUnit XML (--junit); traces also as VCD and SVG.",
         {"grafverif check samples/testing_station/testing_station.grafcet",

@@ -40,8 +40,11 @@ public:
         look_for_faults();
         for (const Id<Property> id : system_.properties.ids())
             if (asked.empty() || asked.contains(system_.properties[id].name)) ask(id);
-        if (options_.method == PdrOptions::Method::Bmc) by_bmc();
-        else by_pdr();
+        switch (options_.method) {
+        case PdrOptions::Method::Pdr: by_pdr({}); break;
+        case PdrOptions::Method::Bmc: by_bmc({}); break;
+        case PdrOptions::Method::InTurns: in_turns(); break;
+        }
         for (Question& question : questions_) {
             result_.verdicts.push_back(std::move(question.verdict));
             result_.runs.push_back(std::move(question.run));
@@ -52,14 +55,18 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    static constexpr auto none = static_cast<std::size_t>(-1);
+
     struct Question {
         const Property& property;
         Verdict verdict = {};
         std::optional<SystemRun> run = {};
         const Circuit::Target* target = nullptr;  ///< null: there is nothing to search
         std::size_t cleared = 0;                  ///< the first so many states of every run do not have its `bad`
-        bool open = true;
+        bool open = true, has_value = false;      ///< has_value: in every state that is reached, which is proved
+        const std::atomic<bool>* moot = nullptr;  ///< somebody else has decided it
 
+        bool is_open() const { return open && (moot == nullptr || !moot->load()); }
         bool wants() const { return property.pattern == Pattern::Reachable; }
     };
 
@@ -71,6 +78,7 @@ private:
             return give_up(question, Obstacle::Unsupported, why);
         if (fault_obstacle_ != Obstacle::None) return give_up(question, fault_obstacle_, fault_reason_);
         question.target = &*std::ranges::find(circuit_.targets, id, &Circuit::Target::about);
+        if (options_.moot != nullptr) question.moot = &(*options_.moot)[id.index];
     }
 
     void give_up(Question& question, Obstacle obstacle, std::string reason) {
@@ -200,20 +208,42 @@ private:
 
     // -- properties --------------------------------------------------------------------------------------------------
 
-    /// One after the other, each with its share of the time.
-    void by_pdr() {
-        auto left = static_cast<std::size_t>(std::ranges::count(questions_, true, &Question::open));
+    bool any_open() const { return std::ranges::any_of(questions_, &Question::is_open); }
+
+    /// One after the other, each with its share of the time, or for so long; what is open then stays so.
+    void by_pdr(std::optional<Clock::duration> time) {
+        auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &Question::is_open));
         for (Question& question : questions_) {
-            if (!question.open) continue;
+            if (!question.is_open()) continue;
             const auto start = Clock::now();
-            watch_.share(left--);
-            if (watch_.over()) {
-                give_up(question, Obstacle::Stopped, "stopped");
-                continue;
-            }
-            guarded([&] { decide(question); });
-            if (obstacle_ != Obstacle::None) give_up(question, obstacle_, reason_);
-            question.verdict.seconds = seconds_since(start);
+            if (time) watch_.limit(*time);
+            else watch_.share(left--);
+            watch_.end_with(question.moot);
+            guarded([&] {
+                if (watch_.over()) throw Exhausted{Exhausted::Cause::Stopped};
+                decide(question);
+            });
+            question.verdict.seconds += seconds_since(start);
+            conclude(question, "pdr", time.has_value());
+        }
+    }
+
+    /// After work on a question: what it came to. `later`: it may go on where no more than its share of the time is over.
+    void conclude(Question& question, const char* by, bool later) {
+        if (obstacle_ == Obstacle::None) {
+            if (options_.method != PdrOptions::Method::InTurns || question.verdict.outcome == Outcome::Unknown) return;
+            question.verdict.notes.push_back(std::string("decided by ") + by);
+            if (options_.answered) options_.answered(question.verdict, question.run);
+        } else if (!later || obstacle_ != Obstacle::Stopped || watch_.over()) {
+            give_up(question, obstacle_, what_is_cleared(question));
+        }
+    }
+
+    void in_turns() {
+        for (Clock::duration time = options_.first_turn; any_open(); time *= 4) {
+            const auto start = Clock::now();
+            by_pdr(time);
+            by_bmc(std::max<Clock::duration>(time, Clock::now() - start));
         }
     }
 
@@ -235,7 +265,9 @@ private:
 
     bool has_no_value(Question& question) {
         const Literal undefined = question.target->undefined;
-        if (undefined == Gates::no || !searched(undefined, question.property.name).reached) return false;
+        question.has_value =
+            question.has_value || undefined == Gates::no || !searched(undefined, question.property.name).reached;
+        if (question.has_value) return false;
         give_up(question, Obstacle::Faulty, "its condition divides by zero in some reachable state");
         return true;
     }
@@ -282,28 +314,49 @@ private:
         return found;
     }
 
-    /// All that is open, a step of all runs after the other.
-    void by_bmc() {
+    /// All that is open, a step of all runs after the other; where it is told for how long, what is open then stays so.
+    void by_bmc(std::optional<Clock::duration> time) {
+        if (without_bmc_) return;
+        if (!time) refuse_what_has_no_value();
+        const auto end = Clock::now() + time.value_or(Clock::duration::zero());
+        std::size_t told = none;
+        while (Question* question = least_looked_at()) {
+            if (options_.progress && told != question->cleared)
+                options_.progress({{}, told = question->cleared, watch_.bytes(), seconds()});
+            if (time) watch_.limit(end - Clock::now());
+            watch_.end_with(question->moot);
+            obstacle_ = Obstacle::Bound;
+            if (question->cleared <= options_.max_steps.value_or(none))
+                guarded([&] {
+                    if (auto inputs = next_step(*question))
+                        reached(*question, {.reached = true, .inputs = std::move(*inputs)});
+                });
+            question->verdict.seconds = seconds();
+            if (time && obstacle_ == Obstacle::Memory) {  // PDR may do with less
+                unrolling_.reset();
+                without_bmc_ = true;
+                return;
+            }
+            conclude(*question, "bmc", time.has_value());
+            if (time && Clock::now() >= end) return;
+        }
+    }
+
+    void refuse_what_has_no_value() {
         for (Question& question : questions_) {
-            if (!question.open) continue;
+            if (!question.is_open()) continue;
             guarded([&] { has_no_value(question); });
             if (obstacle_ != Obstacle::None) give_up(question, obstacle_, reason_);
         }
-        const auto is_open = [](const Question& question) { return question.open; };
-        for (std::size_t steps = 0; std::ranges::any_of(questions_, is_open); ++steps) {
-            if (options_.progress) options_.progress({{}, steps, watch_.bytes(), seconds()});
-            for (Question& question : questions_) {
-                if (!question.open) continue;
-                obstacle_ = Obstacle::Bound;
-                if (steps <= options_.max_steps.value_or(steps))
-                    guarded([&] {
-                        if (auto inputs = next_step(question))
-                            reached(question, {.reached = true, .inputs = std::move(*inputs)});
-                    });
-                question.verdict.seconds = seconds();
-                if (obstacle_ != Obstacle::None) give_up(question, obstacle_, what_is_cleared(question));
-            }
-        }
+    }
+
+    /// Of what is open and has a value; null: nothing is.
+    Question* least_looked_at() {
+        Question* least = nullptr;
+        for (Question& question : questions_)
+            if (question.is_open() && question.has_value && (least == nullptr || question.cleared < least->cleared))
+                least = &question;
+        return least;
     }
 
     /// Why BMC ends without a run, and what it says of those it has looked at.
@@ -331,6 +384,7 @@ private:
     PdrResult result_ = {};
     std::vector<Question> questions_ = {};
     std::optional<Unrolling> unrolling_ = {};
+    bool without_bmc_ = false;            ///< there is not the memory for it
     Obstacle obstacle_ = Obstacle::None;  ///< met by the work at hand
     std::string reason_ = {};
     Obstacle fault_obstacle_ = Obstacle::None;  ///< met by every question

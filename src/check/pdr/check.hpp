@@ -37,8 +37,11 @@ struct Undecided {
 };
 
 struct PdrOptions {
-    enum class Method { Pdr, Bmc };
+    /// InTurns: PDR for a while on each property, then BMC for as long, then both for four times as long, and so on; a note
+    /// says which of them found the verdict.
+    enum class Method { Pdr, Bmc, InTurns };
     Method method = Method::Pdr;
+    std::chrono::steady_clock::duration first_turn = std::chrono::milliseconds(250);
     std::optional<std::size_t> max_steps =
         {};  ///< of BMC: of the runs that it looks at; empty: as time and memory allow
     /// Searches in place of PDR, as pdr::reach does; what it finds is checked all the same.
@@ -48,6 +51,10 @@ struct PdrOptions {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;                ///< set by somebody else: end with what is known
     std::function<void(const PdrProgress&)> progress = {};  ///< called for every frame or step
+    /// Of InTurns. Called with every verdict that is not unknown, as soon as it is there; which properties of the system somebody
+    /// else has decided meanwhile: nothing more is done for them.
+    std::function<void(const Verdict&, const std::optional<SystemRun>&)> answered = {};
+    const std::vector<std::atomic<bool>>* moot = nullptr;
 };
 
 struct PdrResult {

@@ -28,6 +28,7 @@ void Watch::share(std::size_t parts) {
 
 void Watch::limit(std::chrono::steady_clock::duration time) {
     met_.reset();
+    calls_ = 0;
     share_ = std::chrono::steady_clock::now() + time;
     if (bounds_.deadline) share_ = std::min(*share_, *bounds_.deadline);
 }
@@ -47,7 +48,7 @@ bool Watch::terminate() {
     for (const std::atomic<bool>* each : {bounds_.stop, moot_})
         if (each != nullptr && each->load(std::memory_order_relaxed)) met_ = Exhausted::Cause::Stopped;
     constexpr std::uint32_t seldom = 64;  // what follows asks the system
-    if (++calls_ % seldom != 0 || met_) return met_.has_value();
+    if (calls_++ % seldom != 0 || met_) return met_.has_value();
     const auto now = std::chrono::steady_clock::now();
     if (share_ && now >= *share_) met_ = Exhausted::Cause::Stopped;
     if (now < weighed_ + std::chrono::milliseconds(20)) return met_.has_value();

@@ -103,9 +103,24 @@ TEST(Bmc, ShowsTheShortestRunsAndSaysHowFarItLooked) {
     EXPECT_NE(near.out.find("no run of up to 1 step violates it"), std::string::npos) << near.out;
 }
 
+TEST(Auto, SaysWhichEngineGaveAVerdictAndTakesTimedModelsToTheTimedOne) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "lamp.grafcet", lamp("property one: never L && M; property dark: never M; property back: X1 leads to X0;"));
+    const Result result = grafverif({"check", file, "--untimed", "--engine", "auto"});
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    EXPECT_NE(result.out.find("    auto, untimed: no plant"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("one: holds"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("dark: violated"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("note: decided by "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("back: "), std::string::npos) << result.out;
+    EXPECT_EQ(result.out.find("unknown"), std::string::npos) << result.out;
+    EXPECT_EQ(grafverif({"check", file, "--engine", "auto"}).out, grafverif({"check", file}).out);
+}
+
 TEST(Pdr, TimeAndMemoryEndInUnknown) {
-    for (const std::string engine : {"pdr", "bmc"}) {
-        const Result late = grafverif({"check", tanks, "--engine", engine, "--timeout", "0ms"});
+    for (const std::string engine : {"pdr", "bmc", "auto"}) {
+        const Result late = grafverif({"check", tanks, "--untimed", "--engine", engine, "--timeout", "0ms"});
         EXPECT_EQ(late.code, ExitCode::Unknown);
         EXPECT_NE(late.out.find("stopped at the time limit of 0 s"), std::string::npos) << late.out;
         const Result small = grafverif({"check", station, "--engine", engine, "--plant", "automata", "--time",

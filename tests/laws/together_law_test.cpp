@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Engines beside each other against the symbolic engine alone: the same faults, verdicts, vacuity and lengths of shortest runs
+// on random systems and on random loops in every approach and schedule, whichever was first.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+#include "check/together.hpp"
+#include "pipeline/check.hpp"
+#include "run/project.hpp"
+#include "run/replay.hpp"
+#include "support/law_size.hpp"
+#include "support/random_loop.hpp"
+#include "support/random_system.hpp"
+#include "support/untimed_loop.hpp"
+
+namespace grafverif {
+namespace {
+
+using System = TransitionSystem;
+
+struct Compared {
+    std::size_t systems = 0, runs = 0, faults = 0, given_up = 0;
+    std::map<std::string, std::size_t> by = {};  ///< verdicts, by what their notes say of who gave them
+};
+
+bool gave_up(const std::vector<Verdict>& verdicts) {
+    return std::ranges::any_of(verdicts, [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Stopped; });
+}
+
+std::string decided_by(const Verdict& verdict) {
+    const auto found =
+        std::ranges::find_if(verdict.notes, [](const std::string& note) { return note.starts_with("decided by "); });
+    return found == verdict.notes.end() ? "" : *found;
+}
+
+bool is_shortest(const Verdict& verdict) {
+    return decided_by(verdict) != "decided by pdr" ||
+           std::ranges::find(verdict.notes, "no run with fewer steps shows it") != verdict.notes.end();
+}
+
+void compare_verdict(const Verdict& verdict, const std::optional<SystemRun>& run, const Verdict& expected,
+                     const std::optional<SystemRun>& expected_run, Compared& compared) {
+    SCOPED_TRACE(expected.property + ", " + decided_by(verdict));
+    ASSERT_EQ(verdict.property, expected.property);
+    ASSERT_EQ(verdict.outcome, expected.outcome) << verdict.reason;
+    ASSERT_EQ(verdict.vacuous, expected.vacuous);
+    ASSERT_EQ(run.has_value(), expected_run.has_value());
+    if (verdict.outcome == Outcome::Unknown) return;
+    ASSERT_NE(decided_by(verdict), "");
+    ++compared.by[decided_by(verdict)];
+    const bool lasso = run && run->loop;
+    if (!run || lasso || !is_shortest(verdict)) return;
+    EXPECT_EQ(run->states.size(), expected_run->states.size());
+    ++compared.runs;
+}
+
+/// A system with a dead end is left out: who looks for one finds it, and the others do not look.
+std::optional<PdrResult> compare(const System& system, Compared& compared) {
+    constexpr std::chrono::milliseconds patience(300);
+    const SymbolicResult alone = check_symbolic(system, {.deadline = std::chrono::steady_clock::now() + patience});
+    if (gave_up(alone.verdicts)) {
+        ++compared.given_up;
+        return {};
+    }
+    if (alone.fault && alone.fault->kind == SystemFault::Kind::DeadEnd) return {};
+    PdrResult all = check_together(system, {});
+    EXPECT_EQ(all.failures, std::vector<std::string>{});
+    EXPECT_EQ(all.fault.has_value(), alone.fault.has_value());
+    ++compared.systems;
+    if (alone.fault) {
+        ++compared.faults;
+        EXPECT_TRUE(!all.fault || all.fault->kind == alone.fault->kind);
+        return all;
+    }
+    EXPECT_EQ(all.verdicts.size(), alone.verdicts.size());
+    for (std::size_t i = 0; i < alone.verdicts.size() && !testing::Test::HasFatalFailure(); ++i)
+        compare_verdict(all.verdicts[i], all.runs[i], alone.verdicts[i], alone.runs[i], compared);
+    return all;
+}
+
+void say(const Compared& compared) {
+    std::cout << compared.systems << " systems, " << compared.faults << " faults, " << compared.runs
+              << " runs as short as may be";
+    for (const auto& [who, verdicts] : compared.by) std::cout << ", " << verdicts << ' ' << who;
+    std::cout << ", " << compared.given_up << " given up\n";
+}
+
+TEST(TogetherLaw, AgreesWithTheSymbolicEngineAloneOnRandomSystems) {
+    Compared compared;
+    for (int seed = 1; seed <= law_size(300) && !HasFatalFailure(); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        System system = random_system(random);
+        ask_more(system, random);
+        compare(system, compared);
+    }
+    say(compared);
+    EXPECT_GT(compared.faults, 0u);
+    EXPECT_GT(compared.runs, 100u);
+}
+
+TEST(TogetherLaw, AgreesWithTheSymbolicEngineAloneOnRandomLoopsAndItsRunsReplay) {
+    Compared compared;
+    std::size_t replayed = 0;
+    for (int seed = 1; seed <= law_size(2); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Model model = random_loop(random);
+        std::vector<const Chart*> charts;
+        for (const ClosedLoop::Controller& controller : model.loops[{0}].controllers)
+            charts.push_back(&model.charts[controller.chart]);
+        for (System& system : untimed_models(model)) {
+            SCOPED_TRACE(system.scope);
+            ask_for_steps(system);
+            const auto result = compare(system, compared);
+            ASSERT_FALSE(HasFatalFailure());
+            for (std::size_t i = 0; result && i < result->runs.size(); ++i) {
+                if (!result->runs[i]) continue;
+                const auto found = disagreement(project(system, *result->runs[i]), charts);
+                ASSERT_FALSE(found) << "step " << found->move << ", " << found->where << ": " << found->what;
+                ++replayed;
+            }
+        }
+    }
+    say(compared);
+    EXPECT_GT(replayed, 0u);
+}
+
+TEST(TogetherLaw, BoundsEndInUnknown) {
+    const System system = untimed_sample("testing_station/testing_station.grafcet",
+                                         {.plant = PlantApproach::Automata, .time = TimeModel::Discrete});
+    const std::atomic<bool> stop = true;
+    TogetherOptions stopped, late, small;
+    stopped.stop = &stop;
+    late.deadline = std::chrono::steady_clock::now();
+    small.max_memory = std::uint64_t{1} << 20U;
+    for (const auto& [options, obstacle] :
+         {std::pair(stopped, Obstacle::Stopped), {late, Obstacle::Stopped}, {small, Obstacle::Memory}}) {
+        const PdrResult result = check_together(system, options);
+        ASSERT_FALSE(result.verdicts.empty());
+        EXPECT_EQ(result.failures, std::vector<std::string>{});
+        for (const Verdict& verdict : result.verdicts)
+            if (verdict.obstacle != Obstacle::Unsupported) {
+                EXPECT_EQ(verdict.outcome, Outcome::Unknown);
+                EXPECT_EQ(verdict.obstacle, obstacle) << verdict.reason;
+            }
+    }
+}
+
+TEST(TogetherLaw, ACallerWhoStopsAtAnyTimeGetsWhatIsKnown) {
+    const System system = untimed_sample("pick_and_place/pick_and_place.grafcet", {});
+    const PdrResult whole = check_together(system, {});
+    for (std::size_t calls = 1; calls <= 8; calls *= 2) {
+        std::atomic<bool> stop = false;
+        std::size_t told = 0;
+        TogetherOptions options;
+        options.stop = &stop;
+        options.progress = [&](const TogetherProgress&) { stop = ++told >= calls; };
+        const PdrResult part = check_together(system, options);
+        ASSERT_EQ(part.verdicts.size(), whole.verdicts.size());
+        for (std::size_t i = 0; i < part.verdicts.size(); ++i)
+            if (part.verdicts[i].outcome != Outcome::Unknown) {
+                EXPECT_EQ(part.verdicts[i].outcome, whole.verdicts[i].outcome);
+            }
+    }
+}
+
+}  // namespace
+}  // namespace grafverif
