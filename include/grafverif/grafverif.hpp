@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The front door: from the text of a chart to everything that is made of it. Each function takes plain values and gives
-// one; nothing is kept between calls, and calls on different values may run at once.
+// one; nothing is kept between calls, save in a Simulator, and calls on different values may run at once.
 //
 //   read_file, read_string    text -> Model (Chart, Component, ClosedLoop)
 //   equations_of              Chart -> Equations
@@ -11,6 +11,7 @@
 //   analysis_of               Chart -> Analysis: what can go wrong in it, and what never happens
 //   drawing_of, svg_of        Chart -> Drawing, and the same as SVG
 //   automaton_of, mealy_of, test_of                 Chart -> LocationAutomaton, MealyMachine, TestSequence
+//   simulator_of              ClosedLoop or Chart -> Simulator, which commands move
 //
 // A user's mistakes are Diagnostics: a function that returns nothing has added at least one error. What the system refuses
 // (memory, a library) is thrown, as std::bad_alloc or std::system_error.
@@ -20,11 +21,13 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "grafverif/ir/choice.hpp"
 #include "grafverif/ir/closed_loop.hpp"
 #include "grafverif/ir/drawing.hpp"
 #include "grafverif/ir/equations.hpp"
@@ -143,10 +146,6 @@ std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> loop, con
 std::optional<Report> check_untimed(const Model& model, Id<Chart> chart, const ModelOptions& how,
                                     const CheckOptions& options, Diagnostics& diagnostics);
 
-/// As `grafverif check` prints it, and its form for programs (docs/trace.md).
-std::string text_of(const Report& report);
-std::string json_of(const Report& report);
-
 // Charts alone
 
 /// What can go wrong in a chart and what never happens in it, whatever the inputs do.
@@ -171,5 +170,61 @@ std::optional<MealyMachine> mealy_of(const Model& model, Id<Chart> chart, const 
                                      Diagnostics& diagnostics);
 std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const ConformOptions& options,
                                     Diagnostics& diagnostics);
+
+// For people and programs
+
+/// As the program prints it (text_of), and in its form for programs (json_of, docs/trace.md).
+std::string text_of(const Report& report);
+std::string json_of(const Report& report);
+std::string text_of(const ChartRun& run);
+std::string json_of(const ChartRun& run);
+std::string text_of(const Analysis& analysis, const Sources& sources);
+std::string json_of(const Analysis& analysis, const Sources& sources);
+std::string text_of(const LocationAutomaton& automaton);
+std::string json_of(const LocationAutomaton& automaton);
+std::string text_of(const MealyMachine& machine);
+std::string json_of(const MealyMachine& machine);
+std::string json_of(const TestSequence& test);
+/// A timing diagram.
+std::string svg_of(const ChartRun& run, std::string_view title);
+/// A graph; of many states a table; empty where those are more than anybody could look through.
+std::string svg_of(const LocationAutomaton& automaton);
+std::string svg_of(const MealyMachine& machine);
+
+// By hand
+
+/// A closed loop, or a chart alone, moved by the commands of `grafverif simulate`, on the rules that checks use. It keeps
+/// what it needs of the model.
+class Simulator {
+public:
+    struct Inside;
+    explicit Simulator(std::unique_ptr<Inside> inside);
+    Simulator(Simulator&&) noexcept;
+    Simulator& operator=(Simulator&&) noexcept;
+    ~Simulator();
+
+    /// One command: `START = true`, `wait 3s`, `do Gate open`, `back`; what follows it by itself follows. What went wrong,
+    /// in words; empty: all is well.
+    std::string obey(std::string_view command);
+    /// What went wrong in the last command, or before the first one, as it was told.
+    const std::string& problem() const;
+    /// What may be chosen now.
+    std::vector<Choice> choices() const;
+    /// All that happened since the power-on.
+    const ChartRun& run() const;
+    /// The first of its rows that is no run of the model any more, since a step was forced by hand; empty: all are.
+    std::optional<std::size_t> trial_row() const;
+    /// Where the rules of IEC 60848 part with the run, a fault of ours; empty: nowhere. Trials are none of theirs.
+    std::string disagreement() const;
+
+private:
+    std::unique_ptr<Inside> inside_;
+};
+
+std::optional<Simulator> simulator_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
+                                      Diagnostics& diagnostics);
+/// Of a chart alone, its inputs set by hand.
+std::optional<Simulator> simulator_of(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode,
+                                      Diagnostics& diagnostics);
 
 }  // namespace grafverif

@@ -10,8 +10,6 @@
 #include "emit/pins/pins.hpp"
 #include "emit/uppaal/uppaal.hpp"
 #include "pipeline/models.hpp"
-#include "report/json.hpp"
-#include "report/terminal.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif {
@@ -103,14 +101,6 @@ std::optional<std::string> structured_text_of(const Equations& equations, Execut
 
 std::string structured_text_test(const TestSequence& test, structured_text::Form form) {
     return written([&](std::ostream& out) { structured_text::emit_test(test, form, out); });
-}
-
-std::string text_of(const Report& report) {
-    return written([&](std::ostream& out) { print_report(report, {}, out); });
-}
-
-std::string json_of(const Report& report) {
-    return written([&](std::ostream& out) { print_json(report, out); });
 }
 
 }  // namespace grafverif

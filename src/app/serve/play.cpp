@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/simulation/simulation.hpp"
 #include "grafverif/ir/drawing.hpp"
 #include "pipeline/models.hpp"
 #include "report/table.hpp"
+#include "simulate/simulation.hpp"
 #include "support/json_text.hpp"
 #include "support/overloaded.hpp"
 #include "support/printable.hpp"

@@ -7,9 +7,9 @@
 #include <istream>
 #include <ostream>
 
-#include "app/commands.hpp"
 #include "app/verbs.hpp"
 #include "run/interpreter.hpp"
+#include "simulate/commands.hpp"
 #include "syntax/print/scan_line.hpp"
 
 namespace grafverif::app {

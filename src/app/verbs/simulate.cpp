@@ -8,15 +8,15 @@
 #include <ostream>
 #include <sstream>
 
-#include "app/commands.hpp"
 #include "app/outputs.hpp"
-#include "app/simulation/simulation.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "report/report.hpp"
 #include "report/terminal.hpp"
+#include "simulate/commands.hpp"
+#include "simulate/simulation.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif::app {

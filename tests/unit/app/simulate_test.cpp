@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "app/commands.hpp"
+#include "simulate/commands.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {

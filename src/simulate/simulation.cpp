@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/simulation/simulation.hpp"
+#include "simulate/simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "support/overloaded.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 std::string Simulation::begin() {
     return std::visit([](auto& of) { return of.settle(); }, of_);
@@ -83,4 +83,4 @@ std::optional<Command> RandomWalk::draw(const Simulation& simulation) {
     return WaitCommand{units * patience.unit_ms};
 }
 
-}  // namespace grafverif::app
+}  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/simulation/loop_simulation.hpp"
+#include "simulate/loop_simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "run/interpreter.hpp"
 #include "run/network_walk.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 namespace {
 
@@ -284,4 +284,4 @@ void LoopSimulation::put(const Trial& trial) {
     trial_row_ = trial_row_.value_or(row);
 }
 
-}  // namespace grafverif::app
+}  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/simulation/chart_simulation.hpp"
+#include "simulate/chart_simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "support/overloaded.hpp"
 #include "syntax/print/dialect.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 namespace {
 
@@ -335,4 +335,4 @@ bool ChartSimulation::back() {
     return true;
 }
 
-}  // namespace grafverif::app
+}  // namespace grafverif

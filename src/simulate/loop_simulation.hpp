@@ -18,16 +18,16 @@
 #include <string_view>
 #include <vector>
 
-#include "app/simulation/settings.hpp"
-#include "app/simulation/trial.hpp"
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/network.hpp"
 #include "ir/network_run.hpp"
 #include "report/tell.hpp"
 #include "run/by_hand.hpp"
 #include "run/project.hpp"
+#include "simulate/settings.hpp"
+#include "simulate/trial.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 class LoopSimulation {
 public:
@@ -103,4 +103,4 @@ private:
     bool broken_ = false;
 };
 
-}  // namespace grafverif::app
+}  // namespace grafverif

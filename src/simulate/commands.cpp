@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/commands.hpp"
+#include "simulate/commands.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "syntax/print/dialect.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 namespace {
 
@@ -83,4 +83,4 @@ Command command_of(std::string_view line) {
     return BadCommand{fmt::format("`{}` is no command; `help` lists them", first)};
 }
 
-}  // namespace grafverif::app
+}  // namespace grafverif

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/simulation/trial.hpp"
+#include "simulate/trial.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace grafverif::app {
+namespace grafverif {
 
 std::optional<Trial> trial_of(const ChartRun& run, std::string_view step, bool active) {
     for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
@@ -28,4 +28,4 @@ std::size_t tell_trial(ChartRun& run, Teller& teller, const Trial& trial) {
     return run.rows.size() - 1;
 }
 
-}  // namespace grafverif::app
+}  // namespace grafverif

@@ -20,9 +20,9 @@
 #include <variant>
 #include <vector>
 
-#include "app/simulation/settings.hpp"
+#include "simulate/settings.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 struct SetCommand {
     std::vector<Setting> settings = {};  ///< at least one
@@ -68,4 +68,4 @@ using Command = std::variant<SetCommand, WaitCommand, DoCommand, ForceCommand, C
 
 Command command_of(std::string_view line);
 
-}  // namespace grafverif::app
+}  // namespace grafverif

@@ -12,11 +12,11 @@
 #include <variant>
 #include <vector>
 
-#include "app/commands.hpp"
-#include "app/simulation/chart_simulation.hpp"
-#include "app/simulation/loop_simulation.hpp"
+#include "simulate/chart_simulation.hpp"
+#include "simulate/commands.hpp"
+#include "simulate/loop_simulation.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 class Simulation {
 public:
@@ -61,4 +61,4 @@ private:
     std::mt19937_64 random_;
 };
 
-}  // namespace grafverif::app
+}  // namespace grafverif

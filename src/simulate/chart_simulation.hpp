@@ -10,13 +10,13 @@
 #include <variant>
 #include <vector>
 
-#include "app/simulation/settings.hpp"
-#include "app/simulation/trial.hpp"
 #include "grafverif/ir/chart.hpp"
 #include "report/tell.hpp"
 #include "run/interpreter.hpp"
+#include "simulate/settings.hpp"
+#include "simulate/trial.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 class ChartSimulation {
 public:
@@ -78,4 +78,4 @@ private:
     bool broken_ = false;
 };
 
-}  // namespace grafverif::app
+}  // namespace grafverif

@@ -11,7 +11,7 @@
 #include "grafverif/ir/chart_run.hpp"
 #include "report/tell.hpp"
 
-namespace grafverif::app {
+namespace grafverif {
 
 struct Trial {
     Id<ChartRun::Controller> controller = {};
@@ -25,4 +25,4 @@ std::optional<Trial> trial_of(const ChartRun& run, std::string_view step, bool a
 /// Adds the row of a trial, whose moment is the last of the run and has not been told yet. The place of the row.
 std::size_t tell_trial(ChartRun& run, Teller& teller, const Trial& trial);
 
-}  // namespace grafverif::app
+}  // namespace grafverif

@@ -6,20 +6,15 @@
 #include <optional>
 #include <string>
 
-namespace grafverif::app {
+#include "grafverif/ir/choice.hpp"
+
+namespace grafverif {
 
 /// An input and the value it is to have.
 struct Setting {
     std::string name = {};
     std::int64_t value = 0;
     bool operator==(const Setting&) const = default;
-};
-
-/// Something that may be chosen now.
-struct Choice {
-    std::string words = {};    ///< what would happen: `Start: START`
-    std::string command = {};  ///< the line of a script that chooses it
-    bool operator==(const Choice&) const = default;
 };
 
 /// How time can pass while nobody chooses, in units.
@@ -31,4 +26,4 @@ struct Patience {
     bool operator==(const Patience&) const = default;
 };
 
-}  // namespace grafverif::app
+}  // namespace grafverif

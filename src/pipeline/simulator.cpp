@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Simulator: a Simulation together with what it moves.
+#include <utility>
+
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+#include "run/replay.hpp"
+#include "simulate/simulation.hpp"
+
+namespace grafverif {
+
+struct Simulator::Inside {
+    Network network = {};  ///< of a loop
+    std::vector<Chart> kept = {};
+    std::vector<const Chart*> charts = {};
+    std::optional<Simulation> moved = {};
+    std::string problem = {};
+};
+
+Simulator::Simulator(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+Simulator::Simulator(Simulator&&) noexcept = default;
+Simulator& Simulator::operator=(Simulator&&) noexcept = default;
+Simulator::~Simulator() = default;
+
+std::string Simulator::obey(std::string_view command) {
+    return inside_->problem = inside_->moved->obey(command_of(command));
+}
+const std::string& Simulator::problem() const { return inside_->problem; }
+std::vector<Choice> Simulator::choices() const { return inside_->moved->choices(); }
+const ChartRun& Simulator::run() const { return inside_->moved->told(); }
+std::optional<std::size_t> Simulator::trial_row() const { return inside_->moved->trial_row(); }
+
+std::string Simulator::disagreement() const {
+    if (trial_row()) return {};
+    const auto found = grafverif::disagreement(run(), inside_->charts);
+    return found ? replay_failure("this run", *found) : std::string();
+}
+
+namespace {
+
+void keep(Simulator::Inside& inside, const std::vector<const Chart*>& charts) {
+    inside.kept.reserve(charts.size());
+    for (const Chart* const chart : charts) inside.charts.push_back(&inside.kept.emplace_back(*chart));
+}
+
+}  // namespace
+
+std::optional<Simulator> simulator_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
+                                      Diagnostics& diagnostics) {
+    std::optional<Network> network = network_of(model, loop, options, diagnostics);
+    if (!network) return {};
+    auto inside = std::make_unique<Simulator::Inside>();
+    inside->network = std::move(*network);
+    keep(*inside, charts_of(model, model.loops[loop]));
+    inside->problem = inside->moved.emplace(inside->network, inside->charts, Detail::Chart).begin();
+    return Simulator(std::move(inside));
+}
+
+std::optional<Simulator> simulator_of(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode,
+                                      Diagnostics& diagnostics) {
+    if (!equations_of(model, chart, diagnostics)) return {};  // what has none has no rules
+    auto inside = std::make_unique<Simulator::Inside>();
+    keep(*inside, {&model.charts[chart]});
+    inside->problem = inside->moved.emplace(inside->kept[0], execution_mode(model, chart, mode), Detail::Chart).begin();
+    return Simulator(std::move(inside));
+}
+
+}  // namespace grafverif
