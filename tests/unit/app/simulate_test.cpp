@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "simulate/commands.hpp"
 #include "run_program.hpp"
+#include "simulate/commands.hpp"
 
 namespace grafverif::app {
 namespace {

@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: MIT
+// The front door of the library for Python: texts, JSON and drawings of what it gives. The package `grafverif` beside
+// it makes objects of these. Whatever may take long runs on a thread of its own, without the lock of the interpreter,
+// while the caller listens for Ctrl-C.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <initializer_list>
+#include <mutex>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "grafverif/grafverif.hpp"
+
+namespace py = pybind11;
+
+namespace grafverif::python {
+namespace {
+
+/// Runs `work(stop)` to its end, or until Ctrl-C, which it is told by `stop`; then KeyboardInterrupt.
+template <class Work>
+auto uninterrupted(Work work) -> decltype(work(std::declval<const std::atomic<bool>&>())) {
+    std::optional<decltype(work(std::declval<const std::atomic<bool>&>()))> result;
+    std::exception_ptr failure;
+    std::atomic<bool> stop = false;
+    std::mutex mutex;
+    std::condition_variable ended;
+    bool done = false, interrupted = false;
+    std::thread worker([&] {
+        try {
+            result.emplace(work(stop));
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        const std::scoped_lock lock(mutex);
+        done = true;
+        ended.notify_one();
+    });
+    for (bool over = false; !over;) {
+        {
+            const py::gil_scoped_release others_run;
+            std::unique_lock lock(mutex);
+            over = ended.wait_for(lock, std::chrono::milliseconds(50), [&] { return done; });
+        }
+        if (!interrupted && PyErr_CheckSignals() != 0) stop = interrupted = true;
+    }
+    worker.join();
+    if (interrupted) throw py::error_already_set();
+    if (failure) std::rethrow_exception(failure);
+    return std::move(*result);
+}
+
+/// Each as (severity, code, message, file, line, column).
+py::list listed(const std::vector<Diagnostic>& diagnostics, const Sources& sources) {
+    py::list result;
+    for (const Diagnostic& each : diagnostics) {
+        const char* const severity = each.severity == Severity::Error     ? "error"
+                                     : each.severity == Severity::Warning ? "warning"
+                                                                          : "note";
+        if (!sources.contains(each.where.source)) {
+            result.append(py::make_tuple(severity, each.code, each.message, py::none(), py::none(), py::none()));
+            continue;
+        }
+        const Source& source = sources[each.where.source];
+        const Place at = place(source.text, each.where.begin);
+        result.append(py::make_tuple(severity, each.code, each.message, source.name, at.line, at.column));
+    }
+    return result;
+}
+
+struct Bounds {
+    std::optional<double> timeout = {};  ///< seconds
+    std::optional<std::uint64_t> memory = {}, states = {};
+
+    Limits limits(const std::atomic<bool>& stop) const {
+        Limits result;
+        result.states = states;
+        result.memory = memory;
+        result.stop = &stop;
+        constexpr double longest = 1e9;
+        if (timeout)
+            result.deadline =
+                std::chrono::steady_clock::now() +
+                std::chrono::milliseconds(static_cast<std::int64_t>(1000 * std::min(std::max(*timeout, 0.0), longest)));
+        return result;
+    }
+};
+
+std::optional<ExecutionMode> mode_of(const std::optional<std::string>& word) {
+    if (!word) return {};
+    for (const ExecutionMode mode : {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle})
+        if (*word == grafverif::word(mode)) return mode;
+    throw py::value_error("mode is `stability-search` or `every-cycle`, not `" + *word + "`");
+}
+
+/// One of `words`, which are those of `values`.
+template <class Value>
+Value chosen(const std::string& asked, const char* what, std::initializer_list<std::pair<const char*, Value>> words) {
+    std::string all;
+    for (const auto& [word, value] : words) {
+        if (asked == word) return value;
+        all += (all.empty() ? "`" : ", `") + std::string(word) + "`";
+    }
+    throw py::value_error(std::string(what) + " is one of " + all + ", not `" + asked + "`");
+}
+
+/// How a model is made.
+struct How {
+    std::optional<std::string> mode = {}, grain = {}, plant = {}, schedule = {}, time = {};
+    bool fairness = false;
+
+    ModelOptions options() const {
+        ModelOptions result;
+        result.mode = mode_of(mode);
+        if (grain)
+            result.grain = chosen<Grain>(*grain, "grain", {{"phased", Grain::Phased}, {"atomic", Grain::Atomic}});
+        if (plant)
+            result.untimed.plant = chosen<PlantApproach>(*plant, "plant",
+                                                         {{"none", PlantApproach::None},
+                                                          {"constraints", PlantApproach::Constraints},
+                                                          {"automata", PlantApproach::Automata}});
+        if (schedule)
+            result.untimed.schedule = chosen<Schedule>(*schedule, "schedule",
+                                                       {{"interleaved", Schedule::Interleaved},
+                                                        {"synchronous", Schedule::Synchronous},
+                                                        {"sequenced", Schedule::Sequenced}});
+        if (time)
+            result.untimed.time = chosen<TimeModel>(
+                *time, "time", {{"abstract", TimeModel::Abstract}, {"discrete", TimeModel::Discrete}});
+        result.untimed.fairness = fairness;
+        return result;
+    }
+};
+
+/// What a call found wrong with the model: an exception of Python's, with places.
+[[noreturn]] void refuse(const Diagnostics& diagnostics, const Sources& sources) {
+    std::ostringstream text;
+    render_text(diagnostics.all(), sources, Colour::Plain, text);
+    const py::object error = py::module_::import("grafverif").attr("GrafverifError");
+    PyErr_SetObject(error.ptr(), error(text.str(), listed(diagnostics.all(), sources)).ptr());
+    throw py::error_already_set();
+}
+
+/// A simulator, which other threads of Python may use too: the lock of the interpreter is kept.
+struct Moved {
+    Simulator simulator;
+};
+
+class File {
+    Reading reading_;
+
+    const Model& model() const { return *reading_.model; }
+
+    /// What `make` makes; its errors as an exception, its warnings as warnings of Python.
+    template <class Make>
+    auto made(Make make) const {
+        Diagnostics diagnostics;
+        auto result = uninterrupted([&](const std::atomic<bool>& stop) { return make(stop, diagnostics); });
+        if (!result) refuse(diagnostics, reading_.sources);
+        for (const Diagnostic& each : diagnostics.all())
+            if (PyErr_WarnEx(PyExc_UserWarning, (each.message + " [" + each.code + "]").c_str(), 2) != 0)
+                throw py::error_already_set();
+        return std::move(*result);
+    }
+
+public:
+    static File read(const std::string& path, const ReadOptions& options) {
+        return File(uninterrupted([&](const std::atomic<bool>&) { return read_file(path, options); }));
+    }
+    static File parse(const std::string& text, const std::string& name, const ReadOptions& options) {
+        return File(uninterrupted([&](const std::atomic<bool>&) { return read_string(text, name, options); }));
+    }
+
+    std::vector<std::string> charts() const { return names(model().charts); }
+    std::vector<std::string> loops() const { return names(model().loops); }
+    py::list warnings() const { return listed(reading_.diagnostics.all(), reading_.sources); }
+    std::vector<std::string> properties(const std::string& loop) const {
+        return names(model().loops[loop_of(loop)].properties);
+    }
+
+    Report check(const std::string& loop, const How& how, const CheckOptions& asked, const Bounds& bounds,
+                 bool untimed) const {
+        const ModelOptions options = how.options();
+        const Id<ClosedLoop> id = loop_of(loop);
+        return made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
+            CheckOptions check = asked;
+            check.limits = bounds.limits(stop);
+            return untimed ? check_untimed(model(), id, options, check, diagnostics)
+                           : grafverif::check(model(), id, options, check, diagnostics);
+        });
+    }
+    Report check_chart(const std::string& chart, const How& how, const Bounds& bounds) const {
+        const ModelOptions options = how.options();
+        const Id<Chart> id = chart_of(chart);
+        return made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
+            CheckOptions check;
+            check.limits = bounds.limits(stop);
+            return check_untimed(model(), id, options, check, diagnostics);
+        });
+    }
+    std::pair<std::string, std::string> analyse(const std::string& chart, const How& how, const Bounds& bounds) const {
+        const auto mode = mode_of(how.mode);
+        const Id<Chart> id = chart_of(chart);
+        const Analysis found = made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
+            return analysis_of(model(), id, mode, bounds.limits(stop), diagnostics);
+        });
+        return {text_of(found, reading_.sources), json_of(found, reading_.sources)};
+    }
+    std::string draw(const std::string& chart, const std::string& notation) const {
+        DrawOptions options;
+        options.notation = chosen<Notation>(notation, "notation", {{"iec", Notation::Iec}, {"text", Notation::Text}});
+        const Id<Chart> id = chart_of(chart);
+        return uninterrupted([&](const std::atomic<bool>&) { return svg_of(drawing_of(model(), id, options)); });
+    }
+    /// Text, JSON and SVG.
+    std::tuple<std::string, std::string, std::string> automaton(const std::string& chart, const How& how,
+                                                                const Bounds& bounds) const {
+        const Id<Chart> id = chart_of(chart);
+        ConformOptions options;
+        options.mode = mode_of(how.mode);
+        return shown(made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
+            options.limits = bounds.limits(stop);
+            return automaton_of(model(), id, options, diagnostics);
+        }));
+    }
+    std::tuple<std::string, std::string, std::string> mealy(const std::string& chart, const How& how,
+                                                            const Bounds& bounds, bool minimise) const {
+        const Id<Chart> id = chart_of(chart);
+        ConformOptions options;
+        options.mode = mode_of(how.mode);
+        options.minimise = minimise;
+        return shown(made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
+            options.limits = bounds.limits(stop);
+            return mealy_of(model(), id, options, diagnostics);
+        }));
+    }
+    std::string test_sequence(const std::string& chart, const How& how, const Bounds& bounds, const std::string& cover,
+                              bool one_cycle_each) const {
+        const Id<Chart> id = chart_of(chart);
+        ConformOptions options;
+        options.mode = mode_of(how.mode);
+        options.one_cycle_each = one_cycle_each;
+        options.cover = chosen<TestCover>(cover, "cover",
+                                          {{"transitions", TestCover::Transitions},
+                                           {"evolutions", TestCover::Evolutions},
+                                           {"locations", TestCover::Locations}});
+        return json_of(made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
+            options.limits = bounds.limits(stop);
+            return test_of(model(), id, options, diagnostics);
+        }));
+    }
+    Moved simulate_loop(const std::string& loop, const How& how) const {
+        const ModelOptions options = how.options();
+        const Id<ClosedLoop> id = loop_of(loop);
+        return {made([&](const std::atomic<bool>&, Diagnostics& diagnostics) {
+            return simulator_of(model(), id, options, diagnostics);
+        })};
+    }
+    Moved simulate_chart(const std::string& chart, const How& how) const {
+        const auto mode = mode_of(how.mode);
+        const Id<Chart> id = chart_of(chart);
+        return {made([&](const std::atomic<bool>&, Diagnostics& diagnostics) {
+            return simulator_of(model(), id, mode, diagnostics);
+        })};
+    }
+    std::string uppaal(const std::string& loop, const How& how) const {
+        const ModelOptions options = how.options();
+        const Id<ClosedLoop> id = loop_of(loop);
+        return made([&](const std::atomic<bool>&, Diagnostics& diagnostics) -> std::optional<std::string> {
+            const auto network = network_of(model(), id, options, diagnostics);
+            if (!network) return {};
+            return uppaal_project(*network, diagnostics).project;
+        });
+    }
+    std::string nusmv(const std::string& loop, const How& how) const {
+        const ModelOptions options = how.options();
+        const Id<ClosedLoop> id = loop_of(loop);
+        return made([&](const std::atomic<bool>&, Diagnostics& diagnostics) -> std::optional<std::string> {
+            const auto system = transition_system_of(model(), id, options, diagnostics);
+            if (!system) return {};
+            return nusmv_model(*system, diagnostics);
+        });
+    }
+    std::string structured_text(const std::string& chart, const How& how, bool plcopen_xml) const {
+        const auto asked = mode_of(how.mode);
+        const Id<Chart> id = chart_of(chart);
+        return made([&](const std::atomic<bool>&, Diagnostics& diagnostics) -> std::optional<std::string> {
+            const auto equations = equations_of(model(), id, diagnostics);
+            if (!equations) return {};
+            return structured_text_of(*equations, execution_mode(model(), id, asked), diagnostics, plcopen_xml);
+        });
+    }
+
+private:
+    explicit File(Reading reading) : reading_(std::move(reading)) {
+        if (!reading_.model) refuse(reading_.diagnostics, reading_.sources);
+    }
+
+    template <class Things>
+    static std::vector<std::string> names(const Things& things) {
+        std::vector<std::string> result;
+        for (const auto& thing : things) result.push_back(thing.name);
+        return result;
+    }
+
+    Id<ClosedLoop> loop_of(const std::string& name) const {
+        if (const auto found = find_loop(model(), name)) return *found;
+        throw py::key_error("there is no closed loop `" + name + "`");
+    }
+    Id<Chart> chart_of(const std::string& name) const {
+        if (const auto found = find_chart(model(), name)) return *found;
+        throw py::key_error("there is no chart `" + name + "`");
+    }
+
+    template <class Machine>
+    static std::tuple<std::string, std::string, std::string> shown(const Machine& machine) {
+        return {text_of(machine), json_of(machine), svg_of(machine)};
+    }
+};
+
+const ChartRun& run_of(const Report& report, std::size_t answer) {
+    const auto& trace = report.answers.at(answer).trace;
+    if (!trace) throw py::key_error("the verdict has no trace");
+    return *trace;
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, module) {
+    module.doc() = "The library grafverif; use the package `grafverif`, which makes objects of what this gives.";
+    py::class_<How>(module, "How")
+        .def(py::init([](std::optional<std::string> mode, std::optional<std::string> grain,
+                         std::optional<std::string> plant, std::optional<std::string> schedule,
+                         std::optional<std::string> time, bool fairness) {
+                 How how{std::move(mode),     std::move(grain), std::move(plant),
+                         std::move(schedule), std::move(time),  fairness};
+                 how.options();  // complains at once
+                 return how;
+             }),
+             py::kw_only(), py::arg("mode") = py::none(), py::arg("grain") = py::none(), py::arg("plant") = py::none(),
+             py::arg("schedule") = py::none(), py::arg("time") = py::none(), py::arg("fairness") = false);
+    py::class_<Bounds>(module, "Bounds")
+        .def(py::init([](std::optional<double> timeout, std::optional<std::uint64_t> memory,
+                         std::optional<std::uint64_t> states) {
+                 if (timeout && !(*timeout >= 0)) throw py::value_error("timeout is in seconds, 0 or more");
+                 return Bounds{timeout, memory, states};
+             }),
+             py::kw_only(), py::arg("timeout") = py::none(), py::arg("memory") = py::none(),
+             py::arg("states") = py::none());
+    py::class_<Report>(module, "Report")
+        .def("text", [](const Report& report) { return text_of(report); })
+        .def("json", [](const Report& report) { return json_of(report); })
+        .def("trace_text", [](const Report& report, std::size_t answer) { return text_of(run_of(report, answer)); })
+        .def("trace_svg", [](const Report& report, std::size_t answer) {
+            return svg_of(run_of(report, answer), report.answers.at(answer).verdict.property);
+        });
+    py::class_<Moved>(module, "Simulator")
+        .def("obey", [](Moved& moved, const std::string& command) { return moved.simulator.obey(command); })
+        .def("problem", [](const Moved& moved) { return moved.simulator.problem(); })
+        .def("choices",
+             [](const Moved& moved) {
+                 std::vector<std::pair<std::string, std::string>> result;
+                 for (const Choice& each : moved.simulator.choices()) result.emplace_back(each.command, each.words);
+                 return result;
+             })
+        .def("json", [](const Moved& moved) { return json_of(moved.simulator.run()); })
+        .def("text", [](const Moved& moved) { return text_of(moved.simulator.run()); })
+        .def("svg", [](const Moved& moved) { return svg_of(moved.simulator.run(), moved.simulator.run().name); })
+        .def("trial_row", [](const Moved& moved) { return moved.simulator.trial_row(); })
+        .def("disagreement", [](const Moved& moved) { return moved.simulator.disagreement(); });
+    py::class_<File>(module, "File")
+        .def_static(
+            "read",
+            [](const std::string& path, std::vector<std::string> folders, bool lossy) {
+                return File::read(path, {std::move(folders), lossy, {}});
+            },
+            py::arg("path"), py::arg("include"), py::arg("lossy"))
+        .def_static(
+            "parse",
+            [](const std::string& text, const std::string& name, std::vector<std::string> folders, bool lossy) {
+                return File::parse(text, name, {std::move(folders), lossy, {}});
+            },
+            py::arg("text"), py::arg("name"), py::arg("include"), py::arg("lossy"))
+        .def("charts", &File::charts)
+        .def("loops", &File::loops)
+        .def("properties", &File::properties)
+        .def("warnings", &File::warnings)
+        .def("check",
+             [](const File& file, const std::string& loop, const How& how, std::vector<std::string> properties,
+                const Bounds& bounds, bool whole, bool untimed) {
+                 CheckOptions options;
+                 options.properties = std::move(properties);
+                 options.whole = whole;
+                 return file.check(loop, how, options, bounds, untimed);
+             })
+        .def("check_chart", &File::check_chart)
+        .def("analyse", &File::analyse)
+        .def("draw", &File::draw)
+        .def("automaton", &File::automaton)
+        .def("mealy", &File::mealy)
+        .def("test_sequence", &File::test_sequence)
+        .def("simulate_loop", &File::simulate_loop)
+        .def("simulate_chart", &File::simulate_chart)
+        .def("uppaal", &File::uppaal)
+        .def("nusmv", &File::nusmv)
+        .def("structured_text", &File::structured_text);
+}
+
+}  // namespace grafverif::python

@@ -1,0 +1,536 @@
+# SPDX-License-Identifier: MIT
+"""GRAFCET charts (IEC 60848) and their plants: read, proved, simulated, drawn and tested.
+
+    import grafverif
+    file = grafverif.read("station.grafcet")
+    report = file.loop().check()
+    print(report)
+
+What is wrong with a chart is raised as GrafverifError, with its places. Whatever takes long lets other threads run and
+ends with KeyboardInterrupt at Ctrl-C. Times are in seconds where they are asked for, in milliseconds (`_ms`) in runs.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass, field
+from typing import Any, Iterable, Iterator, NamedTuple
+
+from . import _core
+
+__all__ = ["Analysis", "Automaton", "Chart", "Choice", "Diagnostic", "Drawing", "File", "Finding", "GrafverifError",
+           "Loop", "Mealy", "Report", "SimulationError", "Simulation", "Step", "TestSequence", "TestStep", "Trace",
+           "Verdict", "parse", "read"]
+
+
+class Diagnostic(NamedTuple):
+    """What is wrong, and where; `file`, `line` and `column` (from 1, in bytes) are None where it is nowhere."""
+
+    severity: str
+    code: str
+    message: str
+    file: str | None
+    line: int | None
+    column: int | None
+
+
+class GrafverifError(Exception):
+    """The chart, or what is asked of it, is wrong. The text is what the program would print."""
+
+    def __init__(self, text: str, diagnostics: Iterable[tuple[Any, ...]] = ()):
+        super().__init__(text)
+        self.diagnostics = [Diagnostic(*each) for each in diagnostics]
+
+
+class SimulationError(Exception):
+    """A command of a simulation that could not be obeyed."""
+
+
+def _frame(rows: list[dict[str, Any]]) -> Any:
+    try:
+        import pandas
+    except ImportError as error:
+        raise ImportError("tables are made by pandas, which is not installed (Debian: python3-pandas)") from error
+    return pandas.DataFrame(rows)
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """An SVG picture, which a notebook shows."""
+
+    svg: str = field(repr=False)
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.svg)
+
+
+@dataclass(frozen=True)
+class Step:
+    """One row of a run: what happened, and how everything stands behind it. In an untimed run `time_ms` counts steps."""
+
+    time_ms: int
+    kind: str
+    component: str | None
+    fired: tuple[str, ...]
+    situation: tuple[str, ...]
+    inputs: dict[str, bool | int]
+    outputs: dict[str, bool | int]
+
+
+class Trace:
+    """A run of a loop or chart in the words of its charts. From step `loop_from` on it repeats for ever."""
+
+    def __init__(self, document: dict[str, Any], text: str, svg: str):
+        self.steps = [Step(each["time"], each["kind"], each["component"], tuple(each["fired"]),
+                           tuple(each["situation"]), each["inputs"], each["outputs"]) for each in document["steps"]]
+        self.loop_from: int | None = document["loop_from"]
+        self.run: dict[str, Any] = document["run"]  #: all that there is to know: docs/trace.md
+        self.drawing = Drawing(svg)  #: a timing diagram
+        self._text = text
+
+    def __len__(self) -> int:
+        return len(self.steps)
+
+    def __iter__(self) -> Iterator[Step]:
+        return iter(self.steps)
+
+    def __getitem__(self, index: int) -> Step:
+        return self.steps[index]
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<Trace of {len(self.steps)} steps>"
+
+    def _repr_svg_(self) -> str:
+        return self.drawing.svg
+
+    def frame(self) -> Any:
+        """A pandas table, a row per step, a column per input and output."""
+        return _frame([{"time_ms": each.time_ms, "kind": each.kind, "component": each.component,
+                        "fired": " ".join(each.fired), "situation": " ".join(each.situation), **each.inputs,
+                        **each.outputs} for each in self.steps])
+
+
+class Verdict:
+    """The answer to one property. It has no truth value of its own: ask for `holds`, `violated` or `unknown`."""
+
+    def __init__(self, document: dict[str, Any], report: _core.Report, index: int):
+        self.name: str = document["name"]
+        self.text: str | None = document["text"]  #: the sentence of the property
+        self.verdict: str = document["verdict"]  #: `holds`, `violated` or `unknown`
+        self.expected: str = document["expected"]
+        self.reason: str | None = document["reason"]  #: of an unknown one
+        self.vacuous: bool = document["vacuous"]
+        self.notes: list[str] = document["notes"]
+        self.document = document  #: all of it, as `check --format json` writes it
+        self._report, self._index = report, index
+
+    @property
+    def holds(self) -> bool:
+        return self.verdict == "holds"
+
+    @property
+    def violated(self) -> bool:
+        return self.verdict == "violated"
+
+    @property
+    def unknown(self) -> bool:
+        return self.verdict == "unknown"
+
+    @property
+    def as_expected(self) -> bool:
+        return self.verdict == self.expected
+
+    @property
+    def trace(self) -> Trace | None:
+        """The run that shows the verdict: a counterexample, or a witness."""
+        if self.document["trace"] is None:
+            return None
+        return Trace(self.document["trace"], self._report.trace_text(self._index), self._report.trace_svg(self._index))
+
+    def __bool__(self) -> bool:
+        raise TypeError("a verdict is neither true nor false; ask for .holds, .violated, .unknown or .as_expected")
+
+    def __repr__(self) -> str:
+        return f"<Verdict {self.name}: {self.verdict}>"
+
+
+class Report:
+    """All verdicts on a loop or chart, in the order of the properties."""
+
+    def __init__(self, core: _core.Report):
+        document = json.loads(core.json())
+        self.model: str = document["model"]
+        self.verdicts = [Verdict(each, core, index) for index, each in enumerate(document["properties"])]
+        self.errors: list[dict[str, Any]] = document.get("errors", [])  #: where the model itself breaks off
+        self.document: dict[str, Any] = document
+        self._core = core
+
+    @property
+    def as_expected(self) -> bool:
+        """Every verdict is the one that the file asks for, and the model breaks off nowhere."""
+        return not self.errors and all(each.as_expected for each in self.verdicts)
+
+    def __len__(self) -> int:
+        return len(self.verdicts)
+
+    def __iter__(self) -> Iterator[Verdict]:
+        return iter(self.verdicts)
+
+    def __getitem__(self, name: str) -> Verdict:
+        for each in self.verdicts:
+            if each.name == name:
+                return each
+        raise KeyError(f"there is no property `{name}`; there are {', '.join(each.name for each in self.verdicts)}")
+
+    def __str__(self) -> str:
+        return self._core.text()
+
+    def __repr__(self) -> str:
+        return f"<Report on {self.model}: {', '.join(f'{each.name} {each.verdict}' for each in self.verdicts)}>"
+
+    def frame(self) -> Any:
+        """A pandas table, a row per property."""
+        return _frame([{key: value for key, value in each.document.items() if key not in ("trace", "notes")}
+                       for each in self.verdicts])
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something about a chart that its author should know; `document` has its evidence."""
+
+    code: str
+    level: str
+    subject: str | None
+    message: str
+    line: int | None
+    accepted: str | None
+    document: dict[str, Any] = field(repr=False, compare=False)
+
+
+class Analysis:
+    """What can go wrong in a chart, and what never happens in it."""
+
+    def __init__(self, text: str, document: dict[str, Any]):
+        self.findings = [Finding(each["code"], each["level"], each["subject"], each["message"], each.get("line"),
+                                 each["accepted"], each) for each in document["findings"]]
+        self.complete: bool = document["complete"]  #: every question was decided
+        self.document = document
+        self._text = text
+
+    def __len__(self) -> int:
+        return len(self.findings)
+
+    def __iter__(self) -> Iterator[Finding]:
+        return iter(self.findings)
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<Analysis: {len(self.findings)} findings>"
+
+    def frame(self) -> Any:
+        return _frame([{"code": each.code, "level": each.level, "subject": each.subject, "message": each.message,
+                        "line": each.line, "accepted": each.accepted} for each in self.findings])
+
+
+class _Machine:
+    def __init__(self, shown: tuple[str, str, str]):
+        self._text, text, svg = shown
+        self.document: dict[str, Any] = json.loads(text)  #: as the program writes it with `--format json`
+        self.drawing = Drawing(svg) if svg else None  #: None where nobody could look through it
+
+    def __str__(self) -> str:
+        return self._text
+
+    def _repr_svg_(self) -> str | None:
+        return self.drawing.svg if self.drawing else None
+
+
+class Automaton(_Machine):
+    """The location automaton of a chart: what a controller that executes it does, cycle by cycle."""
+
+    @property
+    def locations(self) -> list[dict[str, Any]]:
+        return self.document["location_table"]
+
+    @property
+    def evolutions(self) -> list[dict[str, Any]]:
+        return self.document["evolution_table"]
+
+    def __repr__(self) -> str:
+        return f"<Automaton of {len(self.locations)} locations, {len(self.evolutions)} evolutions>"
+
+    def frame(self) -> Any:
+        """A pandas table, a row per evolution."""
+        return _frame(self.evolutions)
+
+
+class Mealy(_Machine):
+    """The Mealy machine of a chart."""
+
+    def __repr__(self) -> str:
+        return f"<Mealy machine {self.document['name']}>"
+
+
+@dataclass(frozen=True)
+class TestStep:
+    """Wait, apply the inputs for so many scans, and compare the outputs in each."""
+
+    __test__ = False  # nothing for pytest
+    sequence: int
+    step: int
+    wait_ms: int
+    cycles: int
+    inputs: dict[str, bool | int]
+    outputs: dict[str, bool | int]
+    situation: str
+
+
+class TestSequence:
+    """What to apply to an implementation of a chart and what to expect, from power-on, in one sequence or several."""
+
+    __test__ = False
+
+    def __init__(self, document: dict[str, Any]):
+        self.document = document
+        self.steps = [TestStep(number, each["step"], each["wait_ms"], each["cycles"], each["inputs"], each["outputs"],
+                               each["situation"])
+                      for number, sequence in enumerate(document["sequences"], 1) for each in sequence]
+        self.proven_least: bool = document["proven_least"]
+
+    def __len__(self) -> int:
+        return len(self.steps)
+
+    def __iter__(self) -> Iterator[TestStep]:
+        return iter(self.steps)
+
+    def __repr__(self) -> str:
+        return f"<TestSequence of {len(self.steps)} steps>"
+
+    def frame(self) -> Any:
+        return _frame([{"sequence": each.sequence, "step": each.step, "wait_ms": each.wait_ms, "cycles": each.cycles,
+                        **each.inputs, **{f"{name} (expected)": value for name, value in each.outputs.items()},
+                        "situation": each.situation} for each in self.steps])
+
+
+class Choice(NamedTuple):
+    """A command that may be given now, and what would happen."""
+
+    command: str
+    words: str
+
+
+class Simulation:
+    """A loop or chart, moved by hand with the commands of `grafverif simulate`."""
+
+    def __init__(self, core: _core.Simulator):
+        self._core = core
+        if core.problem():
+            raise SimulationError(core.problem())
+
+    def do(self, *commands: str) -> Simulation:
+        """Obeys each: `START = true`, `wait 3s`, `do Gate open`, `back`. What follows from it follows by itself."""
+        for command in commands:
+            problem = self._core.obey(command)
+            if problem:
+                raise SimulationError(f"{command}: {problem}")
+        return self
+
+    def set(self, **inputs: bool | int) -> Simulation:
+        """Gives inputs their values, of a chart alone all at once."""
+        words = [f"{name} = {str(value).lower()}" for name, value in inputs.items()]
+        return self.do(", ".join(words)) if words else self
+
+    def wait(self, seconds: float | None = None) -> Simulation:
+        """Lets time pass; without a time, until something happens by itself, or can."""
+        return self.do("wait" if seconds is None else f"wait {round(1000 * seconds)}ms")
+
+    @property
+    def choices(self) -> list[Choice]:
+        return [Choice(*each) for each in self._core.choices()]
+
+    @property
+    def trace(self) -> Trace:
+        """All that happened since the power-on."""
+        wrong = self._core.disagreement()
+        if wrong:
+            raise RuntimeError(wrong)
+        return Trace(json.loads(self._core.json()), self._core.text(), self._core.svg())
+
+    @property
+    def is_trial(self) -> bool:
+        """Whether a step was forced by hand, so that what followed is no run of the model."""
+        return self._core.trial_row() is not None
+
+    @property
+    def now(self) -> Step:
+        return self.trace.steps[-1]
+
+    def __str__(self) -> str:
+        return self._core.text()
+
+    def __repr__(self) -> str:
+        now = self.now
+        return f"<Simulation after {now.time_ms} ms: {', '.join(now.situation)}>"
+
+
+class Chart:
+    """A chart of a file."""
+
+    def __init__(self, file: _core.File, name: str):
+        self._file = file
+        self.name = name
+
+    def __repr__(self) -> str:
+        return f"<Chart {self.name}>"
+
+    def _repr_svg_(self) -> str:
+        return self.draw().svg
+
+    def draw(self, *, notation: str = "iec") -> Drawing:
+        """As IEC 60848 draws it; `notation` `text` writes logic as the file does."""
+        return Drawing(self._file.draw(self.name, notation))
+
+    def check_untimed(self, *, mode: str | None = None, timeout: float | None = None, memory: int | None = None,
+                      states: int | None = None) -> Report:
+        """The chart alone, its inputs free: whether each step can be reached."""
+        return Report(self._file.check_chart(self.name, _core.How(mode=mode),
+                                             _core.Bounds(timeout=timeout, memory=memory, states=states)))
+
+    def analyse(self, *, mode: str | None = None, timeout: float | None = None, memory: int | None = None) -> Analysis:
+        text, document = self._file.analyse(self.name, _core.How(mode=mode),
+                                            _core.Bounds(timeout=timeout, memory=memory))
+        return Analysis(text, json.loads(document))
+
+    def automaton(self, *, mode: str | None = None, timeout: float | None = None, memory: int | None = None,
+                  states: int | None = None) -> Automaton:
+        return Automaton(self._file.automaton(self.name, _core.How(mode=mode),
+                                              _core.Bounds(timeout=timeout, memory=memory, states=states)))
+
+    def mealy(self, *, mode: str | None = None, minimise: bool = False, timeout: float | None = None,
+              memory: int | None = None, states: int | None = None) -> Mealy:
+        return Mealy(self._file.mealy(self.name, _core.How(mode=mode),
+                                      _core.Bounds(timeout=timeout, memory=memory, states=states), minimise))
+
+    def test_sequence(self, *, mode: str | None = None, cover: str = "transitions", one_cycle_each: bool = False,
+                      timeout: float | None = None, memory: int | None = None,
+                      states: int | None = None) -> TestSequence:
+        """`cover`: `transitions`, `evolutions` or `locations`."""
+        return TestSequence(json.loads(self._file.test_sequence(
+            self.name, _core.How(mode=mode), _core.Bounds(timeout=timeout, memory=memory, states=states), cover,
+            one_cycle_each)))
+
+    def simulate(self, *, mode: str | None = None) -> Simulation:
+        return Simulation(self._file.simulate_chart(self.name, _core.How(mode=mode)))
+
+    def run(self, commands: str | Iterable[str], *, mode: str | None = None) -> Trace:
+        """What a script of `grafverif simulate`, or its commands, make of it."""
+        return self.simulate(mode=mode).do(*_lines(commands)).trace
+
+    def structured_text(self, *, mode: str | None = None, plcopen_xml: bool = False) -> str:
+        """The chart as a function block for a PLC (IEC 61131-3)."""
+        return self._file.structured_text(self.name, _core.How(mode=mode), plcopen_xml)
+
+
+class Loop:
+    """A closed loop of a file: controllers and their plant."""
+
+    def __init__(self, file: _core.File, name: str):
+        self._file = file
+        self.name = name
+
+    @property
+    def properties(self) -> list[str]:
+        return self._file.properties(self.name)
+
+    def __repr__(self) -> str:
+        return f"<Loop {self.name}>"
+
+    def check(self, *properties: str, mode: str | None = None, grain: str | None = None,
+              timeout: float | None = None, memory: int | None = None, states: int | None = None,
+              whole: bool = False) -> Report:
+        """Proves the properties of these names, or all, in real time. `timeout` in seconds, `memory` in bytes; at a
+        bound verdicts are unknown."""
+        return Report(self._file.check(self.name, _core.How(mode=mode, grain=grain), list(properties),
+                                       _core.Bounds(timeout=timeout, memory=memory, states=states), whole, False))
+
+    def check_untimed(self, *properties: str, mode: str | None = None, plant: str | None = None,
+                      schedule: str | None = None, time: str | None = None, fairness: bool = False,
+                      timeout: float | None = None, memory: int | None = None, states: int | None = None,
+                      whole: bool = False) -> Report:
+        """The same of the model without time; what that says of the real plant stands with each verdict."""
+        how = _core.How(mode=mode, plant=plant or ("automata" if schedule or time or fairness else None),
+                        schedule=schedule, time=time, fairness=fairness)
+        return Report(self._file.check(self.name, how, list(properties),
+                                       _core.Bounds(timeout=timeout, memory=memory, states=states), whole, True))
+
+    def simulate(self, *, mode: str | None = None, grain: str | None = None) -> Simulation:
+        return Simulation(self._file.simulate_loop(self.name, _core.How(mode=mode, grain=grain)))
+
+    def run(self, commands: str | Iterable[str], *, mode: str | None = None, grain: str | None = None) -> Trace:
+        """What a script of `grafverif simulate`, or its commands, make of it."""
+        return self.simulate(mode=mode, grain=grain).do(*_lines(commands)).trace
+
+    def uppaal(self, *, mode: str | None = None, grain: str | None = None) -> str:
+        """The UPPAAL project, queries and all."""
+        return self._file.uppaal(self.name, _core.How(mode=mode, grain=grain))
+
+    def nusmv(self, *, mode: str | None = None, plant: str | None = None, schedule: str | None = None,
+              time: str | None = None, fairness: bool = False) -> str:
+        return self._file.nusmv(self.name, _core.How(mode=mode, plant=plant, schedule=schedule, time=time,
+                                                     fairness=fairness))
+
+
+def _lines(commands: str | Iterable[str]) -> list[str]:
+    return commands.splitlines() if isinstance(commands, str) else list(commands)
+
+
+class File:
+    """A file and all it includes."""
+
+    def __init__(self, core: _core.File):
+        self._core = core
+        self.charts = {name: Chart(core, name) for name in core.charts()}
+        self.loops = {name: Loop(core, name) for name in core.loops()}
+        self.warnings = [Diagnostic(*each) for each in core.warnings()]
+
+    def chart(self, name: str | None = None) -> Chart:
+        """The chart of that name, or the only one."""
+        return self._one(self.charts, "chart", name)
+
+    def loop(self, name: str | None = None) -> Loop:
+        """The closed loop of that name, or the only one."""
+        return self._one(self.loops, "closed loop", name)
+
+    @staticmethod
+    def _one(things: dict[str, Any], what: str, name: str | None) -> Any:
+        if name is not None and name in things:
+            return things[name]
+        if name is None and len(things) == 1:
+            return next(iter(things.values()))
+        there = ", ".join(things) or "none"
+        raise KeyError(f"there is no {what} `{name}`; there is {there}" if name is not None
+                       else f"name the {what}; there is {there}")
+
+    def __repr__(self) -> str:
+        return f"<File: charts {', '.join(self.charts) or 'none'}; loops {', '.join(self.loops) or 'none'}>"
+
+
+def read(path: str | os.PathLike[str], *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False) -> File:
+    """Reads a file of any format that grafverif knows, and its includes, which are looked for in `include` too."""
+    return File(_core.File.read(os.fspath(path), [os.fspath(each) for each in include], lossy))
+
+
+def parse(text: str, name: str = "text", *, include: Iterable[str | os.PathLike[str]] = (),
+          lossy: bool = False) -> File:
+    """Reads a text; `name` stands for it in errors."""
+    return File(_core.File.parse(text, name, [os.fspath(each) for each in include], lossy))

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""What the module gives is what the program prints."""
+import json
+import os
+import pathlib
+import subprocess
+import xml.etree.ElementTree
+
+import grafverif
+import pytest
+
+root = pathlib.Path(__file__).parents[2]
+samples = root / "samples"
+station = samples / "testing_station/faulty.grafcet"
+tanks = samples / "tanks/tanks.grafcet"
+
+
+def printed(*arguments):
+    return subprocess.run([os.environ["GRAFVERIF_PROGRAM"], *map(str, arguments)], capture_output=True, text=True,
+                          check=False).stdout
+
+
+def timeless(text):
+    """JSON without what a clock measured."""
+    def without(value):
+        if isinstance(value, dict):
+            return {key: without(each) for key, each in value.items() if key not in ("seconds", "bytes")}
+        return [without(each) for each in value] if isinstance(value, list) else value
+
+    return without(json.loads(text) if isinstance(text, str) else text)
+
+
+@pytest.mark.parametrize("file", sorted(samples.glob("*/*.grafcet")), ids=lambda path: path.stem)
+def test_a_file_has_its_charts_and_loops(file):
+    read = grafverif.read(file)
+    assert read.charts and all(name in repr(read) for name in [*read.charts, *read.loops])
+    assert all(loop.properties for loop in read.loops.values())
+
+
+def test_verdicts_are_those_of_the_program():
+    report = grafverif.read(station).loop().check()
+    assert timeless(report.document) == timeless(printed("check", station, "--format", "json"))
+    assert report.as_expected and report["P16"].violated and report["P16"].as_expected and not report["P15"].violated
+    assert "P16" in str(report) and "counterexample" in str(report)
+
+
+def test_a_verdict_has_no_truth_value():
+    with pytest.raises(TypeError, match="neither true nor false"):
+        bool(grafverif.read(station).loop().check("P15")["P15"])
+
+
+def test_untimed_verdicts_are_those_of_the_program():
+    read = grafverif.read(tanks)
+    assert timeless(read.loop().check_untimed(schedule="synchronous").document) == timeless(
+        printed("check", tanks, "--untimed", "--schedule", "synchronous", "--format", "json"))
+    alone = read.chart().check_untimed()
+    assert alone["reachable.X7"].holds and alone["stabilises"].violated
+
+
+def test_a_trace_is_drawn_and_tabulated():
+    trace = grafverif.read(station).loop().check("P16")["P16"].trace
+    assert len(trace) > 20 and trace.steps[0].time_ms == 0 and trace[0].situation
+    assert [step.time_ms for step in trace] == sorted(step.time_ms for step in trace)
+    assert xml.etree.ElementTree.fromstring(trace._repr_svg_()).tag.endswith("svg")
+    assert "H_Act" in str(trace)
+    pandas = pytest.importorskip("pandas")
+    table = trace.frame()
+    assert isinstance(table, pandas.DataFrame) and len(table) == len(trace) and "V_G_OUT" in table.columns
+    assert list(grafverif.read(station).loop().check().frame()["name"])[:2] == ["P15", "P16"]
+
+
+def test_automata_and_tests_are_those_of_the_program():
+    chart = grafverif.read(tanks).chart()
+    assert chart.automaton().document == json.loads(printed("automaton", tanks, "--format", "json"))
+    assert chart.mealy(minimise=True).document == json.loads(printed("mealy", tanks, "--minimise", "--format", "json"))
+    test = chart.test_sequence(mode="every-cycle", cover="locations")
+    assert test.document == json.loads(
+        printed("testgen", tanks, "--mode", "every-cycle", "--cover", "locations", "--format", "json"))
+    assert len(test) == len(test.steps) > 1 and test.steps[0].sequence == 1
+    assert chart.automaton().drawing and "<svg" in chart.automaton()._repr_svg_()
+
+
+def test_an_analysis_is_that_of_the_program():
+    door = samples / "oven_door/oven_door.grafcet"
+    analysis = grafverif.read(door).chart().analyse()
+    assert timeless(analysis.document) == timeless(printed("analyse", door, "--format", "json"))
+    assert "action-race" in [each.code for each in analysis] and analysis.complete
+
+
+@pytest.mark.filterwarnings("ignore:property")  # what a language cannot ask
+def test_models_and_drawings_are_those_of_the_program():
+    read = grafverif.read(tanks)
+    assert read.loop().uppaal() == printed("uppaal", tanks, "-o", "-")
+    assert read.loop().nusmv(plant="automata") == printed("nusmv", tanks, "--plant", "automata", "-o", "-")
+    assert read.chart().draw().svg == printed("draw", tanks, "-o", "-")
+    assert read.chart().structured_text() == printed("st", tanks, "--format", "text")
+
+
+def test_a_simulation_obeys_and_undoes():
+    moved = grafverif.read(samples / "blinker/blinker.grafcet").chart().simulate()
+    assert moved.now.situation == ("0",)
+    moved.set(BUTTON=True)
+    assert moved.now.situation == ("1",) and moved.now.outputs == {"LAMP": True}
+    moved.wait(2)
+    assert moved.now.situation == ("2",) and moved.now.time_ms == 2000
+    moved.do("back")
+    assert moved.now.situation == ("1",) and not moved.is_trial
+    moved.do("force 0 on")
+    assert moved.is_trial
+    with pytest.raises(grafverif.SimulationError, match="NOTHING"):
+        moved.set(NOTHING=True)
+
+
+def test_a_script_gives_a_run():
+    loop = grafverif.read(samples / "blinker/blinker.grafcet").loop()
+    trace = loop.run("wait 1s\nBUTTON = true\nwait 2s\n")
+    assert {"1"} <= {step for row in trace for step in row.situation} and trace.steps[-1].time_ms == 3000
+    assert loop.simulate().wait(1).choices[0].command
