@@ -231,7 +231,7 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
         toggle(Accepts::Search, "untimed", &Options::check_untimed,
                "check the untimed model, with the symbolic engine or NuSMV"),
         toggle(Accepts::Search, "whole", &Options::whole,
-               "search the whole loop for every property, also where sub-loops share only time"),
+               "search the whole loop for every property, also where sub-loops share only time or cells decide it"),
         number(Accepts::Search, "max-states", "N", {}, &Options::max_states,
                "give up after N states (default: 500000000)"),
         number(Accepts::Search, "max-steps", "N", {}, &Options::max_steps,

@@ -27,7 +27,8 @@ std::string some_of(const std::vector<std::string>& names) {
 std::string scope_words(const Scope& scope) {
     if (scope.searched.empty()) return {};
     const bool one = scope.searched.size() == 1;
-    const std::string what = fmt::format("sub-loop{} {}", one ? "" : "s", some_of(scope.searched));
+    const std::string what =
+        fmt::format("{}{} {}", scope.cells ? "cell" : "sub-loop", one ? "" : "s", some_of(scope.searched));
     if (scope.left_out.empty()) return what + ", each by itself";
     const std::string rest = fmt::format("{} alone; left out: {}", what, some_of(scope.left_out));
     if (scope.because.empty()) return rest;

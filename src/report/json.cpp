@@ -42,7 +42,7 @@ Json property(const Report& report, const Answer& answer) {
                  {"trace", answer.trace ? trace_json(*answer.trace) : Json(nullptr)}};
     const Scope& scope = verdict.scope;
     if (!scope.searched.empty())
-        made["sub_loops"] = {
+        made[scope.cells ? "cells" : "sub_loops"] = {
             {"searched", scope.searched}, {"left_out", scope.left_out}, {"because", text_or_null(scope.because)}};
     return made;
 }

@@ -25,6 +25,11 @@ bool fails(const Answer& answer) {
     return verdict.outcome == Outcome::Unknown ? verdict.declared : !as_expected(verdict);
 }
 
+/// What is said of a property that nobody asks for: the model, or the command.
+const char* undeclared(const Verdict& verdict) {
+    return verdict.about.valid() ? " (not asked for)" : " (not declared)";
+}
+
 using Answers = std::vector<const Answer*>;
 
 /// Texts that several answers share, in the order of the first: a reason, a note.
@@ -142,7 +147,7 @@ private:
     static std::string name_in_full(const Answer& answer) {
         return printable(answer.place) + (answer.place.empty() ? "" : ": ") + answer.verdict.property +
                (answer.text.empty() ? "" : " \"" + printable(answer.text) + '"') +
-               (answer.verdict.declared ? "" : " (not declared)");
+               (answer.verdict.declared ? "" : undeclared(answer.verdict));
     }
 
     std::string in_full(const Answer& answer) const {
@@ -190,7 +195,7 @@ private:
             const Verdict& verdict = answer.verdict;
             const std::string family = family_of(answer), said = outcome(verdict);
             Row row{verdict.property, said, answer.place, answer.text, colour_of(verdict)};
-            if (!verdict.declared) row.property += " (not declared)";
+            if (!verdict.declared) row.property += undeclared(verdict);
             if (!family.empty() && said == word(Outcome::Holds)) {
                 if (!families.insert(family).second) continue;
                 row.property = family + steps_that_hold(family);

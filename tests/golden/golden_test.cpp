@@ -79,9 +79,11 @@ TEST_P(Golden, EveryStageIsAsReviewed) {
         expect_golden(folder / "5-model-with-plant.smv", nusmv_model(*with_plant, job.diagnostics));
     }
     EXPECT_FALSE(job.diagnostics.has_errors());
-    if (stem == "transfer_line") return;  // too many states for the timed engine
     CheckOptions options;
     options.witnesses = false;
+    if (stem == "transfer_line")  // the whole has too many states: what is safe is found out by cells
+        for (const Property& property : network->properties)
+            if (property.pattern == Pattern::Never) options.properties.push_back(property.name);
     const auto report = grafverif::check(*model, *loop, {}, options, job.diagnostics);
     ASSERT_TRUE(report);
     expect_golden(folder / "6-verdicts.txt", text_of(*report));

@@ -12,8 +12,10 @@ namespace {
 struct PartsGenerator {
     Random& random;
     Network network = {};
-    std::vector<Id<Network::Variable>> flags = {};   // of the part at hand
-    std::vector<Id<Network::Variable>> counts = {};  // likewise
+    std::vector<Id<Network::Variable>> flags = {};    // of the part at hand
+    std::vector<Id<Network::Variable>> counts = {};   // likewise
+    std::vector<Id<Network::Variable>> foreign = {};  // flags that any part may read
+    std::vector<Id<Network::Variable>> wakes = {};    // flags that any part may set
     bool closed = true;
 
     std::int64_t number(std::int64_t low, std::int64_t high) { return random_number(random, low, high); }
@@ -28,7 +30,9 @@ struct PartsGenerator {
         Exprs& exprs = network.exprs;
         if (!counts.empty() && often(25))
             return exprs.apply(often(50) ? Op::Less : Op::Equal, leaf(pick(counts)), exprs.integer(number(0, 3)));
-        const Id<Expr> one = leaf(pick(flags));
+        const Id<Expr> one = leaf(pick(!foreign.empty() && often(45) ? foreign : flags));
+        if (!foreign.empty() && often(25))
+            return often(50) ? exprs.conjunction(one, condition()) : exprs.disjunction(one, condition());
         return often(40) ? exprs.negation(one) : one;
     }
 
@@ -39,6 +43,8 @@ struct PartsGenerator {
             const Id<Expr> flag = leaf(pick(flags));
             list.push_back({flag, often(50) ? exprs.negation(flag) : exprs.constant(often(50))});
         }
+        if (!foreign.empty() && often(30)) list.push_back({leaf(pick(flags)), condition()});
+        if (!wakes.empty() && often(35)) list.push_back({leaf(pick(wakes)), exprs.constant(often(70))});
         if (!counts.empty() && often(40)) {
             const Id<Expr> count = leaf(pick(counts));
             const Id<Expr> more = exprs.apply(Op::Plus, count, exprs.integer(1));
@@ -95,6 +101,11 @@ struct PartsGenerator {
     }
 
     void add_part(int part) {
+        add_variables(part);
+        add_processes(part);
+    }
+
+    void add_variables(int part) {
         const std::string name = "p" + std::to_string(part);
         flags.clear();
         counts.clear();
@@ -103,6 +114,10 @@ struct PartsGenerator {
                 network.variables.add({.name = name + "_f" + std::to_string(k), .initial = often(30) ? 1 : 0}));
         if (often(40))
             counts.push_back(network.variables.add({.name = name + "_n", .type = integer_type(0, 3), .initial = 0}));
+    }
+
+    void add_processes(int part) {
+        const std::string name = "p" + std::to_string(part);
         const std::size_t first = network.processes.size();
         for (std::int64_t k = number(1, 2); k > 0; --k) add_process(name + "_a" + std::to_string(k));
         network.settled = network.exprs.conjunction(network.settled, settled_of(first));
@@ -119,6 +134,32 @@ Network random_parts(Random& random, int parts) {
     generator.closed = chance(random, 85);
     if (chance(random, 25)) network.race = network.variables.add({.name = "race", .role = Network::Role::Flag});
     for (int part = 0; part < parts; ++part) generator.add_part(part);
+    return std::move(network);
+}
+
+Network random_cells(Random& random, int cells) {
+    PartsGenerator generator{random};
+    Network& network = generator.network;
+    network.name = "cells";
+    network.settled = network.exprs.constant(true);
+    generator.closed = chance(random, 85);
+    if (chance(random, 15)) network.race = network.variables.add({.name = "race", .role = Network::Role::Flag});
+    std::vector<std::vector<Id<Network::Variable>>> flags, counts;
+    std::vector<Id<Network::Variable>> all;
+    for (int cell = 0; cell < cells; ++cell) {
+        generator.add_variables(cell);
+        flags.push_back(generator.flags);
+        counts.push_back(generator.counts);
+        all.insert(all.end(), generator.flags.begin(), generator.flags.end());
+    }
+    if (chance(random, 50)) generator.wakes.push_back(network.variables.add({.name = "wake"}));
+    all.insert(all.end(), generator.wakes.begin(), generator.wakes.end());
+    generator.foreign = all;
+    for (int cell = 0; cell < cells; ++cell) {
+        generator.flags = flags[static_cast<std::size_t>(cell)];
+        generator.counts = counts[static_cast<std::size_t>(cell)];
+        generator.add_processes(cell);
+    }
     return std::move(network);
 }
 

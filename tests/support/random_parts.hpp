@@ -13,6 +13,10 @@ namespace grafverif {
 /// A network of `parts` parts, with `settled` and, now and then, `race`; without properties.
 Network random_parts(Random& random, int parts);
 
+/// The same, but parts read each other's flags, assign what they read, and set flags that are nobody's: `cells` cells
+/// or more of a network without controllers.
+Network random_cells(Random& random, int cells);
+
 /// Adds properties of every kind: of single parts, of two of them, of all moves and of settled states.
 void ask_of_parts(Network& network, Random& random);
 

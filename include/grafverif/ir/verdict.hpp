@@ -58,9 +58,10 @@ enum class Obstacle {
 
 /// What a verdict was found in, where that is not the whole network.
 struct Scope {
-    std::vector<std::string> searched = {};  ///< sub-loops by name; none: the whole
+    std::vector<std::string> searched = {};  ///< parts by name; none: the whole
     std::vector<std::string> left_out = {};  ///< the others; none: those searched are all, each by itself
     std::string because = {};                ///< why these have no say
+    bool cells = false;                      ///< the parts are cells, else sub-loops
     bool operator==(const Scope&) const = default;
 };
 

@@ -61,7 +61,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     timed::Watch watch;
     timed::Questions questions(flat, machine, watch);
     const Property timelock = timed::undeclared_timelock(flat);
-    bool timelock_asked = false;
+    bool timelock_asked = !options.timelock;
     for (const Id<Property> id : flat.properties.ids()) {
         const Property& property = flat.properties[id];
         if (!timed::asked(options, property)) continue;

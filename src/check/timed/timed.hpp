@@ -46,6 +46,7 @@ struct TimedOptions {
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< set by somebody else: end with what is known
     bool keep_links = true;                   ///< false: less memory, several times the work for liveness
+    bool timelock = true;                     ///< false: not decided where nobody asks
     bool premises = false;                    ///< find out TimedResult::premises
     std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
     bool profile = false;  ///< asks for TimedResult::profile, whatever the search comes to

@@ -243,7 +243,8 @@ TEST(Bounds, WhatIsKnownByThenIsTold) {
         text += "    environment B" + std::to_string(i) + " = push_button(OUT = b" + std::to_string(i) + ");\n";
     const std::string chart =
         folder.write("g.grafcet", text + "    property early: never X1;\n    property late: never X0 && X1;\n}\n");
-    const std::vector<std::string> command = {"check", chart, "--format", "json", "--junit", folder.file("report.xml")};
+    const std::vector<std::string> command = {
+        "check", chart, "--whole", "--format", "json", "--junit", folder.file("report.xml")};
     const auto expect_partial = [&](const Ended& ended, const std::string& why) {
         SCOPED_TRACE(why);
         EXPECT_EQ(ended.code, 1) << ended.err;  // a verdict against expectation is one, whatever is unknown

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#include "check/cells/cells.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "check/cells/faults.hpp"
+#include "check/timed/questions.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Cells = std::vector<std::uint32_t>;
+
+const char* const settled_probe = "some state is settled";
+
+bool about_single_states(const Property& property) {
+    return property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
+           property.pattern == Pattern::ExactlyOneOf || property.pattern == Pattern::Reachable;
+}
+
+bool wanted(const Property& property) { return property.pattern == Pattern::Reachable; }
+
+/// Some cells, and what is asked of them: indices of verdicts.
+struct Task {
+    Cells cells = {};
+    std::vector<std::size_t> asked = {};
+};
+
+class ByCells {
+public:
+    ByCells(const Network& network, const NetworkCells& cells, const TimedOptions& options, const CellLimits& limits,
+            const LocalAblations& ablations)
+        : network_(network), cells_(cells), options_(options), limits_(limits), ablations_(ablations) {}
+
+    TimedResult result() {
+        look_at_whole();
+        if (!goes_on()) return std::move(result_);
+        // Else what holds by cells may be what the whole leaves unknown, or calls vacuous.
+        if (result_.errors.empty() && result_.time_passes) ask();
+        if (tasks_.empty()) return search_whole();
+        may_err_ = cells_that_may_err(network_, cells_);
+        if (may_err_.contains(NetworkCells::none)) return search_whole();
+        search_locally();
+        for (const std::uint32_t cell : may_err_)
+            if (!faultless_.contains(cell) && !ablations_.break_off) return search_whole();
+        take_local();
+        if (needs_whole()) return search_whole();
+        if (!options_.profile) result_.profile.reset();
+        return std::move(result_);
+    }
+
+private:
+    void look_at_whole();
+    bool goes_on() const;
+    void ask();
+    void search_locally();
+    void search(const Task& task);
+    void widen(const LocalNetwork& local, Task task);
+    void take_local();
+    bool needs_whole();
+    TimedResult search_whole();
+
+    const Network& network_;
+    const NetworkCells& cells_;
+    const TimedOptions& options_;
+    const CellLimits& limits_;
+    const LocalAblations& ablations_;
+    TimedResult result_ = {};
+    bool ever_settled_ = false;
+    std::vector<std::optional<Property>> questions_ = {};  // per verdict, what cells may tell of
+    std::deque<Task> tasks_ = {};
+    std::map<std::size_t, Verdict> found_ = {};  // by cells
+    std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
+};
+
+/// As many states of the whole as are soon looked at: all of them, most often, and near ones that decide much.
+void ByCells::look_at_whole() {
+    Network probed = network_;
+    Property probe{.name = settled_probe, .pattern = Pattern::Reachable, .at_stable = true};
+    probe.operands.push_back(probed.exprs.constant(true));
+    probed.properties.add(std::move(probe));
+    TimedOptions first = options_;
+    if (!first.properties.empty()) first.properties.emplace_back(settled_probe);
+    first.max_states = std::min(options_.max_states, limits_.whole);
+    result_ = check_timed(probed, first);
+    const auto settled = std::ranges::find(result_.verdicts, settled_probe, &Verdict::property);
+    ever_settled_ = settled->outcome == Outcome::Holds;
+    result_.verdicts.erase(settled);
+}
+
+/// Whether the bound on the first look is all that ended it.
+bool ByCells::goes_on() const {
+    return std::ranges::any_of(result_.verdicts,
+                               [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Bound; });
+}
+
+void ByCells::ask() {
+    std::map<Cells, std::vector<std::size_t>> groups;
+    for (std::size_t k = 0; k < result_.verdicts.size(); ++k) {
+        const Verdict& verdict = result_.verdicts[k];
+        questions_.emplace_back();
+        if (verdict.obstacle != Obstacle::Bound || !verdict.about.valid()) continue;
+        Property property = network_.properties[verdict.about];
+        if (property.pattern == Pattern::ReachableAllSteps || !about_single_states(property)) continue;
+        if (property.at_stable && !ever_settled_) continue;
+        const Cells read = cells_read(network_, cells_, property);
+        if (read.empty() || read.size() == cells_.count) continue;
+        questions_[k] = std::move(property);
+        groups[read].push_back(k);
+    }
+    for (auto& [read, asked] : groups) tasks_.push_back({read, std::move(asked)});
+}
+
+/// Each question in the cells that it reads; and each cell that may break off, in itself.
+void ByCells::search_locally() {
+    std::set<std::uint32_t> looked_at;
+    const auto work = [&] {
+        for (; !tasks_.empty(); tasks_.pop_front()) {
+            looked_at.insert(tasks_.front().cells.begin(), tasks_.front().cells.end());
+            search(tasks_.front());
+        }
+    };
+    work();
+    for (const std::uint32_t cell : may_err_) {
+        if (found_.empty()) return;
+        if (!faultless_.contains(cell)) tasks_.push_back({{cell}, {}});
+        work();
+    }
+}
+
+void ByCells::search(const Task& task) {
+    std::vector<Property> properties;
+    for (const std::size_t k : task.asked) properties.push_back(*questions_[k]);
+    const LocalNetwork local = localized(network_, cells_, task.cells, properties, ablations_);
+    if (!local.made) return widen(local, task);
+    TimedOptions options = options_;
+    options.properties = {};
+    options.timelock = false;
+    options.many = {};
+    options.max_states = std::min(options_.max_states, limits_.local);
+    const TimedResult found = check_timed(local.network, options);
+    result_.states += found.states;
+    result_.transitions += found.transitions;
+    result_.bytes = std::max(result_.bytes, found.bytes);
+    result_.seconds += found.seconds;
+    if (!found.complete) return;
+    if (!found.errors.empty() && !ablations_.break_off) return widen(local, task);
+    faultless_.insert(task.cells.begin(), task.cells.end());
+    Task open{task.cells, {}};
+    for (std::size_t i = 0; i < task.asked.size(); ++i) {
+        const std::size_t k = task.asked[i];
+        const Verdict& verdict = found.verdicts[i];
+        const Outcome carries = wanted(*questions_[k]) ? Outcome::Violated : Outcome::Holds;
+        if (verdict.outcome == carries) {
+            Verdict& kept = found_[k] = verdict;
+            kept.scope.cells = true;
+            for (std::uint32_t cell = 0; cell < cells_.count; ++cell)
+                (std::ranges::binary_search(task.cells, cell) ? kept.scope.searched : kept.scope.left_out)
+                    .push_back(cells_.names[cell]);
+            kept.scope.because = "is taken to do anything at any moment, which takes no run away";
+        } else {
+            open.asked.push_back(k);
+        }
+    }
+    if (!open.asked.empty()) widen(local, std::move(open));
+}
+
+/// The same with the cells whose values it reads: those of its borders, and last those that keep its PLCs from being stable.
+void ByCells::widen(const LocalNetwork& local, Task task) {
+    const auto with = [&](const Cells& more) {
+        Cells all;
+        std::ranges::set_union(task.cells, more, std::back_inserter(all));
+        return all;
+    };
+    Cells wider = with(local.borders);
+    if (wider == task.cells) wider = with(local.tied);
+    if (wider == task.cells || wider.size() == cells_.count) return;
+    task.cells = std::move(wider);
+    tasks_.push_back(std::move(task));
+}
+
+void ByCells::take_local() {
+    for (auto& [k, found] : found_) {
+        Verdict& verdict = result_.verdicts[k];
+        verdict.outcome = found.outcome;
+        verdict.obstacle = Obstacle::None;
+        verdict.reason.clear();
+        verdict.states = std::move(found.states);
+        verdict.transitions = found.transitions;
+        verdict.scope = std::move(found.scope);
+    }
+}
+
+/// Whether something that was asked for is open; that time is never locked is said without being asked, where the whole
+/// is searched anyway.
+bool ByCells::needs_whole() {
+    bool needed = false;
+    for (Verdict& verdict : result_.verdicts) {
+        if (verdict.outcome != Outcome::Unknown) continue;
+        const bool named = std::ranges::find(options_.properties, verdict.property) != options_.properties.end();
+        verdict.declared = verdict.declared && (options_.properties.empty() || named);
+        needed = needed || verdict.declared;
+        if (!verdict.declared)
+            verdict.reason =
+                "nothing that was asked needs the whole loop, of which " + verdict.states + " states were looked at";
+    }
+    return needed;
+}
+
+/// What cells did not decide. Where the first look was as far as is allowed, it is not done again.
+TimedResult ByCells::search_whole() {
+    if (options_.max_states <= limits_.whole) return std::move(result_);
+    TimedOptions options = options_;
+    const auto by_cells = [](const Verdict& verdict) { return !verdict.scope.searched.empty(); };
+    if (std::ranges::any_of(result_.verdicts, by_cells)) {
+        options.properties.clear();
+        for (const Verdict& verdict : result_.verdicts)
+            if (!by_cells(verdict) && verdict.about.valid())
+                options.properties.push_back(network_.properties[verdict.about].name);
+    }
+    TimedResult whole = check_timed(network_, options);
+    for (Verdict& verdict : result_.verdicts)
+        if (!by_cells(verdict)) verdict = *std::ranges::find(whole.verdicts, verdict.property, &Verdict::property);
+    whole.verdicts = std::move(result_.verdicts);
+    return whole;
+}
+
+}  // namespace
+
+TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options, const CellLimits& limits,
+                                 const LocalAblations& ablations) {
+    const bool asked = std::ranges::any_of(network.properties, [&](const Property& property) {
+        return timed::asked(options, property) && about_single_states(property);
+    });
+    if (!asked || options.premises) return check_timed(network, options);
+    const Network flat = expand(network);
+    const NetworkCells cells = cells_of(flat);
+    if (cells.count < 2 || !terms_have_values(flat)) return check_timed(network, options);
+    return ByCells(flat, cells, options, limits, ablations).result();
+}
+
+}  // namespace grafverif

@@ -1,0 +1,478 @@
+// SPDX-License-Identifier: MIT
+// A local network. A term that reads what is free becomes a term over *choices*: each of its greatest subterms that read
+// nothing else is one choice, the free operands of an And or Or together (leaves Parameter while an edge is made). The
+// edge then stands once per value of its choices.
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "ir/interval.hpp"
+#include "ir/literal.hpp"
+#include "ir/network_cells.hpp"
+#include "ir/slots.hpp"
+
+namespace grafverif {
+
+namespace {
+
+constexpr std::int64_t most_copies = 256;  // of one edge
+
+/// What a term reads.
+enum : std::uint8_t { Kept = 1, Free = 2 };
+
+/// The operands of a junction `op`; of another term itself.
+std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term, Op op) {
+    if (exprs[term].op != op) return {term};
+    const auto operands = exprs.operands(term);
+    return {operands.begin(), operands.end()};
+}
+
+class LocalBuilder {
+public:
+    LocalBuilder(const Network& network, const NetworkCells& cells, const std::vector<std::uint32_t>& chosen,
+                 const LocalAblations& ablations)
+        : whole_(network),
+          cells_(cells),
+          chosen_(chosen),
+          ablations_(ablations),
+          process_(network.processes.size(), none),
+          variable_(network.variables.size(), none),
+          copy_(network.exprs, made_.network.exprs, [this](const Expr& node) { return leaf(node); }) {}
+
+    LocalNetwork build(const std::vector<Property>& properties) {
+        made_.network.name = whole_.name;
+        made_.network.grain = whole_.grain;
+        made_.network.time_unit_ms = whole_.time_unit_ms;
+        choose_processes();
+        choose_variables(properties);
+        reads_ = reads(false);
+        reads_resting_ = reads(true);
+        for (const Id<Network::Process> id : whole_.processes.ids())
+            if (kept(id)) add_process(id);
+        add_rest();
+        for (const Network::Controller& controller : whole_.controllers)
+            if (kept(controller.process)) add_controller(controller);
+        if (whole_.race.valid() && kept(whole_.race)) made_.network.race = here(whole_.race);
+        add_properties(properties);
+        made_.borders.assign(borders_.begin(), borders_.end());
+        made_.tied.assign(tied_.begin(), tied_.end());
+        return std::move(made_);
+    }
+
+private:
+    static constexpr std::uint32_t none = NetworkCells::none;
+
+    /// A value that is free within an edge. Between two writes of what it reads, the same terms have the same value.
+    struct Choice {
+        std::vector<Id<Expr>> terms = {};  // of the whole
+        Op op = Op::And;                   // between them
+        std::size_t writes = 0;            // of the edge, the last one of what they read
+        std::int64_t low = 0, high = 1;
+        bool boolean = true;
+
+        bool is(const Choice& other) const { return terms == other.terms && op == other.op && writes == other.writes; }
+    };
+
+    bool kept(Id<Network::Process> id) const { return process_[id.index] != none; }
+    bool kept(Id<Network::Variable> id) const { return variable_[id.index] != none; }
+    bool chosen(std::uint32_t cell) const { return std::ranges::binary_search(chosen_, cell); }
+    /// Whether it is free, but has one value wherever time passes.
+    bool rests(Id<Network::Variable> id) const {
+        const std::uint32_t process = cells_.resting[id.index].process;
+        return !kept(id) && process != none && process_[process] == none;
+    }
+    Id<Network::Variable> variable_of(Id<Expr> leaf) const {
+        return {static_cast<std::uint32_t>(whole_.exprs[leaf].value)};
+    }
+
+    void choose_processes();
+    void choose_variables(const std::vector<Property>& properties);
+    std::vector<std::uint8_t> reads(bool resting) const;
+
+    Id<Expr> leaf(const Expr& node);
+    Id<Network::Variable> here(Id<Network::Variable> variable) const { return {variable_[variable.index]}; }
+
+    void add_process(Id<Network::Process> id);
+    void add_rest();
+    void add_edge(const Slots& slots, const Network::Edge& edge, bool of_rest, Network::Template& to);
+    void add_copies(const Network::Edge& free, Id<Expr> always, Network::Template& to);
+    bool as_at_first() const;
+    void add_controller(const Network::Controller& controller);
+    void add_properties(const std::vector<Property>& properties);
+
+    void start_edge();
+    Id<Expr> over_choices(Id<Expr> term);
+    Id<Expr> mixed(Id<Expr> term);
+    Id<Expr> choice(std::vector<Id<Expr>> terms, Op op);
+    std::optional<Network::Assignment> assignment(const Network::Assignment& written);
+    bool next_values();
+    Id<Expr> chosen_value(Id<Expr> term);
+    Id<Expr> enabled_by_all(Id<Expr> guard, std::size_t choices);
+
+    const Network& whole_;
+    const NetworkCells& cells_;
+    const std::vector<std::uint32_t>& chosen_;
+    LocalAblations ablations_;
+    LocalNetwork made_ = {};
+    std::vector<std::uint32_t> process_ = {};       // of the whole -> here
+    std::vector<std::uint32_t> variable_ = {};      // likewise
+    std::vector<std::uint8_t> reads_ = {};          // per term of the whole
+    std::vector<std::uint8_t> reads_resting_ = {};  // the same where time passes: what rests is no longer free
+    std::set<std::uint32_t> borders_ = {}, tied_ = {};
+    TermCopier copy_;
+
+    // of the edge at hand
+    std::vector<Choice> choices_ = {};
+    std::vector<std::int64_t> values_ = {};                      // one per choice
+    std::map<Id<Network::Variable>, std::size_t> written_ = {};  // free variables: by which of its writes last
+    std::size_t writes_ = 0;                                     // of free variables, up to here
+    bool of_flag_ = false;                                       // the term at hand is a flag's value
+    bool at_rest_ = false;                                       // it is read as it is where time passes
+    using Copy = std::tuple<bool, Id<Expr>, std::vector<Id<Expr>>>;
+    std::set<Copy> copies_ = {};  // of it, made already
+};
+
+/// A PLC is kept where a chosen cell has a part of it.
+void LocalBuilder::choose_processes() {
+    std::uint32_t count = 0;
+    for (const Id<Network::Process> id : whole_.processes.ids()) {
+        bool keep = cells_.of_process[id.index] != none && chosen(cells_.of_process[id.index]);
+        if (cells_.of_process[id.index] == none)
+            for (const Id<Network::Variable> variable : Slots(whole_, id).written())
+                keep =
+                    keep || (cells_.of_variable[variable.index] != none && chosen(cells_.of_variable[variable.index]));
+        if (keep) process_[id.index] = count++;
+    }
+}
+
+/// Of the variables of the chosen cells and of those that are nobody's: what is read by what is kept; integers, which may
+/// leave their range; and `race`.
+void LocalBuilder::choose_variables(const std::vector<Property>& properties) {
+    std::vector<std::vector<Id<Expr>>> values(whole_.variables.size());  // assigned by what is kept
+    std::vector<Id<Network::Variable>> todo;
+    std::vector<bool> needed(whole_.variables.size(), false);
+    const auto need = [&](Id<Network::Variable> variable) {
+        const std::uint32_t cell = cells_.of_variable[variable.index];
+        if (needed[variable.index] || (cell != none && !chosen(cell))) return;
+        needed[variable.index] = true;
+        todo.push_back(variable);
+    };
+    const auto need_all = [&](Id<Expr> term) {
+        for (const Id<Expr> leaf : leaves(whole_.exprs, term))
+            if (whole_.exprs[leaf].op == Op::Variable) need(variable_of(leaf));
+    };
+    for (const Id<Network::Process> id : whole_.processes.ids()) {
+        const Slots slots(whole_, id);
+        for (const Network::Edge& edge : slots.automaton.edges) {
+            if (kept(id)) need_all(edge.guard);
+            for (const Network::Assignment& assignment : slots.assignments(edge)) {
+                const Id<Network::Variable> target = variable_of(assignment.target);
+                if (!kept(id) && target != whole_.race) continue;
+                values[target.index].push_back(assignment.value);
+                if (target == whole_.race || !whole_.variables[target].type.boolean) need(target);
+            }
+        }
+    }
+    bool settled = false;
+    for (const Property& property : properties) {
+        settled = settled || property.at_stable;
+        for (const Id<Expr> operand : property.operands) need_all(operand);
+    }
+    if (settled && whole_.settled.valid()) need_all(whole_.settled);
+    for (; !todo.empty();) {
+        const Id<Network::Variable> variable = todo.back();
+        todo.pop_back();
+        for (const Id<Expr> value : values[variable.index]) need_all(value);
+    }
+    for (const Id<Network::Variable> id : whole_.variables.ids())
+        if (needed[id.index]) variable_[id.index] = made_.network.variables.add(whole_.variables[id]).index;
+}
+
+/// Operands come before what they are operands of.
+std::vector<std::uint8_t> LocalBuilder::reads(bool resting) const {
+    std::vector<std::uint8_t> all(whole_.exprs.size(), 0);
+    for (std::uint32_t index = 0; index < all.size(); ++index) {
+        const Expr& node = whole_.exprs[Id<Expr>{index}];
+        const Id<Network::Variable> variable{static_cast<std::uint32_t>(node.value)};
+        if (node.op == Op::At) all[index] = process_[at_process(node)] != none ? Kept : Free;
+        if (node.op == Op::Variable && !(resting && rests(variable))) all[index] = kept(variable) ? Kept : Free;
+        for (const Id<Expr> operand : whole_.exprs.operands(Id<Expr>{index})) all[index] |= all[operand.index];
+    }
+    return all;
+}
+
+/// Of a term that reads nothing free, or only what rests.
+Id<Expr> LocalBuilder::leaf(const Expr& node) {
+    Exprs& exprs = made_.network.exprs;
+    if (node.op == Op::At) return exprs.at(process_[at_process(node)], at_location(node));
+    return exprs.leaf(Op::Variable, variable_[static_cast<std::size_t>(node.value)]);
+}
+
+void LocalBuilder::start_edge() {
+    choices_.clear();
+    written_.clear();
+    writes_ = 0;
+}
+
+Id<Expr> LocalBuilder::over_choices(Id<Expr> term) {
+    const std::uint8_t read = at_rest_ ? reads_resting_[term.index] : reads_[term.index];
+    if (!at_rest_ && (read & Free) == 0) return copy_(term);
+    if (read == Free && whole_.exprs[term].op != Op::Not) return choice({term}, Op::And);
+    return mixed(term);
+}
+
+Id<Expr> LocalBuilder::mixed(Id<Expr> term) {
+    const Expr node = whole_.exprs[term];
+    Exprs& exprs = made_.network.exprs;
+    if (node.op == Op::Variable) {
+        const Id<Network::Variable> variable{static_cast<std::uint32_t>(node.value)};
+        return kept(variable) ? leaf(node) : exprs.constant(cells_.resting[variable.index].value);
+    }
+    if (node.count == 0) return copy_(term);
+    const bool junction = node.op == Op::And || node.op == Op::Or;
+    std::vector<Id<Expr>> operands, free;
+    for (const Id<Expr> operand : whole_.exprs.operands(term)) {
+        const std::uint8_t read = at_rest_ ? reads_resting_[operand.index] : reads_[operand.index];
+        if (junction && read == Free) free.push_back(operand);
+        else operands.push_back(over_choices(operand));
+    }
+    if (free.size() == 1) operands.push_back(over_choices(free.front()));
+    else if (!free.empty()) operands.push_back(choice(std::move(free), node.op));
+    return exprs.apply(node.op, operands);
+}
+
+Id<Expr> LocalBuilder::choice(std::vector<Id<Expr>> terms, Op op) {
+    Choice made{std::move(terms), op};
+    for (const Id<Expr> term : made.terms)
+        for (const Id<Expr> leaf : leaves(whole_.exprs, term)) {
+            const Id<Network::Variable> variable = variable_of(leaf);
+            if (const auto written = written_.find(variable); written != written_.end())
+                made.writes = std::max(made.writes, written->second);
+            const std::uint32_t cell = cells_.of_variable[variable.index];
+            if (cell == none) continue;
+            tied_.insert(cell);
+            if (!of_flag_) borders_.insert(cell);
+        }
+    const auto known = std::ranges::find_if(choices_, [&](const Choice& other) { return other.is(made); });
+    const auto index = static_cast<std::uint32_t>(known - choices_.begin());
+    if (known == choices_.end()) {
+        Id<Expr> shape = made.terms.front();
+        while (whole_.exprs[shape].op == Op::Conditional) shape = whole_.exprs.operands(shape)[1];
+        const Expr& node = whole_.exprs[shape];
+        made.boolean = node.op == Op::Variable ? whole_.variables[variable_of(shape)].type.boolean
+                                               : !is_arithmetic(node.op) && node.op != Op::Integer;
+        if (!made.boolean) {
+            const Interval values = interval(whole_.exprs, made.terms.front(), [this](const Expr& leaf) {
+                return whole_.variables[{static_cast<std::uint32_t>(leaf.value)}].type;
+            });
+            made.low = values.low;
+            made.high = values.high;
+        }
+        choices_.push_back(std::move(made));
+    }
+    return made_.network.exprs.leaf(Op::Parameter, index);
+}
+
+/// Empty: nothing that is kept is written. A race of what is left out ends runs, so that there is none is allowed.
+std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assignment& written) {
+    const Id<Network::Variable> target = variable_of(written.target);
+    if (!kept(target)) {
+        written_[target] = ++writes_;
+        return {};
+    }
+    of_flag_ = whole_.variables[target].role == Network::Role::Flag;
+    Network::Assignment made{copy_(written.target), {}};
+    if (target == whole_.race) {
+        std::vector<Id<Expr>> reasons;
+        for (const Id<Expr> reason : operands_of(whole_.exprs, written.value, Op::Or))
+            if (reads_[reason.index] != Free) reasons.push_back(over_choices(reason));
+        made.value = made_.network.exprs.disjunction(reasons);
+    } else {
+        made.value = over_choices(written.value);
+    }
+    of_flag_ = false;
+    return made.value == made.target ? std::nullopt : std::optional(made);
+}
+
+/// The next values of all choices; false: these were the last.
+bool LocalBuilder::next_values() {
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+        if (++values_[k] <= choices_[k].high) return true;
+        values_[k] = choices_[k].low;
+    }
+    return false;
+}
+
+/// A term over choices, with the values at hand.
+Id<Expr> LocalBuilder::chosen_value(Id<Expr> term) {
+    if (choices_.empty()) return term;
+    Exprs& exprs = made_.network.exprs;
+    return translate(exprs, term, exprs, [&](const Expr& node) {
+        const auto index = static_cast<std::uint32_t>(node.value);
+        if (node.op != Op::Parameter) return exprs.leaf(node.op, index);
+        return literal(exprs, {.boolean = choices_[index].boolean}, values_[index]);
+    });
+}
+
+/// Where the guard holds for all values of the first `choices`.
+Id<Expr> LocalBuilder::enabled_by_all(Id<Expr> guard, std::size_t choices) {
+    values_.clear();
+    for (std::size_t k = 0; k < choices; ++k) values_.push_back(choices_[k].low);
+    std::vector<Id<Expr>> all;
+    do all.push_back(chosen_value(guard));
+    while (next_values());
+    Exprs& exprs = made_.network.exprs;
+    return ablations_.urgent_where_possible ? exprs.disjunction(all) : exprs.conjunction(all);
+}
+
+void LocalBuilder::add_edge(const Slots& slots, const Network::Edge& edge, bool of_rest, Network::Template& to) {
+    const auto few = [this] {
+        std::int64_t copies = 1;
+        for (const Choice& choice : choices_) {
+            const std::int64_t most = most_copies / copies;
+            if (choice.low < least_integer || choice.high > greatest_integer) return false;
+            if (choice.high - choice.low >= most) return false;
+            copies *= choice.high - choice.low + 1;
+        }
+        return true;
+    };
+    Id<Expr> always = made_.network.exprs.constant(false);
+    if (edge.urgent && !of_rest) {
+        start_edge();
+        at_rest_ = true;
+        const Id<Expr> guard = over_choices(edge.guard);
+        at_rest_ = false;
+        if (!few()) return void(made_.made = false);
+        always = enabled_by_all(guard, choices_.size());
+    }
+    start_edge();
+    Network::Edge free{.from = {0}, .to = {0}, .guard = over_choices(edge.guard)};
+    for (const Network::Assignment& written : slots.assignments(edge))
+        if (auto made = assignment(written)) free.assignments.push_back(*made);
+    if (of_rest && free.assignments.empty()) return;
+    if (!few()) return void(made_.made = false);
+    if (!of_rest) {
+        free.from = edge.from;
+        free.to = edge.to;
+        free.resets = edge.resets;
+        for (Network::ClockConstraint constraint : edge.constraint) {
+            constraint.bound = copy_(constraint.bound);
+            free.constraint.push_back(constraint);
+        }
+    }
+    free.origin = edge.origin;
+    add_copies(free, always, to);
+}
+
+void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Network::Template& to) {
+    Exprs& exprs = made_.network.exprs;
+    values_.clear();
+    for (const Choice& choice : choices_) values_.push_back(choice.low);
+    do {
+        if (ablations_.steady && !as_at_first()) continue;
+        Network::Edge copy = free;
+        for (Network::Assignment& assignment : copy.assignments) assignment.value = chosen_value(assignment.value);
+        std::erase_if(copy.assignments, [](const auto& assignment) { return assignment.target == assignment.value; });
+        std::vector<Id<Expr>> effect;
+        for (const Network::Assignment& assignment : copy.assignments) {
+            effect.push_back(assignment.target);
+            effect.push_back(assignment.value);
+        }
+        const auto add = [&](Id<Expr> guard, bool urgent) {
+            if (is_false(exprs, guard) || !copies_.emplace(urgent, guard, effect).second) return;
+            copy.guard = guard;
+            copy.urgent = urgent;
+            to.edges.add(copy);
+        };
+        const Id<Expr> guard = chosen_value(free.guard);
+        add(exprs.conjunction(always, guard), true);
+        if (guard != always) add(guard, false);
+    } while (next_values());
+}
+
+/// Whether the values at hand are those of the initial state.
+bool LocalBuilder::as_at_first() const {
+    for (std::size_t k = 0; k < choices_.size(); ++k) {
+        const bool any = choices_[k].op == Op::Or;
+        std::int64_t first = any ? 0 : 1;
+        for (const Id<Expr> term : choices_[k].terms) {
+            const std::int64_t value = evaluate(whole_.exprs, term, [this](const Expr& leaf) {
+                                           return whole_.variables[{static_cast<std::uint32_t>(leaf.value)}].initial;
+                                       }).value_or(0);
+            first = choices_[k].terms.size() == 1 ? value : any ? std::max(first, value) : std::min(first, value);
+        }
+        if (first != values_[k]) return false;
+    }
+    return true;
+}
+
+void LocalBuilder::add_process(Id<Network::Process> id) {
+    const Slots slots(whole_, id);
+    Network::Template automaton{.name = slots.automaton.name,
+                                .clocks = slots.automaton.clocks,
+                                .locations = slots.automaton.locations,
+                                .initial = slots.automaton.initial,
+                                .origin = slots.automaton.origin};
+    for (Network::Location& location : automaton.locations)
+        for (Network::ClockConstraint& bound : location.invariant) bound.bound = copy_(bound.bound);
+    for (const Network::Edge& edge : slots.automaton.edges) {
+        copies_.clear();
+        add_edge(slots, edge, false, automaton);
+    }
+    Network::Process process = slots.process;
+    process.automaton = made_.network.templates.add(std::move(automaton));
+    made_.network.processes.add(std::move(process));
+}
+
+/// What is left out, as far as it writes what is kept: at any moment, whatever its clocks and locations are.
+void LocalBuilder::add_rest() {
+    Network::Template rest{.name = "rest", .initial = {0}};
+    rest.locations.add({.name = "any"});
+    copies_.clear();
+    for (const Id<Network::Process> id : whole_.processes.ids()) {
+        if (kept(id) || ablations_.silent) continue;
+        const Slots slots(whole_, id);
+        for (const Network::Edge& edge : slots.automaton.edges) add_edge(slots, edge, true, rest);
+    }
+    if (rest.edges.empty()) return;
+    const Id<Network::Template> automaton = made_.network.templates.add(std::move(rest));
+    made_.network.processes.add({.name = "rest", .automaton = automaton, .initial = {0}});
+}
+
+/// As much as names a part when it is told which states there are.
+void LocalBuilder::add_controller(const Network::Controller& controller) {
+    if (!kept(controller.stable)) return;
+    Network::Controller made{.process = {process_[controller.process.index]},
+                             .waiting = controller.waiting,
+                             .stable = here(controller.stable)};
+    made.words.name = controller.words.name;
+    for (const Network::Timer& timer : controller.timers)
+        if (kept(timer.process)) made.timers.push_back({.process = {process_[timer.process.index]}});
+    made_.network.controllers.add(std::move(made));
+}
+
+/// Settled is what is so as far as it is kept.
+void LocalBuilder::add_properties(const std::vector<Property>& properties) {
+    std::vector<Id<Expr>> settled;
+    if (whole_.settled.valid()) {
+        for (const Id<Expr> conjunct : operands_of(whole_.exprs, whole_.settled, Op::And))
+            if ((reads_[conjunct.index] & Free) == 0) settled.push_back(copy_(conjunct));
+        made_.network.settled = made_.network.exprs.conjunction(settled);
+    }
+    for (Property property : properties) {
+        for (Id<Expr>& operand : property.operands) operand = copy_(operand);
+        made_.network.properties.add(std::move(property));
+    }
+}
+
+}  // namespace
+
+LocalNetwork localized(const Network& network, const NetworkCells& cells, const std::vector<std::uint32_t>& chosen,
+                       const std::vector<Property>& properties, const LocalAblations& ablations) {
+    return LocalBuilder(network, cells, chosen, ablations).build(properties);
+}
+
+}  // namespace grafverif
