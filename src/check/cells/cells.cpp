@@ -43,7 +43,7 @@ public:
         if (!goes_on()) return std::move(result_);
         // Else what holds by cells may be what the whole leaves unknown, or calls vacuous.
         if (result_.errors.empty() && result_.time_passes) ask();
-        if (tasks_.empty()) return search_whole();
+        if (tasks_.empty() && !race_) return search_whole();
         may_err_ = cells_that_may_err(network_, cells_);
         if (may_err_.contains(NetworkCells::none)) return search_whole();
         search_locally();
@@ -59,6 +59,7 @@ private:
     void look_at_whole();
     bool goes_on() const;
     void ask();
+    bool about_race(const Property& property) const;
     void search_locally();
     void search(const Task& task);
     void widen(const LocalNetwork& local, Task task);
@@ -76,6 +77,7 @@ private:
     std::vector<std::optional<Property>> questions_ = {};  // per verdict, what cells may tell of
     std::deque<Task> tasks_ = {};
     std::map<std::size_t, Verdict> found_ = {};  // by cells
+    std::optional<std::size_t> race_ = {};       // the verdict that nothing races
     std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
 };
 
@@ -110,11 +112,18 @@ void ByCells::ask() {
         if (property.pattern == Pattern::ReachableAllSteps || !about_single_states(property)) continue;
         if (property.at_stable && !ever_settled_) continue;
         const Cells read = cells_read(network_, cells_, property);
+        if (about_race(property)) race_ = k;
         if (read.empty() || read.size() == cells_.count) continue;
         questions_[k] = std::move(property);
         groups[read].push_back(k);
     }
     for (auto& [read, asked] : groups) tasks_.push_back({read, std::move(asked)});
+}
+
+bool ByCells::about_race(const Property& property) const {
+    if (!network_.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
+    const Expr& operand = network_.exprs[property.operands[0]];
+    return operand.op == Op::Variable && operand.value == network_.race.index;
 }
 
 /// Each question in the cells that it reads; and each cell that may break off, in itself.
@@ -128,7 +137,7 @@ void ByCells::search_locally() {
     };
     work();
     for (const std::uint32_t cell : may_err_) {
-        if (found_.empty()) return;
+        if (found_.empty() && !race_) return;
         if (!faultless_.contains(cell)) tasks_.push_back({{cell}, {}});
         work();
     }
@@ -186,6 +195,11 @@ void ByCells::widen(const LocalNetwork& local, Task task) {
 }
 
 void ByCells::take_local() {
+    if (race_) {  // each cell that may race has been searched
+        Verdict& none = found_[*race_] = {.outcome = Outcome::Holds};
+        none.scope.cells = true;
+        for (const std::uint32_t cell : faultless_) none.scope.searched.push_back(cells_.names[cell]);
+    }
     for (auto& [k, found] : found_) {
         Verdict& verdict = result_.verdicts[k];
         verdict.outcome = found.outcome;

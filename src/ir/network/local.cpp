@@ -18,7 +18,7 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::int64_t most_copies = 256;  // of one edge
+constexpr std::int64_t most_copies = 1024;  // of one edge
 
 /// What a term reads.
 enum : std::uint8_t { Kept = 1, Free = 2 };
