@@ -108,6 +108,12 @@ private:
 
     Literal next_of(Literal latch) const { return next_.at(node_of(latch)) ^ (latch & 1U); }
 
+    std::vector<Literal> nexts_of(const Cube& cube) const {
+        std::vector<Literal> nexts;
+        for (const Literal literal : cube) nexts.push_back(next_of(literal));
+        return nexts;
+    }
+
     /// `core` excludes the first state, as `cube` does.
     static void keep_off_first_state(Cube& core, const Cube& cube) {
         if (!holds_first_state(core)) return;
@@ -160,9 +166,7 @@ private:
             Cube core;
             if (!is_excluded(state, frame)) {
                 if (steps_into(state, frame - 1, true, core)) {
-                    std::vector<Literal> targets;
-                    for (const Literal literal : state) targets.push_back(next_of(literal));
-                    Obligation before = found_for(targets);
+                    Obligation before = found_for(nexts_of(state));
                     before.frame = frame - 1;
                     before.successor = at;
                     before.depth = obligations_[at].depth + 1;
@@ -189,8 +193,8 @@ private:
     }
 
     /// Excludes the cube, and as much beside it as may be, from the frame and from those behind it that allow it.
-    void learn(Cube cube, std::size_t frame) {
-        generalise(cube, frame - 1);
+    void learn(Cube cube, std::size_t frame, bool in_the_way = false) {
+        generalise(cube, frame - 1, in_the_way);
         Cube core;
         while (frame < top() && !steps_into(cube, frame, true, core)) {
             cube = core;
@@ -204,7 +208,7 @@ private:
     }
 
     /// Leaves out of the cube what it needs not, those first that were of little use so far.
-    void generalise(Cube& cube, std::size_t before) {
+    void generalise(Cube& cube, std::size_t before, bool in_the_way) {
         Cube order = cube;
         std::ranges::stable_sort(order, {}, [this](Literal literal) {
             const auto found = uses_.find(literal);
@@ -214,9 +218,24 @@ private:
             if (cube.size() == 1 || !std::ranges::binary_search(cube, literal)) continue;
             Cube fewer = cube;
             std::erase(fewer, literal);
-            Cube core;
-            if (!holds_first_state(fewer) && !steps_into(fewer, before, true, core)) cube = std::move(core);
+            if (excludes(fewer, before, in_the_way)) cube = std::move(fewer);
         }
+    }
+
+    /// Whether the cube is excluded, in part, where the next step leads; what is left in it is what that takes. A state in the
+    /// way, of which few are looked at, is excluded itself if nothing leads to it (Hassan, Bradley and Somenzi 2013: "Better
+    /// generalization in IC3").
+    bool excludes(Cube& cube, std::size_t before, bool in_the_way) {
+        if (holds_first_state(cube)) return false;
+        Cube core;
+        for (unsigned left = 3; steps_into(cube, before, true, core); --left) {
+            if (in_the_way || left == 0 || before == 0) return false;
+            const Cube state = found_for(nexts_of(cube)).state;
+            if (holds_first_state(state) || steps_into(state, before - 1, true, core)) return false;
+            learn(std::move(core), before, true);
+        }
+        cube = std::move(core);
+        return true;
     }
 
     /// Every cube moves on to the next frame if that excludes it too; the frame that is empty then.
