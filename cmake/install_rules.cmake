@@ -1,18 +1,50 @@
 # SPDX-License-Identifier: MIT
+# Three components: the program with what shells, manuals, editors and desktops know of it; the library with its headers; the
+# documentation with the samples. `cmake --install` takes all; packaging/debian.cmake makes a package of each.
 include(CMakePackageConfigHelpers)
+set(data ${CMAKE_INSTALL_DATADIR})
+
+install(TARGETS grafverif_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+foreach(folder vim/vimfiles nvim/site)
+    install(DIRECTORY editors/vim/ DESTINATION ${data}/${folder} COMPONENT program)
+endforeach()
+install(FILES packaging/mime.xml DESTINATION ${data}/mime/packages RENAME grafverif.xml COMPONENT program)
+install(FILES editors/vscode/icons/grafcet.svg DESTINATION ${data}/icons/hicolor/scalable/mimetypes RENAME text-x-grafcet.svg
+        COMPONENT program)
+if(NOT CMAKE_CROSSCOMPILING)
+    install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DPROGRAM=$<TARGET_FILE:grafverif_program>\"
+                                          \"-DROOT=\$ENV{DESTDIR}\" \"-DPREFIX=\${CMAKE_INSTALL_PREFIX}\"
+                                          -P \"${PROJECT_SOURCE_DIR}/packaging/generated_files.cmake\" COMMAND_ERROR_IS_FATAL ANY)"
+            COMPONENT program)
+endif()
 
 install(TARGETS grafverif EXPORT grafverifTargets
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(TARGETS grafverif_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(EXPORT grafverifTargets NAMESPACE grafverif:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/grafverif)
-
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library)
+install(EXPORT grafverifTargets NAMESPACE grafverif:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/grafverif COMPONENT library)
 configure_package_config_file(cmake/grafverifConfig.cmake.in "${PROJECT_BINARY_DIR}/grafverifConfig.cmake"
                               INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/grafverif)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/grafverifConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/grafverifConfig.cmake" "${PROJECT_BINARY_DIR}/grafverifConfigVersion.cmake"
               cmake/FindCaDiCaL.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/grafverif)
-install(DIRECTORY templates samples DESTINATION ${CMAKE_INSTALL_DATADIR}/grafverif)
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/grafverif COMPONENT library)
+
+# As they lie here, so that pages find each other.
+install(FILES LICENSE README.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+install(DIRECTORY templates samples docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
+        PATTERN "*.sh" EXCLUDE PATTERN CMakeLists.txt EXCLUDE)
+
+foreach(component_and_target "program:grafverif_program" "library:grafverif")
+    string(REGEX MATCH "^(.*):(.*)$" _ ${component_and_target})
+    set(folder ${CMAKE_INSTALL_BINDIR})
+    if(CMAKE_MATCH_1 STREQUAL library)
+        set(folder ${CMAKE_INSTALL_LIBDIR})
+    endif()
+    install(CODE "if(CMAKE_INSTALL_DO_STRIP)
+                      set(FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${folder}/$<TARGET_FILE_NAME:${CMAKE_MATCH_2}>\")
+                      include(\"${PROJECT_SOURCE_DIR}/packaging/strip.cmake\")
+                  endif()" COMPONENT ${CMAKE_MATCH_1})
+endforeach()
+
+include(packaging/debian.cmake)

@@ -30,6 +30,7 @@ struct Option {
     bool repeated = false;
 
     std::string long_name() const { return name.substr(0, name.find(',')); }
+    std::string letter() const { return name.find(',') == std::string::npos ? "" : name.substr(name.find(',') + 1); }
 };
 
 /// A word of an option's value and what it means.
@@ -468,7 +469,17 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
     if (options.operands.size() > verb.most_operands)
         return {{}, fmt::format("one argument too many: `{}`", options.operands[verb.most_operands])};
+    const std::string words = "|" + verb.operand + "|";  // `bash|zsh|fish`: one of these
+    if (verb.operand.find('|') != std::string::npos && words.find("|" + options.operands[0] + "|") == std::string::npos)
+        return {{}, fmt::format("`{}` takes one of `{}`; not `{}`", verb.name, verb.operand, options.operands[0])};
     return {options, {}};
+}
+
+std::vector<OptionText> option_texts(const Verb& verb) {
+    std::vector<OptionText> texts;
+    for (const Option& option : options_of(verb))
+        if (!option.help.empty()) texts.push_back({option.long_name(), option.letter(), option.value, option.help});
+    return texts;
 }
 
 void print_help(const Verb& verb, std::ostream& out) {

@@ -171,6 +171,16 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
 /// Whether `verb` takes the options of the group.
 bool accepts(const Verb& verb, Accepts what);
 
+/// What the table says of an option that a verb takes: for help, manual pages and completion.
+struct OptionText {
+    std::string name = {};    ///< without dashes: `output`
+    std::string letter = {};  ///< `o`, or empty
+    std::string value = {};   ///< what stands for its value: `FILE`, `text|json`; empty: it takes none
+    std::string help = {};
+};
+/// The options of `verb` that are shown, in the order of --help.
+std::vector<OptionText> option_texts(const Verb& verb);
+
 /// `grafverif VERB --help`.
 void print_help(const Verb& verb, std::ostream& out);
 

@@ -53,6 +53,8 @@ constexpr std::array entries = {
     Entry{plc_usage, plc},
     Entry{test_usage, test},
     Entry{st_usage, st},
+    Entry{manual_usage, manual},
+    Entry{completion_usage, completion},
 };
 
 void print_overview(std::ostream& out) {
@@ -223,6 +225,12 @@ ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, co
 }
 
 }  // namespace
+
+std::vector<Verb> all_verbs() {
+    std::vector<Verb> verbs;
+    for (const Entry& entry : entries) verbs.push_back(entry.usage());
+    return verbs;
+}
 
 ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
     if (arguments.empty()) return usage_error(streams, "no verb given", "");

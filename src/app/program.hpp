@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace grafverif::app {
 
@@ -27,6 +28,11 @@ struct Streams {
     bool alone = false;  ///< the process is ours: it may be bounded, and ended
     bool out_is_terminal = false;
 };
+
+struct Verb;
+
+/// All verbs, in the order of --help.
+std::vector<Verb> all_verbs();
 
 /// Runs `grafverif ARGUMENTS`, the program's name left out.
 ExitCode run(std::span<const std::string> arguments, const Streams& streams);

@@ -31,6 +31,8 @@ ExitCode testgen(Job& job, const Streams& streams);
 ExitCode plc(Job& job, const Streams& streams);
 ExitCode st(Job& job, const Streams& streams);
 ExitCode test(Job& job, const Streams& streams);
+ExitCode manual(Job& job, const Streams& streams);
+ExitCode completion(Job& job, const Streams& streams);
 
 Verb build_usage();
 Verb uppaal_usage();
@@ -55,6 +57,8 @@ Verb testgen_usage();
 Verb plc_usage();
 Verb st_usage();
 Verb test_usage();
+Verb manual_usage();
+Verb completion_usage();
 
 /// Of `build`, when its products are written: their list goes to the closing words.
 void list_products(Job& job);

@@ -3,7 +3,9 @@
 // Whether the windows of VS Code look right is not seen here.
 "use strict";
 const assert = require("node:assert");
+const fs = require("node:fs");
 const path = require("node:path");
+const { spawn } = require("node:child_process");
 const test = require("node:test");
 const { mock } = require("./mocked_vscode.js");
 
@@ -13,6 +15,33 @@ const extension = require(path.join(process.env.GRAFVERIF_EXTENSION, "extension.
 
 const uri = "file:///nowhere/lamp.grafcet";
 const slip = "grafcet lamp {\n    input BUTTON;\n    initial step 0;\n    transition t: 0 -> 0 when BUTON;\n}\n";
+
+const contributed = JSON.parse(fs.readFileSync(path.join(process.env.GRAFVERIF_EXTENSION, "package.json"), "utf8"))
+    .contributes.commands.map((one) => one.command);
+
+// What the server says that it can do, and what VS Code has to be asked for then.
+const providers = {
+    completionProvider: "Completion", hoverProvider: "Hover", definitionProvider: "Definition", referencesProvider: "Reference",
+    documentHighlightProvider: "DocumentHighlight", renameProvider: "Rename", documentSymbolProvider: "DocumentSymbol",
+    foldingRangeProvider: "FoldingRange", documentFormattingProvider: "DocumentFormatting", codeLensProvider: "CodeLens",
+    codeActionProvider: "CodeActions", semanticTokensProvider: "DocumentSemanticTokens",
+};
+
+function capabilities() {
+    const server = spawn(process.env.GRAFVERIF_PROGRAM, ["lsp"], { stdio: ["pipe", "pipe", "inherit"] });
+    const say = (message) => {
+        const text = JSON.stringify({ jsonrpc: "2.0", ...message });
+        server.stdin.write(`Content-Length: ${Buffer.byteLength(text)}\r\n\r\n${text}`);
+    };
+    say({ id: 1, method: "initialize", params: { processId: null, rootUri: null, capabilities: {} } });
+    say({ id: 2, method: "shutdown" });
+    say({ method: "exit" });
+    return new Promise((resolve) => {
+        let said = "";
+        server.stdout.on("data", (part) => { said += part; });
+        server.on("close", () => resolve(JSON.parse(said.split("\r\n\r\n")[1].split("Content-Length")[0]).result.capabilities));
+    });
+}
 
 function diagnostics() {
     return new Promise((resolve) => {
@@ -35,8 +64,15 @@ test("the client starts the server, which underlines a slip in an open chart", {
     const found = await diagnostics();
     assert.ok(found.some((one) => JSON.stringify(one).includes("BUTON")), JSON.stringify(found));
     assert.ok("grafverif.restart" in seen.commands);
-    for (const provider of ["Completion", "Hover", "Definition", "Rename", "CodeLens"])
-        assert.ok(Object.keys(seen.registered).some((name) => name.startsWith(`register${provider}`)), `${provider} in ${Object.keys(seen.registered)}`);
+    const can = await capabilities();
+    for (const [name, provider] of Object.entries(providers)) {
+        if (!can[name]) continue;
+        assert.ok(Object.keys(seen.registered).some((one) => one.startsWith(`register${provider}`)), `${name}: ${Object.keys(seen.registered)}`);
+    }
+    for (const command of (can.executeCommandProvider || { commands: [] }).commands) {
+        assert.ok(command in seen.commands, command);
+        assert.ok(contributed.includes(command), `${command} has no title in the palette`);
+    }
 });
 
 test("a restarted server reads the chart anew", { timeout: 20000 }, async () => {

@@ -26,6 +26,12 @@ class Uri {
     static file(path) { return new Uri(`file://${path}`); }
 }
 
+class CodeActionKind {
+    constructor(value) { this.value = value; }
+    append(part) { return new CodeActionKind(this.value ? `${this.value}.${part}` : part); }
+}
+CodeActionKind.Empty = new CodeActionKind("");
+
 const events = new EventEmitter();
 const event = (name) => (listener, self) => {
     const call = (what) => listener.call(self, what);
@@ -65,7 +71,7 @@ exports.mock = (settings) => {
     const say = (text) => (seen.messages.push(text), Promise.resolve(undefined));
     const vscode = namespace({
         version: "1.82.0",
-        Disposable, Position, Range, Uri,
+        Disposable, Position, Range, Uri, CodeActionKind,
         env: { appName: "mocked", language: "en", openExternal: (uri) => (seen.opened = uri.toString(), Promise.resolve(true)) },
         extensions: namespace({ getExtension: () => undefined }, seen.registered),
         commands: {

@@ -13,7 +13,7 @@ run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${work}/prefix")
 run("${CMAKE_COMMAND}" -S "${SOURCE}/tests/house/consumer" -B "${work}/build" -G Ninja
     "-DCMAKE_PREFIX_PATH=${work}/prefix" "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run("${CMAKE_COMMAND}" --build "${work}/build")
-run("${work}/build/consumer" "${work}/prefix/share/grafverif/samples/blinker/blinker.grafcet")
+run("${work}/build/consumer" "${work}/prefix/share/doc/grafverif/samples/blinker/blinker.grafcet")
 if(NOT output MATCHES "blinker_loop: 3 hold")
     message(FATAL_ERROR "the consumer printed:\n${output}")
 endif()

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "app/manual/man_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace grafverif::app {
+
+namespace {
+
+/// Text as man(7) takes it, what stands between backticks in bold; no line of it is a request.
+std::string troff(std::string_view text) {
+    std::string result;
+    bool bold = false;
+    for (const char c : text) {
+        if (result.empty() || result.back() == '\n')
+            if (c == '.' || c == '\'') result += "\\&";
+        if (c == '\\') result += "\\e";
+        else if (c == '-') result += "\\-";
+        else if (c == '`') result += (bold = !bold) ? "\\fB" : "\\fR";
+        else result += c;
+    }
+    return result;
+}
+
+/// An option as it is typed: `-o, --output FILE`.
+std::string troff(const OptionText& option) {
+    std::string text = option.letter.empty() ? "" : fmt::format("\\fB\\-{}\\fR, ", option.letter);
+    text += fmt::format("\\fB\\-\\-{}\\fR", troff(option.name));
+    return option.value.empty() ? text : text + fmt::format(" \\fI{}\\fR", troff(option.value));
+}
+
+std::string title(std::string name, std::string_view version) {
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    return fmt::format(".TH \"{}\" 1 \"\" \"grafverif {}\" \"GRAFCET charts and model checkers\"\n.nh\n.ad l\n",
+                       troff(name), version);
+}
+
+constexpr std::string_view exit_status =
+    ".SH EXIT STATUS\n"
+    ".TP\n0\ndone, every verdict as expected\n"
+    ".TP\n1\na verdict against expectation\n"
+    ".TP\n2\ninput or usage wrong\n"
+    ".TP\n3\na verdict unknown, or stopped by a bound of time or memory, or by a signal\n"
+    ".TP\n4\na failure of the program\n";
+
+}  // namespace
+
+std::string man_page(std::span<const Verb> verbs, std::string_view version) {
+    std::string page = title("grafverif", version);
+    page +=
+        ".SH NAME\ngrafverif \\- prove GRAFCET charts (IEC 60848) with their plants\n"
+        ".SH SYNOPSIS\n.B grafverif\n.I VERB\n[\\fIFILE\\fR] [\\fIoptions\\fR]\n"
+        ".SH DESCRIPTION\n"
+        "Takes a GRAFCET chart and a plant built from a library of components, proves properties of their closed "
+        "loop,\n"
+        "draws and plays what goes wrong, and writes models for UPPAAL, NuSMV and other model checkers. Where "
+        "something\n"
+        "cannot be translated or decided exactly, it says so.\n"
+        ".PP\n\\fIFILE\\fR may be \\fB\\-\\fR, standard input. Outputs are written whole or not at all.\n"
+        ".SH VERBS\n";
+    for (const Verb& verb : verbs)
+        page += fmt::format(".TP\n\\fBgrafverif\\-{}\\fR(1)\n{}\n", troff(verb.name), troff(verb.summary));
+    page += exit_status;
+    return page +
+           ".SH SEE ALSO\nThe pages of the verbs; /usr/share/doc/grafverif, where the documentation is installed.\n";
+}
+
+std::string man_page(const Verb& verb, std::string_view version) {
+    std::string page = title("grafverif-" + verb.name, version);
+    page += fmt::format(".SH NAME\ngrafverif\\-{} \\- {}\n.SH SYNOPSIS\n.B grafverif {}\n", troff(verb.name),
+                        troff(verb.summary), troff(verb.name));
+    if (!verb.operand.empty()) page += fmt::format(".I {}\n", troff(verb.operand));
+    page += fmt::format("[\\fIoptions\\fR]\n.SH DESCRIPTION\n{}\n.SH OPTIONS\n", troff(verb.description));
+    for (const OptionText& option : option_texts(verb))
+        page += fmt::format(".TP\n{}\n{}\n", troff(option), troff(option.help));
+    page += exit_status;
+    if (!verb.examples.empty()) page += ".SH EXAMPLES\n";
+    for (const std::string& example : verb.examples) page += fmt::format(".PP\n.nf\n    {}\n.fi\n", troff(example));
+    return page + ".SH SEE ALSO\n.BR grafverif (1)\n";
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// `manual` and `completion`: what the tables of verbs and options say, for `man` and for shells.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "app/manual/completion.hpp"
+#include "app/manual/man_page.hpp"
+#include "app/verbs.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::app {
+
+ExitCode manual(Job& job, const Streams& streams) {
+    const std::vector<Verb> verbs = all_verbs();
+    if (job.options.operands.empty()) {
+        deliver(man_page(verbs, GRAFVERIF_VERSION), job, streams);
+        return ExitCode::Done;
+    }
+    const std::string& name = job.options.operands[0];
+    const auto found = std::ranges::find(verbs, name, &Verb::name);
+    if (found == verbs.end()) {
+        streams.err << fmt::format("grafverif: error: there is no verb `{}`; see `grafverif --help`\n",
+                                   printable(name));
+        return ExitCode::Input;
+    }
+    deliver(man_page(*found, GRAFVERIF_VERSION), job, streams);
+    return ExitCode::Done;
+}
+
+ExitCode completion(Job& job, const Streams& streams) {
+    const std::string& shell = job.options.operands[0];
+    const std::vector<Verb> verbs = all_verbs();
+    if (shell == "bash") deliver(bash_completion(verbs), job, streams);
+    else if (shell == "zsh") deliver(zsh_completion(verbs), job, streams);
+    else deliver(fish_completion(verbs), job, streams);
+    return ExitCode::Done;
+}
+
+Verb manual_usage() {
+    return {"manual",
+            "[VERB]",
+            0,
+            1,
+            "write a page of the manual",
+            "Writes the page of the manual of VERB, or of the program, as `man` reads it. Installed packages bring all "
+            "pages.",
+            {"grafverif manual check | man -l -"},
+            {Accepts::Output}};
+}
+
+Verb completion_usage() {
+    return {"completion",
+            "bash|zsh|fish",
+            1,
+            1,
+            "write a script that completes command lines in a shell",
+            "Writes what the shell reads to complete verbs, options and the words that they take. Installed packages "
+            "bring it.",
+            {"grafverif completion bash >~/.local/share/bash-completion/completions/grafverif",
+             "grafverif completion zsh >~/.zfunc/_grafverif",
+             "grafverif completion fish >~/.config/fish/completions/grafverif.fish"},
+            {Accepts::Output}};
+}
+
+}  // namespace grafverif::app
