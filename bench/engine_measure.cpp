@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string>
 
-#include "check/parts/parts.hpp"
+#include "check/cells/cells.hpp"
 #include "check/timed/timed.hpp"
 #include "engine_loops.hpp"
 
@@ -83,6 +83,6 @@ int main(int count, char** values) {
         for (const Property& property : network.properties)
             if (property.pattern == Pattern::Never) options.properties.push_back(property.name);
     const bool by_parts = what == "stations" || what == "line";
-    const TimedResult result = by_parts ? check_timed_by_parts(network, options) : check_timed(network, options);
+    const TimedResult result = by_parts ? check_timed_by_cells(network, options) : check_timed(network, options);
     print(result, processor_seconds() - before);
 }

@@ -50,9 +50,8 @@ struct LocalAblations {
 struct LocalNetwork {
     bool made = true;  ///< false: an edge reads too many free values; the network is of no use
     Network network = {};
-    std::vector<std::uint32_t> borders =
-        {};                                ///< cells whose values are read as free ones, other than by flags of a PLC
-    std::vector<std::uint32_t> tied = {};  ///< all cells whose values are read as free ones
+    std::vector<std::uint32_t> borders = {};  ///< other cells that kept processes read, but for flags of a PLC
+    std::vector<std::uint32_t> tied = {};     ///< all other cells that are read
 };
 
 /// Requires: `network` is expanded, and each of its terms has a value in every state; `chosen` are cells, in order, and

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "check/parts/parts.hpp"
+#include "check/cells/cells.hpp"
 #include "check/timed/timed.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
@@ -40,7 +40,7 @@ TimedResult search(const Network& network, const CheckOptions& options) {
         };
     timed.profile = options.profile;
     timed.many = options.many;
-    return options.whole ? check_timed(network, timed) : check_timed_by_parts(network, timed);
+    return options.whole ? check_timed(network, timed) : check_timed_by_cells(network, timed);
 }
 
 /// Turns what the engine found into a report; runs that do not replay are failures and are not told.

@@ -35,8 +35,8 @@ struct Task {
 class ByCells {
 public:
     ByCells(const Network& network, const NetworkCells& cells, const TimedOptions& options, const CellLimits& limits,
-            const LocalAblations& ablations)
-        : network_(network), cells_(cells), options_(options), limits_(limits), ablations_(ablations) {}
+            const LocalAblations& ablations, const WholeSearch& whole)
+        : network_(network), cells_(cells), options_(options), limits_(limits), ablations_(ablations), whole_(whole) {}
 
     TimedResult result() {
         look_at_whole();
@@ -72,6 +72,7 @@ private:
     const TimedOptions& options_;
     const CellLimits& limits_;
     const LocalAblations& ablations_;
+    const WholeSearch& whole_;
     TimedResult result_ = {};
     bool ever_settled_ = false;
     std::vector<std::optional<Property>> questions_ = {};  // per verdict, what cells may tell of
@@ -83,14 +84,18 @@ private:
 
 /// As many states of the whole as are soon looked at: all of them, most often, and near ones that decide much.
 void ByCells::look_at_whole() {
+    TimedOptions first = options_;
+    first.max_states = std::min(options_.max_states, limits_.whole);
+    const bool at_stable = std::ranges::any_of(network_.properties, [&](const Property& property) {
+        return property.at_stable && about_single_states(property) && timed::asked(options_, property);
+    });
+    if (!at_stable) return void(result_ = whole_(network_, first));
     Network probed = network_;
     Property probe{.name = settled_probe, .pattern = Pattern::Reachable, .at_stable = true};
     probe.operands.push_back(probed.exprs.constant(true));
     probed.properties.add(std::move(probe));
-    TimedOptions first = options_;
     if (!first.properties.empty()) first.properties.emplace_back(settled_probe);
-    first.max_states = std::min(options_.max_states, limits_.whole);
-    result_ = check_timed(probed, first);
+    result_ = whole_(probed, first);
     const auto settled = std::ranges::find(result_.verdicts, settled_probe, &Verdict::property);
     ever_settled_ = settled->outcome == Outcome::Holds;
     result_.verdicts.erase(settled);
@@ -231,14 +236,14 @@ bool ByCells::needs_whole() {
 TimedResult ByCells::search_whole() {
     if (options_.max_states <= limits_.whole) return std::move(result_);
     TimedOptions options = options_;
-    const auto by_cells = [](const Verdict& verdict) { return !verdict.scope.searched.empty(); };
+    const auto by_cells = [](const Verdict& verdict) { return verdict.scope.cells; };
     if (std::ranges::any_of(result_.verdicts, by_cells)) {
         options.properties.clear();
         for (const Verdict& verdict : result_.verdicts)
             if (!by_cells(verdict) && verdict.about.valid())
                 options.properties.push_back(network_.properties[verdict.about].name);
     }
-    TimedResult whole = check_timed(network_, options);
+    TimedResult whole = whole_(network_, options);
     for (Verdict& verdict : result_.verdicts)
         if (!by_cells(verdict)) verdict = *std::ranges::find(whole.verdicts, verdict.property, &Verdict::property);
     whole.verdicts = std::move(result_.verdicts);
@@ -248,15 +253,15 @@ TimedResult ByCells::search_whole() {
 }  // namespace
 
 TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options, const CellLimits& limits,
-                                 const LocalAblations& ablations) {
+                                 const LocalAblations& ablations, const WholeSearch& whole) {
     const bool asked = std::ranges::any_of(network.properties, [&](const Property& property) {
         return timed::asked(options, property) && about_single_states(property);
     });
-    if (!asked || options.premises) return check_timed(network, options);
+    if (!asked) return whole(network, options);
     const Network flat = expand(network);
     const NetworkCells cells = cells_of(flat);
-    if (cells.count < 2 || !terms_have_values(flat)) return check_timed(network, options);
-    return ByCells(flat, cells, options, limits, ablations).result();
+    if (cells.count < 2 || !terms_have_values(flat)) return whole(network, options);
+    return ByCells(flat, cells, options, limits, ablations, whole).result();
 }
 
 }  // namespace grafverif

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
+#include "check/parts/parts.hpp"
 #include "check/timed/timed.hpp"
 #include "ir/network_cells.hpp"
 
@@ -20,9 +22,13 @@ struct CellLimits {
     std::uint64_t local = std::uint64_t{1} << 22U;  ///< of a local network
 };
 
-/// As check_timed, and the same where the whole has few states; the bounds are those of each search. An undeclared
+/// How the whole is searched: in one, or by sub-loops.
+using WholeSearch = std::function<TimedResult(const Network&, const TimedOptions&)>;
+
+/// As `whole`, and the same where the whole has few states; the bounds are those of each search. An undeclared
 /// `no timelock` is left unknown where nothing else needs the whole. Requires verify(network).empty().
 TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options = {},
-                                 const CellLimits& limits = {}, const LocalAblations& ablations = {});
+                                 const CellLimits& limits = {}, const LocalAblations& ablations = {},
+                                 const WholeSearch& whole = check_timed_by_parts);
 
 }  // namespace grafverif

@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "check/cells/cells.hpp"
 #include "check/parts/carry.hpp"
 #include "check/parts/join.hpp"
 #include "check/timed/questions.hpp"
@@ -391,7 +390,7 @@ void name_steps(Network& network, Property& property) {
 TimedResult check_timed_by_parts(const Network& network, const TimedOptions& options) {
     Network flat = expand(network);
     const NetworkParts parts = parts_of(flat);
-    if (parts.count < 2) return check_timed_by_cells(network, options);
+    if (parts.count < 2) return check_timed(network, options);
     for (Property& property : flat.properties)
         if (property.pattern == Pattern::ReachableAllSteps && property.operands.empty()) name_steps(flat, property);
     return ByParts(flat, parts, options).result();

@@ -129,8 +129,8 @@ private:
     std::vector<std::int64_t> values_ = {};                      // one per choice
     std::map<Id<Network::Variable>, std::size_t> written_ = {};  // free variables: by which of its writes last
     std::size_t writes_ = 0;                                     // of free variables, up to here
-    bool of_flag_ = false;                                       // the term at hand is a flag's value
-    bool at_rest_ = false;                                       // it is read as it is where time passes
+    bool loose_ = false;    // the term at hand is the value of a flag, or of the rest
+    bool at_rest_ = false;  // it is read as it is where time passes
     using Copy = std::tuple<bool, Id<Expr>, std::vector<Id<Expr>>>;
     std::set<Copy> copies_ = {};  // of it, made already
 };
@@ -252,9 +252,9 @@ Id<Expr> LocalBuilder::choice(std::vector<Id<Expr>> terms, Op op) {
             if (const auto written = written_.find(variable); written != written_.end())
                 made.writes = std::max(made.writes, written->second);
             const std::uint32_t cell = cells_.of_variable[variable.index];
-            if (cell == none) continue;
+            if (cell == none || chosen(cell)) continue;
             tied_.insert(cell);
-            if (!of_flag_) borders_.insert(cell);
+            if (!loose_) borders_.insert(cell);
         }
     const auto known = std::ranges::find_if(choices_, [&](const Choice& other) { return other.is(made); });
     const auto index = static_cast<std::uint32_t>(known - choices_.begin());
@@ -283,7 +283,7 @@ std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assig
         written_[target] = ++writes_;
         return {};
     }
-    of_flag_ = whole_.variables[target].role == Network::Role::Flag;
+    const bool of_rest = std::exchange(loose_, loose_ || whole_.variables[target].role == Network::Role::Flag);
     Network::Assignment made{copy_(written.target), {}};
     if (target == whole_.race) {
         std::vector<Id<Expr>> reasons;
@@ -293,7 +293,7 @@ std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assig
     } else {
         made.value = over_choices(written.value);
     }
-    of_flag_ = false;
+    loose_ = of_rest;
     return made.value == made.target ? std::nullopt : std::optional(made);
 }
 
@@ -349,6 +349,7 @@ void LocalBuilder::add_edge(const Slots& slots, const Network::Edge& edge, bool 
         always = enabled_by_all(guard, choices_.size());
     }
     start_edge();
+    loose_ = of_rest;
     Network::Edge free{.from = {0}, .to = {0}, .guard = over_choices(edge.guard)};
     for (const Network::Assignment& written : slots.assignments(edge))
         if (auto made = assignment(written)) free.assignments.push_back(*made);

@@ -95,6 +95,23 @@ closed_loop lamps {
     property D: no deadlock;
 })";
 
+TEST(Check, DecidesACellOfALineAndSaysWhatItLeftOut) {
+    const std::vector<std::string> command = {
+        "check", (root / "samples/transfer_line/transfer_line.grafcet").string(), "--property", "held_2", "--format",
+        "json"};
+    const Result ran = grafverif(command);
+    EXPECT_EQ(ran.code, ExitCode::Done) << "that nobody asked whether time is locked changes nothing";
+    const Json properties = Json::parse(ran.out)["properties"];
+    EXPECT_EQ(properties[0]["verdict"], "holds");
+    EXPECT_EQ(properties[0]["cells"],
+              Json::parse(R"({"searched": ["cell_2"], "left_out": ["cell_1", "cell_3", "Buffer_1", "Buffer_2"],
+                              "because": "is taken to do anything at any moment, which takes no run away"})"));
+    EXPECT_EQ(properties[1]["verdict"], "unknown");
+    std::vector<std::string> whole = command;
+    whole.insert(whole.end(), {"--whole", "--max-states", "1000"});
+    EXPECT_EQ(Json::parse(grafverif(whole).out)["properties"][0]["verdict"], "unknown");
+}
+
 TEST(Check, SaysWhatAVerdictLeftOutAndWhyItMay) {
     const Folder folder;
     const std::string file = folder.write("lamps.grafcet", two_lamps);

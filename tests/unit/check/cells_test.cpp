@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Cells of a line, local networks by hand, and what a search by cells says.
+#include "check/cells/cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "check/cells/faults.hpp"
+#include "support/read_loop.hpp"
+#include "unit/check/networks.hpp"
+
+namespace grafverif {
+namespace {
+
+Network line() { return expand(read_sample("transfer_line/transfer_line.grafcet").network); }
+
+/// Without a look at the whole that would be enough.
+TimedResult by_cells(const Network& network, TimedOptions options = {}) {
+    options.max_states = 100'000;
+    return check_timed_by_cells(network, options, {.whole = 10, .local = 100'000});
+}
+
+TEST(Cells, ACellIsAPartialChartWithTheInstancesThatTalkToItAlone) {
+    const Network network = line();
+    const NetworkCells cells = cells_of(network);
+    EXPECT_EQ(cells.names, (std::vector<std::string>{"cell_1", "cell_2", "cell_3", "Buffer_1", "Buffer_2"}));
+    const auto cell_of = [&](const std::string& process) {
+        for (const Id<Network::Process> id : network.processes.ids())
+            if (network.processes[id].name == process) return cells.of_process[id.index];
+        return NetworkCells::none;
+    };
+    EXPECT_EQ(cell_of("Clamp_Sen_2"), 1U);
+    EXPECT_EQ(cell_of("Bringer"), 0U) << "by way of Buffer_0";
+    EXPECT_EQ(cell_of("PLC"), NetworkCells::none);
+}
+
+TEST(Cells, ALocalNetworkKeepsItsCellAndWhatTheRestMayDoToIt) {
+    const Network network = line();
+    const NetworkCells cells = cells_of(network);
+    const LocalNetwork local = localized(network, cells, {1}, {});
+    ASSERT_TRUE(local.made);
+    EXPECT_EQ(verify(local.network), std::vector<std::string>{});
+    std::vector<std::string> names;
+    for (const Network::Process& process : local.network.processes) names.push_back(process.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"Clamp_2", "Clamp_Sen_2", "Drill_2", "Drill_Sen_2", "PLC", "rest"}));
+    EXPECT_EQ(local.borders, (std::vector<std::uint32_t>{3, 4})) << "the buffers";
+    EXPECT_EQ(local.tied, (std::vector<std::uint32_t>{0, 2, 3, 4})) << "and the charts, by `stable`";
+    EXPECT_EQ(local.network.templates[{5}].edges.size(), 1U) << "which wakes the PLC";
+}
+
+TEST(Cells, AnUrgentEdgeStopsTimeOnlyWhereEveryFreeValueEnablesIt) {
+    Sketch s;
+    const auto x = s.boolean("x"), done = s.boolean("done");
+    const auto a = s.process("A", 1), b = s.process("B", 2, 1);
+    s.edge(a, {.set = {{x, s.no(s.is(x))}}});
+    s.edge(b, {.urgent = true, .guard = s.is(x), .set = {{done, s.yes()}}});
+    s.edge(b, {.to = 1, .when = {{0, Op::GreaterEqual, 2}}});
+    s.property("late", Pattern::Never, {s.at(b, 1)});
+    s.property("p", Pattern::Reachable, {s.at(b, 1)});
+    const Network network = expand(s.network);
+    const LocalNetwork local = localized(network, cells_of(network), {1}, {});
+    for (const Network::Template& automaton : local.network.templates)
+        for (const Network::Edge& edge : automaton.edges) EXPECT_FALSE(edge.urgent);
+    EXPECT_EQ(told(by_cells(network), "late"), told(check_timed(network), "late"));
+    EXPECT_EQ(told(by_cells(network), "p"), "holds");
+}
+
+TEST(Cells, WhatHoldsByANeighbourAloneTakesTheNeighbour) {
+    Sketch s;
+    const auto x = s.boolean("x"), y = s.boolean("y");
+    const auto a = s.process("A", 2, 1), b = s.process("B", 1), c = s.process("C", 1, 1);
+    s.edge(a, {.to = 1, .when = {{0, Op::GreaterEqual, 1}}});  // writes x nowhere that is reached
+    s.edge(a, {.from = 1, .guard = s.network.exprs.constant(false), .set = {{x, s.yes()}}});
+    s.edge(b, {.guard = s.is(x), .set = {{y, s.yes()}}});
+    s.edge(c, {.when = {{0, Op::Equal, 1}}, .reset = {0}});
+    s.edge(c, {.when = {{0, Op::Equal, 2}}, .reset = {0}});
+    s.property("never_y", Pattern::Never, {s.is(y)});
+    const Verdict found =
+        verdict(check_timed_by_cells(expand(s.network), {}, {.whole = 2, .local = 100}, {}, check_timed), "never_y");
+    EXPECT_EQ(found.outcome, Outcome::Holds);
+    EXPECT_EQ(found.scope.searched, (std::vector<std::string>{"A", "B"}));
+    EXPECT_EQ(found.scope.left_out, (std::vector<std::string>{"C"}));
+}
+
+TEST(Cells, NoVerdictIsGivenWhereSomethingElseMayBreakOff) {
+    Sketch s;
+    const auto x = s.boolean("x"), wake = s.boolean("wake");
+    const auto n = s.integer("n", 0, 2);
+    const auto a = s.process("A", 1, 1), b = s.process("B", 1, 1);
+    s.edge(a, {.when = {{0, Op::GreaterEqual, 1}}, .set = {{x, s.no(s.is(x))}, {wake, s.yes()}}, .reset = {0}});
+    s.edge(b, {.guard = s.is(x),
+               .when = {{0, Op::GreaterEqual, 1}},
+               .set = {{n, s.op(Op::Plus, s.is(n), s.number(1))}},
+               .reset = {0}});
+    s.property("x", Pattern::Always, {s.network.exprs.disjunction(s.is(x), s.no(s.is(x)))});
+    s.property("at", Pattern::Always, {s.at(a, 0)});
+    EXPECT_EQ(cells_that_may_err(expand(s.network), cells_of(expand(s.network))), std::set<std::uint32_t>{1});
+    const TimedResult found = by_cells(s.network);
+    EXPECT_EQ(told(found, "at"), "unknown (faulty)");
+    EXPECT_EQ(found.errors.size(), 1U);
+}
+
+TEST(Cells, AGuardThatKeepsAValueInRangeIsSeen) {
+    Sketch s;
+    const auto n = s.integer("n", 0, 2), m = s.integer("m", 0, 2);
+    const auto a = s.process("A", 1);
+    s.edge(a, {.guard = s.op(Op::Less, s.is(n), s.number(2)), .set = {{n, s.op(Op::Plus, s.is(n), s.number(1))}}});
+    EXPECT_TRUE(cells_that_may_err(expand(s.network), cells_of(expand(s.network))).empty());
+    s.edge(a, {.guard = s.op(Op::Less, s.is(m), s.number(2)),  // of no use once m is assigned
+               .set = {{m, s.number(2)}, {n, s.is(m)}, {m, s.op(Op::Plus, s.is(m), s.number(1))}}});
+    EXPECT_EQ(cells_that_may_err(expand(s.network), cells_of(expand(s.network))).size(), 1U);
+    EXPECT_TRUE(terms_have_values(expand(s.network)));
+    s.edge(a, {.set = {{n, s.op(Op::Divide, s.number(2), s.is(m))}}});
+    EXPECT_FALSE(terms_have_values(expand(s.network)));
+}
+
+TEST(Cells, WhatNobodyAskedForDoesNotTakeTheWhole) {
+    const TimedResult found = by_cells(line(), {.properties = {"held_2"}});
+    EXPECT_EQ(told(found, "held_2"), "holds");
+    EXPECT_FALSE(verdict(found, "no_timelock").declared);
+    EXPECT_EQ(verdict(found, "no_timelock").outcome, Outcome::Unknown);
+}
+
+}  // namespace
+}  // namespace grafverif
