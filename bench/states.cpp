@@ -1,29 +1,71 @@
 // SPDX-License-Identifier: MIT
-// Properties about states one by one: bench_states FILE [SECONDS]. The closed loop of FILE with its plant automata,
-// interleaved, in grain atomic; each property by the PDR engine and, where it is on the PATH, by ABC in its place.
+// Properties about states one by one: bench_states FILE [SECONDS [PROPERTY...]]. The closed loop of FILE with its plant
+// automata, interleaved, in grain atomic; each property by every engine: the embedded ones alone and beside each other, and ABC
+// where it is on the PATH. Processor seconds of all threads and programs; what takes more than SECONDS (60) of the clock is
+// ended, and `>` stands before what it had taken. Rows of a table.
 #include <fmt/core.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
+#include <set>
 
 #include "app/engines.hpp"
 #include "app/system/process.hpp"
-#include "check/pdr/check.hpp"
+#include "check/together.hpp"
 #include "grafverif/grafverif.hpp"
 
 namespace {
 
 using namespace grafverif;
 
-/// What is found within the time, and how long it took.
-std::string decided(const TransitionSystem& system, PdrOptions options, double limit) {
+/// Of this process and the programs that it has waited for.
+double processor_seconds() {
+    double seconds = 0;
+    for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+        rusage used = {};
+        getrusage(who, &used);
+        for (const timeval& each : {used.ru_utime, used.ru_stime})
+            seconds += static_cast<double>(each.tv_sec) + static_cast<double>(each.tv_usec) / 1e6;
+    }
+    return seconds;
+}
+
+/// A column: what an engine takes for the one property that is asked.
+template <class Options, class Check>
+std::string column(Options options, const std::string& property, double limit, const Check& check) {
     using Clock = std::chrono::steady_clock;
-    const auto start = Clock::now();
-    options.deadline = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limit));
-    const PdrResult result = check_pdr(system, options);
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    return fmt::format("{:<9}{:8.2f} s", word(result.verdicts.at(0).outcome), seconds);
+    options.properties = {property};
+    options.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limit));
+    const double before = processor_seconds();
+    const auto result = check(options);
+    const Verdict& verdict = result.verdicts.at(0);
+    const std::string seconds = fmt::format("{:.2f}", processor_seconds() - before);
+    return fmt::format(" {} |", verdict.outcome == Outcome::Unknown ? ">" + seconds : seconds);
+}
+
+std::string row(const TransitionSystem& system, const std::string& property, double limit,
+                const std::optional<std::filesystem::path>& abc) {
+    const auto by_circuit = [&](const PdrOptions& options) { return check_pdr(system, options); };
+    PdrOptions bmc, theirs;
+    bmc.method = PdrOptions::Method::Bmc;
+    std::string words = fmt::format("| `{}` |", property) + column(PdrOptions(), property, limit, by_circuit);
+    if (abc) theirs.reach = app::search_by_abc(abc->string(), nullptr);
+    words += abc ? column(theirs, property, limit, by_circuit) : std::string(" |");
+    words += column(bmc, property, limit, by_circuit);
+    words += column(SymbolicOptions(), property, limit,
+                    [&](const SymbolicOptions& options) { return check_symbolic(system, options); });
+    return words + column(TogetherOptions(), property, limit,
+                          [&](const TogetherOptions& options) { return check_together(system, options); });
+}
+
+bool about_states(const Property& property) {
+    using enum Pattern;
+    return property.pattern == Always || property.pattern == Never || property.pattern == ExactlyOneOf ||
+           property.pattern == Reachable;
 }
 
 }  // namespace
@@ -41,14 +83,8 @@ int main(int count, char** arguments) {
     std::cerr << reading.complaints();
     if (!system) return 2;
     const auto abc = app::find_program("berkeley-abc");
-    for (const Property& property : system->properties) {
-        PdrOptions options;
-        options.properties = {property.name};
-        std::string row = fmt::format("{:<24}pdr {}", property.name, decided(*system, options, limit));
-        if (abc) {
-            options.reach = app::search_by_abc(abc->string(), nullptr);
-            row += "   abc " + decided(*system, options, limit);
-        }
-        std::cout << row << std::endl;
-    }
+    const std::set<std::string> asked(arguments + std::min(count, 3), arguments + count);
+    for (const Property& property : system->properties)
+        if (about_states(property) && (asked.empty() || asked.contains(property.name)))
+            std::cout << row(*system, property.name, limit, abc) << std::endl;
 }

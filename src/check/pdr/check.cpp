@@ -65,6 +65,7 @@ private:
         std::size_t cleared = 0;                  ///< the first so many states of every run do not have its `bad`
         bool open = true, has_value = false;      ///< has_value: in every state that is reached, which is proved
         const std::atomic<bool>* moot = nullptr;  ///< somebody else has decided it
+        std::function<Answer()> search = {};      ///< of PDR, interrupted
 
         bool is_open() const { return open && (moot == nullptr || !moot->load()); }
         bool wants() const { return property.pattern == Pattern::Reachable; }
@@ -83,6 +84,7 @@ private:
 
     void give_up(Question& question, Obstacle obstacle, std::string reason) {
         question.open = false;
+        question.search = nullptr;
         question.run.reset();
         question.verdict.outcome = Outcome::Unknown;
         question.verdict.obstacle = obstacle;
@@ -99,11 +101,17 @@ private:
 
     /// Whether a state with `bad` is reached. What says so and what says no has been checked, whatever was asked: on a fault
     /// or on what is settled other verdicts rest.
-    Answer searched(Literal bad, const std::string& name) {
-        const auto told = [&](std::size_t frames) {
+    /// `going_on`: a search that was interrupted, or nothing yet; it is kept there where it is interrupted again.
+    Answer searched(Literal bad, const std::string& name, std::function<Answer()>* going_on = nullptr) {
+        const auto told = [this, &name](std::size_t frames) {
             if (options_.progress) options_.progress({name, frames, watch_.bytes(), seconds()});
         };
-        Answer answer = options_.reach ? options_.reach(circuit_, bad, watch_) : reach(circuit_, bad, watch_, told);
+        std::function<Answer()> search = going_on != nullptr ? *going_on : nullptr;
+        if (options_.reach) search = [&] { return options_.reach(circuit_, bad, watch_); };
+        else if (!search) search = search_for(circuit_, bad, watch_, told);
+        if (going_on != nullptr) *going_on = search;
+        Answer answer = search();
+        if (going_on != nullptr) *going_on = nullptr;
         if (answer.reached) {
             if (!gets_to(bad, answer.inputs))
                 throw Unsound{"the run found for `" + name + "` is none: it does not get there"};
@@ -214,6 +222,7 @@ private:
     void by_pdr(std::optional<Clock::duration> time) {
         auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &Question::is_open));
         for (Question& question : questions_) {
+            if (!question.is_open()) question.search = nullptr;
             if (!question.is_open()) continue;
             const auto start = Clock::now();
             if (time) watch_.limit(*time);
@@ -251,7 +260,8 @@ private:
         const Property& property = question.property;
         if (has_no_value(question)) return;
         const auto start = Clock::now();
-        Answer answer = searched(question.target->bad, property.name);
+        const bool in_turns = options_.method == PdrOptions::Method::InTurns;
+        Answer answer = searched(question.target->bad, property.name, in_turns ? &question.search : nullptr);
         if (answer.reached) {
             if (!options_.reach) shorten(question, answer, Clock::now() - start);
             return reached(question, answer);

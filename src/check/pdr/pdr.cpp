@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <memory>
 #include <optional>
 #include <queue>
 #include <unordered_map>
@@ -32,17 +33,21 @@ struct Obligation {
 
 class Search {
 public:
-    Search(const Circuit& circuit, Literal bad, Watch& watch, const std::function<void(std::size_t)>& progress)
-        : circuit_(circuit), bad_(bad), watch_(watch), progress_(progress), justifier_(circuit) {
+    Search(const Circuit& circuit, Literal bad, Watch& watch, std::function<void(std::size_t)> progress)
+        : circuit_(circuit), bad_(bad), watch_(watch), progress_(std::move(progress)), justifier_(circuit) {
         for (const Circuit::Latch& latch : circuit.latches) next_[latch.node] = latch.next;
     }
 
+    /// After Exhausted it goes on where it was.
     Answer result() {
-        add_frame();  // frame 0: the first state
-        renew();
-        if (auto found = bad_state(0)) return reached(add(std::move(*found)));
-        for (;;) {
+        obligations_.clear();
+        if (frames_.empty()) add_frame();  // frame 0: the first state
+        if (!solver_) renew();
+        if (top() == 0) {
+            if (auto found = bad_state(0)) return reached(add(std::move(*found)));
             add_frame();
+        }
+        for (;; add_frame()) {
             if (progress_) progress_(top());
             while (auto found = bad_state(top())) {
                 const std::size_t end = block(add(std::move(*found)));
@@ -281,7 +286,7 @@ private:
     const Circuit& circuit_;
     Literal bad_;
     Watch& watch_;
-    const std::function<void(std::size_t)>& progress_;
+    std::function<void(std::size_t)> progress_;
     Justifier justifier_;
     std::unordered_map<std::uint32_t, Literal> next_ = {};  ///< per node of a latch
     std::optional<Solver> solver_ = {};
@@ -296,6 +301,11 @@ private:
 
 Answer reach(const Circuit& circuit, Literal bad, Watch& watch, const std::function<void(std::size_t)>& progress) {
     return Search(circuit, bad, watch, progress).result();
+}
+
+std::function<Answer()> search_for(const Circuit& circuit, Literal bad, Watch& watch,
+                                   std::function<void(std::size_t)> progress) {
+    return [search = std::make_shared<Search>(circuit, bad, watch, std::move(progress))] { return search->result(); };
 }
 
 }  // namespace grafverif::pdr
