@@ -244,8 +244,13 @@ TimedResult ByCells::search_whole() {
                 options.properties.push_back(network_.properties[verdict.about].name);
     }
     TimedResult whole = whole_(network_, options);
-    for (Verdict& verdict : result_.verdicts)
-        if (!by_cells(verdict)) verdict = *std::ranges::find(whole.verdicts, verdict.property, &Verdict::property);
+    for (Verdict& verdict : result_.verdicts) {
+        if (by_cells(verdict)) continue;
+        const Verdict& found = *std::ranges::find(whole.verdicts, verdict.property, &Verdict::property);
+        const bool ended_before = found.outcome == Outcome::Unknown && verdict.outcome != Outcome::Unknown;
+        if (!ended_before) verdict = found;
+    }
+    if (whole.errors.empty()) whole.errors = std::move(result_.errors);
     whole.verdicts = std::move(result_.verdicts);
     return whole;
 }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <atomic>
 
 #include "check/cells/faults.hpp"
 #include "support/read_loop.hpp"
@@ -113,6 +113,28 @@ TEST(Cells, AGuardThatKeepsAValueInRangeIsSeen) {
     EXPECT_TRUE(terms_have_values(expand(s.network)));
     s.edge(a, {.set = {{n, s.op(Op::Divide, s.number(2), s.is(m))}}});
     EXPECT_FALSE(terms_have_values(expand(s.network)));
+}
+
+TEST(Cells, WhatTheFirstLookFoundStaysWhereTheNextOneIsStopped) {
+    Sketch s;
+    const auto x = s.boolean("x"), y = s.boolean("y");
+    for (const auto variable : {x, y}) {
+        const auto process = s.process(variable == x ? "A" : "B", 1, 1);
+        s.edge(process, {.when = {{0, Op::GreaterEqual, 1}}, .set = {{variable, s.no(s.is(variable))}}, .reset = {0}});
+        s.edge(process, {.guard = s.is(x), .when = {{0, Op::Equal, 1}}, .set = {{variable, s.no(s.is(y))}}});
+    }
+    s.property("soon", Pattern::Never, {s.is(x)});
+    s.property("in_the_end", Pattern::Inevitable, {s.is(y)});
+    const std::atomic<bool> stop = true;
+    int looks = 0;
+    const WholeSearch stopped_then = [&](const Network& network, TimedOptions options) {
+        if (++looks > 1) options.stop = &stop;
+        return check_timed(network, options);
+    };
+    const TimedResult found = check_timed_by_cells(s.network, {}, {.whole = 5, .local = 5}, {}, stopped_then);
+    EXPECT_EQ(looks, 2);
+    EXPECT_EQ(told(found, "soon"), "violated");
+    EXPECT_EQ(told(found, "in_the_end"), "unknown (stopped)");
 }
 
 TEST(Cells, WhatNobodyAskedForDoesNotTakeTheWhole) {
