@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// bench_engine WHAT [atomic|text]: checks one model with the timed engine and prints what it took: states, transitions per
-// second, bytes per state, verdicts. WHAT: `station`, `two` (two stations in one network, searched as a whole), `cylinders N`, `stations N` (in one
+// bench_engine WHAT [safety] [jobs=N] [atomic|text]: checks one model with the timed engine and prints what it took: states,
+// transitions per second, bytes per state, verdicts; with `safety` only properties about single states, with `jobs` in N
+// threads. WHAT: `station`, `two` (two stations in one network, searched as a whole), `cylinders N`, `stations N` (in one
 // loop, by sub-loops), `line N` (a transfer line of N cells, its safety by cells), or a sample's path. With `text` a model that has a number is
 // printed instead.
 #include <fmt/core.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "check/cells/cells.hpp"
 #include "check/timed/timed.hpp"
@@ -26,10 +29,23 @@ double processor_seconds() {
            static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) / 1e6;
 }
 
+bool said(const char* word, int count, char** values) {
+    return std::any_of(values + 2, values + count, [&](const char* value) { return std::strcmp(value, word) == 0; });
+}
+
+std::vector<std::string> about_states(const Network& network) {
+    std::vector<std::string> names;
+    for (const Property& property : network.properties)
+        if (property.pattern <= Pattern::Reachable || property.pattern == Pattern::ExactlyOneOf)
+            names.push_back(property.name);
+    return names;
+}
+
 void print(const TimedResult& result, double seconds) {
     const auto states = static_cast<double>(result.states), transitions = static_cast<double>(result.transitions);
-    fmt::print("{} states, {} transitions ({:.2f} per state), {:.2f} s of the processor{}\n", result.states,
-               result.transitions, transitions / states, seconds, result.complete ? "" : ", incomplete");
+    fmt::print("{} states, {} transitions ({:.2f} per state), {:.2f} s of the processor, {:.2f} s by the clock{}\n",
+               result.states, result.transitions, transitions / states, seconds, result.seconds,
+               result.complete ? "" : ", incomplete");
     fmt::print("{:.2f} million transitions/s, {:.2f} million states/s, {:.1f} bytes/state, {} of them packed\n",
                transitions / seconds / 1e6, states / seconds / 1e6, static_cast<double>(result.bytes) / states,
                result.state_bytes);
@@ -51,7 +67,7 @@ std::string made(const std::string& what, int count, char** values) {
 }
 
 Network chosen(const std::string& what, int count, char** values) {
-    const bool atomic = std::strcmp(values[count - 1], "atomic") == 0;
+    const bool atomic = said("atomic", count, values);
     const Grain grain = atomic ? Grain::Atomic : Grain::Phased;
     if (what == "station") return bench::loop(bench::sample("testing_station/testing_station.grafcet"), grain);
     if (what == "two") return bench::two_stations(grain);
@@ -63,7 +79,9 @@ Network chosen(const std::string& what, int count, char** values) {
 
 int main(int count, char** values) {
     if (count < 2) {
-        fmt::print(stderr, "usage: bench_engine station|two|cylinders N|stations N|line N|PATH [atomic|text]\n");
+        fmt::print(
+            stderr,
+            "usage: bench_engine station|two|cylinders N|stations N|line N|PATH [safety] [jobs=N] [atomic|text]\n");
         return 2;
     }
     if (std::strcmp(values[count - 1], "text") == 0) {
@@ -76,7 +94,10 @@ int main(int count, char** values) {
     };
     TimedOptions options;
     if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
+    for (int i = 2; i < count; ++i)
+        if (std::strncmp(values[i], "jobs=", 5) == 0) options.jobs = static_cast<unsigned>(std::atoi(values[i] + 5));
     const Network network = chosen(values[1], count, values);
+    if (said("safety", count, values)) options.properties = about_states(network);
     const double before = processor_seconds();
     const std::string what = values[1];
     if (what == "line")  // `no timelock` asks for the whole, which nobody has the memory for

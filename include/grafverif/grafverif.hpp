@@ -132,6 +132,7 @@ struct CheckOptions {
     bool profile = false;  ///< says where the states come from, be they few or many (timed engine)
     std::function<void(const StateProfile&)> many = {};  ///< called once where the timed engine finds a million states
     bool whole = false;                                  ///< sub-loops that share only time are searched together
+    unsigned jobs = 0;  ///< threads of the timed engine; 0: as many as there are cores. Verdicts and runs are the same
 };
 
 /// Decides the properties of a closed loop with the timed engine. Every run in the report has been replayed on the rules

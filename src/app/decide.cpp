@@ -66,6 +66,7 @@ void say_who_stopped(Report& report, bool by_user, const Options& options) {
 std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool witnesses, const Streams& streams) {
     CheckOptions options{job.options.properties, witnesses, job.options.verbose, bounds.limits(), job.options.stats};
     options.whole = job.options.whole;
+    options.jobs = job.options.jobs;
     if (!job.options.quiet)
         options.many = [&](StateProfile profile) {
             std::ostringstream text;

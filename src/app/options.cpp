@@ -122,6 +122,13 @@ std::string leave_out_cures(const std::vector<std::string>& cures, Options& opti
     return {};
 }
 
+std::string take_jobs(const std::vector<std::string>& given, Options& options) {
+    const char* const stop = given.front().data() + given.front().size();
+    const auto [end, failure] = std::from_chars(given.front().data(), stop, options.jobs);
+    if (failure == std::errc{} && end == stop && options.jobs - 1 < 1000) return {};
+    return fmt::format("`--jobs` takes a whole number from 1 to 1000; not `{}`", given.front());
+}
+
 std::vector<Option> options_for_models() {
     constexpr ExecutionMode search = ExecutionMode::StabilitySearch, every = ExecutionMode::EveryCycle;
     const auto untimed = [](auto member) {
@@ -233,6 +240,7 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
                "check the untimed model, with the symbolic engine or NuSMV"),
         toggle(Accepts::Search, "whole", &Options::whole,
                "search the whole loop for every property, also where sub-loops share only time or cells decide it"),
+        {Accepts::Search, "jobs", "N", "search with N threads (default: one for each core)", take_jobs},
         number(Accepts::Search, "max-states", "N", {}, &Options::max_states,
                "give up after N states (default: 500000000)"),
         number(Accepts::Search, "max-steps", "N", {}, &Options::max_steps,

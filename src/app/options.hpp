@@ -75,6 +75,7 @@ struct Options {
     std::vector<std::string> properties = {};  ///< of `check`; empty: all
     Engine engine = Engine::Embedded;
     bool whole = false;                            ///< no sub-loop and no cell is judged apart
+    unsigned jobs = 0;                             ///< threads; 0: as many as there are cores
     std::string engine_command = {};               ///< of Engine::Hwmcc
     bool check_untimed = false;                    ///< --untimed, or an engine that knows no time
     Ablations without = {};                        ///< cures of the method left out: see docs/method.md

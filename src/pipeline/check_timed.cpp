@@ -38,6 +38,7 @@ TimedResult search(const Network& network, const CheckOptions& options) {
         timed.progress = [&options](const TimedProgress& now) {
             options.limits.progress({[&now] { return progress_text(now); }});
         };
+    timed.jobs = options.jobs;
     timed.profile = options.profile;
     timed.many = options.many;
     return options.whole ? check_timed(network, timed) : check_timed_by_cells(network, timed);

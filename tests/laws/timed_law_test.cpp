@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "support/law_size.hpp"
 #include "support/naive_tadd.hpp"
@@ -233,6 +234,27 @@ void compare(const Network& network, const NaiveTadd& tadd, const Explored& all,
     ++seen.compared;
 }
 
+/// Any number of threads finds the same states in the same order, and says the same of them.
+void compare_jobs(const Network& network, const TimedResult& one, bool links) {
+    for (const unsigned jobs : {2U, 3U, 5U}) {
+        SCOPED_TRACE(std::to_string(jobs) + " threads");
+        const TimedResult several = check_timed(network, {.jobs = jobs, .slice = 1, .keep_links = links});
+        EXPECT_EQ(several.states, one.states);
+        EXPECT_EQ(several.transitions, one.transitions);
+        EXPECT_EQ(several.time_passes, one.time_passes);
+        ASSERT_EQ(several.verdicts.size(), one.verdicts.size());
+        for (std::size_t i = 0; i < one.verdicts.size(); ++i) {
+            const Verdict &given = one.verdicts[i], &found = several.verdicts[i];
+            EXPECT_EQ(told(several, given.property), told(one, given.property));
+            EXPECT_EQ(std::tie(found.reason, found.notes, found.vacuous),
+                      std::tie(given.reason, given.notes, given.vacuous));
+            EXPECT_EQ(found.run, given.run) << given.property;
+        }
+        ASSERT_EQ(several.errors.size(), one.errors.size());
+        for (std::size_t i = 0; i < one.errors.size(); ++i) EXPECT_EQ(several.errors[i].run, one.errors[i].run);
+    }
+}
+
 /// What is decided at one time unit is decided alike at any finer one; what was inexact may turn out violated.
 void compare_units(const Network& network, const TimedResult& result) {
     for (const std::int64_t factor : {2, 3}) {
@@ -309,6 +331,8 @@ void compare_all(Network network, Random& random, Seen& seen) {
     const TimedResult sparing = check_timed(network, {.keep_links = false});
     for (const Verdict& given : result.verdicts) EXPECT_EQ(told(result, given.property), told(sparing, given.property));
     compare(network, tadd, *all, result, seen);
+    compare_jobs(network, result, true);
+    compare_jobs(network, sparing, false);
     compare_units(network, result);
     compare_states(network, *all);
 }

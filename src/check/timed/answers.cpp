@@ -3,6 +3,7 @@
 // property holds needs all of them: a search that came to its end, a model that breaks off nowhere, and integer time
 // that tells the truth about dense time.
 #include <algorithm>
+#include <atomic>
 #include <new>
 
 #include "check/timed/questions.hpp"
@@ -131,15 +132,25 @@ void Questions::answer_state(Question& question, Graph& graph) const {
 std::optional<StateSet> Questions::states_where(Question& question, Graph& graph, std::uint32_t predicate,
                                                 const Limits& limits) const {
     StateSet set(graph.states());
-    for (std::uint32_t state = 0; state < graph.states(); ++state) {
-        limits.poll();
-        const End end = graph.holds(predicate, state);
-        if (end == End::Yes) set.add(state);
-        if (end != End::NoValue) continue;
-        unknown(question.verdict, Obstacle::Faulty, "an operand divides by zero in some state");
-        return {};
-    }
-    return set;
+    std::atomic<bool> broken = false;
+    const std::size_t parts = limits.parts(graph.states());
+    const auto look = [&](std::size_t part) {
+        Unfolded now;
+        std::vector<std::int64_t> registers;
+        const std::size_t begin = graph.states() * part / parts, end = graph.states() * (part + 1) / parts;
+        for (std::size_t i = begin; i != end && !broken; ++i) {
+            if (i % Limits::look_every == 0 && limits.stopped()) throw Limits::Stop{};
+            const auto state = static_cast<std::uint32_t>(i);
+            graph.store.load(state, now);
+            const End found = graph.machine.holds(predicate, now.words.data(), registers);
+            if (found == End::Yes) parts == 1 ? set.add(state) : set.add_beside(state);
+            if (found == End::NoValue) broken = true;
+        }
+    };
+    limits.share(parts, look);
+    if (!broken) return set;
+    unknown(question.verdict, Obstacle::Faulty, "an operand divides by zero in some state");
+    return {};
 }
 
 void Questions::answer_liveness(Question& question, Graph& graph, const Limits& limits) {

@@ -5,15 +5,19 @@
 // first met by an edge is then as near by the delay: its parent becomes the state before it in time, so that what
 // follows it in time has its shortest run through it.
 //
-// Looking up a state costs a cache miss or two; so the moves of a few states ahead are computed before the moves of the
-// state at hand are looked up, and their places in the index fetched meanwhile. The order of discovery is the same.
+// The queue is taken block by block. The moves of a block are computed by all threads while nothing is written; what the
+// store does not hold is put together by hash; then one thread goes through the block in order and numbers what is new,
+// as if it had found each state itself; last all index the new states. So numbers, and all that follows from them, are
+// the same for any number of threads and any size of blocks.
 #include "check/timed/explore.hpp"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
+#include <functional>
 #include <new>
 
 #include "check/timed/profile.hpp"
+#include "check/timed/slice.hpp"
 
 namespace grafverif::timed {
 
@@ -48,125 +52,220 @@ void Limits::explain(Graph& graph) {
 
 namespace {
 
-constexpr std::uint32_t ahead = 16;             // states whose moves are computed before they are looked up
-constexpr std::uint32_t judge_every = 1024;     // states between two looks at the limits
-constexpr std::size_t judge_after = 1U << 21U;  // words of states computed between them, at most
-constexpr std::size_t ahead_words = 1U << 22U;  // in the moves computed ahead, beyond which one state ahead must do
-constexpr std::size_t kept_words = 1U << 20U;   // of the moves of one state, for those of another
-constexpr std::size_t link_bytes = 24;          // per state; above it links are dropped
-constexpr std::size_t link_grace = 1U << 18U;   // but not before they take so many in all
+constexpr std::uint32_t slices_each = 32;      // per thread, in a block
+constexpr std::size_t many_words = 1U << 21U;  // of states computed in a block, after which no slice is begun
+constexpr std::size_t kept_bytes = 1U << 21U;  // of a slice, for the next one
+constexpr std::size_t worth_sharing = 256;     // states or strangers; fewer are done by one thread
+constexpr std::size_t link_bytes = 24;         // per state; above it links are dropped
+constexpr std::size_t link_grace = 1U << 18U;  // but not before they take so many in all
 
 class Search {
 public:
-    Search(Graph& graph, Watch& watch, const std::vector<Field>& races) : graph_(graph), watch_(watch), races_(races) {}
+    Search(Graph& graph, Watch& watch, const std::vector<Field>& races, Limits& limits)
+        : graph_(graph), watch_(watch), races_(races), limits_(limits), team_(limits.team()) {}
 
-    Obstacle run(Limits& limits) {
-        const std::vector<Word> initial = packed_initial(graph_.machine.network(), graph_.machine.layout());
-        discover(initial.data(), graph_.store.fold(initial.data(), {}, next_), 0);
-        for (std::uint32_t state = 0; state < graph_.states(); ++state) {
-            if (limits.too_many(graph_.states())) return Obstacle::Bound;
-            if (state % judge_every == 0 || computed_words_ > judge_after) {
-                computed_words_ = 0;
-                if (const Obstacle obstacle = limits.judge(graph_, state, held()); obstacle != Obstacle::None)
-                    return obstacle;
-                limits.explain(graph_);
-            }
-            if (state == level_end_ || state == 0) {
-                graph_.levels.push_back(state);
-                level_end_ = static_cast<std::uint32_t>(graph_.states());
-            }
-            look_ahead(state);
-            visit(state);
-            graph_.looked_at = state + 1;
-            if (Moves& done = ring_[state % ahead].moves; done.words.size() > kept_words) done.words = {};
-            drop_links_if_many();
+    Obstacle run() {
+        now_.words = packed_initial(graph_.machine.network(), graph_.machine.layout());
+        strangers_.begin(1, 1);
+        find_or_discover(0);
+        graph_.store.roots().index(0, {});
+        while (graph_.looked_at < graph_.states()) {
+            if (const Obstacle obstacle = limits_.judge(graph_, graph_.looked_at, held()); obstacle != Obstacle::None)
+                return obstacle;
+            limits_.explain(graph_);
+            if (const Obstacle obstacle = block(); obstacle != Obstacle::None) return obstacle;
         }
         return Obstacle::None;
     }
 
 private:
-    bool races(const Word* words) const {
-        return std::ranges::any_of(races_, [&](const Field& race) { return race.raw(words) != 0; });
+    /// Calls `work(member)` for each thread, in one after the other where little is to be done.
+    void share(std::size_t size, const std::function<void(unsigned)>& work) {
+        if (size >= worth_sharing * limits_.slice() && team_.size() > 1) return team_.share(work);
+        for (unsigned member = 0; member < team_.size(); ++member) work(member);
     }
 
-    /// Bytes of the moves ahead.
     std::size_t held() const {
-        std::size_t words = 0;
-        for (const auto& [moves, roots] : ring_) words += moves.words.capacity() + roots.capacity();
-        return words * sizeof(Word);
+        std::size_t bytes = strangers_.bytes();
+        for (const Slice& slice : slices_) bytes += slice.bytes();
+        return bytes;
     }
 
-    /// The number of the state; a new one is watched and gets its parent: all of it, or nothing where memory ends.
-    std::uint32_t discover(const Word* words, Word root, std::uint32_t parent) {
-        graph_.parent.make_room(1);
-        graph_.kinds.make_room(1);
-        const Pairs::Interned interned = graph_.store.intern(root);
-        if (!interned.fresh) return interned.number;
-        graph_.parent.push_back(parent);
-        graph_.kinds.push_back(0);
-        watch_.look(graph_.machine, interned.number, words);
-        return interned.number;
-    }
-
-    void look_ahead(std::uint32_t state) {
-        const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(graph_.states(), state + depth_));
-        for (; computed_ < end; ++computed_) {
-            auto& [moves, roots] = ring_[computed_ % ahead];
-            graph_.store.load(computed_, now_);
-            const std::size_t words = graph_.machine.layout().words;
-            moves.edges.clear();
-            roots.clear();
-            if (races(now_.words.data())) continue;
-            graph_.machine.expand(now_.words.data(), moves);
-            const std::size_t computed = moves.edges.size() * words;
-            computed_words_ += computed;
-            if (depth_ > 1 && computed > ahead_words / ahead) depth_ = 1;
-            for (std::size_t i = 0; i < moves.edges.size(); ++i) {
-                roots.push_back(graph_.store.fold(moves.words.data() + i * words, now_, next_));
-                graph_.store.prefetch(roots.back());
-            }
+    /// The next states of the queue: their moves side by side, then the numbers of what is new one by one.
+    Obstacle block() {
+        const auto first = static_cast<std::uint32_t>(graph_.states());
+        filled_ = compute();
+        gather();
+        Obstacle obstacle = Obstacle::None;
+        try {
+            for (std::size_t i = 0; i < filled_ && obstacle == Obstacle::None; ++i) obstacle = number(slices_[i]);
+        } catch (const std::bad_alloc&) {
+            obstacle = Obstacle::Memory;
         }
+        Pairs& roots = graph_.store.roots();
+        share(graph_.states() - first, [&](unsigned member) { roots.index(first, {member, team_.size()}); });
+        for (std::size_t i = 0; i < filled_; ++i) {
+            note(slices_[i]);
+            if (slices_[i].bytes() > kept_bytes) slices_[i] = {};
+        }
+        return obstacle;
     }
 
-    void visit(std::uint32_t state) {
-        const auto& [moves, roots] = ring_[state % ahead];
-        const std::size_t words = graph_.machine.layout().words;
-        if (graph_.linked) graph_.links.begin(state);
-        if (!races_.empty() && races(graph_.load(state))) {
+    /// Fills slices with the moves of the next states. Returns how many are filled; all but the last one to the end.
+    std::size_t compute() {
+        const std::size_t most = std::size_t{slices_each} * team_.size();
+        const std::size_t states = graph_.states() - graph_.looked_at;
+        const std::size_t count = std::min(most, (states + limits_.slice() - 1) / limits_.slice());
+        if (slices_.size() < count) slices_.resize(count);
+        while (slicers_.size() < team_.size()) slicers_.emplace_back(graph_, races_);
+        std::atomic<std::size_t> next = 0, computed = 0;
+        std::atomic<bool> stopped = false;
+        share(states, [&](unsigned member) {
+            while (!stopped.load(std::memory_order_relaxed) && computed.load(std::memory_order_relaxed) < many_words) {
+                const std::size_t at = next.fetch_add(1);
+                if (at >= count) return;
+                const std::size_t begin = graph_.looked_at + at * limits_.slice();
+                const std::size_t end = std::min<std::size_t>(begin + limits_.slice(), graph_.states());
+                const std::size_t words = slicers_[member].fill(slices_[at], static_cast<std::uint32_t>(begin),
+                                                                static_cast<std::uint32_t>(end));
+                computed.fetch_add(words, std::memory_order_relaxed);
+                if (limits_.stopped()) stopped = true;
+            }
+        });
+        const std::size_t begun = std::min(next.load(), count);
+        for (std::size_t i = 0; i < begun; ++i)
+            if (slices_[i].states.size() < limits_.slice()) return i + 1;
+        return begun;
+    }
+
+    /// Knows the strangers of the slices from each other, and makes room for them.
+    void gather() {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < filled_; ++i) {
+            Slice& slice = slices_[i];
+            count += slice.strangers.size();
+            for (std::size_t k = 0; k < slice.strangers.size(); ++k)
+                if (Slice::Stranger& stranger = slice.strangers[k]; !stranger.folded)
+                    stranger.root = graph_.store.fold(words_of(slice, k), {}, next_);
+        }
+        const unsigned parts = count >= worth_sharing * limits_.slice() ? team_.size() : 1;
+        strangers_.begin(parts, count);
+        share(count, [&](unsigned member) {
+            for (std::size_t i = 0; i < filled_ && member < parts; ++i)
+                for (std::size_t k = 0; k < slices_[i].strangers.size(); ++k)
+                    if (strangers_.part_of(slices_[i].strangers[k].root) % team_.size() == member)
+                        meet(slices_[i], k, slicers_[member]);
+        });
+        share(count, [&](unsigned member) {
+            graph_.store.roots().make_room(strangers_.size(), {member, team_.size()});
+        });
+    }
+
+    void meet(Slice& slice, std::size_t index, Slicer& slicer) {
+        Slice::Stranger& stranger = slice.strangers[index];
+        const Strangers::Met met = strangers_.meet(stranger.root);
+        stranger.entry = met.entry;
+        if (met.fresh) strangers_[met.entry].wanted = slicer.wanted(watch_, words_of(slice, index));
+    }
+
+    const Word* words_of(const Slice& slice, std::size_t stranger) const {
+        return slice.words.data() + stranger * graph_.machine.layout().words;
+    }
+
+    /// Looks at the states of a slice, in order.
+    Obstacle number(const Slice& slice) {
+        for (std::uint32_t state = slice.begin; state != slice.end; ++state) {
+            if (limits_.too_many(graph_.states())) return Obstacle::Bound;
+            if (state == level_end_ || state == 0) {
+                graph_.levels.push_back(state);
+                level_end_ = static_cast<std::uint32_t>(graph_.states());
+            }
+            if (graph_.linked) graph_.links.begin(state);
+            visit(slice, state, slice.states[state - slice.begin]);
+            graph_.looked_at = state + 1;
+            drop_links_if_many();
+        }
+        return Obstacle::None;
+    }
+
+    void visit(const Slice& slice, std::uint32_t state, const Slice::State& at) {
+        if (at.race) {
             if (!graph_.race) graph_.race = state;
             graph_.set_kind(state, StateKind::Open, state);
             return;
         }
         std::uint32_t onward = 0;  // where an urgent edge leads; a late state, since those lead on
-        for (std::size_t i = 0; i < roots.size(); ++i) {
-            const std::uint32_t next = discover(moves.words.data() + i * words, roots[i], state);
+        for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
+            const std::uint32_t next = resolve(slice, slice.targets[i], state);
             if (graph_.linked) graph_.links.add(next);
-            if (moves.urgent && graph_.machine.urgent(moves.edges[i])) onward = std::max(onward, next);
+            if ((slice.targets[i] & Slice::urgent) != 0) onward = std::max(onward, next);
         }
-        graph_.transitions += roots.size();
-        note(state, moves);
-        const bool acts = !roots.empty();
-        if (moves.urgent) graph_.set_kind(state, StateKind::Urgent, onward);
+        graph_.transitions += at.edges;
+        const bool acts = at.edges != 0;
+        if (at.urgent) graph_.set_kind(state, StateKind::Urgent, onward);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
             graph_.set_kind(state, StateKind::PassesOrActs, graph_.target(state));
         if (acts && graph_.kind(state) == StateKind::Stuck) graph_.set_kind(state, StateKind::Acts, state);
-        if (moves.fault) graph_.set_kind(state, StateKind::Open, state);
+        if (at.fault) graph_.set_kind(state, StateKind::Open, state);
+    }
+
+    /// The number of a target; a stranger whom the search has not come to before is new.
+    std::uint32_t resolve(const Slice& slice, std::uint32_t target, std::uint32_t parent) {
+        if ((target & Slice::stranger) == 0) return target & Slice::number;
+        const std::uint32_t index = target & Slice::number;
+        Strangers::Entry& entry = strangers_[slice.strangers[index].entry];
+        if (entry.number != Store::none) return entry.number;
+        entry.number = discover(entry.root, parent);
+        if (entry.wanted) watch_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
+        return entry.number;
+    }
+
+    /// A new state, with its parent: all of it, or nothing where memory ends.
+    std::uint32_t discover(Word root, std::uint32_t parent) {
+        graph_.parent.make_room(1);
+        graph_.kinds.make_room(1);
+        const std::uint32_t state = graph_.store.roots().append(root);
+        graph_.parent.push_back(parent);
+        graph_.kinds.push_back(0);
+        return state;
+    }
+
+    /// The number of the state in `now_.words`, which may be new or not.
+    std::uint32_t find_or_discover(std::uint32_t parent) {
+        const Word root = graph_.store.fold(now_.words.data(), {}, next_);
+        if (const std::uint32_t known = graph_.store.roots().find(root); known != Store::none) return known;
+        Strangers::Entry& entry = strangers_[strangers_.meet(root).entry];
+        if (entry.number != Store::none) return entry.number;
+        entry.number = discover(root, parent);
+        if (watch_.wants(graph_.machine, now_.words.data(), registers_))
+            watch_.look(graph_.machine, entry.number, now_.words.data(), registers_);
+        return entry.number;
+    }
+
+    /// Where a unit of time leads from the state: as its slice says, if it is of this block; else it is computed here.
+    /// None: time does not pass.
+    std::uint32_t later(std::uint32_t state) {
+        const std::size_t index = (state - slices_[0].begin) / limits_.slice();
+        if (state >= slices_[0].begin && index < filled_) {
+            const Slice& slice = slices_[index];
+            if (state < slice.end && slice.states[state - slice.begin].timed) {
+                const Slice::State& at = slice.states[state - slice.begin];
+                return at.passes ? resolve(slice, slice.targets[at.first + at.edges], state) : Store::none;
+            }
+        }
+        graph_.store.load(state, now_);
+        return graph_.machine.delay(now_.words.data()) ? find_or_discover(state) : Store::none;
     }
 
     /// See the essay.
     void pass_time(std::uint32_t state) {
-        Machine& machine = graph_.machine;
-        graph_.store.load(state, now_);
         for (std::uint32_t now = state; graph_.kind(now) == StateKind::Unknown;) {
-            next_.words = now_.words;
-            if (!machine.delay(next_.words.data())) {
+            const std::uint32_t next = later(now);
+            if (next == Store::none) {
                 graph_.set_kind(now, StateKind::Stuck, now);
                 return;
             }
-            const Word root = graph_.store.fold(next_.words.data(), now_, next_);
-            const std::uint32_t next = discover(next_.words.data(), root, now);
-            std::swap(now_, next_);
             graph_.set_kind(now, StateKind::Passes, next);
             ++graph_.transitions;
             graph_.time_passes = true;
@@ -183,81 +282,45 @@ private:
         graph_.links.clear();
     }
 
-    void note(std::uint32_t state, const Moves& moves) {
-        if (moves.stuck_bound && !graph_.stuck_bound) graph_.stuck_bound = UncoveredAt{state, *moves.stuck_bound};
-        if (moves.locked_bound && !graph_.locked_bound) graph_.locked_bound = UncoveredAt{state, *moves.locked_bound};
-        if (!moves.fault) return;
-        const Fault& fault = *moves.fault;
-        const bool known = std::ranges::any_of(graph_.faults, [&](const FaultAt& other) {
-            return other.fault.edge == fault.edge && other.fault.kind == fault.kind &&
-                   other.fault.variable == fault.variable;
-        });
-        if (!known) graph_.faults.push_back({state, fault});
+    /// What was met in the states of a slice, as far as they were looked at.
+    void note(const Slice& slice) {
+        const auto first = [&](std::optional<UncoveredAt>& of, const std::optional<UncoveredAt>& at) {
+            if (!of && at && at->state < graph_.looked_at) of = at;
+        };
+        first(graph_.stuck_bound, slice.stuck_bound);
+        first(graph_.locked_bound, slice.locked_bound);
+        for (const FaultAt& at : slice.faults) {
+            if (at.state >= graph_.looked_at) return;
+            const bool known = std::ranges::any_of(graph_.faults, [&](const FaultAt& other) {
+                return other.fault.edge == at.fault.edge && other.fault.kind == at.fault.kind &&
+                       other.fault.variable == at.fault.variable;
+            });
+            if (!known) graph_.faults.push_back(at);
+        }
     }
 
     Graph& graph_;
     Watch& watch_;
     const std::vector<Field>& races_;
-    struct Ahead {
-        Moves moves = {};
-        std::vector<Word> roots = {};
-    };
-    std::array<Ahead, ahead> ring_ = {};
-    std::uint32_t depth_ = ahead;     // of the look ahead
-    std::size_t computed_words_ = 0;  // since the last look at the limits
-    std::uint32_t computed_ = 0;      // the states below have their moves in the ring, or are done
+    Limits& limits_;
+    Team& team_;
+    std::vector<Slice> slices_ = {};
+    std::vector<Slicer> slicers_ = {};  // per thread
+    Strangers strangers_ = {};
+    std::size_t filled_ = 0;  // slices of the block at hand
     std::uint32_t level_end_ = 0;
     Unfolded now_ = {}, next_ = {};
+    Watch::Registers registers_ = {};
 };
 
 }  // namespace
 
 Obstacle explore(Graph& graph, Watch& watch, const std::vector<Field>& races, Limits& limits) {
     try {
-        return Search(graph, watch, races).run(limits);
+        return Search(graph, watch, races, limits).run();
     } catch (const std::bad_alloc&) {
-        return Obstacle::Memory;  // the states found are whole, those looked at have their links
+        return Obstacle::Memory;  // the states found are whole and indexed, those looked at have their links
     }
-}
-
-std::size_t Watch::add(std::uint32_t predicate) {
-    predicates_.push_back({predicate, results_.size()});
-    results_.emplace_back();
-    return results_.size() - 1;
-}
-
-std::size_t Watch::add_bit(const Field& bit, std::uint32_t settled) {
-    const auto same = [&](const Bits& bits) { return bits.word == bit.word && bits.settled == settled; };
-    auto bits = std::ranges::find_if(bits_, same);
-    if (bits == bits_.end()) bits = bits_.insert(bits, Bits{.word = bit.word, .settled = settled});
-    bits->missing |= bit.mask();
-    bits->each.push_back({bit.mask(), results_.size()});
-    results_.emplace_back();
-    return results_.size() - 1;
-}
-
-void Watch::look_closely(Machine& machine, std::uint32_t state, const Word* words) {
-    for (std::size_t i = 0; i < predicates_.size();) {
-        const End end = machine.holds(predicates_[i].code, words);
-        if (end == End::No) {
-            ++i;
-            continue;
-        }
-        Result& result = results_[predicates_[i].watch];
-        if (end == End::Yes) result.state = state;
-        else result.broken = true;
-        predicates_[i] = predicates_.back();
-        predicates_.pop_back();
-    }
-    for (Bits& bits : bits_) {
-        const Word met = words[bits.word] & bits.missing;
-        if (met == 0) continue;
-        if (bits.settled != Program::yes && machine.holds(bits.settled, words) != End::Yes) continue;
-        for (const Bit& bit : bits.each)
-            if ((met & bit.mask) != 0) results_[bit.watch].state = state;
-        bits.missing &= ~met;
-    }
-    std::erase_if(bits_, [](const Bits& bits) { return bits.missing == 0; });
 }
 
 }  // namespace grafverif::timed

@@ -9,69 +9,38 @@
 #include "check/timed/graph.hpp"
 #include "check/timed/machine.hpp"
 #include "check/timed/timed.hpp"
+#include "check/timed/watch.hpp"
+#include "support/team.hpp"
 
 namespace grafverif::timed {
 
-// Watch: what the search looks for in single states, all properties at once. A watch is over when it has found its
-// state, so that what is decided costs no more.
-
-class Watch {
-public:
-    static constexpr std::uint32_t none = 0xFFFFFFFF;
-
-    /// Looks for a state where `predicate` ends in Yes. Returns the number of the watch.
-    std::size_t add(std::uint32_t predicate);
-    /// Looks for a state where the bit of a variable is set, and `settled` holds if it is not Program::yes.
-    std::size_t add_bit(const Field& bit, std::uint32_t settled);
-
-    /// A new state.
-    void look(Machine& machine, std::uint32_t state, const Word* words) {
-        if (!predicates_.empty() || !bits_.empty()) look_closely(machine, state, words);
-    }
-    /// The first state found, or none.
-    std::uint32_t found(std::size_t watch) const { return results_[watch].state; }
-    /// The predicate had no value in some state.
-    bool broken(std::size_t watch) const { return results_[watch].broken; }
-
-private:
-    struct Result {
-        std::uint32_t state = none;
-        bool broken = false;
-    };
-    struct Predicate {
-        std::uint32_t code = 0;
-        std::size_t watch = 0;
-    };
-    struct Bit {
-        Word mask = 0;
-        std::size_t watch = 0;
-    };
-    struct Bits {  // of one word, under one condition
-        std::uint16_t word = 0;
-        std::uint32_t settled = 0;
-        Word missing = 0;
-        std::vector<Bit> each = {};
-    };
-
-    void look_closely(Machine& machine, std::uint32_t state, const Word* words);
-
-    std::vector<Predicate> predicates_ = {};
-    std::vector<Bits> bits_ = {};
-    std::vector<Result> results_ = {};
-};
-
-/// The bounds of one check, and how far it has come.
+/// The bounds of one check, its threads, and how far it has come.
 class Limits {
 public:
-    explicit Limits(const TimedOptions& options) : options_(options), start_(std::chrono::steady_clock::now()) {}
+    explicit Limits(const TimedOptions& options)
+        : options_(options), start_(std::chrono::steady_clock::now()), team_(options.jobs) {}
+
+    Team& team() const { return team_; }
+    std::uint32_t slice() const { return options_.slice; }
+    /// Into how many parts work on so many states is cut that costs little for each.
+    std::size_t parts(std::size_t states) const { return states < std::size_t{1024} * slice() ? 1 : team_.size(); }
+    /// Calls `work(part)` for each of so many parts, side by side.
+    template <class Work>
+    void share(std::size_t parts, const Work& work) const {
+        if (parts == 1) return work(0);
+        team_.share([&](unsigned member) {
+            for (std::size_t part = member; part < parts; part += team_.size()) work(part);
+        });
+    }
 
     double seconds() const;
     /// Whether the user or the deadline ends the check.
     bool stopped() const;
     /// For every state of a loop that is no search: throws Stop where the check ends.
     struct Stop {};
+    static constexpr std::size_t look_every = 65536;  ///< states
     void poll() const {
-        if (++polls_ % 65536 == 0 && stopped()) throw Stop{};
+        if (++polls_ % look_every == 0 && stopped()) throw Stop{};
     }
     /// What ends the search, or None; shows progress now and then. `more`: bytes held besides the graph.
     Obstacle judge(const Graph& graph, std::uint32_t state, std::size_t more);
@@ -89,6 +58,7 @@ private:
     bool allowed_used_ = false;
     bool explained_ = false;
     mutable std::uint32_t polls_ = 0;
+    mutable Team team_;
 };
 
 /// Fills `graph` from the initial state; returns what ended it early, or None. States in which the `race` bit is set are

@@ -7,21 +7,41 @@ namespace grafverif::timed {
 
 namespace {
 
+/// One sweep over `open`: states that `decided(state)` leave it and join `set`. With `beside`, each thread sweeps a part.
+template <class Decided>
+void sweep_once(std::vector<std::uint32_t>& open, StateSet& set, bool beside, const Limits& limits,
+                const Decided& decided) {
+    const std::size_t parts = beside ? limits.parts(open.size()) : 1;
+    std::vector<std::size_t> ends(parts);  // of what stays of each part
+    const auto sweep_part = [&](std::size_t part) {
+        std::size_t kept = open.size() * part / parts;
+        const std::size_t end = open.size() * (part + 1) / parts;
+        for (std::size_t i = kept; i != end; ++i) {
+            if (i % Limits::look_every == 0 && limits.stopped()) throw Limits::Stop{};
+            const std::uint32_t state = open[i];
+            if (!decided(state)) open[kept++] = state;
+            else if (parts == 1) set.add(state);
+            else set.add_beside(state);
+        }
+        ends[part] = kept;
+    };
+    limits.share(parts, sweep_part);
+    std::size_t kept = ends[0];
+    for (std::size_t part = 1; part != parts; ++part)
+        for (std::size_t i = open.size() * part / parts; i != ends[part]; ++i) open[kept++] = open[i];
+    open.resize(kept);
+}
+
 /// Sweeps over `open`, alternating in direction, until a sweep decides less than one state in `stall` (none, for 0).
 /// `decided(state)` tells whether the state joins. False: stopped.
 template <class Decided>
-bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, const Limits& limits,
+bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, bool beside, const Limits& limits,
            const Decided& decided) {
     std::ranges::reverse(open);
     for (std::size_t before = open.size() + 1; !open.empty();) {
         if (limits.stopped()) return false;
         before = open.size();
-        std::erase_if(open, [&](std::uint32_t state) {
-            limits.poll();
-            if (!decided(state)) return false;
-            set.add(state);
-            return true;
-        });
+        sweep_once(open, set, beside, limits, decided);
         const std::size_t found = before - open.size();
         if (found == 0 || (stall != 0 && found < before / stall)) break;
         std::ranges::reverse(open);
@@ -52,8 +72,8 @@ std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& g
     const auto urgent_leads = [&](std::uint32_t state) {
         return graph.kind(state) == StateKind::Urgent && goal.has(graph.target(state));
     };
-    if (!sweep(open, goal, 0, limits, urgent_leads)) return {};
-    std::vector<std::uint32_t> successors;
+    if (!sweep(open, goal, 0, true, limits, urgent_leads)) return {};
+    std::vector<std::uint32_t> successors;  // of urgent edges; their sweep is of one thread
     const auto leads = [&](std::uint32_t state) {
         bool found = false;
         const auto look = [&](std::uint32_t next) { found = found || goal.has(next); };
@@ -64,7 +84,7 @@ std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& g
         std::ranges::for_each(successors, look);
         return found;
     };
-    if (!sweep(open, goal, 0, limits, leads)) return {};
+    if (!sweep(open, goal, 0, graph.linked && by != Transitions::UrgentActions, limits, leads)) return {};
     return open;
 }
 
@@ -77,7 +97,7 @@ std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<s
         return all;
     };
     std::vector<std::uint32_t> open = undecided(graph, met);
-    if (graph.linked && !sweep(open, met, 16, limits, all_lead)) return {};
+    if (graph.linked && !sweep(open, met, 16, true, limits, all_lead)) return {};
     open = {};
 
     // What is left: depth first from the roots. A state is left for good when all its successors are in `met`.

@@ -7,6 +7,7 @@
 // computed anew when asked for: a bound on memory against time. Parents give each state its shortest run.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -75,16 +76,23 @@ private:
     std::uint32_t last_ = 0;
 };
 
-/// A set of states.
+/// A set of states. Threads may add to it side by side by `add_beside`, and read it meanwhile.
 class StateSet {
 public:
-    explicit StateSet(std::size_t states) : bits_((states + 63) / 64, 0) {}
-    bool has(std::uint32_t state) const { return (bits_[state >> 6U] >> (state & 63U) & 1U) != 0; }
-    void add(std::uint32_t state) { bits_[state >> 6U] |= std::uint64_t{1} << (state & 63U); }
-    void remove(std::uint32_t state) { bits_[state >> 6U] &= ~(std::uint64_t{1} << (state & 63U)); }
+    explicit StateSet(std::size_t states) : words_((states + 63) / 64) {}
+    bool has(std::uint32_t state) const { return (word(state).load(relaxed) & bit(state)) != 0; }
+    void add(std::uint32_t state) { word(state).store(word(state).load(relaxed) | bit(state), relaxed); }
+    void add_beside(std::uint32_t state) { word(state).fetch_or(bit(state), relaxed); }
+    void remove(std::uint32_t state) { word(state).store(word(state).load(relaxed) & ~bit(state), relaxed); }
 
 private:
-    std::vector<std::uint64_t> bits_;
+    using Atomic = std::atomic<std::uint64_t>;
+    static constexpr std::memory_order relaxed = std::memory_order_relaxed;
+    static std::uint64_t bit(std::uint32_t state) { return std::uint64_t{1} << (state & 63U); }
+    Atomic& word(std::uint32_t state) { return words_[state >> 6U]; }
+    const Atomic& word(std::uint32_t state) const { return words_[state >> 6U]; }
+
+    std::vector<Atomic> words_;
 };
 
 struct UncoveredAt {
@@ -96,6 +104,7 @@ struct FaultAt {
     Fault fault = {};
 };
 
+/// Threads may read one side by side, but for what is not const.
 class Graph {
 public:
     explicit Graph(Machine& compiled) : machine(compiled), store(compiled.layout()) {}
@@ -157,7 +166,9 @@ public:
     std::vector<std::uint32_t> path_to(std::uint32_t state) const;
     Run run_to(std::uint32_t state) { return run_along(path_to(state)); }
 
-    End holds(std::uint32_t predicate, std::uint32_t state) { return machine.holds(predicate, load(state)); }
+    End holds(std::uint32_t predicate, std::uint32_t state) {
+        return machine.holds(predicate, load(state), moves_.registers);
+    }
     const Word* load(std::uint32_t state) {
         store.load(state, now_);
         return now_.words.data();

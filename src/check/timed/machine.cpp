@@ -7,7 +7,8 @@
 
 namespace grafverif::timed {
 
-void Machine::expand(const Word* words, Moves& moves) {
+void Machine::expand(const Word* words, Moves& moves) const {
+    if (moves.registers.size() < program_.registers) moves.registers.resize(program_.registers);
     moves.edges.clear();
     moves.urgent = false;
     moves.fault.reset();
@@ -23,12 +24,12 @@ void Machine::expand(const Word* words, Moves& moves) {
             const Edge& at = edges_[edge];
             if ((words[at.word] & at.mask) != at.value) continue;
             const End guard =
-                at.guard == Program::yes ? End::Yes : test(program_, at.guard, words, registers_.data()).end;
+                at.guard == Program::yes ? End::Yes : test(program_, at.guard, words, moves.registers.data()).end;
             if (guard == End::No) continue;
             covered |= at.covers;
             freed |= at.frees;
             always = always || at.always;
-            if (at.clocks != Program::yes && test(program_, at.clocks, words, registers_.data()).end != End::Yes)
+            if (at.clocks != Program::yes && test(program_, at.clocks, words, moves.registers.data()).end != End::Yes)
                 continue;
             if (guard == End::Yes) fire(edge, words, moves);
             else if (!moves.fault) moves.fault = Fault{End::NoValue, edge, 0};
@@ -42,12 +43,12 @@ void Machine::expand(const Word* words, Moves& moves) {
     if (moves.urgent) moves.locked_bound.reset();
 }
 
-void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) {
+void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) const {
     if (const std::size_t room = (moves.edges.size() + 1) * layout_.words; moves.words.size() < room)
         moves.words.resize(2 * room);
     Word* const next = moves.words.data() + moves.edges.size() * layout_.words;
     for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
-    const Ran ran = run(program_, edges_[edge].effect, next, registers_.data());
+    const Ran ran = run(program_, edges_[edge].effect, next, moves.registers.data());
     moves.urgent = moves.urgent || edges_[edge].urgent;  // also where it breaks off
     if (ran.end == End::Yes) {
         moves.edges.push_back(edge);
@@ -69,9 +70,9 @@ bool Machine::delay(Word* words) const {
     return true;
 }
 
-End Machine::holds(std::uint32_t predicate, const Word* words) {
-    if (registers_.size() < program_.registers) registers_.resize(program_.registers);
-    return test(program_, predicate, words, registers_.data()).end;
+End Machine::holds(std::uint32_t predicate, const Word* words, std::vector<std::int64_t>& registers) const {
+    if (registers.size() < program_.registers) registers.resize(program_.registers);
+    return test(program_, predicate, words, registers.data()).end;
 }
 
 }  // namespace grafverif::timed

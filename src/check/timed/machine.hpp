@@ -36,12 +36,14 @@ struct UncoveredBound {
 struct Moves {
     std::vector<std::uint32_t> edges = {};  ///< those that can fire, in the order of processes and edges
     std::vector<Word> words = {};           ///< the states they lead to, Machine::layout.words apart
-    bool urgent = false;                    ///< some urgent edge can fire: time stands
+    std::vector<std::int64_t> registers = {};
+    bool urgent = false;  ///< some urgent edge can fire: time stands
     std::optional<Fault> fault = {};
     std::optional<UncoveredBound> stuck_bound = {};   ///< a run may end here between the ticks
     std::optional<UncoveredBound> locked_bound = {};  ///< time may be locked here between the ticks
 };
 
+/// A network as code. Threads may share one while nothing more is compiled.
 class Machine {
 public:
     /// `network` is expanded, and outlives the machine.
@@ -53,11 +55,11 @@ public:
     Compiler& compiler() { return compiler_; }
 
     /// Every edge that can fire in `words` (layout().words of them).
-    void expand(const Word* words, Moves& moves);
+    void expand(const Word* words, Moves& moves) const;
     /// Lets one unit of time pass where invariants allow it; urgency is not looked at. False: some invariant forbids it.
     bool delay(Word* words) const;
     /// A term over variables and locations; fallible terms without value are reported as NoValue.
-    End holds(std::uint32_t predicate, const Word* words);
+    End holds(std::uint32_t predicate, const Word* words, std::vector<std::int64_t>& registers) const;
 
     Id<Network::Process> process_of(std::uint32_t edge) const { return {edges_[edge].process}; }
     Id<Network::Edge> edge_of(std::uint32_t edge) const { return {edges_[edge].index}; }
@@ -102,7 +104,7 @@ private:
     std::uint32_t compile_effect(Id<Network::Process> process, const Network::Edge& edge);
     void compile_guard(Id<Expr> guard, Edge& compiled);
     void judge_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const;
-    void fire(std::uint32_t edge, const Word* words, Moves& moves);
+    void fire(std::uint32_t edge, const Word* words, Moves& moves) const;
 
     const Network& network_;
     std::vector<ProcessClocks> clocks_;
@@ -113,7 +115,6 @@ private:
     std::vector<Tick> ticks_ = {};
     std::vector<Row> rows_ = {};
     std::vector<Place> places_ = {};
-    std::vector<std::int64_t> registers_ = {};
     bool timed_ = false;
 };
 

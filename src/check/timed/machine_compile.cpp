@@ -26,7 +26,6 @@ Machine::Machine(const Network& network)
       layout_(layout_of(network, clocks_)),
       compiler_(network_, layout_, program_) {
     for (const Id<Network::Process> process : network.processes.ids()) compile(process);
-    registers_.resize(program_.registers);
 }
 
 void Machine::compile(Id<Network::Process> process) {

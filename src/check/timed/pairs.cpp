@@ -9,17 +9,9 @@ namespace grafverif::timed {
 
 namespace {
 
-constexpr std::size_t first_slots = 16;
-constexpr std::size_t fetched_ahead = 32;   // slots whose pairs are fetched ahead of their use
-constexpr unsigned least_number_bits = 12;  // so that a print has at most the 20 bits that no place is made of
-
-/// Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014), the mixing of SplitMix64.
-std::uint64_t hash_of(Word pair) {
-    std::uint64_t hash = pair + 0x9E3779B97F4A7C15U;
-    hash = (hash ^ (hash >> 30U)) * 0xBF58476D1CE4E5B9U;
-    hash = (hash ^ (hash >> 27U)) * 0x94D049BB133111EBU;
-    return hash ^ (hash >> 31U);
-}
+constexpr std::size_t first_slots = 32;
+constexpr std::uint32_t fetched_ahead = 32;  // slots whose pairs are fetched ahead of their use
+constexpr unsigned least_number_bits = 12;   // so that a print has at most the 20 bits that no place is made of
 
 // Of a hash, the topmost bits choose the shard, the lowest are the print, those between the place in the shard.
 
@@ -35,21 +27,36 @@ std::uint32_t mask_of(unsigned bits) { return bits == 0 ? 0 : 0xFFFFFFFFU >> (32
 
 }  // namespace
 
+/// Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014), the mixing of SplitMix64.
+std::uint64_t Pairs::hash(Word pair) {
+    std::uint64_t hash = pair + 0x9E3779B97F4A7C15U;
+    hash = (hash ^ (hash >> 30U)) * 0xBF58476D1CE4E5B9U;
+    hash = (hash ^ (hash >> 27U)) * 0x94D049BB133111EBU;
+    return hash ^ (hash >> 31U);
+}
+
 Pairs::Pairs(unsigned shard_bits)
     : open_(std::make_unique_for_overwrite<Word[]>(chunk)), shards_(std::size_t{1} << shard_bits) {
     chunk_bytes_ = chunk * sizeof(Word);
-    for (Shard& shard : shards_) rebuild(shard, first_slots);
+    for (Shard& shard : shards_) rebuild(shard, first_slots, 1);
 }
 
 void Pairs::prefetch(Word pair) const {
-    const std::uint64_t hash = hash_of(pair);
-    const Shard& shard = shard_of(hash);
+    const std::uint64_t hash = Pairs::hash(pair);
+    const Shard& shard = shards_[shard_of(hash)];
     __builtin_prefetch(shard.slots.data() + home_of(hash, shard.slots.size()));
 }
 
+void Pairs::prefetch_met(Word pair) const {
+    const std::uint64_t hash = Pairs::hash(pair);
+    const Shard& shard = shards_[shard_of(hash)];
+    const std::uint32_t slot = shard.slots[home_of(hash, shard.slots.size())];
+    if (slot != 0) prefetch_pair((slot & mask_of(shard.number_bits)) - 1);
+}
+
 std::uint32_t Pairs::find(Word pair) const {
-    const std::uint64_t hash = hash_of(pair);
-    const Shard& shard = shard_of(hash);
+    const std::uint64_t hash = Pairs::hash(pair);
+    const Shard& shard = shards_[shard_of(hash)];
     const std::uint32_t print = print_of(hash, shard.number_bits);
     const std::size_t slots = shard.slots.size();
     for (std::size_t place = home_of(hash, slots);; place = place + 1 == slots ? 0 : place + 1) {
@@ -62,30 +69,55 @@ std::uint32_t Pairs::find(Word pair) const {
 }
 
 Pairs::Interned Pairs::intern(Word pair) {
-    const std::uint64_t hash = hash_of(pair);
-    Shard& shard = shard_of(hash);
-    if (5 * (shard.used + 1) > 4 * shard.slots.size()) rebuild(shard, shard.slots.size() + shard.slots.size() / 2);
-    const std::uint32_t print = print_of(hash, shard.number_bits);
+    const std::uint32_t known = find(pair);
+    if (known != none) return {known, false};
+    const std::uint32_t number = append(pair);
+    const std::uint64_t hash = Pairs::hash(pair);
+    put(shards_[shard_of(hash)], hash, number);
+    return {number, true};
+}
+
+std::uint32_t Pairs::append(Word pair) {
+    if (size_ >= most) throw std::bad_alloc();
+    if (size_ != 0 && (size_ & (chunk - 1)) == 0 && packed_.size() << shift != size_) pack();
+    count(shards_[shard_of(hash(pair))]);
+    open_[size_ & (chunk - 1)] = pair;
+    return static_cast<std::uint32_t>(size_++);
+}
+
+/// One more pair will be put there.
+void Pairs::count(Shard& shard) {
+    const bool full = 5 * (shard.used + 1) > 4 * shard.slots.size();
+    const std::size_t slots = full ? 2 * shard.slots.size() : shard.slots.size();
+    if (full || (size_ + 1) >> shard.number_bits != 0) rebuild(shard, slots, 1);
+    ++shard.used;
+}
+
+void Pairs::put(Shard& shard, std::uint64_t hash, std::uint32_t number) {
     const std::size_t slots = shard.slots.size();
     std::size_t place = home_of(hash, slots);
-    for (;; place = place + 1 == slots ? 0 : place + 1) {
-        const std::uint32_t slot = shard.slots[place];
-        if (slot == 0) break;
-        if (slot >> shard.number_bits != print) continue;
-        const std::uint32_t number = (slot & mask_of(shard.number_bits)) - 1;
-        if ((*this)[number] == pair) return {number, false};
+    while (shard.slots[place] != 0) place = place + 1 == slots ? 0 : place + 1;
+    shard.slots[place] = print_of(hash, shard.number_bits) << shard.number_bits | (number + 1);
+}
+
+void Pairs::make_room(std::size_t more, Share share) {
+    const std::size_t each = more / shards_.size() + more / shards_.size() / 8 + 16;
+    for (std::size_t i = share.member; i < shards_.size(); i += share.members) {
+        Shard& shard = shards_[i];
+        std::size_t slots = shard.slots.size();
+        while (5 * (shard.used + each) > 4 * slots) slots *= 2;
+        if (slots != shard.slots.size() || (size_ + more) >> shard.number_bits != 0) rebuild(shard, slots, more);
     }
-    if (size_ >= most) throw std::bad_alloc();
-    if ((size_ + 1) >> shard.number_bits != 0) {
-        rebuild(shard, slots);
-        return intern(pair);
+}
+
+void Pairs::index(std::uint32_t first, Share share) {
+    for (std::size_t at = first; at < size_; ++at) {
+        const auto number = static_cast<std::uint32_t>(at);
+        if (at + fetched_ahead < size_) prefetch((*this)[number + fetched_ahead]);
+        const std::uint64_t hash = Pairs::hash((*this)[number]);
+        if (const std::size_t shard = shard_of(hash); shard % share.members == share.member)
+            put(shards_[shard], hash, number);
     }
-    if (size_ != 0 && (size_ & (chunk - 1)) == 0 && packed_.size() << shift != size_) pack();
-    open_[size_ & (chunk - 1)] = pair;
-    const auto number = static_cast<std::uint32_t>(size_++);
-    shard.slots[place] = print << shard.number_bits | (number + 1);
-    ++shard.used;
-    return {number, true};
 }
 
 /// The open chunk is full.
@@ -110,28 +142,29 @@ void Pairs::pack() {
     chunk_bytes_ += bytes + sizeof(Chunk);
 }
 
-/// With as many slots, and bits for as many numbers as there may be until it is full.
-void Pairs::rebuild(Shard& shard, std::size_t slots) {
+/// With as many slots, and bits for `more` numbers and for those that there may be until it is full.
+void Pairs::rebuild(Shard& shard, std::size_t slots, std::size_t more) {
     Shard wider{std::vector<std::uint32_t>(slots), shard.used, 0};
-    wider.number_bits = std::max(least_number_bits, static_cast<unsigned>(std::bit_width(size_ + size_ / 2 + 1)));
+    wider.number_bits =
+        std::max(least_number_bits, static_cast<unsigned>(std::bit_width(size_ + std::max(size_ / 2, more))));
     const std::uint32_t numbers_of = mask_of(shard.number_bits);
     for (std::size_t at = 0; at < shard.slots.size(); ++at) {
         if (const std::size_t soon = at + fetched_ahead; soon < shard.slots.size() && shard.slots[soon] != 0)
             prefetch_pair((shard.slots[soon] & numbers_of) - 1);
         if (shard.slots[at] == 0) continue;
         const std::uint32_t number = (shard.slots[at] & numbers_of) - 1;
-        const std::uint64_t hash = hash_of((*this)[number]);
-        std::size_t place = home_of(hash, slots);
-        while (wider.slots[place] != 0) place = place + 1 == slots ? 0 : place + 1;
-        wider.slots[place] = print_of(hash, wider.number_bits) << wider.number_bits | (number + 1);
+        const std::uint64_t hash = Pairs::hash((*this)[number]);
+        put(wider, hash, number);
     }
-    slots_ += slots - shard.slots.size();
     shard = std::move(wider);
 }
 
-void Pairs::drop_index() {
-    shards_ = {};
-    slots_ = 0;
+std::size_t Pairs::index_bytes() const {
+    std::size_t slots = 0;
+    for (const Shard& shard : shards_) slots += shard.slots.size();
+    return slots * sizeof(std::uint32_t);
 }
+
+void Pairs::drop_index() { shards_ = {}; }
 
 }  // namespace grafverif::timed

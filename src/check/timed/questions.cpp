@@ -91,6 +91,13 @@ void Questions::ask(Id<Property> about, const Property& property) {
     questions_.push_back(std::move(question));
 }
 
+bool Questions::follow_edges() const {
+    return std::ranges::any_of(questions_, [](const Question& question) {
+        const Pattern pattern = question.property->pattern;
+        return pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo || pattern == Pattern::AlwaysPossible;
+    });
+}
+
 void Questions::compile(Question& question) {
     const Property& property = *question.property;
     switch (property.pattern) {

@@ -24,6 +24,8 @@ public:
     Questions(const Network& network, Machine& machine, Watch& watch);
 
     void ask(Id<Property> about, const Property& property);
+    /// Whether some property asked goes along the edges of many states.
+    bool follow_edges() const;
     /// The verdicts, after a search that `ended`.
     std::vector<Verdict> answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors,
                                  const Limits& limits);

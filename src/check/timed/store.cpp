@@ -62,15 +62,18 @@ Word Store::fold(const Word* words, const Unfolded& before, Unfolded& now) {
     return Pairs::pair(numbers[nodes_.back().low], numbers[nodes_.back().high]);
 }
 
-std::uint32_t Store::find(const Word* words, Unfolded& now) const {
+std::optional<Word> Store::root_of(const Word* words, const Unfolded& before, Unfolded& now) const {
     take(words, now);
     std::uint32_t* const numbers = now.numbers.data();
+    const std::uint32_t* const same = before.numbers.data();
     for (std::size_t i = 0; i < tables_.size(); ++i) {
         const auto [low, high] = nodes_[i];
-        numbers[2 * stored_ + i] = tables_[i].find(Pairs::pair(numbers[low], numbers[high]));
-        if (numbers[2 * stored_ + i] == none) return none;
+        const bool known = !before.numbers.empty() && numbers[low] == same[low] && numbers[high] == same[high];
+        const std::size_t at = 2 * stored_ + i;
+        numbers[at] = known ? same[at] : tables_[i].find(Pairs::pair(numbers[low], numbers[high]));
+        if (numbers[at] == none) return {};
     }
-    return root_.find(Pairs::pair(numbers[nodes_.back().low], numbers[nodes_.back().high]));
+    return Pairs::pair(numbers[nodes_.back().low], numbers[nodes_.back().high]);
 }
 
 void Store::unfold(std::size_t node, Word pair, std::uint32_t* numbers) const {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "check/timed/layout.hpp"
@@ -32,11 +33,16 @@ public:
     /// The root's pair for the state in `words`, those of its nodes interned. `now` is filled with its numbers; what it
     /// has in common with `before`, a state unfolded, is not looked up.
     Word fold(const Word* words, const Unfolded& before, Unfolded& now);
-    Pairs::Interned intern(Word root) { return root_.intern(root); }
-    /// Fetches the place where `root` is looked up first.
-    void prefetch(Word root) const { root_.prefetch(root); }
+    /// The same where all subtrees have been met; else nothing, and the state is not here.
+    std::optional<Word> root_of(const Word* words, const Unfolded& before, Unfolded& now) const;
+    /// By their roots' pairs, states are kept and looked up; one appended is found when it is indexed (see Pairs).
+    const Pairs& roots() const { return root_; }
+    Pairs& roots() { return root_; }
     /// The number of the state in `words`, or none.
-    std::uint32_t find(const Word* words, Unfolded& now) const;
+    std::uint32_t find(const Word* words, Unfolded& now) const {
+        const std::optional<Word> root = root_of(words, {}, now);
+        return root ? root_.find(*root) : none;
+    }
     /// Of what `unfolded` holds, the subtrees with the same numbers are kept.
     void load(std::uint32_t state, Unfolded& unfolded) const;
 

@@ -74,7 +74,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
         settled = machine.compiler().condition(flat.settled, timed::Program::yes, timed::Program::no);
 
     timed::Graph graph(machine);
-    graph.linked = options.keep_links;
+    graph.linked = options.keep_links && (options.premises || questions.follow_edges());
     std::vector<timed::Field> races;
     if (flat.race.valid()) races.push_back(machine.layout().variables[flat.race.index]);
     const Obstacle ended =

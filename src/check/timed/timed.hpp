@@ -45,9 +45,11 @@ struct TimedOptions {
     std::uint64_t max_memory = std::uint64_t{4} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;  ///< set by somebody else: end with what is known
-    bool keep_links = true;                   ///< false: less memory, several times the work for liveness
-    bool timelock = true;                     ///< false: not decided where nobody asks
-    bool premises = false;                    ///< find out TimedResult::premises
+    unsigned jobs = 1;       ///< threads; 0: as many as there are cores. What is found does not depend on it
+    unsigned slice = 64;     ///< states that a thread takes at a time; far fewer than there are, or one thread does all
+    bool keep_links = true;  ///< false: less memory, several times the work for liveness. Kept only where needed
+    bool timelock = true;    ///< false: not decided where nobody asks
+    bool premises = false;   ///< find out TimedResult::premises
     std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
     bool profile = false;  ///< asks for TimedResult::profile, whatever the search comes to
     std::function<void(const StateProfile&)> many = {};  ///< called once, when the search has found `many_states`

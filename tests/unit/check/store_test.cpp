@@ -38,6 +38,19 @@ TEST(Pairs, AreNumberedInTheOrderTheyCameInAndFoundAgainHoweverManyThereAre) {
     }
 }
 
+TEST(Pairs, AppendedAreFoundOnceEveryShareHasIndexedThem) {
+    Pairs pairs(6);
+    std::uint64_t made = 0;
+    for (const std::uint32_t more : {1U, 700U, 3U, 30'000U, 5'000U}) {
+        const auto first = static_cast<std::uint32_t>(pairs.size());
+        for (unsigned member = 0; member < 3; ++member) pairs.make_room(more / 2, {member, 3});  // less than needed
+        for (std::uint32_t i = 0; i < more; ++i) ASSERT_EQ(pairs.append(made++ * 0x10001), first + i);
+        ASSERT_EQ(pairs.find((made - 1) * 0x10001), Pairs::none);
+        for (unsigned member = 0; member < 3; ++member) pairs.index(first, {member, 3});
+        for (std::uint64_t i = 0; i < made; ++i) ASSERT_EQ(pairs.find(i * 0x10001), i);
+    }
+}
+
 TEST(Store, GivesBackEveryStateOfEachSize) {
     for (const unsigned halves : {1U, 2U, 3U, 5U, 6U, 11U, 16U}) {
         SCOPED_TRACE(halves);
@@ -56,7 +69,7 @@ TEST(Store, GivesBackEveryStateOfEachSize) {
             for (unsigned half = 0; half < halves; ++half)
                 words[half / 2] |= Word{some(i / (1 + half % 7) * 31 + half, 5 + half % 28)} << (half % 2 * 32);
             const bool known = store.find(words.data(), now) != Store::none;
-            const Pairs::Interned interned = store.intern(store.fold(words.data(), before, now));
+            const Pairs::Interned interned = store.roots().intern(store.fold(words.data(), before, now));
             ASSERT_EQ(interned.fresh, !known);
             if (interned.fresh) states.push_back(words);
             ASSERT_EQ(states[interned.number], words);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Looking up a state costs a cache miss or two. So the roots of all states that a slice leads to are computed first and
+// their places in the index fetched, then what stands there, and then they are looked up.
+#include "check/timed/slice.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace grafverif::timed {
+
+namespace {
+
+constexpr std::size_t slice_words = 1U << 17U;  // in a slice; then it ends
+
+}  // namespace
+
+std::size_t Slice::bytes() const {
+    return states.capacity() * sizeof(State) + targets.capacity() * sizeof(std::uint32_t) +
+           strangers.capacity() * sizeof(Stranger) + words.capacity() * sizeof(Word);
+}
+
+std::size_t Slicer::fill(Slice& slice, std::uint32_t begin, std::uint32_t end) {
+    slice_ = &slice;
+    slice.states.clear();
+    slice.targets.clear();
+    slice.strangers.clear();
+    slice.words.clear();
+    slice.stuck_bound.reset();
+    slice.locked_bound.reset();
+    slice.faults.clear();
+    slice.begin = slice.end = begin;
+    while (slice.end != end && slice.words.size() < slice_words) look_at(slice.end++);
+    const std::size_t computed = slice.words.size();
+    look_up();
+    return computed;
+}
+
+void Slicer::look_at(std::uint32_t state) {
+    Slice& slice = *slice_;
+    graph_.store.load(state, now_);
+    Slice::State& at = slice.states.emplace_back();
+    at.first = static_cast<std::uint32_t>(slice.targets.size());
+    at.race = std::ranges::any_of(races_, [&](const Field& race) { return race.raw(now_.words.data()) != 0; });
+    if (at.race) return;
+    const Machine& machine = graph_.machine;
+    machine.expand(now_.words.data(), moves_);
+    at.edges = static_cast<std::uint32_t>(moves_.edges.size());
+    at.urgent = moves_.urgent;
+    at.fault = moves_.fault.has_value();
+    for (std::size_t i = 0; i < moves_.edges.size(); ++i)
+        add(moves_.words.data() + i * machine.layout().words, machine.urgent(moves_.edges[i]) ? Slice::urgent : 0);
+    if (moves_.stuck_bound && !slice.stuck_bound) slice.stuck_bound = UncoveredAt{state, *moves_.stuck_bound};
+    if (moves_.locked_bound && !slice.locked_bound) slice.locked_bound = UncoveredAt{state, *moves_.locked_bound};
+    if (moves_.fault) slice.faults.push_back({state, *moves_.fault});
+    if (moves_.words.size() > slice_words) moves_.words = {};
+    if (at.urgent || graph_.kind(state) != StateKind::Unknown) return;
+    later_ = now_.words;
+    at.timed = true;
+    at.passes = machine.delay(later_.data());
+    if (at.passes) add(later_.data(), 0);
+}
+
+void Slicer::add(const Word* words, std::uint32_t flags) {
+    Slice& slice = *slice_;
+    const std::optional<Word> root = graph_.store.root_of(words, now_, next_);
+    if (root) graph_.store.roots().prefetch(*root);
+    slice.strangers.push_back({root.value_or(0), root.has_value(), 0});
+    slice.targets.push_back(flags);
+    slice.words.insert(slice.words.end(), words, words + graph_.machine.layout().words);
+}
+
+/// Those that the store holds are strangers no more.
+void Slicer::look_up() {
+    Slice& slice = *slice_;
+    const Pairs& roots = graph_.store.roots();
+    for (const Slice::Stranger& stranger : slice.strangers)
+        if (stranger.folded) roots.prefetch_met(stranger.root);
+    const std::size_t words = graph_.machine.layout().words;
+    std::uint32_t kept = 0;
+    for (std::size_t i = 0; i < slice.targets.size(); ++i) {
+        const Slice::Stranger stranger = slice.strangers[i];
+        const std::uint32_t known = stranger.folded ? roots.find(stranger.root) : Store::none;
+        slice.targets[i] |= known != Store::none ? known : Slice::stranger | kept;
+        if (known != Store::none) continue;
+        if (kept != i) std::copy_n(slice.words.data() + i * words, words, slice.words.data() + kept * words);
+        slice.strangers[kept++] = stranger;
+    }
+    slice.strangers.resize(kept);
+    slice.words.resize(kept * words);
+}
+
+void Strangers::begin(unsigned parts, std::size_t strangers) {
+    parts_.resize(parts);
+    for (Part& part : parts_) {
+        part.entries.clear();
+        const std::size_t slots = std::bit_ceil(2 * strangers / parts + 16);
+        if (part.slots.size() < slots || part.slots.size() > 8 * slots) part.slots.resize(slots);
+        std::ranges::fill(part.slots, 0);
+    }
+}
+
+Strangers::Met Strangers::meet(Word root) {
+    const std::uint64_t hash = Pairs::hash(root);
+    const auto index = static_cast<std::uint32_t>(hash % parts_.size());
+    Part& part = parts_[index];
+    if (2 * (part.entries.size() + 1) > part.slots.size()) widen(part, 2 * part.slots.size());
+    std::size_t place = hash >> 24U & (part.slots.size() - 1);
+    while (part.slots[place] != 0 && part.entries[part.slots[place] - 1].root != root)
+        place = (place + 1) & (part.slots.size() - 1);
+    const bool fresh = part.slots[place] == 0;
+    if (fresh) {
+        part.entries.push_back({root});
+        part.slots[place] = static_cast<std::uint32_t>(part.entries.size());
+    }
+    return {(part.slots[place] - 1) * static_cast<std::uint32_t>(parts_.size()) + index, fresh};
+}
+
+void Strangers::widen(Part& part, std::size_t slots) {
+    part.slots.assign(slots, 0);
+    for (std::uint32_t entry = 0; entry < part.entries.size(); ++entry) {
+        std::size_t place = Pairs::hash(part.entries[entry].root) >> 24U & (slots - 1);
+        while (part.slots[place] != 0) place = (place + 1) & (slots - 1);
+        part.slots[place] = entry + 1;
+    }
+}
+
+std::size_t Strangers::size() const {
+    std::size_t size = 0;
+    for (const Part& part : parts_) size += part.entries.size();
+    return size;
+}
+
+std::size_t Strangers::bytes() const {
+    std::size_t bytes = 0;
+    for (const Part& part : parts_)
+        bytes += part.slots.capacity() * sizeof(std::uint32_t) + part.entries.capacity() * sizeof(Entry);
+    return bytes;
+}
+
+}  // namespace grafverif::timed

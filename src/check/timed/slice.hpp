@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Slice: where the moves of a few states in a row lead, computed by one thread beside others while nobody writes to the
+// graph. States that the store does not hold yet are strangers: they are numbered when the search comes to them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "check/timed/graph.hpp"
+#include "check/timed/watch.hpp"
+
+namespace grafverif::timed {
+
+struct Slice {
+    static constexpr std::uint32_t stranger = 1U << 31U, urgent = 1U << 30U, number = urgent - 1;
+
+    struct State {
+        std::uint32_t first = 0;  ///< in `targets`: where its edges lead, then time, where it passes
+        std::uint32_t edges = 0;
+        bool race = false;
+        bool urgent = false;
+        bool fault = false;
+        bool timed = false;   ///< it was found out whether time passes
+        bool passes = false;  ///< it does
+    };
+    struct Stranger {
+        Word root = 0;  ///< where it is `folded`
+        bool folded = false;
+        std::uint32_t entry = 0;  ///< in Strangers
+    };
+
+    std::uint32_t begin = 0, end = 0;  ///< the states looked at
+    std::vector<State> states = {};
+    std::vector<std::uint32_t> targets =
+        {};  ///< with flags: a state's number or that of a stranger; reached by an urgent edge
+    std::vector<Stranger> strangers = {};
+    std::vector<Word> words = {};                                    ///< of the strangers, Layout::words apart
+    std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};  ///< the first
+    std::vector<FaultAt> faults = {};
+
+    std::size_t bytes() const;
+};
+
+/// What one thread needs to fill slices.
+class Slicer {
+public:
+    Slicer(const Graph& graph, const std::vector<Field>& races) : graph_(graph), races_(races) {}
+
+    /// The moves of the states from `begin` on, up to `end` or until they are many. Returns how many words were computed.
+    std::size_t fill(Slice& slice, std::uint32_t begin, std::uint32_t end);
+    bool wanted(const Watch& watch, const Word* words) { return watch.wants(graph_.machine, words, moves_.registers); }
+
+private:
+    void look_at(std::uint32_t state);
+    void add(const Word* words, std::uint32_t flags);
+    void look_up();
+
+    const Graph& graph_;
+    const std::vector<Field>& races_;
+    Slice* slice_ = nullptr;
+    Moves moves_ = {};
+    Unfolded now_ = {}, next_ = {};
+    std::vector<Word> later_ = {};
+};
+
+/// The strangers of several slices, each once; in parts by hash, so that threads can take a part each.
+class Strangers {
+public:
+    struct Entry {
+        Word root = 0;
+        std::uint32_t number = Store::none;  ///< once the search has come to it
+        bool wanted = false;                 ///< by the watch
+    };
+
+    /// Empties all, for so many parts and about so many strangers.
+    void begin(unsigned parts, std::size_t strangers);
+    unsigned part_of(Word root) const { return static_cast<unsigned>(Pairs::hash(root) % parts_.size()); }
+    struct Met {
+        std::uint32_t entry = 0;
+        bool fresh = false;
+    };
+    /// The entry, a new one where `root` is met for the first time.
+    Met meet(Word root);
+    Entry& operator[](std::uint32_t entry) {
+        const auto parts = static_cast<std::uint32_t>(parts_.size());
+        return parts_[entry % parts].entries[entry / parts];
+    }
+    std::size_t size() const;
+    std::size_t bytes() const;
+
+private:
+    struct Part {
+        std::vector<std::uint32_t> slots = {};  // entry + 1; 0: free
+        std::vector<Entry> entries = {};
+    };
+    static void widen(Part& part, std::size_t slots);
+
+    std::vector<Part> parts_ = {};
+};
+
+}  // namespace grafverif::timed
