@@ -159,6 +159,12 @@ std::vector<std::int64_t> symbol_values(const FlatSystem& flat, std::span<const 
     return result;
 }
 
+SystemRun system_run(const FlatSystem& flat, const FlatRun& run) {
+    SystemRun made{{}, run.loop};
+    for (const std::vector<std::int64_t>& state : run.states) made.states.push_back(symbol_values(flat, state));
+    return made;
+}
+
 std::int64_t value_in(const System& system, const std::vector<std::int64_t>& state, Id<Expr> term) {
     return evaluate(system.exprs, term, [&](const Expr& node) { return state[static_cast<std::size_t>(node.value)]; })
         .value_or(0);

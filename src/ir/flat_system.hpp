@@ -78,6 +78,16 @@ struct SystemFault {
 /// `no-initial-state`, `dead-end`, `out-of-range`.
 std::string_view word(SystemFault::Kind kind);
 
+/// The same with one value for each of `variables`.
+struct FlatRun {
+    std::vector<std::vector<std::int64_t>> states = {};
+    std::optional<std::size_t> loop = {};
+
+    bool operator==(const FlatRun&) const = default;
+};
+/// As a run of the system that `flat` was made of.
+SystemRun system_run(const FlatSystem& flat, const FlatRun& run);
+
 /// The values of all symbols of main, as a state of a SystemRun. `variables`: one value for each of flat.variables.
 std::vector<std::int64_t> symbol_values(const FlatSystem& flat, std::span<const std::int64_t> variables);
 

@@ -18,6 +18,7 @@
 #include "ir/slots.hpp"
 #include "ir/words_of.hpp"
 #include "schedule/observers.hpp"
+#include "schedule/parts.hpp"
 #include "schedule/plant_instances.hpp"
 #include "schedule/scope.hpp"
 #include "syntax/print/sentence.hpp"
@@ -120,13 +121,17 @@ void add_questions(LoopMeaning& meaning, const PlantInstances& plant) {
     plant.add_range_property();
 }
 
-/// The formula of the network over main.
-Id<Expr> settled(const PlantInstances& plant) {
-    const Network& network = plant.context.network;
-    return translate(network.exprs, network.settled, plant.main.system.exprs, [&](const Expr& leaf) {
-        if (leaf.op == Op::At) return plant.at(at_process(leaf), at_location(leaf));
-        return plant.main.draft.leaf(plant.variables[static_cast<std::size_t>(leaf.value)]);
-    });
+/// The parts of the network, where nothing watches them all.
+System::Parts parts(const PlantInstances& plant, const Turn& move, const Offers& offers) {
+    Main& main = plant.main;
+    if (!main.system.observers.empty()) return {};
+    std::vector<Id<Expr>> turns;
+    for (std::size_t process = 0; process < move.processes; ++process) turns.push_back(move.of(main, process));
+    System::Parts made{.each = parts_that_take_turns(plant, turns)};
+    made.waits = main.system.ticks.valid() ? main.system.ticks : move.of_none(main);
+    made.can_move = offers.can_move;
+    made.can_wait = offers.can_wait;
+    return made;
 }
 
 // -- what traces say --------------------------------------------------------------------------------------------------
@@ -194,13 +199,14 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
                         .can_move = offers.can_move,
                         .can_wait = offers.can_wait};
     add_questions(meaning, plant);
-    main.system.settled = settled(plant);
+    main.system.settled = over_main(plant, network.settled);
     main.system.scope = network_scope(network, options);
     for (const Id<Network::Controller> id : network.controllers.ids())
         main.system.controllers.push_back(words(plant, network.controllers[id], equations[id.index]));
     for (const Id<Network::Process> process : network.processes.ids())
         if (network.processes[process].kind != Network::ProcessKind::Controller)
             main.system.components.push_back(plant.component(process.index));
+    main.system.parts = parts(plant, move, offers);
     return main.finish();
 }
 

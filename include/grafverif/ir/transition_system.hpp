@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -120,6 +121,25 @@ struct TransitionSystem {
         bool operator==(const Component&) const = default;
     };
 
+    /// Some instances, where in each step one instance moves or none: they share with all others nothing but whose turn it
+    /// is, and time.
+    struct Part {
+        std::string name = {};  ///< what users call it
+        std::vector<Id<Instance>> instances = {};
+        /// Symbols of main that are of this part, and the constants that stand for them where it is left out.
+        std::vector<std::pair<Id<Symbol>, Id<Expr>>> without = {};
+        Id<Expr> moves = {};    ///< in a step: one of its instances moves
+        Id<Expr> settled = {};  ///< its share of `settled`; not valid: that does not come apart
+        bool operator==(const Part&) const = default;
+    };
+    /// Parts, one of which moves in a step, or none. All terms over main.
+    struct Parts {
+        std::vector<Part> each = {};            ///< none: the system does not come apart
+        Id<Expr> waits = {};                    ///< in a step: none moves; where clocks count, time passes
+        Id<Expr> can_move = {}, can_wait = {};  ///< where clocks count: some instance can move; time can pass
+        bool operator==(const Parts&) const = default;
+    };
+
     std::string name = {};
     std::string scope = {};  ///< what verdicts about this system say of the timed plant; one paragraph for headers
     Exprs exprs = {};
@@ -134,6 +154,7 @@ struct TransitionSystem {
     std::vector<Omitted> omitted = {};
     std::vector<Controller> controllers = {};
     std::vector<Component> components = {};
+    Parts parts = {};
     Id<Expr> ticks = {};  ///< likewise: time passes by `tick_ms`; not valid: the system knows no time
     std::int64_t tick_ms = 0;
 
