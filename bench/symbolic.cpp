@@ -3,7 +3,8 @@
 // inputs, the growth with the number of steps and inputs. bench_symbolic PATH|cylinders N|two APPROACH [SCHEDULE] [discrete]
 // [atomic]: the closed loop of samples/PATH, of N cylinders, or two testing stations that share nothing but time (the
 // properties of one), with all properties; none, constraints or automata; interleaved, synchronous or sequenced;
-// `discrete`: clocks count; `atomic`: in that grain. `nusmv` as the last word prints the model instead.
+// `discrete`: clocks count; `atomic`: in that grain. As the last word, `whole` searches sub-loops together, `nusmv` prints the
+// model instead.
 #include "check/symbolic/symbolic.hpp"
 
 #include <fmt/core.h>
@@ -16,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "check/parts/by_turns.hpp"
 #include "compose/compose.hpp"
 #include "derive/derive.hpp"
 #include "emit/nusmv/nusmv.hpp"
@@ -88,7 +90,7 @@ Value meant(const std::map<std::string, Value>& table, const std::string& word) 
     if (found == table.end())
         throw std::invalid_argument(
             "usage: bench_symbolic stations N | PATH|cylinders N|two APPROACH [SCHEDULE] [discrete] "
-            "[atomic] [nusmv]");
+            "[atomic] [whole|nusmv]");
     return found->second;
 }
 
@@ -118,14 +120,14 @@ TransitionSystem system_of(const std::vector<std::string>& words) {
     return closed_loop(parts, bench::two_stations(grain.value_or(Grain::Phased)), options, grain);
 }
 
-void measure(const TransitionSystem& system) {
+void measure(const TransitionSystem& system, bool whole) {
     const auto progress = [](const SymbolicProgress& now) {
         fmt::print(stderr, "\r{} steps deep, {} MiB, {:.1f} s ", now.depth, now.bytes >> 20U, now.seconds);
     };
     SymbolicOptions options;
     options.witnesses = false;  // as `check` does it
     if (std::getenv("ENGINE_PROGRESS") != nullptr) options.progress = progress;
-    const SymbolicResult result = check_symbolic(system, options);
+    const SymbolicResult result = whole ? check_symbolic(system, options) : check_symbolic_by_parts(system, options);
     fmt::print("{} steps, {} inputs: {} states, {} steps deep, {} MiB, {:.2f} s\n",
                system.controllers.front().words.steps.size(), system.controllers.front().words.inputs.size(),
                result.states, result.depth, result.bytes >> 20U, result.seconds);
@@ -139,10 +141,11 @@ int main(int count, char** values) {
     try {
         std::vector<std::string> words{values + 1, values + count};
         const bool write = !words.empty() && words.back() == "nusmv";
-        if (write) words.pop_back();
+        const bool whole = !words.empty() && words.back() == "whole";
+        if (write || whole) words.pop_back();
         const TransitionSystem system = system_of(words);
         if (write) nusmv::emit(system, std::cout);
-        else measure(system);
+        else measure(system, whole);
     } catch (const std::invalid_argument& error) {
         fmt::print(stderr, "{}\n", error.what());
         return 2;

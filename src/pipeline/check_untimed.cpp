@@ -6,6 +6,7 @@
 #include <ranges>
 #include <utility>
 
+#include "check/parts/by_turns.hpp"
 #include "check/symbolic/symbolic.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
@@ -140,7 +141,8 @@ Report check(const SystemToCheck& check, const CheckOptions& options) {
         };
     SymbolicResult result;
     if (options.properties.empty() || !symbolic.properties.empty())  // no names would ask for all
-        result = check_symbolic(check.system, symbolic);
+        result =
+            options.whole ? check_symbolic(check.system, symbolic) : check_symbolic_by_parts(check.system, symbolic);
     SystemReporter reporter(check, SystemReporter::Of::EmbeddedEngine, "symbolic", options, result.verdicts);
     reporter.add_all(std::move(result));
     return std::move(reporter).report();

@@ -152,35 +152,6 @@ TEST(PartsLaw, PartsJudgedApartGiveTheVerdictsOfTheWholeAndRunsOfIt) {
     tell(seen);
 }
 
-/// A loop of two or three PLCs, each with a lamp and a button of its own: cycles with delays, edges, a counter that may leave
-/// its range, stored actions that may race.
-std::string loop_of_plcs(Random& random) {
-    const auto pick = [&](const std::vector<std::string>& from) {
-        return from[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(from.size()) - 1))];
-    };
-    std::string charts, loop = "closed_loop plcs {\n";
-    const std::int64_t count = random_number(random, 2, 3);
-    for (std::int64_t k = 1; k <= count; ++k) {
-        const std::string n = std::to_string(k), delay = std::to_string(random_number(random, 1, 3)) + "s/X1";
-        const std::string counts =
-            pick({"", "", "N := N + 1 on activation;", "N := 0 on activation; N := 2 on activation;"});
-        charts += "grafcet g" + n + " { input A" + n + "; output L" + n + "; internal N: int 0..2 = 0;\n" +
-                  "initial step 0 { " + pick({"", "N := 0 on activation;"}) + " } step 1 { L" + n + "; " + counts +
-                  " } step 2;\n" + "transition a: 0 -> 1 when " + pick({"A", "!A", "rise(A"}) + n;
-        if (charts.ends_with("rise(A" + n)) charts += ")";
-        charts += "; transition b: 1 -> 2 when " + pick({delay, "!A" + n, delay + " && A" + n}) +
-                  "; transition c: 2 -> 0 when " + pick({"true", "A" + n, "1s/X2"}) + "; }\n";
-        loop += "controller g" + n + pick({" with stability_search", " with every_cycle"}) + ";\n";
-        loop += "environment B" + n + " = " + pick({"push_button", "push_button", "free"}) + "(OUT = A" + n + ");\n";
-        const std::string x = "g" + n + ".X";
-        loop += "property lit" + n + ": never L" + n + ";\nproperty off" + n + ": " + x + "1 leads to " + x + "2;\n" +
-                "property seen" + n + ": reachable " + x + "2 at stable;\nproperty one" + n + ": exactly one of {" + x +
-                "0, " + x + "1, " + x + "2};\nproperty some" + n + ": inevitable " + x + "1;\n";
-    }
-    return charts + loop +
-           "property steps: reachable all steps;\nproperty D: no deadlock;\nproperty both: never L1 && L2;\n}\n";
-}
-
 TEST(PartsLaw, RunsOfClosedLoopsJudgedByPartsReplayOnAllTheirCharts) {
     std::map<std::string, int> seen;
     const auto loops = static_cast<std::uint64_t>(law_size(15));
@@ -189,7 +160,8 @@ TEST(PartsLaw, RunsOfClosedLoopsJudgedByPartsReplayOnAllTheirCharts) {
         Random random(seed);
         LoopUnderTest loop;
         try {
-            loop = read_loop(loop_of_plcs(random), {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased});
+            loop = read_loop(loop_of_plcs(random, static_cast<int>(random_number(random, 2, 3))),
+                             {.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased});
         } catch (const std::invalid_argument& refused) {
             ADD_FAILURE() << refused.what();
             continue;

@@ -2,6 +2,7 @@
 #include "support/random_parts.hpp"
 
 #include <string>
+#include <vector>
 
 #include "ir/network_parts.hpp"
 
@@ -198,6 +199,32 @@ void ask_of_parts(Network& network, Random& random) {
     add(Pattern::NoDeadlock, {}, 0);
     add(Pattern::NoTimelock, {}, chance(random, 20) ? 100 : 0);
     if (network.race.valid()) add(Pattern::Never, {network.exprs.leaf(Op::Variable, network.race.index)}, 0);
+}
+
+std::string loop_of_plcs(Random& random, int plcs) {
+    const auto pick = [&](const std::vector<std::string>& from) {
+        return from[static_cast<std::size_t>(random_number(random, 0, static_cast<std::int64_t>(from.size()) - 1))];
+    };
+    std::string charts, loop = "closed_loop plcs {\n";
+    for (int k = 1; k <= plcs; ++k) {
+        const std::string n = std::to_string(k), delay = std::to_string(random_number(random, 1, 3)) + "s/X1";
+        const std::string counts =
+            pick({"", "", "N := N + 1 on activation;", "N := 0 on activation; N := 2 on activation;"});
+        charts += "grafcet g" + n + " { input A" + n + "; output L" + n + "; internal N: int 0..2 = 0;\n" +
+                  "initial step 0 { " + pick({"", "N := 0 on activation;"}) + " } step 1 { L" + n + "; " + counts +
+                  " } step 2;\n" + "transition a: 0 -> 1 when " + pick({"A", "!A", "rise(A"}) + n;
+        if (charts.ends_with("rise(A" + n)) charts += ")";
+        charts += "; transition b: 1 -> 2 when " + pick({delay, "!A" + n, delay + " && A" + n}) +
+                  "; transition c: 2 -> 0 when " + pick({"true", "A" + n, "1s/X2"}) + "; }\n";
+        loop += "controller g" + n + pick({" with stability_search", " with every_cycle"}) + ";\n";
+        loop += "environment B" + n + " = " + pick({"push_button", "push_button", "free"}) + "(OUT = A" + n + ");\n";
+        const std::string x = "g" + n + ".X";
+        loop += "property lit" + n + ": never L" + n + ";\nproperty off" + n + ": " + x + "1 leads to " + x + "2;\n" +
+                "property seen" + n + ": reachable " + x + "2 at stable;\nproperty one" + n + ": exactly one of {" + x +
+                "0, " + x + "1, " + x + "2};\nproperty some" + n + ": inevitable " + x + "1;\n";
+    }
+    return charts + loop +
+           "property steps: reachable all steps;\nproperty D: no deadlock;\nproperty both: never L1 && L2;\n}\n";
 }
 
 }  // namespace grafverif

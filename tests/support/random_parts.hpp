@@ -3,7 +3,7 @@
 // on for ever within one instant, come to a dead end, race, or leave a range. For laws on what is judged by parts.
 #pragma once
 
-#include <vector>
+#include <string>
 
 #include "grafverif/ir/network.hpp"
 #include "support/random_chart.hpp"
@@ -19,5 +19,9 @@ Network random_cells(Random& random, int cells);
 
 /// Adds properties of every kind: of single parts, of two of them, of all moves and of settled states.
 void ask_of_parts(Network& network, Random& random);
+
+/// The text of a loop of several PLCs, each with a lamp and a button of its own: cycles with delays, edges, a counter that
+/// may leave its range, stored actions that may race.
+std::string loop_of_plcs(Random& random, int plcs);
 
 }  // namespace grafverif

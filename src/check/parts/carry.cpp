@@ -7,28 +7,6 @@ namespace grafverif {
 
 namespace {
 
-/// What a verdict claims; each kind has its premises.
-enum class Claim {
-    Everywhere,   ///< of every reachable state
-    Somewhere,    ///< of one reachable state, or that some run avoids something for ever
-    Unavoidable,  ///< of every maximal run
-    Possible,     ///< from every state
-};
-
-Claim claim_of(const Verdict& verdict) {
-    const bool holds = verdict.outcome == Outcome::Holds;
-    switch (verdict.pattern) {
-    case Pattern::Always:
-    case Pattern::Never:
-    case Pattern::ExactlyOneOf: return holds ? Claim::Everywhere : Claim::Somewhere;
-    case Pattern::Reachable:
-    case Pattern::ReachableAllSteps: return holds ? Claim::Somewhere : Claim::Everywhere;
-    case Pattern::Inevitable:
-    case Pattern::LeadsTo: return holds ? Claim::Unavoidable : Claim::Somewhere;
-    default: return holds ? Claim::Possible : Claim::Somewhere;
-    }
-}
-
 bool about_single_states(Pattern pattern) {
     return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf ||
            pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
@@ -51,10 +29,41 @@ std::string objection(const Neighbour& other, const Verdict& verdict, bool at_st
 
 }  // namespace
 
+Claim claim_of(const Verdict& verdict) {
+    const bool holds = verdict.outcome == Outcome::Holds;
+    switch (verdict.pattern) {
+    case Pattern::Always:
+    case Pattern::Never:
+    case Pattern::ExactlyOneOf: return holds ? Claim::Everywhere : Claim::Somewhere;
+    case Pattern::Reachable:
+    case Pattern::ReachableAllSteps: return holds ? Claim::Somewhere : Claim::Everywhere;
+    case Pattern::Inevitable:
+    case Pattern::LeadsTo: return holds ? Claim::Unavoidable : Claim::Somewhere;
+    default: return holds ? Claim::Possible : Claim::Somewhere;
+    }
+}
+
 std::string objection(const Verdict& verdict, bool at_stable, const std::vector<const Neighbour*>& left_out) {
     for (const Neighbour* const other : left_out)
         if (std::string why = objection(*other, verdict, at_stable); !why.empty()) return why;
     return {};
+}
+
+std::string untimed_objection(const Verdict& verdict, bool at_stable, const std::vector<const Neighbour*>& left_out) {
+    for (const Neighbour* const other : left_out) {
+        const std::string name = "`" + other->name + "` ";
+        if (!at_stable && claim_of(verdict) != Claim::Unavoidable) continue;
+        if (!other->searched) return name + "could not be searched to its end";
+        if (at_stable && !other->settles) return name + "is never settled";
+        if (claim_of(verdict) == Claim::Unavoidable && !other->rests) return name + "may move for ever meanwhile";
+    }
+    return {};
+}
+
+std::string untimed_because(const Verdict& verdict, bool at_stable) {
+    if (at_stable) return "shares nothing with it and is settled in some state";
+    if (claim_of(verdict) == Claim::Unavoidable) return "shares nothing with it and cannot move for ever";
+    return "shares nothing with it";
 }
 
 std::string because(const Verdict& verdict, bool at_stable) {

@@ -10,6 +10,16 @@
 
 namespace grafverif {
 
+/// What a verdict claims; each kind has its premises.
+enum class Claim {
+    Everywhere,   ///< of every reachable state
+    Somewhere,    ///< of one reachable state, or that some run avoids something for ever
+    Unavoidable,  ///< of every maximal run
+    Possible,     ///< from every state
+};
+/// Of a verdict that is decided.
+Claim claim_of(const Verdict& verdict);
+
 /// A sub-loop that is left out, as far as it matters to others.
 struct Neighbour {
     std::string name = {};
@@ -27,6 +37,11 @@ std::string objection(const Verdict& verdict, bool at_stable, const std::vector<
 
 /// Why what is left out has no say in the verdict. Requires: there is no objection.
 std::string because(const Verdict& verdict, bool at_stable);
+
+/// The same where time is abstract, and sub-loops share nothing. `settles` is there: some of its states is settled; `rests`:
+/// none of its runs moves for ever.
+std::string untimed_objection(const Verdict& verdict, bool at_stable, const std::vector<const Neighbour*>& left_out);
+std::string untimed_because(const Verdict& verdict, bool at_stable);
 
 /// Whether `at stable` can be judged by sub-loops at all.
 bool settled_apart(Pattern pattern);

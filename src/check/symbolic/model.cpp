@@ -135,12 +135,13 @@ Bdd together(std::vector<Bdd> operands) {  // in pairs, so that no operand is mu
 
 }  // namespace
 
-StateSpace::StateSpace(const FlatSystem& flat, BddSpace& space, bool by_kind) : flat_(flat), space_(space) {
+StateSpace::StateSpace(const FlatSystem& flat, BddSpace& space, bool by_kind)
+    : flat_(flat), space_(space), by_kind_(by_kind) {
     add_words();
     BddTerms all = terms();
     constrain(all);
     add_next_bits(all);
-    add_steps(by_kind);
+    steps_ = steps_where(Bdd::constant(true));
 }
 
 BddTerms StateSpace::terms() const {
@@ -201,30 +202,33 @@ void StateSpace::add_next_bits(BddTerms& terms) {
 }
 
 /// A kind leaves bits as they are, and free inputs never stay: with them all is one kind.
-void StateSpace::add_steps(bool by_kind) {
+std::deque<bdd::Steps> StateSpace::steps_where(const Bdd& condition) const {
     Kind all{offered_, next_bits_};
+    all.conditions.push_back(condition);
     std::vector<Kind> found;
-    if (by_kind && free_.is_true()) {
+    if (by_kind_ && free_.is_true()) {
         std::vector<BddWord> choices;
         for (const Id<Variable> id : flat_.variables.ids())
             if (flat_.variables[id].choice) choices.push_back(words_[id.index]);
         found = kinds(space_, all, choices);
     }
     if (found.empty()) found.push_back(std::move(all));
+    std::deque<bdd::Steps> steps;
     for (Kind& kind : found)
-        steps_.emplace_back(space_, std::move(kind.bits), std::move(kind.conditions), choice_bits_, support(free_));
+        steps.emplace_back(space_, std::move(kind.bits), std::move(kind.conditions), choice_bits_, support(free_));
+    return steps;
 }
 
-Bdd StateSpace::image(const Bdd& states) const {
+Bdd StateSpace::image(const Bdd& states, const std::deque<bdd::Steps>& steps) const {
     Bdd result;
-    for (const bdd::Steps& kind : steps_) result |= kind.relation.image(states, kind.gone);
+    for (const bdd::Steps& kind : steps) result |= kind.relation.image(states, kind.gone);
     return result & invariant_;
 }
 
-Bdd StateSpace::preimage(const Bdd& states) const {
+Bdd StateSpace::preimage(const Bdd& states, const std::deque<bdd::Steps>& steps) const {
     const Bdd to = exists(states & invariant_, free_);
     Bdd result;
-    for (const bdd::Steps& kind : steps_) result |= kind.relation.preimage(to);
+    for (const bdd::Steps& kind : steps) result |= kind.relation.preimage(to);
     return result & invariant_;
 }
 
@@ -257,11 +261,22 @@ Bdd StateSpace::only(const State& state) const {
     return cube(space_, literals);
 }
 
-std::vector<std::int64_t> StateSpace::values(const State& state, const State* next) const {
+State StateSpace::state_of(const std::vector<std::int64_t>& values) const {
+    State state(space_.variables());
+    for (std::size_t word = 0; word < words_.size(); ++word) {
+        const Type type = words_[word].type;
+        const auto offset = static_cast<std::uint64_t>(values[word] - (type.boolean ? 0 : type.low));
+        for (std::size_t place = 0; place < words_[word].bits.size(); ++place)
+            state[words_[word].bits[place]] = ((offset >> place) & 1U) != 0;
+    }
+    return state;
+}
+
+std::vector<std::int64_t> StateSpace::values(const State& state, const State* next, const Bdd& condition) const {
     State all = state;
     const Bdd here = only(state);
-    Bdd chosen = Bdd::constant(true);
-    for (const Bdd& condition : offered_) chosen &= cofactor(condition, here);
+    Bdd chosen = cofactor(condition, here);
+    for (const Bdd& each : offered_) chosen &= cofactor(each, here);
     for (const bdd::NextBit& bit : next_bits_) {
         if (next == nullptr) break;
         const Bdd value = cofactor(bit.value, here);

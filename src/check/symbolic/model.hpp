@@ -29,14 +29,18 @@ public:
     const Bdd& initial() const { return initial_; }
     const Bdd& invariant() const { return invariant_; }
     /// The states that a step leads to from one of `states`.
-    Bdd image(const Bdd& states) const;
+    Bdd image(const Bdd& states) const { return image(states, steps_); }
+    Bdd image(const Bdd& states, const std::deque<bdd::Steps>& steps) const;
     /// Whether steps are of several kinds; then `closure` is quick.
     bool has_kinds() const { return steps_.size() > 1; }
     /// The states that any number of steps leads to from one of `states`, as long as all values stay in their ranges:
     /// one outside may be among them, with what follows.
     Bdd closure(const Bdd& states) const;
     /// The states from which some step leads to one of `states`.
-    Bdd preimage(const Bdd& states) const;
+    Bdd preimage(const Bdd& states) const { return preimage(states, steps_); }
+    Bdd preimage(const Bdd& states, const std::deque<bdd::Steps>& steps) const;
+    /// The steps of which `condition`, over states and choices, is true.
+    std::deque<bdd::Steps> steps_where(const Bdd& condition) const;
 
     /// Terms over the variables of the system as functions of the bits of a state.
     BddTerms terms() const;
@@ -51,8 +55,11 @@ public:
     /// One of `states`, which are some: as many bits as may be are those of `near`, the others false.
     State pick(const Bdd& states, const State& near) const;
     Bdd only(const State& state) const;
-    /// The values of all variables, choices those of a step from `state` to `next`, if one is given.
-    std::vector<std::int64_t> values(const State& state, const State* next) const;
+    /// The state in which the variables have these values.
+    State state_of(const std::vector<std::int64_t>& values) const;
+    /// The values of all variables, choices those of a step from `state` to `next`, if one is given, of which
+    /// `condition` is true.
+    std::vector<std::int64_t> values(const State& state, const State* next, const Bdd& condition) const;
 
     /// The bits of a state, increasing.
     const std::vector<std::uint32_t>& state_bits() const { return state_bits_; }
@@ -62,10 +69,10 @@ private:
     void add_words();
     void constrain(BddTerms& terms);
     void add_next_bits(BddTerms& terms);
-    void add_steps(bool by_kind);
 
     const FlatSystem& flat_;
     BddSpace& space_;
+    const bool by_kind_;
     std::vector<BddWord> words_ = {};  ///< per variable: its bits before a step
     std::vector<std::uint32_t> state_bits_ = {}, choice_bits_ = {};
     Bdd initial_ = {}, invariant_ = {};

@@ -84,13 +84,13 @@ Path stay(const StateSpace& model, const State& first, const Bdd& staying, const
     }
 }
 
-SystemRun run_of(const StateSpace& model, const FlatSystem& flat, const Path& path) {
-    SystemRun run;
-    run.loop = path.loop;
+FlatRun run_of(const StateSpace& model, const Path& path) {
+    FlatRun run{{}, path.loop};
     for (std::size_t i = 0; i < path.states.size(); ++i) {
         const State* next = i + 1 < path.states.size() ? &path.states[i + 1] : nullptr;
         if (next == nullptr && path.loop) next = &path.states[*path.loop];
-        run.states.push_back(symbol_values(flat, model.values(path.states[i], next)));
+        const Bdd step = i < path.steps.size() ? path.steps[i] : Bdd::constant(true);
+        run.states.push_back(model.values(path.states[i], next, step));
     }
     return run;
 }

@@ -15,6 +15,7 @@ namespace grafverif::symbolic {
 struct Path {
     std::vector<State> states = {};
     std::optional<std::size_t> loop = {};
+    std::vector<Bdd> steps = {};  ///< what holds of the choices of the step that leaves each state; missing: anything
 };
 
 /// Adds rings to `rings` until one has a state of `goal` or no new state comes. Rings lie in `within`, which holds the
@@ -34,6 +35,6 @@ Bdd can_stay(const StateSpace& model, const Bdd& within, const std::vector<Bdd>&
 /// An infinite path in `staying`, which is a result of can_stay, from its state `first`.
 Path stay(const StateSpace& model, const State& first, const Bdd& staying, const std::vector<Bdd>& justice);
 
-SystemRun run_of(const StateSpace& model, const FlatSystem& flat, const Path& path);
+FlatRun run_of(const StateSpace& model, const Path& path);
 
 }  // namespace grafverif::symbolic

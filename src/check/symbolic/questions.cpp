@@ -127,7 +127,7 @@ void Questions::answer_state(Found& found, const Question& question, const Sets&
     const bool wanted = of(question).pattern == Pattern::Reachable;
     verdict.outcome = seen == wanted ? Outcome::Holds : Outcome::Violated;
     if (seen && (search.witnesses || verdict.outcome == Outcome::Violated))
-        found.run = run_of(model, flat_, {shortest_way(model, search, sets.operands.front()), {}});
+        found.run = run_of(model, {shortest_way(model, search, sets.operands.front()), {}});
 }
 
 void Questions::prepare(const StateSpace& model, Search& search) {
@@ -151,7 +151,7 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
         if (lost.is_false()) return;
         verdict.outcome = Outcome::Violated;
         verdict.notes.emplace_back("from the last state of the trace on it is impossible");
-        found.run = run_of(model, flat_, {shortest_way(model, search, lost), {}});
+        found.run = run_of(model, {shortest_way(model, search, lost), {}});
         return;
     }
     const bool leads = of(question).pattern == Pattern::LeadsTo;
@@ -160,7 +160,7 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
     const Bdd from = staying & (leads ? p : model.initial());
     if (from.is_false()) return;
     verdict.outcome = Outcome::Violated;
-    found.run = run_of(model, flat_, lasso(model, search, from, staying));
+    found.run = run_of(model, lasso(model, search, from, staying));
 }
 
 Path Questions::lasso(const StateSpace& model, Search& search, const Bdd& from, const Bdd& staying) const {

@@ -26,7 +26,7 @@ std::vector<State> shortest_way(const StateSpace& model, Search& search, const B
 /// One verdict, and the run that shows it.
 struct Found {
     Verdict verdict = {};
-    std::optional<SystemRun> run = {};
+    std::optional<FlatRun> run = {};
 };
 
 class Questions {

@@ -1,138 +1,129 @@
 // SPDX-License-Identifier: MIT
-#include "check/symbolic/symbolic.hpp"
-
 #include <algorithm>
 #include <new>
 #include <string_view>
 #include <unordered_set>
 
-#include "check/symbolic/questions.hpp"
+#include "check/symbolic/check.hpp"
 
 namespace grafverif {
 
 namespace symbolic {
 
-namespace {
+Check::Check(const TransitionSystem& system, const SymbolicOptions& options)
+    : options_(options),
+      flat_(flattened(system)),
+      space_({options.max_memory, options.deadline, options.stop}),
+      questions_(system, flat_) {
+    const std::unordered_set<std::string_view> asked(options.properties.begin(), options.properties.end());
+    for (const Id<Property> id : system.properties.ids())
+        if (asked.empty() || asked.contains(system.properties[id].name)) questions_.ask(id);
+}
 
-/// One check, from the space of diagrams to the verdicts.
-class Check {
-public:
-    Check(const TransitionSystem& system, const SymbolicOptions& options)
-        : options_(options),
-          flat_(flattened(system)),
-          space_({options.max_memory, options.deadline, options.stop}),
-          questions_(system, flat_) {
-        const std::unordered_set<std::string_view> asked(options.properties.begin(), options.properties.end());
-        for (const Id<Property> id : system.properties.ids())
-            if (asked.empty() || asked.contains(system.properties[id].name)) questions_.ask(id);
+SymbolicResult Check::result() {
+    try {
+        model_.emplace(flat_, space_, options_.by_kind);
+        search();
+        result_.fault = fault();
+    } catch (const BddExhausted& exhausted) {
+        note(exhausted);
+    } catch (const std::bad_alloc&) {
+        note(BddExhausted(BddExhausted::Cause::Memory));
     }
-
-    SymbolicResult result() {
-        std::optional<StateSpace> model;
-        try {
-            model.emplace(flat_, space_, options_.by_kind);
-            search(*model);
-            result_.fault = fault(*model);
-        } catch (const BddExhausted& exhausted) {
-            note(exhausted);
-        } catch (const std::bad_alloc&) {
-            note(BddExhausted(BddExhausted::Cause::Memory));
-        }
-        if (!result_.fault && search_.obstacle == Obstacle::None) count_states(*model);
-        if (result_.fault) search_ = {.obstacle = Obstacle::Faulty, .reason = "the model breaks off; see its fault"};
-        answer(model);
-        result_.bytes = std::max(result_.bytes, space_.bytes());
-        result_.seconds = seconds();
-        for (Verdict& verdict : result_.verdicts) {
-            verdict.states = result_.states;
-            verdict.seconds = result_.seconds;
-        }
-        return std::move(result_);
+    if (!result_.fault && search_.obstacle == Obstacle::None) count_states();
+    if (result_.fault) search_ = {.obstacle = Obstacle::Faulty, .reason = "the model breaks off; see its fault"};
+    answer();
+    result_.bytes = std::max(result_.bytes, space_.bytes());
+    result_.seconds = seconds();
+    for (Verdict& verdict : result_.verdicts) {
+        verdict.states = result_.states;
+        verdict.seconds = result_.seconds;
     }
+    return std::move(result_);
+}
 
-private:
-    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+Bdd Check::meaning(const TransitionSystem& system, Id<Expr> term) {
+    const Id<Expr> here = flattened(system, flat_, term);
+    BddTerms terms = model_->terms();
+    return terms(here).bits.front();
+}
 
-    void note(const BddExhausted& exhausted) {
-        const std::string after = " after " + std::to_string(search_.rings.each.size()) + " steps of the search";
-        if (exhausted.cause() == BddExhausted::Cause::Stopped) {
-            search_.obstacle = Obstacle::Stopped;
-            search_.reason = "stopped" + after;
-        } else {
-            search_.obstacle = Obstacle::Memory;
-            search_.reason =
-                "the memory allowed, " + std::to_string(options_.max_memory >> 20U) + " MiB, is used up" + after;
-        }
+double Check::seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void Check::note(const BddExhausted& exhausted) {
+    const std::string after = " after " + std::to_string(search_.rings.each.size()) + " steps of the search";
+    if (exhausted.cause() == BddExhausted::Cause::Stopped) {
+        search_.obstacle = Obstacle::Stopped;
+        search_.reason = "stopped" + after;
+    } else {
+        search_.obstacle = Obstacle::Memory;
+        search_.reason =
+            "the memory allowed, " + std::to_string(options_.max_memory >> 20U) + " MiB, is used up" + after;
     }
+}
 
-    void count_states(const StateSpace& model) {
-        try {
-            result_.states = count(search_.reached, model.state_bits());
-        } catch (const BddExhausted&) {  // then nobody knows
-        }
+void Check::count_states() {
+    try {
+        result_.states = count(search_.reached, model_->state_bits());
+    } catch (const BddExhausted&) {  // then nobody knows
     }
+}
 
-    void search(const StateSpace& model) {
-        const std::uint64_t enough = space_.work() + options_.one_by_one;
-        // What follows a step out of a range is no state: the search ends there, and until a ring was looked at for
-        // such steps, what it leads to is not believed.
-        bool leaks = false;
-        const auto goes_on = [&](bool kinds) {
-            return [&, kinds](std::size_t depth) {
-                search_.reached = search_.rings.reached;
-                leaks = leaks || model.leak(search_.rings.each.back());
-                if (leaks) return false;
-                result_.bytes = std::max(result_.bytes, space_.bytes());
-                if (options_.progress) options_.progress({depth, space_.bytes(), seconds()});
-                return !kinds || space_.work() < enough;
-            };
+void Check::search() {
+    const StateSpace& model = *model_;
+    const std::uint64_t enough = space_.work() + options_.one_by_one;
+    // What follows a step out of a range is no state: the search ends there, and until a ring was looked at for
+    // such steps, what it leads to is not believed.
+    bool leaks = false;
+    const auto goes_on = [&](bool kinds) {
+        return [&, kinds](std::size_t depth) {
+            search_.reached = search_.rings.reached;
+            leaks = leaks || model.leak(search_.rings.each.back());
+            if (leaks) return false;
+            result_.bytes = std::max(result_.bytes, space_.bytes());
+            if (options_.progress) options_.progress({depth, space_.bytes(), seconds()});
+            return !kinds || space_.work() < enough;
         };
-        search_.witnesses = options_.witnesses;
-        search_.rings.add(model.initial());
-        if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds())) && !leaks) {
-            const Bdd closure = model.closure(search_.reached);
-            // From what no run leads to, outside of a range or of the invariants, more may follow.
-            if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
-            else grow(model, search_.rings, model.invariant(), {}, goes_on(false));
-        }
-        result_.depth = search_.rings.each.empty() ? 0 : search_.rings.each.size() - 1;
+    };
+    search_.witnesses = options_.witnesses;
+    search_.rings.add(model.initial());
+    if (grow(model, search_.rings, model.invariant(), {}, goes_on(model.has_kinds())) && !leaks) {
+        const Bdd closure = model.closure(search_.reached);
+        // From what no run leads to, outside of a range or of the invariants, more may follow.
+        if ((closure & ~model.invariant()).is_false() && !model.leak(closure)) search_.reached = closure;
+        else grow(model, search_.rings, model.invariant(), {}, goes_on(false));
     }
+    result_.depth = search_.rings.each.empty() ? 0 : search_.rings.each.size() - 1;
+}
 
-    std::optional<SystemFault> fault(const StateSpace& model) {
-        using Kind = SystemFault::Kind;
-        if (search_.reached.is_false()) return SystemFault{Kind::NoInitialState, {}, {}};
-        const auto path_to = [&](const Bdd& states) {
-            return run_of(model, flat_, {shortest_way(model, search_, states), {}});
-        };
-        if (const auto some = model.leak(search_.reached)) {
-            (void)shortest_way(model, search_, some->states);
-            // The nearest: what follows a leak is no run.
-            for (const Bdd& ring : search_.rings.each)
-                if (const auto leak = model.leak(ring))
-                    return SystemFault{Kind::OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};
-        }
-        const Bdd stuck = search_.reached & ~model.preimage(search_.reached);
-        if (!stuck.is_false()) return SystemFault{Kind::DeadEnd, {}, path_to(stuck)};
-        return {};
+std::optional<SystemFault> Check::fault() {
+    const StateSpace& model = *model_;
+    using enum SystemFault::Kind;
+    if (search_.reached.is_false()) return SystemFault{NoInitialState, {}, {}};
+    const auto path_to = [&](const Bdd& states) {
+        return system_run(flat_, run_of(model, {shortest_way(model, search_, states), {}, {}}));
+    };
+    if (const auto some = model.leak(search_.reached)) {
+        (void)shortest_way(model, search_, some->states);
+        // The nearest: what follows a leak is no run.
+        for (const Bdd& ring : search_.rings.each)
+            if (const auto leak = model.leak(ring))
+                return SystemFault{OutOfRange, flat_.variables[leak->variable].name, path_to(leak->states)};
     }
+    const Bdd stuck = search_.reached & ~model.preimage(search_.reached);
+    if (!stuck.is_false()) return SystemFault{DeadEnd, {}, path_to(stuck)};
+    return {};
+}
 
-    void answer(const std::optional<StateSpace>& model) {
-        for (Found& found : questions_.answers(model ? &*model : nullptr, search_, options_)) {
-            result_.verdicts.push_back(std::move(found.verdict));
-            result_.runs.push_back(std::move(found.run));
-        }
+void Check::answer() {
+    for (Found& found : questions_.answers(model_ ? &*model_ : nullptr, search_, options_)) {
+        result_.verdicts.push_back(std::move(found.verdict));
+        result_.runs.push_back(found.run ? std::optional(system_run(flat_, *found.run)) : std::nullopt);
+        runs_.push_back(std::move(found.run));
     }
-
-    const SymbolicOptions& options_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    FlatSystem flat_;
-    BddSpace space_;
-    Questions questions_;
-    Search search_ = {};
-    SymbolicResult result_ = {};
-};
-
-}  // namespace
+}
 
 }  // namespace symbolic
 

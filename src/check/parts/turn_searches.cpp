@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "check/parts/turn_searches.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace grafverif {
+
+namespace {
+
+/// The operands of a disjunction; of another term itself.
+std::vector<Id<Expr>> disjuncts(const Exprs& exprs, Id<Expr> term) {
+    if (exprs[term].op != Op::Or) return {term};
+    const auto operands = exprs.operands(term);
+    return {operands.begin(), operands.end()};
+}
+
+}  // namespace
+
+bool TurnSearches::asked(const Property& property) const {
+    const std::vector<std::string>& names = options_.properties;
+    return names.empty() || std::ranges::find(names, property.name) != names.end();
+}
+
+PartList TurnSearches::all() const {
+    PartList every(system_.parts.each.size());
+    std::iota(every.begin(), every.end(), 0U);
+    return every;
+}
+
+PartList TurnSearches::others(const PartList& chosen) const {
+    PartList rest = all();
+    std::erase_if(rest, [&](std::uint32_t part) { return std::ranges::binary_search(chosen, part); });
+    return rest;
+}
+
+PartList TurnSearches::reads(const std::vector<Id<Expr>>& operands) const {
+    const Table<TransitionSystem::Symbol>& symbols = system_.modules[system_.main].symbols;
+    PartList read;
+    std::vector<Id<Expr>> open = operands;
+    while (!open.empty()) {
+        const Id<Expr> term = open.back();
+        open.pop_back();
+        for (const Id<Expr> leaf : leaves(system_.exprs, term)) {
+            const Id<TransitionSystem::Symbol> symbol{static_cast<std::uint32_t>(system_.exprs[leaf].value)};
+            const auto* define = std::get_if<TransitionSystem::DefineSymbol>(&symbols[symbol].kind);
+            if (of_[symbol.index] != no_part) read.push_back(of_[symbol.index]);
+            else if (define != nullptr) open.push_back(define->value);
+            else return all();  // what several write
+        }
+    }
+    std::ranges::sort(read);
+    read.erase(std::ranges::unique(read).begin(), read.end());
+    return read.empty() ? PartList{0} : read;
+}
+
+/// A flag that several parts set: each has one of its own when it is alone.
+bool TurnSearches::set_by_several(Id<Expr> term) const {
+    if (system_.exprs[term].op != Op::Variable) return false;
+    const Id<TransitionSystem::Symbol> symbol{static_cast<std::uint32_t>(system_.exprs[term].value)};
+    const TransitionSystem::Symbol& of = system_.modules[system_.main].symbols[symbol];
+    return of_[symbol.index] == no_part && std::holds_alternative<TransitionSystem::StateSymbol>(of.kind);
+}
+
+bool TurnSearches::about_each(const Property& property) const {
+    if (property.at_stable || property.operands.size() != 1) return false;
+    const Id<Expr> operand = property.operands.front();
+    if (property.pattern == Pattern::AlwaysPossible)
+        return timed() && flat_.justice.empty() &&
+               (operand == system_.parts.can_move || operand == system_.parts.can_wait);
+    return property.pattern == Pattern::Never && reads({operand}).size() > 1 &&
+           std::ranges::all_of(disjuncts(system_.exprs, operand),
+                               [&](Id<Expr> each) { return set_by_several(each) || reads({each}).size() == 1; });
+}
+
+/// The disjuncts of what speaks of every part alike that speak of this one.
+std::vector<Id<Expr>> TurnSearches::share(const Property& property, std::uint32_t part) const {
+    std::vector<Id<Expr>> found = disjuncts(system_.exprs, property.operands.front());
+    std::erase_if(found, [&](Id<Expr> each) { return !set_by_several(each) && reads({each}) != PartList{part}; });
+    return found;
+}
+
+/// Of these parts, with all that is asked of them alone.
+Searched& TurnSearches::search(const PartList& chosen) {
+    const auto [known, fresh] = searches_.try_emplace(chosen);
+    Searched& made = known->second;
+    if (!fresh) return made;
+    made.chosen = chosen;
+    made.system = with_parts(system_, chosen);
+    for (const Id<Property> id : system_.properties.ids()) {
+        Property property = system_.properties[id];
+        if (!asked(property)) continue;
+        if (about_each(property)) {
+            if (chosen.size() > 1) continue;
+            if (property.pattern == Pattern::Never)
+                property.operands = {made.system.exprs.disjunction(share(property, chosen.front()))};
+        } else if (reads(property.operands) != chosen) {
+            continue;
+        }
+        made.asked.push_back(id);
+        made.system.properties.add(std::move(property));
+    }
+    run(made);
+    return made;
+}
+
+void TurnSearches::run(Searched& made) {
+    made.options = options_;
+    made.options.properties = {};
+    for (const auto& [parts, search] : searches_)
+        if (search.check) made.options.max_memory -= std::min(made.options.max_memory / 2, search.check->bytes());
+    made.check = std::make_unique<symbolic::Check>(made.system, made.options);
+    made.result = made.check->result();
+    bytes_ += made.result.bytes;
+    seconds_ += made.result.seconds;
+    if (made.chosen.size() > 1) return;
+    made.as.name = system_.parts.each[made.chosen.front()].name;
+    made.as.searched = made.check->complete();
+}
+
+symbolic::Turns& TurnSearches::turns(Searched& search) {
+    if (search.turns) return *search.turns;
+    std::vector<Id<Expr>> moves;
+    for (const std::uint32_t part : search.chosen) moves.push_back(system_.parts.each[part].moves);
+    search.turns = std::make_unique<symbolic::Turns>(search.system, *search.check, system_.parts.waits, moves);
+    return *search.turns;
+}
+
+/// Finds out of a part what a claim about others needs to know.
+void TurnSearches::know(Searched& search, Claim claim, bool at_stable) {
+    Neighbour& as = search.as;
+    if (!as.searched || (claim == Claim::Everywhere && !at_stable)) return;
+    if (timed() && !std::exchange(search.knows_time, true)) {
+        as.never_locks = turns(search).never_locks();
+        as.diverges = as.never_locks || turns(search).diverges();
+    }
+    if (claim == Claim::Unavoidable && !std::exchange(search.knows_rest, true)) as.rests = turns(search).rests();
+    if (!at_stable || !search.system.settled.valid() || std::exchange(search.knows_settled, true)) return;
+    const Bdd settled = search.check->meaning(search.system, search.system.settled);
+    as.settles =
+        timed() ? (turns(search).ready() & ~settled).is_false() : !(turns(search).reached() & settled).is_false();
+}
+
+const Neighbour& TurnSearches::neighbour(std::uint32_t part, const Verdict& verdict, bool at_stable) {
+    Searched& found = search({part});
+    know(found, claim_of(verdict), at_stable);
+    return found.as;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// One check, from the space of diagrams to the verdicts. It can be kept, to ask more of what it reached.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "check/symbolic/questions.hpp"
+#include "check/symbolic/symbolic.hpp"
+
+namespace grafverif::symbolic {
+
+class Check {
+public:
+    /// Both outlive this.
+    Check(const TransitionSystem& system, const SymbolicOptions& options);
+    Check(const Check&) = delete;
+    Check& operator=(const Check&) = delete;
+
+    /// Searches, and answers what is asked. To be called once; then the following can be asked.
+    SymbolicResult result();
+
+    /// Whether all states were reached, and none of them is a fault.
+    bool complete() const { return search_.obstacle == Obstacle::None; }
+    std::uint64_t bytes() const { return space_.bytes(); }
+    const FlatSystem& flat() const { return flat_; }
+    /// Per verdict, its run.
+    const std::vector<std::optional<FlatRun>>& runs() const { return runs_; }
+    /// Requires complete().
+    const StateSpace& model() const { return *model_; }
+    const Bdd& reached() const { return search_.reached; }
+    Search& search_made() { return search_; }
+    /// A term over main that has a value everywhere, as a function of states and choices.
+    Bdd meaning(const TransitionSystem& system, Id<Expr> term);
+
+private:
+    double seconds() const;
+    void note(const BddExhausted& exhausted);
+    void count_states();
+    void search();
+    std::optional<SystemFault> fault();
+    void answer();
+
+    const SymbolicOptions& options_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    FlatSystem flat_;
+    BddSpace space_;
+    Questions questions_;
+    std::optional<StateSpace> model_ = {};
+    Search search_ = {};
+    SymbolicResult result_ = {};
+    std::vector<std::optional<FlatRun>> runs_ = {};
+};
+
+}  // namespace grafverif::symbolic
