@@ -7,26 +7,16 @@
 
 #include "check/parts/carry.hpp"
 #include "check/parts/join.hpp"
+#include "check/parts/questions.hpp"
 #include "check/timed/questions.hpp"
 #include "ir/network_parts.hpp"
-#include "ir/step_names.hpp"
 
 namespace grafverif {
 
 namespace {
 
-using Parts = std::vector<std::uint32_t>;
-
 const char* const timelock_probe = "no timelock";
 const char* const deadlock_probe = "no deadlock";
-
-/// One verdict to give.
-struct Question {
-    Property property = {};  // named as its verdict; its pattern asks for one state where that of the verdict expands
-    Verdict verdict = {};
-    Parts reads = {};
-    bool each = false;  // asked of every part by itself
-};
 
 /// Some parts, searched as a network of their own.
 struct Search {
@@ -44,105 +34,50 @@ public:
         : network_(network), parts_(parts), options_(options) {}
 
     TimedResult result() {
-        ask();
+        questions_ = part_questions(network_, parts_, options_);
         search_each();
         if (errors_may_be_out_of_reach()) return check_timed(network_, options_);
-        for (Question& question : questions_) answer(question);
+        for (PartQuestion& question : questions_) answer(question);
         search_whole();
-        for (Question& question : questions_) result_.verdicts.push_back(std::move(question.verdict));
+        for (PartQuestion& question : questions_) result_.verdicts.push_back(std::move(question.verdict));
         for (Verdict& verdict : result_.verdicts) verdict.seconds = result_.seconds;
         return std::move(result_);
     }
 
 private:
-    void ask();
-    void ask_steps(const Question& question);
     void search_each();
-    Search search(const Parts& chosen, bool premises);
-    const Search& search_of(const Parts& chosen);
+    Search search(const PartNumbers& chosen, bool premises);
+    const Search& search_of(const PartNumbers& chosen);
     Neighbour neighbour(std::uint32_t part) const;
     bool errors_may_be_out_of_reach() const;
 
-    void answer(Question& question);
-    void answer_each(Question& question);
-    void take(Question& question, Verdict verdict) const;
-    bool carries(const Question& question, const Verdict& verdict, const Parts& chosen, std::string& why) const;
-    void show(Verdict& verdict, const SubNetwork& of, const Parts& chosen, bool at_stable) const;
-    void need_whole(const Question& question, std::string why) {
+    void answer(PartQuestion& question);
+    void answer_each(PartQuestion& question);
+    void take(PartQuestion& question, Verdict verdict) const;
+    bool carries(const PartQuestion& question, const Verdict& verdict, const PartNumbers& chosen,
+                 std::string& why) const;
+    void show(Verdict& verdict, const SubNetwork& of, const PartNumbers& chosen, bool at_stable) const;
+    void need_whole(const PartQuestion& question, std::string why) {
         whole_.emplace_back(static_cast<std::size_t>(&question - questions_.data()), std::move(why));
     }
     void search_whole();
 
     void count(const TimedResult& found);
-    bool about_race(const Property& property) const;
-    Parts read_by(const Property& property) const;
-    std::vector<std::uint32_t> others(const Parts& chosen) const;
-    std::vector<const Neighbour*> left_out(const Parts& chosen) const;
-    std::vector<Run> beside(const Parts& chosen) const;
-    std::vector<std::string> names(const Parts& chosen) const;
+    PartNumbers others(const PartNumbers& chosen) const;
+    std::vector<const Neighbour*> left_out(const PartNumbers& chosen) const;
+    std::vector<Run> beside(const PartNumbers& chosen) const;
+    std::vector<std::string> names(const PartNumbers& chosen) const;
 
     const Network& network_;
     const NetworkParts& parts_;
     const TimedOptions& options_;
-    std::vector<Question> questions_ = {};
+    std::vector<PartQuestion> questions_ = {};
     std::vector<Search> each_ = {};  // per part
     std::vector<Neighbour> neighbours_ = {};
-    std::map<Parts, Search> together_ = {};
+    std::map<PartNumbers, Search> together_ = {};
     std::vector<std::pair<std::size_t, std::string>> whole_ = {};  // the questions that need the whole, and why
     TimedResult result_ = {};
 };
-
-bool ByParts::about_race(const Property& property) const {
-    if (!network_.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
-    const Expr& operand = network_.exprs[property.operands[0]];
-    return operand.op == Op::Variable && operand.value == network_.race.index;
-}
-
-/// All of them where it reads what several have a copy of.
-Parts ByParts::read_by(const Property& property) const {
-    for (const Id<Expr> operand : property.operands)
-        for (const Id<Expr> leaf : leaves(network_.exprs, operand)) {
-            const Expr& node = network_.exprs[leaf];
-            const Id<Network::Variable> variable{static_cast<std::uint32_t>(node.value)};
-            if (node.op != Op::Variable) continue;
-            if (variable == network_.race || network_.variables[variable].scratch) return others({});
-        }
-    return parts_read(network_, parts_, property.operands);
-}
-
-void ByParts::ask() {
-    bool timelock_asked = false;
-    for (const Id<Property> id : network_.properties.ids()) {
-        const Property& property = network_.properties[id];
-        if (!timed::asked(options_, property)) continue;
-        timelock_asked = timelock_asked || timed::about_time(property);
-        Question question{property, verdict_on(id, property), read_by(property)};
-        if (property.pattern == Pattern::ReachableAllSteps) {
-            ask_steps(question);
-            continue;
-        }
-        const bool of_moves = property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock;
-        question.each = about_race(property) || (of_moves && !property.at_stable);
-        questions_.push_back(std::move(question));
-    }
-    if (timelock_asked) return;
-    const Property timelock = timed::undeclared_timelock(network_);
-    questions_.push_back({timelock, verdict_on({}, timelock), {}, true});
-}
-
-/// Each step is a question of its own.
-void ByParts::ask_steps(const Question& question) {
-    for (const Id<Expr> step : question.property.operands) {
-        Question one = question;
-        one.verdict.property +=
-            "." + step_variable_name(network_, {static_cast<std::uint32_t>(network_.exprs[step].value)});
-        one.property.name = one.verdict.property;
-        one.property.pattern = Pattern::Reachable;
-        one.property.operands = {step};
-        one.reads = read_by(one.property);
-        questions_.push_back(std::move(one));
-    }
-}
 
 /// Of several profiles the one of the greatest search is kept.
 void ByParts::count(const TimedResult& found) {
@@ -157,13 +92,13 @@ void ByParts::count(const TimedResult& found) {
 }
 
 /// The parts `chosen`, with the questions that read nothing else and, of single parts, those that each is asked.
-Search ByParts::search(const Parts& chosen, bool premises) {
+Search ByParts::search(const PartNumbers& chosen, bool premises) {
     SubNetworkBuilder builder(network_, parts_, chosen);
     bool deadlock_asked = false;
-    for (const Question& question : questions_) {
+    for (const PartQuestion& question : questions_) {
         const Property& property = question.property;
         deadlock_asked = deadlock_asked || (question.each && property.pattern == Pattern::NoDeadlock);
-        if (question.each && about_race(property)) builder.ask(property);
+        if (question.race) builder.ask(property);
         if (question.each || question.reads != chosen) continue;
         if (!property.at_stable || settled_apart(property.pattern)) builder.ask(property);
     }
@@ -179,7 +114,7 @@ Search ByParts::search(const Parts& chosen, bool premises) {
 }
 
 void ByParts::search_each() {
-    for (Question& question : questions_)
+    for (PartQuestion& question : questions_)
         if (!question.each && question.reads.empty()) question.reads = {0};
     result_.time_passes = true;
     for (std::uint32_t part = 0; part < parts_.count; ++part) {
@@ -219,27 +154,27 @@ bool ByParts::errors_may_be_out_of_reach() const {
     return false;
 }
 
-const Search& ByParts::search_of(const Parts& chosen) {
+const Search& ByParts::search_of(const PartNumbers& chosen) {
     if (chosen.size() == 1) return each_[chosen.front()];
     const auto found = together_.find(chosen);
     return found != together_.end() ? found->second : together_.emplace(chosen, search(chosen, false)).first->second;
 }
 
-Parts ByParts::others(const Parts& chosen) const {
-    Parts rest;
+PartNumbers ByParts::others(const PartNumbers& chosen) const {
+    PartNumbers rest;
     for (std::uint32_t part = 0; part < parts_.count; ++part)
         if (!std::ranges::binary_search(chosen, part)) rest.push_back(part);
     return rest;
 }
 
-std::vector<const Neighbour*> ByParts::left_out(const Parts& chosen) const {
+std::vector<const Neighbour*> ByParts::left_out(const PartNumbers& chosen) const {
     std::vector<const Neighbour*> rest;
     for (const std::uint32_t part : others(chosen)) rest.push_back(&neighbours_[part]);
     return rest;
 }
 
 /// What the parts not chosen do beside a run of those chosen.
-std::vector<Run> ByParts::beside(const Parts& chosen) const {
+std::vector<Run> ByParts::beside(const PartNumbers& chosen) const {
     std::vector<Run> runs;
     for (const std::uint32_t part : others(chosen)) {
         const std::optional<Premises>& premises = each_[part].result.premises;
@@ -248,14 +183,14 @@ std::vector<Run> ByParts::beside(const Parts& chosen) const {
     return runs;
 }
 
-std::vector<std::string> ByParts::names(const Parts& chosen) const {
+std::vector<std::string> ByParts::names(const PartNumbers& chosen) const {
     std::vector<std::string> all;
     for (const std::uint32_t part : chosen) all.push_back(neighbours_[part].name);
     return all;
 }
 
 /// Keeps of the question what its model says, and of `verdict` what was found.
-void ByParts::take(Question& question, Verdict verdict) const {
+void ByParts::take(PartQuestion& question, Verdict verdict) const {
     Verdict& given = question.verdict;
     given.outcome = verdict.outcome;
     given.obstacle = verdict.obstacle;
@@ -283,7 +218,8 @@ Outcome supposed(const Verdict& verdict) {
 }
 
 /// Whether a verdict on `chosen` is that of the whole, or unknown for good; else `why` not.
-bool ByParts::carries(const Question& question, const Verdict& verdict, const Parts& chosen, std::string& why) const {
+bool ByParts::carries(const PartQuestion& question, const Verdict& verdict, const PartNumbers& chosen,
+                      std::string& why) const {
     if (verdict.obstacle == Obstacle::Stopped || verdict.obstacle == Obstacle::Unsupported) return true;
     Verdict carried = verdict;
     carried.outcome = supposed(verdict);
@@ -292,7 +228,7 @@ bool ByParts::carries(const Question& question, const Verdict& verdict, const Pa
 }
 
 /// Makes the run of the verdict one of the whole.
-void ByParts::show(Verdict& verdict, const SubNetwork& of, const Parts& chosen, bool at_stable) const {
+void ByParts::show(Verdict& verdict, const SubNetwork& of, const PartNumbers& chosen, bool at_stable) const {
     if (!verdict.run) return;
     verdict.run = joined(in_whole(of, *verdict.run), beside(chosen), at_stable ? Ending::Waiting : Ending::Anywhere);
     if (!verdict.run) {
@@ -307,7 +243,7 @@ void ByParts::show(Verdict& verdict, const SubNetwork& of, const Parts& chosen, 
     verdict.notes.emplace_back("no run is shown: with the other sub-loops it has too many moves");
 }
 
-void ByParts::answer(Question& question) {
+void ByParts::answer(PartQuestion& question) {
     if (question.each) return answer_each(question);
     const Property& property = question.property;
     if (question.reads.size() == parts_.count) return need_whole(question, "");
@@ -327,7 +263,7 @@ void ByParts::answer(Question& question) {
 }
 
 /// `no deadlock`, `no timelock`, `no_race`: they hold where they hold of each part.
-void ByParts::answer_each(Question& question) {
+void ByParts::answer_each(PartQuestion& question) {
     const Pattern pattern = question.property.pattern;
     const std::string name = pattern == Pattern::NoTimelock   ? timelock_probe
                              : pattern == Pattern::NoDeadlock ? deadlock_probe
@@ -371,7 +307,7 @@ void ByParts::search_whole() {
     const TimedResult whole = check_timed(network_, options);
     count(whole);
     for (const auto& [index, why] : whole_) {
-        Question& question = questions_[index];
+        PartQuestion& question = questions_[index];
         Verdict verdict = *std::ranges::find(whole.verdicts, question.verdict.property, &Verdict::property);
         if (!why.empty()) verdict.notes.push_back("the whole loop was searched: " + why);
         take(question, std::move(verdict));

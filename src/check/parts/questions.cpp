@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "check/parts/questions.hpp"
+
+#include <numeric>
+#include <utility>
+
+#include "check/timed/questions.hpp"
+#include "ir/step_names.hpp"
+
+namespace grafverif {
+
+namespace {
+
+bool about_race(const Network& network, const Property& property) {
+    if (!network.race.valid() || property.pattern != Pattern::Never || property.at_stable) return false;
+    const Expr& operand = network.exprs[property.operands[0]];
+    return operand.op == Op::Variable && operand.value == network.race.index;
+}
+
+/// All of them where it reads what several have a copy of.
+PartNumbers read_by(const Network& network, const NetworkParts& parts, const Property& property) {
+    for (const Id<Expr> operand : property.operands)
+        for (const Id<Expr> leaf : leaves(network.exprs, operand)) {
+            const Expr& node = network.exprs[leaf];
+            const Id<Network::Variable> variable{static_cast<std::uint32_t>(node.value)};
+            if (node.op != Op::Variable) continue;
+            if (variable != network.race && !network.variables[variable].scratch) continue;
+            PartNumbers all(parts.count);
+            std::iota(all.begin(), all.end(), 0U);
+            return all;
+        }
+    return parts_read(network, parts, property.operands);
+}
+
+/// Each step is a question of its own.
+void add_steps(const Network& network, const NetworkParts& parts, const PartQuestion& question,
+               std::vector<PartQuestion>& list) {
+    for (const Id<Expr> step : question.property.operands) {
+        PartQuestion one = question;
+        one.verdict.property +=
+            "." + step_variable_name(network, {static_cast<std::uint32_t>(network.exprs[step].value)});
+        one.property.name = one.verdict.property;
+        one.property.pattern = Pattern::Reachable;
+        one.property.operands = {step};
+        one.reads = read_by(network, parts, one.property);
+        list.push_back(std::move(one));
+    }
+}
+
+}  // namespace
+
+std::vector<PartQuestion> part_questions(const Network& network, const NetworkParts& parts,
+                                         const TimedOptions& options) {
+    std::vector<PartQuestion> list;
+    bool timelock_asked = false;
+    for (const Id<Property> id : network.properties.ids()) {
+        const Property& property = network.properties[id];
+        if (!timed::asked(options, property)) continue;
+        timelock_asked = timelock_asked || timed::about_time(property);
+        PartQuestion question{property, verdict_on(id, property), read_by(network, parts, property)};
+        if (property.pattern == Pattern::ReachableAllSteps) {
+            add_steps(network, parts, question, list);
+            continue;
+        }
+        const bool of_moves = property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock;
+        question.race = about_race(network, property);
+        question.each = question.race || (of_moves && !property.at_stable);
+        list.push_back(std::move(question));
+    }
+    if (timelock_asked) return list;
+    const Property timelock = timed::undeclared_timelock(network);
+    list.push_back({.property = timelock, .verdict = verdict_on({}, timelock), .each = true});
+    return list;
+}
+
+}  // namespace grafverif
