@@ -39,6 +39,7 @@ echo '| --- | --- | --- | --- |'
         for schedule in interleaved synchronous sequenced; do row $sample.grafcet automata $schedule; done
     done
     row testing_station/testing_station.grafcet automata discrete
+    row two automata discrete
     for count in 1 2 3 4; do row cylinders $count automata interleaved; done
     for count in 2 3; do row cylinders $count automata discrete; done
     for count in 2 8 16; do row stations $count; done
