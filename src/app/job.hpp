@@ -29,6 +29,8 @@ struct Product {
     std::string use = {};
 };
 
+struct Reports;
+
 /// One run of a verb: what was asked, what was read, what is wrong with it.
 struct Job {
     Options options = {};
@@ -39,6 +41,7 @@ struct Job {
     std::vector<InputFile> inputs = {};  ///< of all files of the call
     std::vector<Product> products = {};  ///< of a verb that writes what it made of all its files at once
     bool depfile_written = false;
+    Reports* reports = nullptr;  ///< of all files of the call; never null while a verb runs
 };
 
 /// While it exists: what bounds the work of the job, Ctrl-C included, and a line on the terminal that tells how far it is.

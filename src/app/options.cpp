@@ -247,6 +247,12 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
                "give up after all runs of N steps (engine bmc; default: 100)"),
         toggle(Accepts::Stats, "stats", &Options::stats, "say where the states come from (timed engine)"),
         text(Accepts::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
+        text(Accepts::Search, "sarif", "FILE", &Options::sarif,
+             "write what is against expectation as SARIF to FILE, for code scanning"),
+        {Accepts::Verdicts, "json-lines", "", "print a JSON object per verdict, each in a line",
+         [](const auto&, Options& options) { return options.format = Format::JsonLines, std::string(); }},
+        toggle(Accepts::Verdicts, "list", &Options::list,
+               "decide nothing: print FILE, loop and property of each check there is, with tabs between"),
         text(Accepts::Sequence, "sequence", "FILE", &Options::sequence,
              "a test sequence of the chart, as CSV (`test`: without it, one is made)"),
         text(Accepts::Bench, "against", "PROGRAM", &Options::against,
@@ -259,6 +265,7 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
         text(Accepts::Bench, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
         choice<F>(Accepts::Analysis, "format", {{"text", F::Text}, {"json", F::Json}, {"sarif", F::Sarif}},
                   &Options::format, "form of the output (default: text)"),
+        text(Accepts::Analysis, "sarif", "FILE", &Options::sarif, "write the findings as SARIF to FILE, too"),
         text(Accepts::Analysis, "exclusions", "FILE", &Options::exclusions,
              "pairs of inputs that are never true together, in CSV"),
         text(Accepts::Date, "date", "TEXT", &Options::date, "the date to show (default: none)"),
@@ -418,8 +425,19 @@ std::string settle_outputs(const Verb& verb, const Options& options) {
         return fmt::format("`--name` takes the name of a file without its folder; not `{}`", *options.name);
     if (options.all && (options.loop || options.chart)) return "`--all` and `--loop` or `--chart` exclude each other";
     if (options.depfile_target && !options.depfile) return "`--depfile-target` needs `--depfile`";
-    const bool to_file = accepts(verb, Accepts::OutputDirectory) || (options.output && *options.output != "-") ||
-                         options.junit || options.trace_vcd || options.trace_svg;
+    const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
+                          (options.output && !accepts(verb, Accepts::OutputDirectory));
+    if (several && one_form && !options.list && !accepts(verb, Accepts::OutputDirectory))
+        return fmt::format("{} one file, or one loop; of several take `--junit`, `--sarif`{}",
+                           options.format == Format::Json ? "JSON is of" : "the output is of",
+                           accepts(verb, Accepts::Verdicts) ? " or `--json-lines`" : "");
+    if (several && accepts(verb, Accepts::InPlace) && !options.in_place && !options.check)
+        return "of several FILEs take `--check` or `--in-place`";
+    if (options.list && (options.junit || options.sarif || options.trace_vcd || options.trace_svg))
+        return "`--list` decides nothing, and has nothing to report";
+    bool to_file = accepts(verb, Accepts::OutputDirectory);
+    for (const auto* path : {&options.output, &options.junit, &options.sarif, &options.trace_vcd, &options.trace_svg})
+        to_file = to_file || (*path && **path != "-");
     if (options.depfile && !options.depfile_target && !to_file)
         return "`--depfile` says what a file was made from: name one (`-o FILE`), or what the build system calls the "
                "result of this run (`--depfile-target NAME`)";
@@ -473,6 +491,10 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
     if (options.events.from > options.events.to) return {{}, "`--from` is behind `--to`"};
     if (options.go_on && options.stop_on_failure) return {{}, "`--stop-on-failure` and `--go-on` exclude each other"};
+    if (options.format == Format::Sarif) {  // one of the reports, under another name
+        options.sarif = options.output.value_or("-");
+        options.output.reset();
+    }
     if (complaint = settle_outputs(verb, options); !complaint.empty()) return {{}, complaint};
     if (options.operands.size() < verb.least_operands) return {{}, fmt::format("`{}` is missing", verb.operand)};
     if (options.operands.size() > verb.most_operands)

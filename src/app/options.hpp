@@ -20,7 +20,7 @@
 
 namespace grafverif::app {
 
-enum class Format { Text, Json, Latex, Xml, Sarif, Dot, Svg, Csv };
+enum class Format { Text, Json, JsonLines, Latex, Xml, Sarif, Dot, Svg, Csv };
 enum class DiagnosticFormat { Text, Json };
 enum class ColourChoice { Auto, Always, Never };
 enum class Target { Both, Uppaal, Nusmv };
@@ -85,7 +85,8 @@ struct Options {
     std::optional<std::uint64_t> max_memory = {};                        ///< bytes
     std::optional<std::uint64_t> timeout_ms = {};                        ///< a hundred years at most
     std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the same from the start of the run on
-    std::optional<std::string> junit = {};
+    std::optional<std::string> junit = {}, sarif = {};
+    bool list = false;      ///< of `check`: its properties
     std::string date = {};  ///< of `report`, to be shown
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
     EventRange events = {};                         ///< of the trace as a timing diagram
@@ -127,6 +128,7 @@ enum class Accepts {
     FormatAiger,
     InPlace,
     Search,
+    Verdicts,
     Traces,
     Walk,
     Verbose,

@@ -18,7 +18,7 @@ namespace {
 std::vector<std::string> outputs_of(const Options& options) {
     std::vector<std::string> paths;
     for (const std::optional<std::string>* one :
-         {&options.output, &options.junit, &options.trace_vcd, &options.trace_svg, &options.depfile})
+         {&options.output, &options.junit, &options.sarif, &options.trace_vcd, &options.trace_svg, &options.depfile})
         if (*one) paths.push_back(**one);
     return paths;
 }
@@ -53,11 +53,11 @@ std::ostream* stream_at(const std::filesystem::path& path, const Streams& stream
 
 }  // namespace
 
-bool outputs_fit(bool folder, Job& job) {
-    const std::vector<std::string> paths = outputs_of(job.options);
-    if (!differ(paths, job)) return false;
+bool outputs_differ(Job& job) { return differ(outputs_of(job.options), job); }
+
+bool folders_are_there(bool folder, Job& job) {
     if (job.options.create) return true;
-    for (const std::string& path : paths) {
+    for (const std::string& path : outputs_of(job.options)) {
         const std::filesystem::path file(path);
         const bool is_folder = folder && job.options.output == path;
         const std::filesystem::path needed = is_folder ? file : file.parent_path();

@@ -12,9 +12,10 @@
 
 namespace grafverif::app {
 
-/// The files that the options name as outputs are different ones, in folders that are there or may be made; false after
-/// an error. `folder`: what `-o` names is a folder.
-bool outputs_fit(bool folder, Job& job);
+/// The files that the options name as outputs are different ones; false after an error.
+bool outputs_differ(Job& job);
+/// Their folders are there, or may be made; false after an error. `folder`: what `-o` names is a folder.
+bool folders_are_there(bool folder, Job& job);
 
 /// Notes that the file at `path` is read in this run; false after an error: it is to be written too.
 bool note_input(const std::string& path, Job& job);

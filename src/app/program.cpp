@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "app/outputs.hpp"
+#include "app/reports.hpp"
 #include "app/system/guard.hpp"
 #include "app/verbs.hpp"
 #include "support/messages.hpp"
@@ -120,13 +121,6 @@ ExitCode exit_code(const Job& job, ExitCode code) {
     return code == ExitCode::Verdict ? code : ExitCode::Unknown;
 }
 
-/// Where several apply: Failure before Input before Verdict before Unknown.
-ExitCode worse(ExitCode one, ExitCode other) {
-    constexpr std::array order = {ExitCode::Failure, ExitCode::Input, ExitCode::Verdict, ExitCode::Unknown,
-                                  ExitCode::Done};
-    return *std::ranges::find_if(order, [&](ExitCode code) { return code == one || code == other; });
-}
-
 /// A call of the program: a verb on each of its files, then what is written of all of them.
 class Call {
 public:
@@ -135,16 +129,18 @@ public:
 
     ExitCode run() {
         std::optional<Guard> guard;
-        const auto begin = [&] {
+        job_.reports = &reports_;
+        attempt([&] {
             if (streams_.alone) guard.emplace(orders(job_, streams_));
-            return outputs_fit(accepts(verb_, Accepts::OutputDirectory), job_) ? ExitCode::Done : ExitCode::Input;
-        };
-        if (attempt(begin) != ExitCode::Done) return tell(), code_;
+            return begin();
+        });
+        if (failed_) return close(), tell(), code_;
         const std::vector<std::vector<std::string>> rounds = rounds_of();
         for (const std::vector<std::string>& operands : rounds) {
             begin_round(operands);
             attempt([&] { return entry_.run(job_, streams_); });
-            if (&operands == &rounds.back()) attempt([&] { return finish(); });
+            attempt([&] { return note_diagnostics(job_, streams_), ExitCode::Done; });
+            if (&operands == &rounds.back()) close();
             tell();
         }
         return code_;
@@ -186,6 +182,22 @@ private:
         return code;
     }
 
+    ExitCode begin() {
+        if (!outputs_differ(job_)) return reported_ = false, ExitCode::Input;
+        begin_reports(accepts(verb_, Accepts::Analysis) || accepts(verb_, Accepts::Date), job_);
+        if (folders_are_there(accepts(verb_, Accepts::OutputDirectory), job_)) return ExitCode::Done;
+        note_diagnostics(job_, streams_);
+        return ExitCode::Input;
+    }
+
+    /// The reports, whatever has happened, and what was made of all files, if nothing has.
+    void close() {
+        job_.options.operands = asked_.operands;
+        if (reported_)
+            attempt([&] { return write_reports(failed_, job_, streams_) ? ExitCode::Done : ExitCode::Input; });
+        attempt([&] { return finish(); });
+    }
+
     ExitCode finish() {
         if (failed_) return ExitCode::Done;
         std::vector<OutputFile> files;
@@ -206,8 +218,10 @@ private:
     const Options& asked_;
     const Streams& streams_;
     Job job_;
+    Reports reports_ = {};
     ExitCode code_ = ExitCode::Done;
     bool failed_ = false;
+    bool reported_ = true;  ///< reports are written
 };
 
 ExitCode run_verb(const Entry& entry, std::span<const std::string> arguments, const Streams& streams) {
@@ -230,6 +244,12 @@ std::vector<Verb> all_verbs() {
     std::vector<Verb> verbs;
     for (const Entry& entry : entries) verbs.push_back(entry.usage());
     return verbs;
+}
+
+ExitCode worse(ExitCode one, ExitCode other) {
+    constexpr std::array order = {ExitCode::Failure, ExitCode::Input, ExitCode::Verdict, ExitCode::Unknown,
+                                  ExitCode::Done};
+    return *std::ranges::find_if(order, [&](ExitCode code) { return code == one || code == other; });
 }
 
 ExitCode run(std::span<const std::string> arguments, const Streams& streams) {

@@ -18,6 +18,9 @@ enum class ExitCode {
     Failure = 4,  ///< a failure on our side
 };
 
+/// That of two runs, by the order above.
+ExitCode worse(ExitCode one, ExitCode other);
+
 /// The standard streams, which of them are terminals (colours, progress; documents are made clean on the way), and
 /// whether nobody else runs in this process.
 struct Streams {

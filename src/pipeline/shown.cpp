@@ -36,7 +36,7 @@ std::string text_of(const Report& report) {
     return shown([&](std::ostream& out) { print_report(report, {}, out); });
 }
 std::string json_of(const Report& report) {
-    return shown([&](std::ostream& out) { print_json(report, out); });
+    return shown([&](std::ostream& out) { print_json(report, Sources{}, out); });
 }
 
 std::string text_of(const ChartRun& run) {

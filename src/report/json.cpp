@@ -4,9 +4,11 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <sstream>
 
 #include "report/json_trace.hpp"
 #include "report/profile.hpp"
+#include "report/terminal.hpp"
 #include "support/json_text.hpp"
 
 namespace grafverif {
@@ -24,22 +26,29 @@ Json number(const std::string& decimal) {
     return read.ec == std::errc() && read.ptr == end ? Json(value) : Json(decimal);
 }
 
-Json property(const Report& report, const Answer& answer) {
+void add_place(Json& object, const std::optional<FilePlace>& where) {
+    object["file"] = where ? Json(where->file) : Json(nullptr);
+    object["line"] = where ? Json(where->at.line) : Json(nullptr);
+    object["column"] = where ? Json(where->at.column) : Json(nullptr);
+}
+
+Json property(const Report& report, const Answer& answer, const Sources& sources) {
     const Verdict& verdict = answer.verdict;
-    Json made = {{"name", verdict.property},
-                 {"text", text_or_null(answer.text)},
-                 {"verdict", word(verdict.outcome)},
-                 {"expected", verdict.expected_violated ? "violated" : "holds"},
-                 {"engine", text_or_null(report.basis.engine)},
-                 {"mode", text_or_null(report.basis.mode)},
-                 {"grain", text_or_null(report.basis.grain)},
-                 {"states", number(verdict.states)},
-                 {"transitions", verdict.transitions ? Json(*verdict.transitions) : Json(nullptr)},
-                 {"seconds", verdict.seconds},
-                 {"reason", text_or_null(verdict.reason)},
-                 {"vacuous", verdict.vacuous},
-                 {"notes", verdict.notes},
-                 {"trace", answer.trace ? trace_json(*answer.trace) : Json(nullptr)}};
+    Json made = {{"name", verdict.property}, {"text", text_or_null(answer.text)}};
+    add_place(made, file_place(sources, verdict.origin));
+    const Json found = {{"verdict", word(verdict.outcome)},
+                        {"expected", verdict.expected_violated ? "violated" : "holds"},
+                        {"engine", text_or_null(report.basis.engine)},
+                        {"mode", text_or_null(report.basis.mode)},
+                        {"grain", text_or_null(report.basis.grain)},
+                        {"states", number(verdict.states)},
+                        {"transitions", verdict.transitions ? Json(*verdict.transitions) : Json(nullptr)},
+                        {"seconds", verdict.seconds},
+                        {"reason", text_or_null(verdict.reason)},
+                        {"vacuous", verdict.vacuous},
+                        {"notes", verdict.notes},
+                        {"trace", answer.trace ? trace_json(*answer.trace) : Json(nullptr)}};
+    made.update(found);
     const Scope& scope = verdict.scope;
     if (!scope.searched.empty())
         made[scope.cells ? "cells" : "sub_loops"] = {
@@ -49,9 +58,9 @@ Json property(const Report& report, const Answer& answer) {
 
 }  // namespace
 
-void print_json(const Report& report, std::ostream& out) {
+void print_json(const Report& report, const Sources& sources, std::ostream& out) {
     Json properties = Json::array();
-    for (const Answer& answer : report.answers) properties.push_back(property(report, answer));
+    for (const Answer& answer : report.answers) properties.push_back(property(report, answer, sources));
     Json document = {{"model", report.model}, {"properties", std::move(properties)}};
     if (!report.breakdowns.empty()) {
         Json errors = Json::array();
@@ -62,6 +71,74 @@ void print_json(const Report& report, std::ostream& out) {
     }
     if (report.profile) document["profile"] = profile_json(*report.profile);
     out << json_text(document) << '\n';
+}
+
+namespace {
+
+void print_line(const Json& object, std::ostream& out) { out << json_text(object, -1) << '\n'; }
+
+/// The table of a run, line by line.
+Json story(const ChartRun& run, std::string_view end) {
+    std::ostringstream text;
+    print_trace(run, text);
+    if (!run.loop_from && !end.empty()) text << "    " << end << '\n';
+    Json lines = Json::array();
+    std::istringstream read(std::move(text).str());
+    for (std::string line; std::getline(read, line);) lines.push_back(line);
+    return lines;
+}
+
+Json error_line(const std::optional<FilePlace>& where, const Json& model, std::string_view code,
+                std::string_view message) {
+    Json line = Json::object();
+    add_place(line, where);
+    line.update({{"model", model}, {"property", nullptr}, {"verdict", "error"}, {"code", code}, {"message", message}});
+    return line;
+}
+
+}  // namespace
+
+void print_json_lines(const Report& report, const Written& written, std::ostream& out) {
+    for (const Breakdown& breakdown : report.breakdowns) {
+        Json line =
+            error_line(file_place(written.sources, origin(written)), report.model, breakdown.code, breakdown.message);
+        line["story"] = story(breakdown.trace, "");
+        print_line(line, out);
+    }
+    for (const Answer& answer : report.answers) {
+        const Verdict& verdict = answer.verdict;
+        const bool shown = answer.trace && !as_expected(verdict);
+        Json line = Json::object();
+        add_place(line, file_place(written.sources, origin(written, verdict)));
+        const Json found = {{"model", report.model},
+                            {"property", verdict.property},
+                            {"text", text_or_null(answer.text)},
+                            {"verdict", word(verdict.outcome)},
+                            {"expected", verdict.expected_violated ? "violated" : "holds"},
+                            {"as_expected", as_expected(verdict)},
+                            {"engine", text_or_null(report.basis.engine)},
+                            {"mode", text_or_null(report.basis.mode)},
+                            {"grain", text_or_null(report.basis.grain)},
+                            {"states", number(verdict.states)},
+                            {"seconds", verdict.seconds},
+                            {"reason", text_or_null(verdict.reason)},
+                            {"vacuous", verdict.vacuous},
+                            {"notes", verdict.notes},
+                            {"story", shown ? story(*answer.trace, end_of(verdict)) : Json(nullptr)}};
+        line.update(found);
+        print_line(line, out);
+    }
+}
+
+void print_json_lines(const std::string& file, const std::vector<Diagnostic>& diagnostics, const Sources& sources,
+                      std::ostream& out) {
+    for (const Diagnostic& diagnostic : diagnostics) {
+        if (diagnostic.severity != Severity::Error) continue;
+        auto where = file_place(sources, diagnostic.where);
+        Json line = error_line(where, nullptr, diagnostic.code, diagnostic.message);
+        if (!where) line["file"] = file;
+        print_line(line, out);
+    }
 }
 
 }  // namespace grafverif

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <ostream>
+#include <algorithm>
 #include <sstream>
 
 #include "report/terminal.hpp"
@@ -19,20 +19,37 @@ std::string data(std::string_view text) {
     return xml;
 }
 
-std::string told(const ChartRun& run) {
+std::string told(const ChartRun& run, std::string_view end) {
     std::ostringstream text;
     print_trace(run, text);
-    return data(text.str());
+    if (!run.loop_from && !end.empty()) text << "    " << end << '\n';
+    return std::move(text).str();
+}
+
+/// The first lines of `text`: what a build server shows before it is asked for more.
+std::string first_lines(std::string_view text) {
+    constexpr std::size_t shown = 6;
+    std::size_t end = 0;
+    for (std::size_t line = 0; line < shown && end != std::string_view::npos; ++line) end = text.find('\n', end + 1);
+    if (end == std::string_view::npos || end + 1 >= text.size()) return std::string(text);
+    return std::string(text.substr(0, end)) + "\n...";
 }
 
 /// `<failure ...>`, `<error ...>` or `<skipped ...>`.
-std::string element(std::string_view name, std::string_view type, std::string_view message,
-                    const std::string& content) {
+std::string element(std::string_view name, std::string_view type, std::string_view message, std::string_view content) {
     const std::string kind = type.empty() ? "" : fmt::format(" type=\"{}\"", attribute_xml(type));
-    return fmt::format("      <{}{} message=\"{}\">{}</{}>\n", name, kind, attribute_xml(message), content, name);
+    return fmt::format("      <{}{} message=\"{}\">{}</{}>\n", name, kind, attribute_xml(message), data(content), name);
 }
 
-std::string result(const Answer& answer) {
+std::string failure(std::string_view type, std::string_view message, const std::optional<FilePlace>& where,
+                    const std::string& trace) {
+    std::string first(message);
+    if (where) first += fmt::format(" ({}:{})", where->file, where->at.line);
+    if (trace.empty()) return element("failure", type, first, first);
+    return element("failure", type, first + "\n" + first_lines(trace), first + "\n" + trace);
+}
+
+std::string result(const Answer& answer, const std::optional<FilePlace>& where) {
     const Verdict& verdict = answer.verdict;
     if (verdict.outcome == Outcome::Unknown) {
         const std::string message = "unknown: " + verdict.reason;
@@ -41,39 +58,78 @@ std::string result(const Answer& answer) {
     }
     if (as_expected(verdict)) return {};
     const std::string message(verdict.expected_violated ? "holds, but expected to be violated" : "violated");
-    return element("failure", word(verdict.outcome), message, answer.trace ? told(*answer.trace) : "");
+    return failure(word(verdict.outcome), message, where, answer.trace ? told(*answer.trace, end_of(verdict)) : "");
 }
 
-std::string test_case(const Report& report, std::string_view name, std::string_view text, double seconds,
-                      const std::string& result) {
-    std::string xml = fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"",
-                                  attribute_xml(report.model), attribute_xml(name), seconds);
-    if (result.empty() && text.empty()) return xml + "/>\n";
+struct Case {
+    std::string_view suite = {}, name = {}, text = {};
+    std::optional<FilePlace> where = {};
+    double seconds = 0;
+};
+
+std::string test_case(const Case& about, const std::string& result) {
+    std::string xml = fmt::format("    <testcase classname=\"{}\" name=\"{}\"", attribute_xml(about.suite),
+                                  attribute_xml(about.name));
+    if (about.where)
+        xml += fmt::format(" file=\"{}\" line=\"{}\"", attribute_xml(about.where->file), about.where->at.line);
+    xml += fmt::format(" time=\"{:.3f}\"", about.seconds);
+    if (result.empty() && about.text.empty()) return xml + "/>\n";
     xml += ">\n" + result;
-    if (!text.empty()) xml += fmt::format("      <system-out>{}</system-out>\n", data(text));
+    if (!about.text.empty()) xml += fmt::format("      <system-out>{}</system-out>\n", data(about.text));
     return xml + "    </testcase>\n";
+}
+
+std::string suite_of_error(std::string_view file, const std::string& one_case) {
+    return fmt::format(
+               "  <testsuite name=\"{}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" time=\"0.000\">\n",
+               attribute_xml(file)) +
+           one_case + "  </testsuite>\n";
 }
 
 }  // namespace
 
-void print_junit(const Report& report, std::ostream& out) {
+std::string junit_suite(const Report& report, const Written& written) {
     const Tally count = tally(report);
     double seconds = 0;
     std::string cases;
-    for (const Breakdown& breakdown : report.breakdowns)
-        cases += test_case(report, breakdown.code, "", 0,
-                           element("failure", breakdown.code, breakdown.message,
-                                   breakdown.trace.steps.empty() ? "" : told(breakdown.trace)));
-    for (const Answer& answer : report.answers) {
-        cases += test_case(report, answer.verdict.property, answer.text, answer.verdict.seconds, result(answer));
-        seconds = std::max(seconds, answer.verdict.seconds);
+    for (const Breakdown& breakdown : report.breakdowns) {
+        const auto where = file_place(written.sources, origin(written));
+        const std::string trace = breakdown.trace.steps.empty() ? "" : told(breakdown.trace, "");
+        cases += test_case({report.model, breakdown.code, "", where, 0},
+                           failure(breakdown.code, breakdown.message, where, trace));
     }
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
-    out << fmt::format(
-        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n",
-        attribute_xml(report.model), report.answers.size() + report.breakdowns.size(),
-        count.unexpected + report.breakdowns.size(), count.unknown, count.undeclared_unknown, seconds);
-    out << cases << "  </testsuite>\n</testsuites>\n";
+    for (const Answer& answer : report.answers) {
+        const Verdict& verdict = answer.verdict;
+        const auto where = file_place(written.sources, origin(written, verdict));
+        cases +=
+            test_case({report.model, verdict.property, answer.text, where, verdict.seconds}, result(answer, where));
+        seconds = std::max(seconds, verdict.seconds);
+    }
+    return fmt::format(
+               "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n",
+               attribute_xml(report.model), report.answers.size() + report.breakdowns.size(),
+               count.unexpected + report.breakdowns.size(), count.unknown, count.undeclared_unknown, seconds) +
+           cases + "  </testsuite>\n";
+}
+
+std::string junit_suite(std::string_view file, const std::vector<Diagnostic>& diagnostics, const Sources& sources) {
+    const auto first = std::ranges::find(diagnostics, Severity::Error, &Diagnostic::severity);
+    if (first == diagnostics.end()) return {};
+    std::ostringstream all;
+    render_text(diagnostics, sources, Colour::Plain, all);
+    const auto where = file_place(sources, first->where);
+    const std::string message =
+        where ? fmt::format("{} ({}:{})", first->message, where->file, where->at.line) : first->message;
+    return suite_of_error(
+        file, test_case({file, "input", "", where, 0}, element("error", first->code, message, std::move(all).str())));
+}
+
+std::string junit_suite(std::string_view file, std::string_view type, std::string_view message) {
+    return suite_of_error(file, test_case({file, "run", "", {}, 0}, element("error", type, message, "")));
+}
+
+std::string junit_document(std::string_view suites) {
+    return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n{}</testsuites>\n", suites);
 }
 
 }  // namespace grafverif

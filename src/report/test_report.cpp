@@ -131,25 +131,25 @@ void print_json(const TestReport& report, std::ostream& out) {
     out << json_text(document) << '\n';
 }
 
-void print_junit(const TestReport& report, std::ostream& out) {
+std::string junit_suite(const TestReport& report) {
+    std::string out;
     const TestTally count = tally(report);
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
-    out << fmt::format(
+    out += fmt::format(
         "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"{:.3f}\">\n",
         attribute_xml(report.test.chart), count.passed + count.failed + count.not_run, count.failed, count.not_run,
         report.seconds);
     for_each_row(report, [&](std::size_t sequence, std::size_t row, const TestReport::Failure* failed) {
-        out << fmt::format("    <testcase classname=\"{}\" name=\"{}\"", attribute_xml(report.test.chart),
+        out += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", attribute_xml(report.test.chart),
                            attribute_xml(row_name(report.test, sequence, row)));
         std::string told;
         if (failed != nullptr) escape_xml(failure_words(report, *failed), told);
         if (failed != nullptr)
-            out << fmt::format(">\n      <failure type=\"{}\" message=\"{}\">{}</failure>\n    </testcase>\n",
+            out += fmt::format(">\n      <failure type=\"{}\" message=\"{}\">{}</failure>\n    </testcase>\n",
                                word(failed->cause), attribute_xml(cause_words(report, *failed)), told);
-        else if (report.verdicts[sequence][row] == StepVerdict::NotRun) out << ">\n      <skipped/>\n    </testcase>\n";
-        else out << "/>\n";
+        else if (report.verdicts[sequence][row] == StepVerdict::NotRun) out += ">\n      <skipped/>\n    </testcase>\n";
+        else out += "/>\n";
     });
-    out << "  </testsuite>\n</testsuites>\n";
+    return out + "  </testsuite>\n";
 }
 
 }  // namespace grafverif

@@ -65,6 +65,6 @@ void print_text(const TestReport& report, bool failures_only, std::ostream& out)
 void print_json(const TestReport& report, std::ostream& out);
 
 /// A test case per row: a failure, or skipped where it was not run.
-void print_junit(const TestReport& report, std::ostream& out);
+std::string junit_suite(const TestReport& report);
 
 }  // namespace grafverif

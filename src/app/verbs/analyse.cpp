@@ -3,6 +3,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "app/reports.hpp"
 #include "app/stop_words.hpp"
 #include "app/system/guard.hpp"
 #include "app/verbs.hpp"
@@ -19,8 +20,9 @@ std::string printed(const Analysis& analysis, const Job& job) {
     const bool coloured = job.options.colour == ColourChoice::Always;
     switch (job.options.format) {
     case Format::Json: print_findings_json(analysis, job.sources, out); break;
-    case Format::Sarif: print_findings_sarif(analysis, job.sources, GRAFVERIF_VERSION, out); break;
+    case Format::Sarif: break;  // written with the other reports
     case Format::Text:
+    case Format::JsonLines:
     case Format::Latex:
     case Format::Xml:
     case Format::Dot:
@@ -50,35 +52,50 @@ ExitCode exit_code(const Analysis& analysis) {
 
 }  // namespace
 
-ExitCode analyse(Job& job, const Streams& streams) {
-    const auto model = read_model(job.options.operands[0], job);
-    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
-    const auto equations = chart ? equations_of(*model, *chart, job) : std::nullopt;
+namespace {
+
+ExitCode analyse_one(const Model& model, Id<Chart> chart, Job& job, const Streams& streams) {
+    const auto equations = equations_of(model, chart, job);
     if (!equations) return ExitCode::Input;
-    auto exclusions = exclusions_of(model->charts[*chart], job);
+    auto exclusions = exclusions_of(model.charts[chart], job);
     if (!exclusions) return ExitCode::Input;
 
     const Bounds bounds(job.options, streams);
     AnalyseOptions options;
-    options.mode = execution_mode(*model, *chart, job);
+    options.mode = execution_mode(model, chart, job);
     options.exclusions = std::move(*exclusions);
-    Analysis analysis = analysis_of(model->charts[*chart], *equations, std::move(options), bounds.limits());
+    Analysis analysis = analysis_of(model.charts[chart], *equations, std::move(options), bounds.limits());
     analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), bounds.interrupted(), job.options);
     const std::string text = printed(analysis, job);
     work_is_done();
     if (job.options.output) deliver(text, job, streams);
     else streams.out << text;  // clean, but for our colours
+    if (job.options.sarif) add_findings(analysis, job.sources, job.reports->sarif);
     for (const std::string& failure : analysis.failures)
         streams.err << "grafverif: internal failure: " << failure << '\n';
     return exit_code(analysis);
 }
 
+}  // namespace
+
+ExitCode analyse(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    if (!model) return ExitCode::Input;
+    if (!job.options.all) {
+        const auto chart = chosen_chart(*model, job);
+        return chart ? analyse_one(*model, *chart, job, streams) : ExitCode::Input;
+    }
+    ExitCode code = ExitCode::Done;
+    for (const Id<Chart> chart : model->charts.ids()) code = worse(code, analyse_one(*model, chart, job, streams));
+    return code;
+}
+
 Verb analyse_usage() {
     return {
         "analyse",
-        "FILE",
+        "FILE...",
         1,
-        1,
+        any_number,
         "find what can go wrong in a chart, and what never happens in it",
         "Searches all sequences of inputs of a chart at once and tells, each with a shortest sequence of inputs that\n"
         "shows it: total instability, races and conflicts of stored actions, branches cleared together, steps "
@@ -93,8 +110,8 @@ Verb analyse_usage() {
         "looked into.",
         {"grafverif analyse samples/oven_door/oven_door.grafcet",
          "grafverif analyse station.grafcet --chart press --exclusions wiring.csv",
-         "grafverif analyse station.grafcet --format sarif -o findings.sarif"},
-        {Accepts::Output, Accepts::Chart, Accepts::Mode, Accepts::Analysis}};
+         "grafverif analyse charts/*.grafcet --all --sarif findings.sarif"},
+        {Accepts::Output, Accepts::All, Accepts::Chart, Accepts::Mode, Accepts::Analysis}};
 }
 
 }  // namespace grafverif::app

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <ostream>
-#include <sstream>
+#include <vector>
 
 #include "app/decide.hpp"
-#include "app/outputs.hpp"
+#include "app/list_properties.hpp"
+#include "app/reports.hpp"
 #include "app/system/guard.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
 #include "report/json.hpp"
-#include "report/junit.hpp"
 #include "report/terminal.hpp"
 #include "support/overloaded.hpp"
 #include "support/printable.hpp"
@@ -37,19 +37,12 @@ Chosen first_trace(const Report& report) {
     return {};
 }
 
-void write_reports(const Report& report, Job& job, const Streams& streams) {
+void note_trace(const Report& report, Job& job, const Streams& streams) {
     const Options& options = job.options;
-    std::vector<OutputFile> files;
     const Chosen chosen = first_trace(report);
-    if (chosen.trace) files = trace_files(*chosen.trace, chosen.title, options);
+    if (chosen.trace) job.reports->files = trace_files(*chosen.trace, chosen.title, options);
     else if ((options.trace_vcd || options.trace_svg) && !options.quiet)
         streams.err << "note: no verdict has a trace; none was written\n";
-    if (options.junit) {
-        std::ostringstream text;
-        print_junit(report, text);
-        files.push_back({*options.junit, std::move(text).str()});
-    }
-    write_outputs(files, job, streams);
 }
 
 /// What a loop expects may be about the schedule that it names, which timed models do not have.
@@ -61,38 +54,66 @@ void point_to_schedule(const ClosedLoop& loop, const Job& job, const Streams& st
         loop.name, printable(job.options.operands[0]));
 }
 
+/// What to check in a file, one by one: a loop, or a chart that belongs to none.
+struct Aim {
+    std::optional<std::string> loop = {}, chart = {};
+};
+
+std::vector<Aim> aims(const Model& model, bool all, const Options& asked) {
+    if (!all) return {{asked.loop, asked.chart}};
+    std::vector<Aim> list;
+    for (const ClosedLoop& loop : model.loops) list.push_back({loop.name, {}});
+    if (list.empty())
+        for (const Chart& chart : model.charts) list.push_back({{}, chart.name});
+    return list;
+}
+
+ExitCode check_one(const Model& model, Job& job, Bounds& bounds, const Streams& streams) {
+    const Options& asked = job.options;
+    const bool witnesses = asked.verbose || asked.format == Format::Json || asked.trace_vcd || asked.trace_svg;
+    const auto decided = decide(model, job, bounds, witnesses, streams);
+    if (!decided) return ExitCode::Input;
+    const Report& report = decided->report;
+    work_is_done();
+    if (asked.format == Format::Json) print_json(report, job.sources, streams.out);
+    else if (asked.format == Format::JsonLines)
+        print_json_lines(report, {job.sources, model, decided->loop, decided->chart}, streams.out);
+    else
+        print_report(report,
+                     {asked.verbose, asked.quiet, asked.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain},
+                     streams.out);
+    streams.out.flush();
+    for (const std::string& failure : report.failures)
+        streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
+    note_trace(report, job, streams);
+    note(*decided, model, job);
+    const ExitCode code = exit_code(report, bounds.interrupted());
+    if (code != ExitCode::Done && decided->timed) point_to_schedule(model.loops[decided->loop], job, streams);
+    return code;
+}
+
 }  // namespace
 
 ExitCode check(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
+    if (job.options.list) return list_properties(*model, job, streams);
     Bounds bounds(job.options, streams);
-    const Options& asked = job.options;
-    const bool witnesses = asked.verbose || asked.format == Format::Json || asked.trace_vcd || asked.trace_svg;
-    const auto decided = decide(*model, job, bounds, witnesses, streams);
-    if (!decided) return ExitCode::Input;
-    const Report& report = decided->report;
-    work_is_done();
-    if (job.options.format == Format::Json) print_json(report, streams.out);
-    else
-        print_report(report,
-                     {job.options.verbose, job.options.quiet,
-                      job.options.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain},
-                     streams.out);
-    for (const std::string& failure : report.failures)
-        streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
-    write_reports(report, job, streams);
-    const ExitCode code = exit_code(report, bounds.interrupted());
-    if (code != ExitCode::Done && decided->timed) point_to_schedule(model->loops[decided->loop], job, streams);
+    ExitCode code = ExitCode::Done;
+    for (const Aim& aim : aims(*model, job.options.all, job.options)) {
+        job.options.loop = aim.loop;
+        job.options.chart = aim.chart;
+        code = worse(code, check_one(*model, job, bounds, streams));
+    }
     return code;
 }
 
 Verb check_usage() {
     return {
         "check",
-        "FILE",
+        "FILE...",
         1,
-        1,
+        any_number,
         "prove the properties of a closed loop, with counterexamples in the chart's words",
         "Decides every property of FILE's closed loop with the embedded timed engine, and whether time can stop. "
         "What they\n"
@@ -104,14 +125,18 @@ Verb check_usage() {
         "many,\n"
         "and `--engine bmc` for the shortest way to what is wrong, as far as it gets; `--engine auto` asks all three;\n"
         "`--engine abc` and `--engine-command` ask hardware model checkers.\n"
-        "Formats: text, JSON (--format json), JUnit XML (--junit); traces also as VCD and SVG.",
+        "Formats: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD "
+        "and SVG.\n"
+        "Reports are of this run or not there, whatever ends it; docs/ci.md tells what build servers make of them.",
         {"grafverif check samples/testing_station/testing_station.grafcet",
          "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
          "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G",
+         "grafverif check charts/*.grafcet --all --junit verdicts.xml --sarif verdicts.sarif",
+         "grafverif check station.grafcet --list",
          "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
          "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata"},
-        {Accepts::Search, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed,
-         Accepts::Format, Accepts::Traces, Accepts::Verbose, Accepts::Stats, Accepts::Ablations}};
+        {Accepts::Search, Accepts::Verdicts, Accepts::All, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain,
+         Accepts::Untimed, Accepts::Format, Accepts::Traces, Accepts::Verbose, Accepts::Stats, Accepts::Ablations}};
 }
 
 }  // namespace grafverif::app

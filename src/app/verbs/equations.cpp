@@ -17,6 +17,7 @@ std::string printed(const Equations& equations, Format format) {
     case Format::Text: print_equations(out, equations); break;
     case Format::Latex: print_equations_latex(out, equations); break;
     case Format::Json: print_equations_json(out, equations); break;
+    case Format::JsonLines:
     case Format::Xml:
     case Format::Sarif:
     case Format::Dot:

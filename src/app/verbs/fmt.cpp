@@ -33,9 +33,9 @@ ExitCode fmt(Job& job, const Streams& streams) {
 Verb fmt_usage() {
     return {
         "fmt",
-        "FILE",
+        "FILE...",
         1,
-        1,
+        any_number,
         "print a file in canonical form",
         "Prints FILE as canonical text: one declaration a line, comments kept. Formatting canonical text changes "
         "nothing.",

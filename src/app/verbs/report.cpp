@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/decide.hpp"
+#include "app/reports.hpp"
 #include "app/stop_words.hpp"
 #include "app/verbs.hpp"
 #include "emit/layout/diagram.hpp"
@@ -104,6 +105,7 @@ ExitCode report(Job& job, const Streams& streams) {
     content.version = GRAFVERIF_VERSION;
     content.date = job.options.date;
     content.asked = job.options.properties;
+    note(*decided, *model, job);
     content.report = std::move(decided->report);
     content.warnings = warnings_of(job);
     deliver(page_of(content), job, streams);

@@ -8,13 +8,12 @@
 #include <functional>
 #include <optional>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <thread>
 
 #include "app/options.hpp"
-#include "app/outputs.hpp"
 #include "app/progress_line.hpp"
+#include "app/reports.hpp"
 #include "app/system/dialogue.hpp"
 #include "app/system/guard.hpp"
 #include "app/system/interrupt.hpp"
@@ -175,10 +174,7 @@ void write_test_report(const TestReport& report, Job& job, const Streams& stream
     work_is_done();
     if (options.format == Format::Json) print_json(report, streams.out);
     else print_text(report, options.quiet, streams.out);
-    if (!options.junit) return;
-    std::ostringstream text;
-    print_junit(report, text);
-    write_outputs({{*options.junit, std::move(text).str()}}, job, streams);
+    job.reports->suites = junit_suite(report);
 }
 
 std::optional<TestReport> bench_report(const TestSequence& sequence, const Options& options, const Limits& limits) {

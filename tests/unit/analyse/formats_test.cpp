@@ -11,6 +11,7 @@
 #include "read/exclusions.hpp"
 #include "read/text.hpp"
 #include "report/findings.hpp"
+#include "report/sarif.hpp"
 
 namespace grafverif {
 namespace {
@@ -98,7 +99,9 @@ TEST(Findings, SayOfWhatIsNotDecidedHowFarItWasLookedInto) {
                               "    total-instability: none in the first 4 instants, none in 7 evolutions\n"),
               std::string::npos)
         << text.str();
-    print_findings_sarif(made.analysis, made.sources, "0", sarif);
+    SarifLog log;
+    add_findings(made.analysis, made.sources, log);
+    print_sarif(log, "0", sarif);
     const auto invocation = nlohmann::json::parse(sarif.str())["runs"][0]["invocations"][0];
     EXPECT_EQ(invocation["executionSuccessful"], false);
     ASSERT_EQ(invocation["toolExecutionNotifications"].size(), 6U);
@@ -139,7 +142,9 @@ void expect_sarif(const nlohmann::json& log) {
 TEST(Findings, AsSarifAreALogThatTheStandardKnows) {
     const Analysed made = analysed(std::string(two_buttons));
     std::ostringstream out;
-    print_findings_sarif(made.analysis, made.sources, "0.1.0", out);
+    SarifLog found;
+    add_findings(made.analysis, made.sources, found);
+    print_sarif(found, "0.1.0", out);
     const auto log = nlohmann::json::parse(out.str());
     expect_sarif(log);
     const auto& results = log["runs"][0]["results"];
