@@ -27,13 +27,13 @@ configure_package_config_file(cmake/grafverifConfig.cmake.in "${PROJECT_BINARY_D
                               INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/grafverif)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/grafverifConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/grafverifConfig.cmake" "${PROJECT_BINARY_DIR}/grafverifConfigVersion.cmake"
-              cmake/FindCaDiCaL.cmake
+              cmake/FindCaDiCaL.cmake cmake/grafverifFunctions.cmake cmake/grafverifDiscover.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/grafverif COMPONENT library)
 
 # As they lie here, so that pages find each other.
 install(FILES LICENSE README.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
-install(DIRECTORY templates samples docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
-        PATTERN "*.sh" EXCLUDE PATTERN CMakeLists.txt EXCLUDE)
+install(DIRECTORY samples docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation PATTERN "*.sh" EXCLUDE)
+install(DIRECTORY templates DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation PATTERN CMakeLists.txt EXCLUDE)
 
 foreach(component_and_target "program:grafverif_program" "library:grafverif")
     string(REGEX MATCH "^(.*):(.*)$" _ ${component_and_target})
