@@ -13,6 +13,8 @@
 #include <ostream>
 #include <utility>
 
+#include "app/settle_outputs.hpp"
+
 namespace grafverif::app {
 
 namespace {
@@ -413,34 +415,6 @@ std::string settle_limits(Options& options) {
     static_assert(2 * hundred_years < std::numeric_limits<std::int64_t>::max() / 1'000'000);
     for (std::optional<std::uint64_t>* time : {&options.timeout_ms, &options.patience_ms})
         if (*time) *time = std::min(**time, hundred_years);
-    return {};
-}
-
-/// What is said of outputs fits together, and is enough to write them.
-std::string settle_outputs(const Verb& verb, const Options& options) {
-    const bool several = options.operands.size() > 1 || options.all;
-    if (options.name && several)
-        return "`--name` names the files of one loop; of several FILEs, and with `--all`, each loop names its own";
-    if (options.name && (options.name->empty() || options.name->find('/') != std::string::npos))
-        return fmt::format("`--name` takes the name of a file without its folder; not `{}`", *options.name);
-    if (options.all && (options.loop || options.chart)) return "`--all` and `--loop` or `--chart` exclude each other";
-    if (options.depfile_target && !options.depfile) return "`--depfile-target` needs `--depfile`";
-    const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
-                          (options.output && !accepts(verb, Accepts::OutputDirectory));
-    if (several && one_form && !options.list && !accepts(verb, Accepts::OutputDirectory))
-        return fmt::format("{} one file, or one loop; of several take `--junit`, `--sarif`{}",
-                           options.format == Format::Json ? "JSON is of" : "the output is of",
-                           accepts(verb, Accepts::Verdicts) ? " or `--json-lines`" : "");
-    if (several && accepts(verb, Accepts::InPlace) && !options.in_place && !options.check)
-        return "of several FILEs take `--check` or `--in-place`";
-    if (options.list && (options.junit || options.sarif || options.trace_vcd || options.trace_svg))
-        return "`--list` decides nothing, and has nothing to report";
-    bool to_file = accepts(verb, Accepts::OutputDirectory);
-    for (const auto* path : {&options.output, &options.junit, &options.sarif, &options.trace_vcd, &options.trace_svg})
-        to_file = to_file || (*path && **path != "-");
-    if (options.depfile && !options.depfile_target && !to_file)
-        return "`--depfile` says what a file was made from: name one (`-o FILE`), or what the build system calls the "
-               "result of this run (`--depfile-target NAME`)";
     return {};
 }
 

@@ -87,7 +87,7 @@ ExitCode check_one(const Model& model, Job& job, Bounds& bounds, const Streams& 
         streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
     note_trace(report, job, streams);
     note(*decided, model, job);
-    const ExitCode code = exit_code(report, bounds.interrupted());
+    const ExitCode code = app::exit_code(report, bounds.interrupted());
     if (code != ExitCode::Done && decided->timed) point_to_schedule(model.loops[decided->loop], job, streams);
     return code;
 }

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// What the options say of outputs together.
+#pragma once
+
+#include <string>
+
+#include "app/options.hpp"
+
+namespace grafverif::app {
+
+/// What is wrong with them, or nothing: it fits together, and is enough to write them.
+std::string settle_outputs(const Verb& verb, const Options& options);
+
+}  // namespace grafverif::app
