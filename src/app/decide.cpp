@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "app/decide.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <sstream>
 
 #include "app/engines.hpp"
 #include "app/stop_words.hpp"
 #include "pipeline/models.hpp"
+#include "report/basis.hpp"
 #include "report/profile.hpp"
 #include "report/report.hpp"
+#include "support/messages.hpp"
+#include "support/messages_choice.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
 
@@ -61,10 +66,36 @@ void say_who_stopped(Report& report, bool by_user, const Options& options) {
             answer.verdict.reason = with_who_stopped(std::move(answer.verdict.reason), by_user, options);
 }
 
+/// The properties to decide where single steps of them are asked for (`S.X7`).
+std::vector<std::string> whole_properties(std::vector<std::string> asked) {
+    for (std::string& name : asked) name.resize(std::min(name.size(), name.find('.')));
+    return asked;
+}
+
+/// Leaves out the steps that nobody has asked for; whether there are all that somebody has.
+bool keep_asked(const std::vector<std::string>& asked, Report& report, Diagnostics& diagnostics) {
+    const auto has = [](const std::vector<std::string>& names, const std::string& name) {
+        return std::ranges::find(names, name) != names.end();
+    };
+    std::vector<std::string> known;
+    for (const Answer& answer : report.answers) known.push_back(answer.verdict.property);
+    for (const std::string& name : asked) {
+        if (name.find('.') == std::string::npos || has(known, name)) continue;
+        diagnostics.add(messages::no_such_choice("property", name, known, nearest_of(name, known)));
+        return false;
+    }
+    std::erase_if(report.answers, [&](const Answer& answer) {
+        const std::string family = family_of(answer);
+        return !asked.empty() && !family.empty() && !has(asked, family) && !has(asked, answer.verdict.property);
+    });
+    return true;
+}
+
 }  // namespace
 
 std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool witnesses, const Streams& streams) {
-    CheckOptions options{job.options.properties, witnesses, job.options.verbose, bounds.limits(), job.options.stats};
+    CheckOptions options{whole_properties(job.options.properties), witnesses, job.options.verbose, bounds.limits(),
+                         job.options.stats};
     options.whole = job.options.whole;
     options.jobs = job.options.jobs;
     if (!job.options.quiet)
@@ -92,6 +123,7 @@ std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool
         found = decided.timed ? timed_report(model, *loop, job, options) : untimed_report(model, *loop, job, options);
     }
     if (!found) return {};
+    if (!keep_asked(job.options.properties, *found, job.diagnostics)) return {};
     decided.report = std::move(*found);
     name_places(decided.report, job.sources);
     say_who_stopped(decided.report, bounds.interrupted(), job.options);

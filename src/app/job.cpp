@@ -15,6 +15,8 @@
 #include "read/test_csv.hpp"
 #include "read/text.hpp"
 #include "support/messages.hpp"
+#include "support/messages_choice.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
 
@@ -71,7 +73,7 @@ std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::stri
         names.push_back(table[id].name);
     }
     if (!wanted && table.size() == 1) return *table.ids().begin();
-    if (wanted) job.diagnostics.add(messages::no_such_choice(kind, *wanted, names));
+    if (wanted) job.diagnostics.add(messages::no_such_choice(kind, *wanted, names, nearest_of(*wanted, names)));
     else job.diagnostics.add(messages::ambiguous_choice(kind, option, names));
     return {};
 }
@@ -134,8 +136,13 @@ std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Clos
     return grafverif::transition_system_of(model, loop, model_options(job.options), job.diagnostics);
 }
 
+Colour colour_on(const Screen& screen, const Options& options) {
+    const bool automatic = options.colour == ColourChoice::Auto && screen.colours;
+    return automatic || options.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain;
+}
+
 Bounds::Bounds(const Options& options, const Streams& streams)
-    : line_(streams.err, streams.err_is_terminal && !options.quiet),
+    : line_(streams.err, streams.err_screen.rewrites && !options.quiet),
       limits_{options.max_states, options.max_memory, options.deadline, &interrupt_.asked(),
               [this](const Progress& now) { line_.show(now.words); }} {}
 

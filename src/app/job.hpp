@@ -44,6 +44,9 @@ struct Job {
     Reports* reports = nullptr;  ///< of all files of the call; never null while a verb runs
 };
 
+/// Of what is written there, as `--color` says.
+Colour colour_on(const Screen& screen, const Options& options);
+
 /// While it exists: what bounds the work of the job, Ctrl-C included, and a line on the terminal that tells how far it is.
 class Bounds {
 public:

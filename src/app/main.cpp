@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <poll.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -11,15 +13,29 @@
 #include "app/system/guard.hpp"
 #include "support/printable.hpp"
 
+namespace {
+
+/// As of a process that SIGPIPE has ended, which is how it is told where nobody ignores that.
+constexpr int closed_pipe = 128 + SIGPIPE;
+
+/// Whether the reader of the pipe at `descriptor` has gone.
+bool nobody_reads(int descriptor) {
+    pollfd asked{descriptor, POLLOUT, 0};
+    return ::poll(&asked, 1, 0) == 1 && (asked.revents & POLLERR) != 0;
+}
+
+}  // namespace
+
 int main(int count, char** values) {
     using namespace grafverif::app;
     expect_memory_to_end();
     std::ios::sync_with_stdio(false);
     try {
         const std::vector<std::string> arguments(values + 1, values + count);
-        const bool terminals[] = {::isatty(STDOUT_FILENO) == 1, ::isatty(STDERR_FILENO) == 1};
-        const ExitCode code = run(arguments, {std::cin, std::cout, std::cerr, terminals[1], true, terminals[0]});
+        const ExitCode code =
+            run(arguments, {std::cin, std::cout, std::cerr, true, screen_of(STDOUT_FILENO), screen_of(STDERR_FILENO)});
         std::cout.flush();
+        if (!std::cout && nobody_reads(STDOUT_FILENO)) return closed_pipe;
         if (!std::cout) {
             std::cerr << "grafverif: error: cannot write to standard output\n";
             return static_cast<int>(ExitCode::Input);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/settle_outputs.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
 
@@ -89,11 +90,15 @@ Option choice(Accepts accepts, const char* name, std::vector<Choice<T>> choices,
             }};
 }
 
-/// A whole number, times the factor of its suffix; `suffixes`: the first is that of a number without one.
+/// A whole number, times the factor of its suffix; `suffixes`: those it may have, one of which it must; the first is the
+/// usual one.
 template <class Place>
 Option number(Accepts accepts, const char* name, const char* value, std::vector<Choice<std::uint64_t>> suffixes,
               Place place, const char* help) {
     if (suffixes.empty()) suffixes = {{"", 1}};
+    std::string known;
+    for (const Choice<std::uint64_t>& one : suffixes)
+        known += fmt::format("{}`{}`", known.empty() ? "" : ", ", one.word);
     return {accepts, name, value, help, [=](const std::vector<std::string>& given, Options& options) {
                 const std::string& word = given.front();
                 const char* const stop = word.data() + word.size();
@@ -103,9 +108,13 @@ Option number(Accepts accepts, const char* name, const char* value, std::vector<
                 const auto found = std::ranges::find(suffixes, suffix, &Choice<std::uint64_t>::word);
                 const bool fits = failure == std::errc{} && found != suffixes.end() &&
                                   read <= std::numeric_limits<std::uint64_t>::max() / found->value;
+                if (!fits && suffix.empty() && failure == std::errc{})
+                    return fmt::format("`--{} {}` has no unit; write `{}{}`", name, word, word, suffixes.front().word);
+                if (!fits && suffixes.size() == 1)
+                    return fmt::format("`--{}` takes a whole number; not `{}`", name, word);
                 if (!fits)
-                    return fmt::format("`--{}` takes a whole number{}; not `{}`", name,
-                                       suffixes.size() == 1 ? "" : " with a unit", word);
+                    return fmt::format("`--{}` takes a whole number with a unit, one of {}; not `{}`", name, known,
+                                       word);
                 std::invoke(place, options) = read * found->value;
                 return std::string();
             }};
@@ -311,7 +320,7 @@ std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& ti
              "write to FILE, for Make or Ninja, which files the outputs were made from, included ones too"),
         text(Accepts::Writes, "depfile-target", "NAME", &Options::depfile_target,
              "what --depfile calls the result (default: the outputs, as named here)"),
-        number(Accepts::Always, "max-memory", "SIZE", {{"", mega}, {"K", mega >> 10U}, {"M", mega}, {"G", mega << 10U}},
+        number(Accepts::Always, "max-memory", "SIZE", {{"M", mega}, {"K", mega >> 10U}, {"G", mega << 10U}},
                &Options::max_memory,
                "give up above SIZE, such as 500M or 2G (default: 4G of states, 2G of decision diagrams, and what the "
                "machine has)"),
@@ -323,7 +332,7 @@ std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& ti
         choice<ColourChoice>(
             Accepts::Always, "color",
             {{"auto", ColourChoice::Auto}, {"always", ColourChoice::Always}, {"never", ColourChoice::Never}},
-            &Options::colour, "colours in errors and warnings (default: auto)"),
+            &Options::colour, "colours of verdicts, errors and warnings (default: auto, on a terminal)"),
         toggle(Accepts::Always, "quiet,q", &Options::quiet, "no warnings, no list of files; of `check`: failures only"),
         toggle(Accepts::Always, "help,h", &Options::help, "show this help"),
         {Accepts::Ablations, "without", "CURE", "", leave_out_cures, true},
@@ -333,8 +342,7 @@ std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& ti
 
 /// The options of `verb`.
 std::vector<Option> options_of(const Verb& verb) {
-    const std::vector<Choice<std::uint64_t>> times = {
-        {"", 1000}, {"ms", 1}, {"s", 1000}, {"min", 60'000}, {"h", 3'600'000}};
+    const std::vector<Choice<std::uint64_t>> times = {{"s", 1000}, {"ms", 1}, {"min", 60'000}, {"h", 3'600'000}};
     std::vector<Option> all;
     for (std::vector<Option>& group :
          std::vector{options_for_models(), options_for_forms(), options_for_checks(times), options_for_all(times)})
@@ -407,15 +415,13 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
     return {};
 }
 
-std::string settle_limits(Options& options) {
-    if (options.max_evolutions == 0 || options.max_evolutions > std::numeric_limits<std::uint32_t>::max())
-        return "`--max-evolutions` takes a number from 1 to 4294967295";
-    constexpr std::uint64_t hundred_years =
-        std::uint64_t{100} * 365 * 24 * 3'600'000;  // clocks count nanoseconds in 63 bits
-    static_assert(2 * hundred_years < std::numeric_limits<std::int64_t>::max() / 1'000'000);
-    for (std::optional<std::uint64_t>* time : {&options.timeout_ms, &options.patience_ms})
-        if (*time) *time = std::min(**time, hundred_years);
-    return {};
+std::string unknown_option(const std::string& given, const std::vector<Option>& known) {
+    std::vector<std::string> names;
+    for (const Option& option : known)
+        if (!option.help.empty()) names.push_back("--" + option.long_name());
+    const std::string meant = nearest_of(given, names);
+    return fmt::format("there is no option `{}`{}", given,
+                       meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant));
 }
 
 }  // namespace
@@ -448,6 +454,8 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
                       .run(),
                   values);
         po::notify(values);
+    } catch (const po::unknown_option& failure) {
+        return {{}, unknown_option(failure.get_option_name(), known)};
     } catch (const po::error& failure) {
         return {{}, failure.what()};
     }

@@ -91,7 +91,7 @@ bool write_outputs(const std::vector<OutputFile>& files, Job& job, const Streams
     write_files(others);
     for (const OutputFile& file : files)
         if (std::ostream* const stream = stream_at(file.path, streams)) {
-            const bool terminal = stream == &streams.out ? streams.out_is_terminal : streams.err_is_terminal;
+            const bool terminal = (stream == &streams.out ? streams.out_screen : streams.err_screen).terminal;
             *stream << (terminal ? printable_lines(file.content) : file.content);
         }
     return true;

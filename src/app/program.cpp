@@ -18,6 +18,7 @@
 #include "app/verbs.hpp"
 #include "support/messages.hpp"
 #include "support/printable.hpp"
+#include "support/render.hpp"
 #include "syntax/resolve/nearest.hpp"
 
 namespace grafverif::app {
@@ -75,10 +76,9 @@ ExitCode usage_error(const Streams& streams, const std::string& complaint, const
 }
 
 void render(const std::vector<Diagnostic>& shown, const Job& job, const Streams& streams, std::ostream& out) {
-    const bool coloured = job.options.colour == ColourChoice::Always ||
-                          (job.options.colour == ColourChoice::Auto && streams.err_is_terminal);
     if (job.options.diagnostics == DiagnosticFormat::Text)
-        render_text(shown, job.sources, coloured ? Colour::Ansi : Colour::Plain, out);
+        render_text(shown, job.sources, colour_on(streams.err_screen, job.options),
+                    streams.err_screen.columns == 0 ? usual_columns : streams.err_screen.columns, out);
     else if (!shown.empty()) render_json(shown, job.sources, out);
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/system/screen.hpp"
+
 namespace grafverif::app {
 
 /// Exit codes; where several apply: Failure before Input before Verdict before Unknown.
@@ -21,15 +23,14 @@ enum class ExitCode {
 /// That of two runs, by the order above.
 ExitCode worse(ExitCode one, ExitCode other);
 
-/// The standard streams, which of them are terminals (colours, progress; documents are made clean on the way), and
-/// whether nobody else runs in this process.
+/// The standard streams, what a person sees of them (documents are made clean on the way to a terminal), and whether
+/// nobody else runs in this process.
 struct Streams {
     std::istream& in;
     std::ostream& out;
     std::ostream& err;
-    bool err_is_terminal = false;
     bool alone = false;  ///< the process is ours: it may be bounded, and ended
-    bool out_is_terminal = false;
+    Screen out_screen = {}, err_screen = {};
 };
 
 struct Verb;

@@ -3,9 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace grafverif::app {
 
 std::string settle_outputs(const Verb& verb, const Options& options) {
+    if (accepts(verb, Accepts::OutputDirectory) && options.output == "-")
+        return fmt::format("`{}` writes a folder, which `-` is not; other verbs write one document to standard output",
+                           verb.name);
     const bool several = options.operands.size() > 1 || options.all;
     if (options.name && several)
         return "`--name` names the files of one loop; of several FILEs, and with `--all`, each loop names its own";
@@ -29,6 +35,17 @@ std::string settle_outputs(const Verb& verb, const Options& options) {
     if (options.depfile && !options.depfile_target && !to_file)
         return "`--depfile` says what a file was made from: name one (`-o FILE`), or what the build system calls the "
                "result of this run (`--depfile-target NAME`)";
+    return {};
+}
+
+std::string settle_limits(Options& options) {
+    if (options.max_evolutions == 0 || options.max_evolutions > std::numeric_limits<std::uint32_t>::max())
+        return "`--max-evolutions` takes a number from 1 to 4294967295";
+    constexpr std::uint64_t hundred_years =
+        std::uint64_t{100} * 365 * 24 * 3'600'000;  // clocks count nanoseconds in 63 bits
+    static_assert(2 * hundred_years < std::numeric_limits<std::int64_t>::max() / 1'000'000);
+    for (std::optional<std::uint64_t>* time : {&options.timeout_ms, &options.patience_ms})
+        if (*time) *time = std::min(**time, hundred_years);
     return {};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the options say of outputs together.
+// What the options say of outputs together, and of limits.
 #pragma once
 
 #include <string>
@@ -10,5 +10,8 @@ namespace grafverif::app {
 
 /// What is wrong with them, or nothing: it fits together, and is enough to write them.
 std::string settle_outputs(const Verb& verb, const Options& options);
+
+/// Likewise of limits; a time that no clock counts becomes one that it does.
+std::string settle_limits(Options& options);
 
 }  // namespace grafverif::app

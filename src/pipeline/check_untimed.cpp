@@ -13,7 +13,9 @@
 #include "report/report.hpp"
 #include "run/project.hpp"
 #include "support/messages.hpp"
+#include "support/messages_choice.hpp"
 #include "syntax/print/dialect.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif {
 
@@ -42,7 +44,7 @@ bool is_asked(std::string_view property, const std::vector<std::string>& asked) 
 bool all_known(const std::vector<std::string>& names, const std::vector<std::string>& known, Diagnostics& diagnostics) {
     for (const std::string& name : names) {
         if (std::ranges::any_of(known, [&](const std::string& each) { return is_asked(each, {name}); })) continue;
-        diagnostics.add(messages::no_such_choice("property", name, known));
+        diagnostics.add(messages::no_such_choice("property", name, known, nearest_of(name, known)));
         return false;
     }
     return true;
@@ -51,6 +53,8 @@ bool all_known(const std::vector<std::string>& names, const std::vector<std::str
 std::vector<std::string> property_names(const Network& network) {
     std::vector<std::string> names;
     for (const Property& property : network.properties) names.push_back(property.name);
+    if (std::ranges::find(network.properties, Pattern::NoTimelock, &Property::pattern) == network.properties.end())
+        names.emplace_back("no_timelock");  // decided in any case
     return names;
 }
 

@@ -110,7 +110,8 @@ std::string names_of(const Report& report, const std::vector<const Answer*>& ans
         const std::string family = family_of(*answer);
         const auto itself = [](const Answer& one) -> const Answer& { return one; };
         const auto behind = [](const Answer* one) -> const Answer& { return *one; };
-        if (!family.empty() && size(family, answers, behind) == size(family, report.answers, itself)) name = family;
+        const auto steps = size(family, answers, behind);
+        if (!family.empty() && steps > 1 && steps == size(family, report.answers, itself)) name = family;
         if (named.insert(name).second) append(names, name, ", ");
     }
     return names;

@@ -198,23 +198,24 @@ private:
             if (!verdict.declared) row.property += undeclared(verdict);
             if (!family.empty() && said == word(Outcome::Holds)) {
                 if (!families.insert(family).second) continue;
-                row.property = family + steps_that_hold(family);
+                row.property = steps_that_hold(answer);
             }
             rows.push_back(std::move(row));
         }
         return rows;
     }
 
-    /// ` (9 of 11 steps)`
-    std::string steps_that_hold(const std::string& family) const {
+    /// `S (9 of 11 steps)`, or the one step there is.
+    std::string steps_that_hold(const Answer& first) const {
+        const std::string family = family_of(first);
         std::size_t holding = 0, all = 0;
         for (const Answer& answer : report_.answers) {
             if (family_of(answer) != family) continue;
             ++all;
             if (outcome(answer.verdict) == word(Outcome::Holds)) ++holding;
         }
-        const std::string of = holding == all ? "" : fmt::format("{} of ", holding);
-        return fmt::format(" ({}{} step{})", of, all, all == 1 ? "" : "s");
+        if (all == 1) return first.verdict.property;
+        return fmt::format("{} ({}{} steps)", family, holding == all ? "" : fmt::format("{} of ", holding), all);
     }
 
     void print_table() {

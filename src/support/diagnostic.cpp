@@ -6,10 +6,12 @@
 #include <ostream>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "support/json_text.hpp"
 #include "support/overloaded.hpp"
 #include "support/printable.hpp"
+#include "support/render.hpp"
 
 namespace grafverif {
 
@@ -38,40 +40,78 @@ std::string_view ansi(Severity severity) {
     unreachable();
 }
 
-constexpr std::size_t clip_columns = 100;
+constexpr std::size_t indentation = 4;
+constexpr std::size_t least_columns = 20;  // of source, however narrow the terminal is
+constexpr std::size_t tab_columns = 8;
 
-/// A source line as shown: at most `clip_columns` bytes around the marked part, cut at character boundaries.
+/// A line of source as shown.
 struct Excerpt {
     std::string text = {};
     std::string marks = {};  ///< blanks, tabs kept, then carets
 };
 
-bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+/// A character of the line, and where it stands on a terminal if nothing is cut away.
+struct Cell {
+    std::size_t at = 0, bytes = 1;  ///< in the line
+    std::size_t columns = 1;
+    bool marked = false;
+};
+
+/// `length`: of the mark, in bytes, from `column` on. Tabs lead to the next multiple of eight, as on most terminals.
+std::vector<Cell> cells_of(std::string_view line, std::size_t column, std::size_t length) {
+    std::vector<Cell> cells;
+    for (std::size_t at = 0, reached = indentation; at < line.size(); at += cells.back().bytes) {
+        const Glyph glyph = first_glyph(line.substr(at));
+        const std::size_t columns = line[at] == '\t' ? tab_columns - reached % tab_columns : glyph.columns;
+        cells.push_back({at, glyph.bytes, columns, at >= column && at < column + length});
+        reached += columns;
+    }
+    return cells;
+}
+
+/// The cells [from, to) that are shown of a line too long for `room` columns, `…` on either side included: a window with
+/// the beginning of the mark in it, and something before that.
+std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::size_t first_marked, std::size_t room) {
+    std::size_t whole = 0, before = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        whole += cells[i].columns;
+        if (i < first_marked) before += cells[i].columns;
+    }
+    if (whole <= room) return {0, cells.size()};
+    std::size_t from = 0;
+    if (before > room * 3 / 4)
+        for (; from < first_marked && (before > room / 2 || cells[from].columns == 0); ++from)
+            before -= cells[from].columns;
+    std::size_t used = (from > 0 ? 1 : 0) + 1, to = from;
+    while (to < cells.size() && used + cells[to].columns <= room) used += cells[to++].columns;
+    if (to + 1 == cells.size() && used - 1 + cells[to].columns <= room) ++to;  // no `…` behind it
+    return {from, to};
+}
 
 /// Carets stand under the columns that the marked characters take on a terminal; there is one at least.
-Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length) {
-    std::size_t from = column > clip_columns * 3 / 4 ? column - clip_columns / 2 : 0;
-    while (from > 0 && from < line.size() && continues_character(line[from])) --from;
-    std::size_t to = std::min(line.size(), from + clip_columns);
-    while (to < line.size() && continues_character(line[to])) ++to;
-
+Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, std::size_t columns) {
+    const std::vector<Cell> cells = cells_of(line, column, length);
+    const std::size_t room = std::max(columns, indentation + least_columns) - indentation;
+    const auto first = std::ranges::find_if(cells, [&](const Cell& cell) { return cell.at >= column; });
+    const auto first_marked = static_cast<std::size_t>(first - cells.begin());
+    const auto [from, to] = window(cells, first_marked, room);
     Excerpt shown;
-    if (from > 0) shown.text = "...";
-    shown.marks.assign(shown.text.size(), ' ');
+    if (from > 0) shown = {"…", " "};
     std::size_t carets = 0;
-    for (std::size_t at = from; at < to;) {
-        const Glyph glyph = first_glyph(line.substr(at, to - at));
-        shown.text += printable(line.substr(at, glyph.bytes));
-        if (at < column) shown.marks.append(line[at] == '\t' ? 1 : glyph.columns, line[at] == '\t' ? '\t' : ' ');
-        else if (at < column + length) carets += glyph.columns;
-        at += glyph.bytes;
+    for (std::size_t i = from; i < to; ++i) {
+        const Cell& cell = cells[i];
+        shown.text += printable(line.substr(cell.at, cell.bytes));
+        if (cell.marked) carets += cell.columns;
+        else if (i < first_marked && line[cell.at] == '\t') shown.marks += '\t';
+        else if (i < first_marked) shown.marks.append(cell.columns, ' ');
     }
-    if (to < line.size()) shown.text += "...";
+    if (to < cells.size()) shown.text += "…";
     shown.marks.append(std::max<std::size_t>(carets, 1), '^');
     return shown;
 }
 
-void render_one(const Diagnostic& diagnostic, const Sources& sources, Colour colour, std::ostream& out) {
+void render_one(const Diagnostic& diagnostic, const Sources& sources, Colour colour, std::size_t columns,
+                std::ostream& out) {
     const bool ansi_colours = colour == Colour::Ansi;
     const bool placed = sources.contains(diagnostic.where.source);
     if (placed) {
@@ -90,14 +130,14 @@ void render_one(const Diagnostic& diagnostic, const Sources& sources, Colour col
         const std::string_view line = line_at(source.text, diagnostic.where.begin);
         const std::size_t column = place(source.text, diagnostic.where.begin).column - 1;
         const std::size_t length = std::max(diagnostic.where.end, diagnostic.where.begin) - diagnostic.where.begin;
-        const Excerpt shown = excerpt(line, std::min(column, line.size()), length);
+        const Excerpt shown = excerpt(line, std::min(column, line.size()), length, columns);
         out << "    " << shown.text << "\n    ";
         if (ansi_colours) out << "\x1b[1;32m";
         out << shown.marks;
         if (ansi_colours) out << "\x1b[0m";
         out << '\n';
     }
-    for (const Diagnostic& note : diagnostic.notes) render_one(note, sources, colour, out);
+    for (const Diagnostic& note : diagnostic.notes) render_one(note, sources, colour, columns, out);
 }
 
 std::vector<Diagnostic> in_order(std::vector<Diagnostic> diagnostics) {
@@ -131,7 +171,12 @@ nlohmann::ordered_json as_json(const Diagnostic& diagnostic, const Sources& sour
 }  // namespace
 
 void render_text(const std::vector<Diagnostic>& diagnostics, const Sources& sources, Colour colour, std::ostream& out) {
-    for (const Diagnostic& diagnostic : in_order(diagnostics)) render_one(diagnostic, sources, colour, out);
+    render_text(diagnostics, sources, colour, usual_columns, out);
+}
+
+void render_text(const std::vector<Diagnostic>& diagnostics, const Sources& sources, Colour colour, std::size_t columns,
+                 std::ostream& out) {
+    for (const Diagnostic& diagnostic : in_order(diagnostics)) render_one(diagnostic, sources, colour, columns, out);
 }
 
 void render_json(const std::vector<Diagnostic>& diagnostics, const Sources& sources, std::ostream& out) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "support/messages_choice.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
@@ -83,10 +84,16 @@ Diagnostic no_closed_loop() {
         "`grafverif plc`, checked by `grafverif check`, and written as a model by `grafverif nusmv`");
 }
 
-Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known) {
+Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known,
+                          std::string_view nearest) {
+    const std::string advice = nearest.empty() ? "it has " + listed(known) : fmt::format("did you mean `{}`?", nearest);
     return error("no-such-choice", {},
                  known.empty() ? fmt::format("the file has no {}", kind)
-                               : fmt::format("the file has no {} `{}`; it has {}", kind, name, listed(known)));
+                               : fmt::format("the file has no {} `{}`; {}", kind, name, advice));
+}
+
+Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known) {
+    return no_such_choice(kind, name, known, {});
 }
 
 Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std::span<const std::string> known) {

@@ -15,9 +15,10 @@ namespace grafverif::app {
 
 namespace {
 
-std::string printed(const Analysis& analysis, const Job& job) {
+std::string printed(const Analysis& analysis, const Job& job, const Streams& streams) {
     std::ostringstream out;
-    const bool coloured = job.options.colour == ColourChoice::Always;
+    const bool to_file = job.options.output && *job.options.output != "-";
+    const Colour colour = colour_on(to_file ? Screen{} : streams.out_screen, job.options);
     switch (job.options.format) {
     case Format::Json: print_findings_json(analysis, job.sources, out); break;
     case Format::Sarif: break;  // written with the other reports
@@ -27,7 +28,7 @@ std::string printed(const Analysis& analysis, const Job& job) {
     case Format::Xml:
     case Format::Dot:
     case Format::Svg:
-    case Format::Csv: print_findings(analysis, job.sources, coloured ? Colour::Ansi : Colour::Plain, out); break;
+    case Format::Csv: print_findings(analysis, job.sources, colour, out); break;
     }
     return std::move(out).str();
 }
@@ -66,7 +67,7 @@ ExitCode analyse_one(const Model& model, Id<Chart> chart, Job& job, const Stream
     options.exclusions = std::move(*exclusions);
     Analysis analysis = analysis_of(model.charts[chart], *equations, std::move(options), bounds.limits());
     analysis.obstacle = with_who_stopped(std::move(analysis.obstacle), bounds.interrupted(), job.options);
-    const std::string text = printed(analysis, job);
+    const std::string text = printed(analysis, job, streams);
     work_is_done();
     if (job.options.output) deliver(text, job, streams);
     else streams.out << text;  // clean, but for our colours

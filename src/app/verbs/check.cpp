@@ -80,7 +80,7 @@ ExitCode check_one(const Model& model, Job& job, Bounds& bounds, const Streams& 
         print_json_lines(report, {job.sources, model, decided->loop, decided->chart}, streams.out);
     else
         print_report(report,
-                     {asked.verbose, asked.quiet, asked.colour == ColourChoice::Always ? Colour::Ansi : Colour::Plain},
+                     {asked.verbose, asked.quiet, colour_on(streams.out_screen, asked), streams.out_screen.columns},
                      streams.out);
     streams.out.flush();
     for (const std::string& failure : report.failures)

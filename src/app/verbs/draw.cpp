@@ -6,6 +6,8 @@
 
 #include "app/verbs.hpp"
 #include "support/messages.hpp"
+#include "support/messages_choice.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
 
@@ -38,7 +40,7 @@ std::vector<Id<Chart::Step>> situation(const Chart& chart, Job& job) {
         for (const Id<Chart::Step> step : chart.steps.ids())
             if (meant.empty() || std::ranges::find(meant, step) != meant.end())
                 known.push_back(step_variable(chart, step));
-        job.diagnostics.add(meant.empty() ? messages::no_such_choice("step", name, known)
+        job.diagnostics.add(meant.empty() ? messages::no_such_choice("step", name, known, nearest_of(name, known))
                                           : messages::ambiguous_choice("step", "--situation", known));
     }
     return steps;

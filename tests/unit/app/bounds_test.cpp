@@ -295,7 +295,7 @@ TEST(Bounds, WorkGrowsInStepWithTheInput) {
         std::string small = {}, large = {};
         std::vector<std::string> command = {};
     };
-    for (const Case& c : {Case{lone(4'000), lone(16'000), {"check", "--timeout", "0"}},
+    for (const Case& c : {Case{lone(4'000), lone(16'000), {"check", "--timeout", "0s"}},
                           Case{many(1'000), many(4'000), {"simulate", "--random", "1", "--steps", "2"}}}) {
         SCOPED_TRACE(c.command.front());
         const double small = seconds(c.small, c.command, 1), large = seconds(c.large, c.command, 2);

@@ -204,7 +204,7 @@ TEST(Check, SaysThatThereIsNoTraceToWrite) {
 }
 
 TEST(Check, EndsWithWhatIsKnownWhenTimeIsUp) {
-    const Result result = grafverif({"check", sample("testing_station/testing_station.grafcet"), "--timeout", "0"});
+    const Result result = grafverif({"check", sample("testing_station/testing_station.grafcet"), "--timeout", "0s"});
     EXPECT_EQ(result.code, ExitCode::Unknown);
     EXPECT_NE(result.out.find("P14, P15, no_deadlock, no_timelock: unknown\n    why: stopped at the time limit"),
               std::string::npos)

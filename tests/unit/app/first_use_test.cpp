@@ -89,6 +89,88 @@ TEST(FirstUse, HelpComesInEveryOrderOfWords) {
         says(grafverif({"--timeout", "3s", "check"}), "a verb comes first, options behind it; not `--timeout`"));
 }
 
+TEST(FirstUse, AMisspeltOptionOrNameIsToldWhatItMayMean) {
+    EXPECT_TRUE(says(grafverif({"check", station, "--proprty", "P14"}),
+                     "there is no option `--proprty`; did you mean `--property`?"));
+    EXPECT_TRUE(says(grafverif({"check", station, "--colour", "never"}),
+                     "there is no option `--colour`; did you mean `--color`?"));
+    EXPECT_TRUE(says(grafverif({"check", station, "--frobnicate"}), "there is no option `--frobnicate`; see"));
+    EXPECT_TRUE(says(grafverif({"check", station, "--property", "P41"}), "no property `P41`; did you mean `P14`?"));
+    EXPECT_TRUE(says(grafverif({"check", station, "--property", "cup"}),
+                     "no property `cup`; it has `P14`, `P15`, `no_deadlock`, `no_timelock`"));
+    EXPECT_TRUE(
+        says(grafverif({"check", station, "--loop", "staton"}), "no closed loop `staton`; did you mean `station`?"));
+    EXPECT_TRUE(
+        says(grafverif({"equations", station, "--chart", "testing_staton"}), "did you mean `testing_station`?"));
+    EXPECT_TRUE(says(grafverif({"draw", station, "--situation", "W22"}), "no step `W22`;"));
+}
+
+TEST(FirstUse, ANumberWithoutItsUnitIsRefusedWithTheWordToWrite) {
+    for (const auto& [arguments, advice] : {
+             std::pair(std::vector<std::string>{"check", station, "--timeout", "5"},
+                       "`--timeout 5` has no unit; write `5s`"),
+             std::pair(std::vector<std::string>{"check", station, "--timeout", "0"},
+                       "`--timeout 0` has no unit; write `0s`"),
+             std::pair(std::vector<std::string>{"draw", station, "--max-memory", "500"},
+                       "`--max-memory 500` has no unit; write `500M`"),
+             std::pair(std::vector<std::string>{"check", station, "--max-memory", "1X"},
+                       "`--max-memory` takes a whole number with a unit, one of `M`, `K`, `G`; not `1X`"),
+             std::pair(std::vector<std::string>{"check", station, "--timeout", "s"},
+                       "`--timeout` takes a whole number with a unit, one of `s`, `ms`, `min`, `h`; not `s`"),
+             std::pair(std::vector<std::string>{"check", station, "--max-states", "5k"},
+                       "`--max-states` takes a whole number; not `5k`"),
+         }) {
+        const Result result = grafverif(arguments);
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_TRUE(says(result, advice)) << result.err;
+    }
+}
+
+TEST(FirstUse, AStepOfAPropertyIsAskedForByTheNameThatItsVerdictHas) {
+    const Result one = grafverif({"check", pick_and_place, "--property", "all_steps.X11", "--format", "json"});
+    EXPECT_EQ(one.code, ExitCode::Done) << one.err;
+    EXPECT_NE(one.out.find("\"all_steps.X11\""), std::string::npos);
+    EXPECT_EQ(one.out.find("all_steps.X1\""), std::string::npos);
+    EXPECT_TRUE(says(grafverif({"check", pick_and_place, "--property", "all_steps.X71"}),
+                     "no property `all_steps.X71`; did you mean `all_steps.X1`?"));
+    EXPECT_EQ(grafverif({"check", station, "--property", "no_timelock"}).code, ExitCode::Done);
+    const Result undeclared =
+        grafverif({"check", (root / "samples/blinker/blinker.grafcet").string(), "--property", "no_timelock"});
+    EXPECT_EQ(undeclared.code, ExitCode::Done) << undeclared.err;
+    EXPECT_TRUE(undeclared.out.ends_with("blinker_loop: 1 holds\n")) << undeclared.out;
+}
+
+TEST(FirstUse, AFolderIsNotWrittenToStandardOutput) {
+    const Result result = grafverif({"build", station, "-o", "-"});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_TRUE(says(result, "`build` writes a folder, which `-` is not")) << result.err;
+}
+
+TEST(FirstUse, ColoursAreForTerminalsUnlessSomebodySaysOtherwise) {
+    struct Case {
+        bool terminal;
+        std::string no_color, clicolor_force, term;
+        bool coloured;
+    };
+    for (const Case& c :
+         {Case{true, "", "", "xterm", true}, Case{false, "", "", "xterm", false}, Case{true, "", "", "dumb", false},
+          Case{true, "", "", "", false}, Case{true, "1", "", "xterm", false}, Case{true, "1", "1", "xterm", false},
+          Case{false, "", "1", "dumb", true}, Case{false, "", "0", "xterm", false}, Case{true, "", "0", "xterm", true}})
+        EXPECT_EQ(has_colours(c.terminal, c.no_color, c.clicolor_force, c.term), c.coloured);
+    std::istringstream in;
+    for (const char* choice : {"auto", "always", "never"}) {
+        for (const bool coloured : {false, true}) {
+            std::ostringstream out, err;
+            const std::vector<std::string> check = {"check", station, "--color", choice};
+            run(check, {in, out, err, false, {.terminal = true, .colours = coloured, .columns = 60}});
+            EXPECT_EQ(out.str().find("\033[1;32mholds\033[0m") != std::string::npos,
+                      *choice == 'a' && (choice[1] == 'l' || coloured))
+                << choice;
+            EXPECT_EQ(out.str().find("says"), std::string::npos) << "there is no room for texts";
+        }
+    }
+}
+
 TEST(FirstUse, SeveralLoopsAreNamedWithTheWayToChoose) {
     const Folder folder;
     const std::string loop = " { controller lone; environment X = free(OUT = x); }\n";
@@ -111,12 +193,12 @@ TEST(FirstUse, AReasonNamesWhatStoppedTheEngine) {
 }
 
 TEST(FirstUse, TheTimeLimitIsNamedByEveryVerbThatEndsAtIt) {
-    EXPECT_NE(grafverif({"check", station, "--timeout", "0"}).out.find("why: stopped at the time limit of 0 s"),
+    EXPECT_NE(grafverif({"check", station, "--timeout", "0s"}).out.find("why: stopped at the time limit of 0 s"),
               std::string::npos);
     EXPECT_NE(
-        grafverif({"analyse", station, "--timeout", "0"}).out.find("stopped at the time limit of 0 s before the end"),
+        grafverif({"analyse", station, "--timeout", "0s"}).out.find("stopped at the time limit of 0 s before the end"),
         std::string::npos);
-    const Result automaton = grafverif({"automaton", station, "--timeout", "0"});
+    const Result automaton = grafverif({"automaton", station, "--timeout", "0s"});
     EXPECT_TRUE(says(automaton, "stopped before the end by the time limit, which `--timeout` sets")) << automaton.err;
 }
 
@@ -128,7 +210,7 @@ TEST(FirstUse, ALoopWithAScheduleIsSentToItsUntimedModel) {
                         pick_and_place + " --untimed --plant automata` checks that one"))
         << timed.err;
     EXPECT_FALSE(says(grafverif({"check", pick_and_place, "--quiet"}), "note: "));
-    EXPECT_FALSE(says(grafverif({"check", station, "--timeout", "0"}), "names a `schedule`"));
+    EXPECT_FALSE(says(grafverif({"check", station, "--timeout", "0s"}), "names a `schedule`"));
 }
 
 TEST(FirstUse, AConstraintThatIsProvedIsShown) {

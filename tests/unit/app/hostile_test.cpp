@@ -82,7 +82,7 @@ std::string dirt(const std::string& text) {
 Result on_a_terminal(const std::vector<std::string>& arguments, const std::string& input = "") {
     std::istringstream in(input);
     std::ostringstream out, err;
-    const ExitCode code = run(arguments, {in, out, err, false, false, true});
+    const ExitCode code = run(arguments, {in, out, err, false, {.terminal = true}});
     return {code, out.str(), err.str()};
 }
 

@@ -31,7 +31,7 @@ struct Result {
 inline Result grafverif(const std::vector<std::string>& arguments, const std::string& input = "") {
     std::istringstream in(input);
     std::ostringstream out, err;
-    const ExitCode code = run(arguments, {in, out, err, false});
+    const ExitCode code = run(arguments, {in, out, err});
     return {code, out.str(), err.str()};
 }
 

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "support/render.hpp"
+
 namespace grafverif {
 namespace {
 
@@ -66,6 +68,42 @@ TEST(RenderText, ShowsUnprintableBytesAsQuestionMarks) {
 
 TEST(RenderText, ShowsBytesThatAreNoUtf8AsQuestionMarks) {
     EXPECT_NE(text({error_at(0, 1)}, one("\xff\xc3\xa9\xc3")).find("    ?\xc3\xa9?\n"), std::string::npos);
+}
+
+TEST(RenderText, FitsTheLineIntoTheTerminalAroundWhatIsMarked) {
+    struct Case {
+        std::string before, marked, after;
+        std::size_t columns;
+        std::string shown, marks;
+    };
+    const std::string many(60, 'b');
+    for (const Case& c : {
+             Case{"ab", "X", "cd", 24, "abXcd", "  ^"},
+             Case{"ab", "X", std::string(17, 'c'), 24, "abX" + std::string(17, 'c'), "  ^"},
+             Case{"ab", "X", std::string(18, 'c'), 24, "abX" + std::string(16, 'c') + "…", "  ^"},
+             Case{many, "X", "", 24, "…" + std::string(10, 'b') + "X", std::string(11, ' ') + "^"},
+             Case{many, "X", std::string(8, 'c'), 24, "…bbbbbbbbbbX" + std::string(8, 'c'), std::string(11, ' ') + "^"},
+             Case{many, "X", many, 24, "…bbbbbbbbbbX" + std::string(7, 'b') + "…", std::string(11, ' ') + "^"},
+             Case{many, "XXXXXXXXXX", many, 24, "…bbbbbbbbbbXXXXXXXX…", std::string(11, ' ') + "^^^^^^^^"},
+             Case{many, "X", many, 3, "…bbbbbbbbbbX" + std::string(7, 'b') + "…", std::string(11, ' ') + "^"},
+             // Two columns each: ten are before the mark of 40, and the one that does not fit whole is cut.
+             Case{"字字字字字字字字字字字字字字字字字字字字", "字", "x字字字字字", 24, "…字字字字字字x字字…",
+                  "           ^^"},
+             Case{"字字字字字字字字字字字字字字字字字字字字", "X", "", 24, "…字字字字字X", "           ^"},
+             // What stands on another character goes with it.
+             Case{std::string(40, 'b') + "e\xCC\x81" + std::string(9, 'b'), "X", "", 24,
+                  "…" + std::string(9, 'b') + "X", std::string(10, ' ') + "^"},
+             Case{"\t", "X", std::string(30, 'c'), 24, "\tX" + std::string(14, 'c') + "…", "\t^"},
+             Case{"\t\t\t\t", "X", "", 28, "…\tX", " \t^"},
+         }) {
+        SCOPED_TRACE(c.shown);
+        std::ostringstream out;
+        const auto begin = static_cast<std::uint32_t>(c.before.size());
+        const Diagnostic error = error_at(begin, begin + static_cast<std::uint32_t>(c.marked.size()));
+        render_text({error}, one(c.before + c.marked + c.after), Colour::Plain, c.columns, out);
+        const std::string lines = out.str().substr(out.str().find('\n') + 1);
+        EXPECT_EQ(lines, "    " + c.shown + "\n    " + c.marks + "\n");
+    }
 }
 
 TEST(RenderText, OrdersByPlaceAndKeepsNotesWithTheirError) {
