@@ -7,10 +7,6 @@
 
 namespace grafverif::lsp {
 
-Places Root::places(const Workspace& workspace) const {
-    return {reading.sources, path, [&](const std::string& each) { return workspace.shown(each); }};
-}
-
 std::vector<std::shared_ptr<const Root>> Board::look(Workspace& workspace) {
     std::set<std::string> wanted;
     for (const OpenText& open : workspace.open_texts())
@@ -24,7 +20,9 @@ std::vector<std::shared_ptr<const Root>> Board::look(Workspace& workspace) {
         root->path = path;
         root->number = ++readings_;
         root->reading = workspace.reading(path, root->inputs);
-        root->typed = told(root->reading.diagnostics, root->places(workspace));
+        root->places = std::make_shared<const Places>(root->reading.sources, path,
+                                                      [&](const std::string& each) { return workspace.shown(each); });
+        root->typed = told(root->reading.diagnostics, *root->places);
         entry = {root, {}};
         fresh.push_back(std::move(root));
     }
@@ -36,10 +34,19 @@ std::shared_ptr<const Root> Board::root(const std::string& path) const {
     return found == entries_.end() ? nullptr : found->second.root;
 }
 
-void Board::add(const Root& root, const std::string& source, std::vector<Told> told) {
+std::vector<std::shared_ptr<const Root>> Board::roots() const {
+    std::vector<std::shared_ptr<const Root>> all;
+    for (const auto& [path, entry] : entries_) all.push_back(entry.root);
+    return all;
+}
+
+bool Board::is_current(const Root& root) const {
     const auto found = entries_.find(root.path);
-    if (found == entries_.end() || found->second.root->number != root.number) return;
-    found->second.added[source] = std::move(told);
+    return found != entries_.end() && found->second.root->number == root.number;
+}
+
+void Board::add(const Root& root, const std::string& source, std::vector<Told> told) {
+    if (is_current(root)) entries_.at(root.path).added[source] = std::move(told);
 }
 
 std::map<std::string, std::vector<Told>> Board::all() const {

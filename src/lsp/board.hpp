@@ -19,9 +19,8 @@ struct Root {
     std::uint64_t number = 0;  ///< of the reading; no two have the same
     Inputs inputs = {};
     Reading reading = {};
+    std::shared_ptr<const Places> places = {};
     std::vector<Told> typed = {};  ///< what reading it has told
-
-    Places places(const Workspace& workspace) const;
 };
 
 class Board {
@@ -29,6 +28,8 @@ public:
     /// Reads what has changed; the roots that are new.
     std::vector<std::shared_ptr<const Root>> look(Workspace& workspace);
     std::shared_ptr<const Root> root(const std::string& path) const;
+    std::vector<std::shared_ptr<const Root>> roots() const;
+    bool is_current(const Root& root) const;
 
     /// What was found out about a root by more than reading it; forgotten when it is read again.
     void add(const Root& root, const std::string& source, std::vector<Told> told);

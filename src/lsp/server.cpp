@@ -94,7 +94,7 @@ void receive_all(const Receive& receive, Inbox& inbox) {
 Ending converse(const Receive& receive, const Send& send, const Surroundings& surroundings) {
     Inbox inbox;
     std::thread receiver([&] { receive_all(receive, inbox); });
-    Session session(send, surroundings);
+    Session session(send, surroundings, [&](std::function<void()> call) { inbox.put({.call = std::move(call)}); });
     bool gone = false;
     while (!session.over() && !gone) {
         auto item = inbox.take(0ms);

@@ -8,10 +8,6 @@ namespace grafverif::lsp {
 
 namespace {
 
-// JSON-RPC 2.0 section 5.1, LSP 3.17 "ErrorCodes".
-constexpr int parse_error = -32700, invalid_request = -32600, no_such_method = -32601, invalid_params = -32602,
-              internal_error = -32603, not_initialized = -32002, request_failed = -32803, request_cancelled = -32800;
-
 bool is_id(const Json& id) { return id.is_string() || id.is_number_integer(); }
 
 const Json& member(const Json& object, const char* name) {
@@ -21,6 +17,17 @@ const Json& member(const Json& object, const char* name) {
 }
 
 }  // namespace
+
+Session::Session(const Send& send, const Surroundings& surroundings, Later later)
+    : send_(send), surroundings_(surroundings), workspace_(surroundings.include_folders) {
+    Prover::Ears ears;
+    ears.found = [this, later](Found outcome) {
+        auto kept = std::make_shared<Found>(std::move(outcome));
+        later([this, kept] { found(std::move(*kept)); });
+    };
+    ears.progress = [this, later](std::string words) { later([this, words = std::move(words)] { progress(words); }); };
+    prover_ = std::make_unique<Prover>(std::move(ears), surroundings.patience);
+}
 
 void Session::send(const Json& message) { send_(framed(message.dump(-1, ' ', false, Json::error_handler_t::replace))); }
 
@@ -35,6 +42,8 @@ void Session::take(const Json& message, bool cancelled) {
     const Json& method = member(message, "method");
     if (!method.is_string()) {
         const bool answers = is_id(id) && (message.contains("result") || message.contains("error"));
+        if (answers && id == "grafverif/progress/" + std::to_string(token_) && message.contains("result"))
+            progress_is_wanted();
         if (!answers) fail(is_id(id) ? id : Json(), invalid_request, "this is neither a request nor a notification");
         return;
     }
@@ -71,6 +80,12 @@ Json Session::initialize(const Json& params) {
         {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
         {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}}},
     };
+    capabilities.update(feature_capabilities());
+    can_.takes_snippets =
+        flag(params, {"capabilities", "textDocument", "completion", "completionItem", "snippetSupport"});
+    can_.shows_documents = flag(params, {"capabilities", "window", "showDocument", "support"});
+    can_.shows_progress = flag(params, {"capabilities", "window", "workDoneProgress"});
+    can_.refreshes_lenses = flag(params, {"capabilities", "workspace", "codeLens", "refreshSupport"});
     return {{"capabilities", std::move(capabilities)},
             {"serverInfo", {{"name", "grafverif"}, {"version", surroundings_.version}}}};
 }
@@ -101,6 +116,8 @@ void Session::notified(const std::string& method, const Json& params) {
         workspace_.close(params.at("textDocument").at("uri").get<std::string>());
         dirty_ = true;
     }
+    if (method == "textDocument/didSave") saved();
+    if (method == "window/workDoneProgress/cancel") prover_->give_up();
     if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles") dirty_ = true;
     if (method == "workspace/didChangeWorkspaceFolders") {
         for (const Json& folder : params.at("event").at("added"))
@@ -118,7 +135,24 @@ Json Session::answer(const std::string& method, const Json& params) {
         state_ = State::ShutDown;
         return nullptr;
     }
-    if (method == "textDocument/codeAction") return code_actions(params);
+    using Handler = Json (Session::*)(const Json&);
+    static const std::map<std::string, Handler> handlers = {
+        {"textDocument/codeAction", &Session::code_actions},
+        {"textDocument/completion", &Session::completion},
+        {"textDocument/codeLens", &Session::lenses},
+        {"workspace/executeCommand", &Session::execute},
+        {"textDocument/hover", &Session::hover},
+        {"textDocument/definition", &Session::definition},
+        {"textDocument/references", &Session::references},
+        {"textDocument/documentHighlight", &Session::highlights},
+        {"textDocument/prepareRename", &Session::prepare_rename},
+        {"textDocument/rename", &Session::rename},
+        {"textDocument/documentSymbol", &Session::symbols},
+        {"textDocument/foldingRange", &Session::folding},
+        {"textDocument/semanticTokens/full", &Session::semantic_tokens},
+        {"textDocument/formatting", &Session::formatting},
+    };
+    if (const auto handler = handlers.find(method); handler != handlers.end()) return (this->*handler->second)(params);
     throw Refusal{no_such_method, "there is no " + method + " here"};
 }
 
@@ -141,8 +175,11 @@ void Session::settle() {
         dirty_ = workspace_.refresh() || dirty_;
         if (!dirty_) return;
         dirty_ = false;
-        board_.look(workspace_);
+        const auto fresh = board_.look(workspace_);
+        prover_->keep([this](const Root& root) { return board_.is_current(root); });
         publish();
+        for (const auto& root : fresh)
+            if (root->reading.model) prover_->ask({root, Task::What::Models, ""});
     } catch (const std::bad_alloc&) {  // it is tried again with the next change
     } catch (const std::system_error&) {
     }

@@ -5,11 +5,21 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <istream>
+#include <map>
+#include <memory>
 #include <ostream>
 #include <system_error>
+#include <thread>
+#include <vector>
 
+#include "app/serve/live_page.hpp"
+#include "app/system/write_files.hpp"
 #include "app/verbs.hpp"
 #include "lsp/server.hpp"
 
@@ -54,6 +64,58 @@ bool is_alive(std::int64_t process) {
     return process <= 0 || ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
 }
 
+/// Pages of `serve`, one for each file that was asked for, until the end.
+class Pages {
+public:
+    explicit Pages(const Options& options) : options_(options) {}
+    ~Pages() {
+        stop_ = true;
+        for (std::thread& thread : threads_) thread.join();
+    }
+    Pages(const Pages&) = delete;
+    Pages& operator=(const Pages&) = delete;
+
+    std::string address(const std::string& path) {
+        std::unique_ptr<LivePage>& page = pages_[path];
+        if (page == nullptr) {
+            Options options = options_;
+            options.operands = {path};
+            page = std::make_unique<LivePage>(options);
+            threads_.emplace_back([this, &page = *page] { page.run(stop_); });
+        }
+        return page->address();
+    }
+
+private:
+    const Options& options_;
+    std::atomic<bool> stop_ = false;
+    std::map<std::string, std::unique_ptr<LivePage>> pages_ = {};
+    std::vector<std::thread> threads_ = {};
+};
+
+/// A folder of our own for what other programs show; gone with us.
+class Shelf {
+public:
+    ~Shelf() {
+        std::error_code ignored;
+        if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
+    }
+    std::string keep(const std::string& name, const std::string& text) {
+        if (folder_.empty()) {
+            std::string made = (std::filesystem::temp_directory_path() / "grafverif-lsp-XXXXXX").string();
+            if (::mkdtemp(made.data()) == nullptr)
+                throw std::system_error(errno, std::generic_category(), "no folder for temporary files");
+            folder_ = made;
+        }
+        const std::string path = folder_ + "/" + name;
+        write_files({{path, text}});
+        return path;
+    }
+
+private:
+    std::string folder_ = {};
+};
+
 /// LSP 3.17, "Exit Notification": 0 only where `shutdown` came first.
 ExitCode code_of(grafverif::lsp::Ending ending) {
     return ending == grafverif::lsp::Ending::Asked ? ExitCode::Done : ExitCode::Verdict;
@@ -65,6 +127,7 @@ ExitCode lsp(Job& job, const Streams& streams) {
     grafverif::lsp::Surroundings surroundings;
     surroundings.version = GRAFVERIF_VERSION;
     surroundings.include_folders = job.options.include_folders;
+    if (job.options.patience_ms) surroundings.patience = std::chrono::milliseconds(*job.options.patience_ms);
     const grafverif::lsp::Send send = [&](std::string_view bytes) { streams.out << bytes << std::flush; };
     if (!streams.alone) {
         const auto receive = [&](std::span<char> room) {
@@ -74,7 +137,11 @@ ExitCode lsp(Job& job, const Streams& streams) {
         return code_of(grafverif::lsp::converse(receive, send, surroundings));
     }
     const Ear ear;
+    Pages pages(job.options);
+    Shelf shelf;
     surroundings.is_alive = is_alive;
+    surroundings.simulator = [&](const std::string& path) { return pages.address(path); };
+    surroundings.keep = [&](const std::string& name, const std::string& text) { return shelf.keep(name, text); };
     surroundings.hang_up = [&] { ear.stop(); };
     return code_of(
         grafverif::lsp::converse([&](std::span<char> room) { return ear.receive(room); }, send, surroundings));

@@ -156,6 +156,10 @@ struct LatexWriter {
 
 }  // namespace
 
+std::string equation_text(const Equations& equations, Id<Equations::Variable> variable, Id<Expr> term) {
+    return name(equations, variable) + " = " + plain(equations, term);
+}
+
 void print_equations(std::ostream& out, const Equations& equations) {
     out << "Equations of " << equations.name << '\n';
     PlainWriter writer{out, equations};

@@ -6,11 +6,14 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 
 #include "grafverif/ir/equations.hpp"
 
 namespace grafverif {
 
+/// One equation as plain text: `X_2 = ...`.
+std::string equation_text(const Equations& equations, Id<Equations::Variable> variable, Id<Expr> term);
 void print_equations(std::ostream& out, const Equations& equations);
 void print_equations_latex(std::ostream& out, const Equations& equations);
 

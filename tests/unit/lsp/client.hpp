@@ -88,6 +88,11 @@ public:
             return message.value("method", "") == method && that(message["params"]);
         })["params"];
     }
+    /// The next request of the server of that kind, whole.
+    Json request(const std::string& method) {
+        return wait(
+            [&](const Json& message) { return message.value("method", "") == method && message.contains("id"); });
+    }
     std::size_t waiting() {
         const std::lock_guard hold(door_);
         return arrived_.size();

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "app/serve/live_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <random>
+#include <semaphore>
+#include <sstream>
+#include <utility>
+
+#include "app/serve/bench.hpp"
+#include "app/serve/http.hpp"
+#include "app/serve/live_files.hpp"
+#include "app/serve/play.hpp"
+#include "app/verbs.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// 128 bits that nobody guesses.
+std::string random_token() {
+    std::random_device source;
+    std::string token;
+    for (int k = 0; k < 4; ++k) token += fmt::format("{:08x}", source());
+    return token;
+}
+
+std::string_view media_type(std::string_view name) {
+    return name.ends_with(".css") ? "text/css" : name.ends_with(".js") ? "text/javascript" : "text/html";
+}
+
+HttpAnswer file_named(std::string_view name) {
+    const auto files = live_files();
+    const auto found = std::ranges::find(files, name, &LiveFile::name);
+    if (found == files.end()) return {404, "text/plain", "there is nothing here\n"};
+    return {200, std::string(media_type(name)), std::string(found->text)};
+}
+
+constexpr std::uint64_t longest_report_ms = 120'000;
+
+/// What is known already, of the query; whatever is no number knows nothing.
+std::uint64_t known_version(const HttpRequest& request) {
+    std::uint64_t version = 0;
+    if (const auto after = request.query.find("after"); after != request.query.end())
+        std::from_chars(after->second.data(), after->second.data() + after->second.size(), version);
+    return version;
+}
+
+}  // namespace
+
+/// What is answered to whom.
+class Desk {
+public:
+    /// `room`: somebody who was put off may ask again.
+    Desk(const Options& options, std::function<void()> room) : options_(options), room_(std::move(room)) {}
+
+    void begin(Bench& bench) { bench_ = &bench; }
+
+    std::optional<HttpAnswer> answer(const HttpRequest& request, bool at_once) const {
+        if (request.path == "/simulate")
+            return request.post ? simulation(request, at_once) : HttpAnswer{405, "text/plain", "moves are posted\n"};
+        if (request.post) return HttpAnswer{405, "text/plain", "nothing is posted here\n"};
+        if (request.path == "/drawings") return HttpAnswer{.body = drawings(*bench_->workpiece())};
+        if (request.path == "/report") return report_page(request);
+        if (request.path == "/state") return state(known_version(request), at_once);
+        if (request.path == "/") return file_named("live.html");
+        return file_named(request.path.starts_with("/web/") ? request.path.substr(5) : "");
+    }
+
+private:
+    std::optional<HttpAnswer> state(std::uint64_t known, bool at_once) const {
+        if (auto newer = bench_->newer(known)) return HttpAnswer{.body = std::move(*newer)};
+        if (at_once) return HttpAnswer{.body = "null"};
+        return {};
+    }
+
+    /// Two at a time, so that somebody is left to tell the state.
+    std::optional<HttpAnswer> simulation(const HttpRequest& request, bool at_once) const {
+        if (!simulating_.try_acquire()) {
+            if (at_once) return HttpAnswer{503, "text/plain", "other simulations are still being made\n"};
+            return {};
+        }
+        const std::unique_ptr<const Desk, void (*)(const Desk*)> place(this, [](const Desk* desk) {
+            desk->simulating_.release();
+            desk->room_();
+        });
+        return HttpAnswer{.body = play(*bench_->workpiece(), options_, request.body)};
+    }
+
+    /// What `report` writes, one at a time.
+    HttpAnswer report_page(const HttpRequest& request) const {
+        const std::unique_lock hold(reporting_, std::try_to_lock);
+        if (!hold) return {503, "text/plain", "another report is being made; try again when it is there\n"};
+        Job job{.options = options_};
+        if (const auto loop = request.query.find("loop"); loop != request.query.end()) job.options.loop = loop->second;
+        if (const auto chart = request.query.find("chart"); chart != request.query.end())
+            job.options.chart = chart->second;
+        const std::uint64_t time = std::min(longest_report_ms, options_.patience_ms.value_or(longest_report_ms));
+        job.options.timeout_ms = time;
+        job.options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(time);
+        std::istringstream nothing;
+        std::ostringstream page, complaints;
+        report(job, {nothing, page, complaints});
+        if (!page.str().empty()) return {200, "text/html", std::move(page).str()};
+        render_text(job.diagnostics.all(), job.sources, Colour::Plain, complaints);
+        return {409, "text/plain", std::move(complaints).str()};
+    }
+
+    const Options& options_;
+    std::function<void()> room_;
+    Bench* bench_ = nullptr;
+    mutable std::counting_semaphore<2> simulating_{2};
+    mutable std::mutex reporting_ = {};
+};
+
+class LivePage::Parts {
+public:
+    Parts(Options options, std::uint16_t port)
+        : options_(std::move(options)),
+          desk_(options_, [this] { server_.notify(); }),
+          token_(random_token()),
+          server_({.port = port, .token = token_},
+                  [this](const HttpRequest& request, bool at_once) { return desk_.answer(request, at_once); }),
+          bench_(options_, [this] { server_.notify(); }) {
+        desk_.begin(bench_);
+    }
+
+    std::string address() const { return fmt::format("http://127.0.0.1:{}/?token={}", server_.port(), token_); }
+    void run(const std::atomic<bool>& stop) { server_.run(stop); }
+
+private:
+    Options options_;
+    Desk desk_;
+    std::string token_;
+    HttpServer server_;
+    Bench bench_;
+};
+
+LivePage::LivePage(const Options& options)
+    : parts_(std::make_unique<Parts>(options, static_cast<std::uint16_t>(options.port))) {}
+LivePage::~LivePage() = default;
+std::string LivePage::address() const { return parts_->address(); }
+void LivePage::run(const std::atomic<bool>& stop) { parts_->run(stop); }
+
+}  // namespace grafverif::app

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "lsp/completion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+
+#include "grafverif/ir/finding.hpp"
+#include "lsp/library.hpp"
+#include "lsp/scan.hpp"
+#include "support/overloaded.hpp"
+
+namespace grafverif::lsp {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+bool contains_word(const Words& words, std::string_view word) { return std::ranges::find(words, word) != words.end(); }
+
+ProposalKind kind_of(Kind kind) {
+    switch (kind) {
+    case Kind::Chart:
+    case Kind::Loop:
+    case Kind::Partial: return ProposalKind::Module;
+    case Kind::Component: return ProposalKind::Class;
+    case Kind::Input:
+    case Kind::Output:
+    case Kind::Internal:
+    case Kind::Own:
+    case Kind::Clock:
+    case Kind::Instance:
+    case Kind::PlantVariable: return ProposalKind::Variable;
+    case Kind::Step: return ProposalKind::Event;
+    case Kind::Transition: return ProposalKind::Function;
+    case Kind::InputParameter:
+    case Kind::OutputParameter: return ProposalKind::Field;
+    case Kind::Constant: return ProposalKind::Constant;
+    case Kind::Location: return ProposalKind::EnumMember;
+    case Kind::Property:
+    case Kind::Observer: return ProposalKind::Property;
+    }
+    unreachable();
+}
+
+class Proposer {
+public:
+    Proposer(const Names& names, Half half) : names_(names), half_(std::move(half)) {}
+
+    std::vector<Proposal> all() {
+        if (!half_.in_text) propose();
+        return std::move(found_);
+    }
+
+private:
+    const std::string& last() const {
+        static const std::string none;
+        return half_.words.empty() ? none : half_.words.back();
+    }
+    bool has(std::string_view word) const { return contains_word(half_.words, word); }
+
+    void keywords(std::initializer_list<const char*> words) {
+        for (const char* const word : words) add({word, ProposalKind::Keyword, "", "", ""});
+    }
+    void add(Proposal proposal) {
+        if (seen_.insert(proposal.label).second) found_.push_back(std::move(proposal));
+    }
+    void thing(const Thing& thing, std::string_view prefix = "") {
+        add({std::string(prefix) + thing.name, kind_of(thing.kind), declaration_text(thing),
+             comment_of(*thing.file, thing.whole), ""});
+    }
+    void parts(const std::string& owner, std::initializer_list<Kind> kinds, std::string_view prefix = "") {
+        for (const Thing* const part : names_.parts(owner))
+            if (part->owner == owner && std::ranges::find(kinds, part->kind) != kinds.end()) thing(*part, prefix);
+    }
+    /// The steps of one partial chart, or of all.
+    void steps(const std::string& chart, const std::string* partial, std::string_view prefix) {
+        for (const Thing* const part : names_.parts(chart))
+            if (part->kind == Kind::Step &&
+                (partial == nullptr || part->key.starts_with(chart + "/s " + *partial + "/")))
+                thing(*part, prefix);
+    }
+
+    // -- where the cursor is
+
+    void propose() {
+        if (half_.blocks.empty()) return in_file();
+        const Words& top = half_.blocks.front();
+        const Words& inner = half_.blocks.back();
+        if (top.size() < 2) return;
+        for (const Words& block : half_.blocks)
+            if (block.size() > 1 && (block[0] == "partial" || block[0] == "expansion")) partial_ = block[1];
+        if (top[0] == "grafcet") {
+            owner_ = "chart " + top[1];
+            if (contains_word(inner, "force")) return steps(owner_, &inner[1], ""), keywords({"INIT"});
+            return contains_word(inner, "step") ? in_actions() : in_chart();
+        }
+        if (top[0] == "component") return owner_ = "component " + top[1], in_component();
+        if (top[0] != "closed_loop") return;
+        owner_ = "loop " + top[1];
+        if (inner[0] == "observer") return in_observer(inner[1]);
+        if (contains_word(inner, "of")) return term();
+        in_loop();
+    }
+
+    void in_file() {
+        if (half_.words.empty()) return keywords({"grafcet", "component", "closed_loop", "include"});
+        if (half_.words[0] != "component" || !has("(")) return;
+        if (last() == "(" || last() == ";") return keywords({"input", "output"});
+        if (last() == ":") keywords({"bool", "int", "duration"});
+    }
+
+    void in_chart() {
+        const Words& words = half_.words;
+        if (words.empty())
+            return keywords({"input", "output", "internal", "initial step", "step", "macro step", "enclosing step",
+                             "entry step", "exit step", "linked step", "transition", "partial", "expansion",
+                             "constraint", "accept"});
+        if (words[0] == "constraint") return term();
+        if (words[0] == "accept" && words.size() == 1)
+            for (const FindingKind& kind : finding_kinds())
+                add({std::string(kind.code), ProposalKind::Constant, "", std::string(kind.meaning), ""});
+        if (words[0] == "input" || words[0] == "output" || words[0] == "internal") return typed();
+        if (last() == "expands" || last() == "encloses") return parts(owner_, {Kind::Partial});
+        if (words[0] == "transition") return links([this] { steps(owner_, &partial_, ""); });
+        if (is_keyword(last()) && last() != "step") keywords({"step"});
+        else if (has("macro") && last() != "step") keywords({"expands"});
+        else if (has("enclosing") && last() != "step") keywords({"encloses"});
+    }
+
+    void typed() {
+        if (last() == ":") keywords({"bool", "int"});
+        if (last() == "=") keywords({"true", "false"});
+    }
+
+    /// `[NAME:] FROM -> TO when TERM do TARGET := TERM`
+    template <class Ends>
+    void links(Ends ends) {
+        if (has("do")) return assignments();
+        if (has("when")) return term(), keywords({"do"});
+        if (last() == "->" || last() == ":" || last() == "," || half_.words.size() == 1) return ends();
+        if (has("->")) keywords({"when", "do"});
+    }
+
+    void assignments() {
+        if (last() == "do" || last() == "," || last() == "with")
+            return parts(owner_, {Kind::Output, Kind::Internal, Kind::OutputParameter, Kind::Own, Kind::Clock});
+        if (has(":=")) term();
+    }
+
+    void in_actions() {
+        if (half_.words.empty()) return parts(owner_, {Kind::Output, Kind::Internal}), keywords({"force"});
+        if (half_.words[0] == "force") {
+            if (half_.words.size() == 1) parts(owner_, {Kind::Partial});
+            return;
+        }
+        if (last() == "on") return keywords({"activation", "deactivation", "event"});
+        if (has(":=")) {
+            term();
+            if (last() != ":=") keywords({"on"});
+        } else if (has("if") || has("after") || has("for")) {
+            term();
+            keywords({"after", "for"});
+        } else keywords({"if", "after", "for"});
+    }
+
+    void in_component() {
+        if (half_.words.empty())
+            return keywords({"initial location", "location", "urgent", "timed", "variable", "clock", "constraint"});
+        const std::string& first = half_.words[0];
+        if (first == "urgent" || first == "timed") return links([this] { parts(owner_, {Kind::Location}); });
+        if (first == "variable") return typed();
+        if (first == "constraint" || has("invariant")) return term(), keywords({"with"});
+        if (has("with")) return assignments();
+        if (first == "initial" && half_.words.size() == 1) return keywords({"location"});
+        if (has("location") && last() != "location") keywords({"invariant", "with"});
+    }
+
+    void in_observer(const std::string& name) {
+        const auto locations = [&] { parts(owner_ + "/i " + name, {Kind::Location}); };
+        if (half_.words.empty()) return keywords({"location", "initial location"}), locations();
+        if (half_.words[0] != "location" && half_.words[0] != "initial") links(locations);
+    }
+
+    void in_loop() {
+        const Words& words = half_.words;
+        if (words.empty())
+            return keywords({"controller", "plant", "environment", "property", "constraint", "grain", "time unit",
+                             "schedule", "observer"});
+        const std::string& first = words[0];
+        if (first == "controller") {
+            if (has("with")) return keywords({"stability_search", "every_cycle"});
+            if (words.size() > 1) return keywords({"with"});
+            for (const Thing* const chart : names_.all(Kind::Chart)) thing(*chart);
+        }
+        if (first == "grain") keywords({"phased", "atomic"});
+        if (first == "schedule") keywords({"interleaved", "synchronous", "sequenced"});
+        if (first == "time") keywords({"unit"});
+        if (first == "constraint") term();
+        if (first == "plant" || first == "environment") instance();
+        if (first == "property") property();
+    }
+
+    void instance() {
+        const Words& words = half_.words;
+        if (words.size() < 4) {
+            if (last() == "=") components();
+            return;
+        }
+        const std::string key = "component " + words[3];
+        const Names& where = names_.thing(key) != nullptr ? names_ : library_names();
+        if (last() == "initially") {
+            for (const Thing* const part : where.parts(key))
+                if (part->kind == Kind::Location) thing(*part);
+            return;
+        }
+        if (last() == ")") return keywords({"initially"});
+        if (!has("(") || has(")")) return;
+        if (last() == "(" || last() == ",") return parameters(where, key);
+        if (last() == "=") {
+            const Thing* const parameter = where.thing(key + "/v " + words[words.size() - 2]);
+            if (parameter != nullptr && parameter->kind == Kind::Constant) keywords({"true", "false"});
+            else shared();
+        }
+    }
+
+    void parameters(const Names& where, const std::string& component) {
+        const Thing* const whole = where.thing(component);
+        for (const Thing* const part : where.parts(component)) {
+            const bool parameter = part->kind == Kind::InputParameter || part->kind == Kind::OutputParameter ||
+                                   part->kind == Kind::Constant;
+            if (!parameter || contains_word(half_.words, part->name)) continue;
+            add({part->name, kind_of(part->kind), declaration_text(*part),
+                 parameter_comment(*whole->file, whole->whole, part->name), part->name + " = $1"});
+        }
+    }
+
+    void components() {
+        for (const Names* const names : {&names_, &library_names()})
+            for (const Thing* const component : names->all(Kind::Component)) {
+                std::string snippet;
+                int place = 0;
+                for (const Thing* const part : parameters_in_order(*names, component->key)) {
+                    if (part->kind == Kind::Constant &&
+                        part->file->bytes(part->whole).find('=') != std::string_view::npos)
+                        continue;
+                    snippet += fmt::format("{}{} = ${}", place == 0 ? "" : ", ", part->name, place + 1);
+                    ++place;
+                }
+                add({component->name, ProposalKind::Class, declaration_text(*component),
+                     comment_of(*component->file, component->whole), fmt::format("{}({})", component->name, snippet)});
+            }
+    }
+
+    static std::vector<const Thing*> parameters_in_order(const Names& names, const std::string& component) {
+        std::vector<const Thing*> found;
+        for (const Thing* const part : names.parts(component))
+            if (part->kind == Kind::InputParameter || part->kind == Kind::OutputParameter ||
+                part->kind == Kind::Constant)
+                found.push_back(part);
+        std::ranges::sort(found, {}, [](const Thing* part) { return part->where.begin; });
+        return found;
+    }
+
+    void property() {
+        if (!has(":")) {
+            if (half_.words.size() > 1) keywords({"expected violated"});
+            return;
+        }
+        term();
+        if (last() == ":")
+            return keywords({"always", "never", "reachable", "reachable all steps", "inevitable", "always possible",
+                             "no deadlock", "no timelock", "exactly one of", "ctl", "ltl", "uppaal"});
+        keywords({"leads to", "at stable"});
+    }
+
+    // -- names of terms
+
+    void shared() {
+        for (const std::string& chart : names_.controllers(owner_)) parts(chart, {Kind::Input, Kind::Output});
+        parts(owner_, {Kind::PlantVariable});
+    }
+
+    void term() {
+        if (last() == ".") return member();
+        if (owner_.starts_with("chart ")) {
+            parts(owner_, {Kind::Input, Kind::Output, Kind::Internal, Kind::Partial});
+            steps(owner_, &partial_, "X");
+            steps(owner_, nullptr, "X");
+            keywords({"rise", "fall"});
+        } else if (owner_.starts_with("loop ")) {
+            shared();
+            for (const std::string& chart : names_.controllers(owner_)) {
+                parts(chart, {Kind::Internal});
+                steps(chart, nullptr, "X");
+            }
+            parts(owner_, {Kind::Instance, Kind::Observer});
+        } else {
+            parts(owner_, {Kind::InputParameter, Kind::OutputParameter, Kind::Constant, Kind::Own, Kind::Clock});
+        }
+        keywords({"and", "or", "not", "true", "false"});
+    }
+
+    void member() {
+        if (half_.words.size() < 2) return;
+        const std::string& before = half_.words[half_.words.size() - 2];
+        if (owner_.starts_with("chart ")) return steps(owner_, &before, "X");
+        const std::string part = owner_ + "/i " + before;
+        if (const std::string component = names_.component_of(part); !component.empty())
+            return parts(component, {Kind::Location});
+        parts(part, {Kind::Location});
+        for (const std::string& chart : names_.controllers(owner_)) {
+            if (chart == "chart " + before) steps(chart, nullptr, "X"), parts(chart, {Kind::Internal, Kind::Partial});
+            else if (names_.thing(chart + "/p " + before) != nullptr) steps(chart, &before, "X");
+        }
+    }
+
+    const Names& names_;
+    Half half_;
+    std::string owner_ = {}, partial_ = {};
+    std::vector<Proposal> found_ = {};
+    std::set<std::string> seen_ = {};
+};
+
+}  // namespace
+
+std::vector<Proposal> proposals(const Names& names, const Parsed& file, std::size_t cursor) {
+    return Proposer(names, half_at(file.text->bytes(), cursor)).all();
+}
+
+}  // namespace grafverif::lsp

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// The answers of a session to what an editor asks about names and places.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "lsp/completion.hpp"
+#include "lsp/hover.hpp"
+#include "lsp/outline.hpp"
+#include "lsp/rename.hpp"
+#include "lsp/scan.hpp"
+#include "lsp/session.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/language/format.hpp"
+
+namespace grafverif::lsp {
+
+namespace {
+
+/// LSP 3.17, "SymbolKind".
+int symbol_kind(Kind kind) {
+    switch (kind) {
+    case Kind::Chart: return 2;  // module
+    case Kind::Loop:
+    case Kind::Partial: return 3;    // namespace
+    case Kind::Component: return 5;  // class
+    case Kind::Property: return 7;
+    case Kind::Observer: return 11;    // interface
+    case Kind::Transition: return 12;  // function
+    case Kind::Input:
+    case Kind::Output:
+    case Kind::Internal:
+    case Kind::InputParameter:
+    case Kind::OutputParameter:
+    case Kind::Own:
+    case Kind::Clock:
+    case Kind::PlantVariable: return 13;  // variable
+    case Kind::Constant: return 14;
+    case Kind::Instance: return 19;  // object
+    case Kind::Location: return 22;  // enum member
+    case Kind::Step: return 24;      // event
+    }
+    unreachable();
+}
+
+Json markdown(const std::string& text) { return {{"kind", "markdown"}, {"value", text}}; }
+
+}  // namespace
+
+Json Session::feature_capabilities() {
+    Json types = Json::array(), modifiers = Json::array();
+    for (const std::string_view type : token_types) types.push_back(type);
+    for (const std::string_view modifier : token_modifiers) modifiers.push_back(modifier);
+    return {{"completionProvider", {{"triggerCharacters", {".", "(", "="}}}},
+            {"hoverProvider", true},
+            {"definitionProvider", true},
+            {"referencesProvider", true},
+            {"documentHighlightProvider", true},
+            {"renameProvider", {{"prepareProvider", true}}},
+            {"documentSymbolProvider", true},
+            {"foldingRangeProvider", true},
+            {"documentFormattingProvider", true},
+            {"codeLensProvider", {{"resolveProvider", false}}},
+            {"executeCommandProvider",
+             {{"commands", {"grafverif.check", "grafverif.showVerdict", "grafverif.draw", "grafverif.simulate"}}}},
+            {"semanticTokensProvider",
+             {{"legend", {{"tokenTypes", types}, {"tokenModifiers", modifiers}}}, {"full", true}}}};
+}
+
+std::shared_ptr<const Parsed> Session::parsed(const Json& params) {
+    auto file = workspace_.parsed(document(params));
+    if (file == nullptr) throw Refusal{request_failed, "the document is not there"};
+    return file;
+}
+
+/// The names of a file and of all that is related to it, which stay the same until one of the texts changes.
+const Names& Session::names(const Parsed& file) {
+    if (workspace_.refresh()) dirty_ = true;
+    Files related = workspace_.related(file.path);
+    const auto is_known = [&](const Names& names) {
+        return names.files().size() >= related.size() &&
+               std::equal(related.begin(), related.end(), names.files().begin());
+    };
+    if (names_ == nullptr || !is_known(*names_)) names_ = std::make_unique<Names>(std::move(related));
+    return *names_;
+}
+
+Session::Pointed Session::pointed(const Json& params) {
+    const auto file = parsed(params);
+    const Names& all = names(*file);
+    const std::size_t offset = file->text->offset(position_of(params.at("position")));
+    if (const Use* const use = all.use_at(*file, offset)) return {file, &all, use->key, use->where, use->skipped};
+    for (const Word& word : words_of(file->text->bytes()))  // in what is half typed
+        if (word.begin <= offset && offset <= word.end &&
+            (word.kind == Word::Kind::Name || word.kind == Word::Kind::Number)) {
+            const std::string name = file->text->bytes().substr(word.begin, word.end - word.begin);
+            return {file, &all, all.meaning(*file, offset, name), {file->tree.source, word.begin, word.end}, 0};
+        }
+    return {file, &all, "", {}, 0};
+}
+
+Json Session::place_json(const Parsed& file, Span where) const {
+    return json_of(Place{file.path, file.text->range(where.begin, where.end)}, uris());
+}
+
+Json Session::hover(const Json& params) {
+    const Pointed at = pointed(params);
+    const Thing* const thing = at.names->thing(at.key);
+    if (thing == nullptr) return nullptr;
+    settle();
+    const Model* model = nullptr;
+    for (const std::string& path : workspace_.roots(at.file->path))
+        if (const auto root = board_.root(path); root != nullptr && root->reading.model) model = &*root->reading.model;
+    return {{"contents", markdown(hover_text(*at.names, *thing, model) + verdict_words(*thing))},
+            {"range", json_of(at.file->text->range(at.where.begin, at.where.end))}};
+}
+
+Json Session::definition(const Json& params) {
+    const Pointed at = pointed(params);
+    const Thing* const thing = at.names->thing(at.key);
+    if (thing == nullptr || thing->file->path.starts_with('<')) return nullptr;  // the library is in the program
+    return place_json(*thing->file, thing->where);
+}
+
+Json Session::references(const Json& params) {
+    const Pointed at = pointed(params);
+    const bool declarations = flag(params, {"context", "includeDeclaration"});
+    Json found = Json::array();
+    if (at.key.empty()) return found;
+    for (const FileUse& each : at.names->everywhere(at.key))
+        if ((declarations || !each.use.declares) && !each.file->path.starts_with('<'))
+            found.push_back(place_json(*each.file, each.use.where));
+    return found;
+}
+
+Json Session::highlights(const Json& params) {
+    const Pointed at = pointed(params);
+    Json found = Json::array();
+    if (at.key.empty()) return found;
+    for (const FileUse& each : at.names->everywhere(at.key))
+        if (each.file == at.file.get())
+            found.push_back({{"range", json_of(at.file->text->range(each.use.where.begin, each.use.where.end))},
+                             {"kind", each.use.writes || each.use.declares ? 3 : 2}});
+    return found;
+}
+
+Json Session::prepare_rename(const Json& params) {
+    const Pointed at = pointed(params);
+    const Thing* const thing = at.names->thing(at.key);
+    if (thing == nullptr) return nullptr;
+    return {{"range", json_of(at.file->text->range(at.where.begin + at.skipped, at.where.end))},
+            {"placeholder", thing->name}};
+}
+
+Json Session::rename(const Json& params) {
+    const auto name = params.at("newName").get<std::string>();
+    const Pointed at = pointed(params);
+    const Thing* thing = at.names->thing(at.key);
+    std::string key = at.key;
+    const Names* all = at.names;
+    if (thing != nullptr && !thing->file->path.starts_with('<'))
+        all = &names(*workspace_.parsed(thing->file->path));  // all who include it
+    if (workspace_.cut_short())
+        throw Refusal{request_failed, "the workspace is too large to know every file that names it"};
+    Renaming renaming = renamed(*all, key, name);
+    if (!renaming.obstacle.empty()) throw Refusal{request_failed, renaming.obstacle};
+    return json_of(renaming.edits, uris());
+}
+
+Json Session::symbols(const Json& params) {
+    const auto file = parsed(params);
+    const std::vector<Entry> entries = outline(names(*file), *file);
+    std::vector<Json> symbols;
+    for (const Entry& entry : entries)
+        symbols.push_back(
+            {{"name", entry.thing->name.empty() ? "?" : entry.thing->name},
+             {"detail", declaration_text(*entry.thing).substr(0, 100)},
+             {"kind", symbol_kind(entry.thing->kind)},
+             {"range", json_of(file->text->range(entry.thing->whole.begin, entry.thing->whole.end))},
+             {"selectionRange", json_of(file->text->range(entry.thing->where.begin, entry.thing->where.end))}});
+    Json top = Json::array();
+    for (std::size_t k = entries.size(); k-- > 0;) {
+        Json& symbol = symbols[k];
+        if (symbol.contains("children")) std::ranges::reverse(symbol["children"]);
+        if (entries[k].parent) symbols[*entries[k].parent]["children"].push_back(std::move(symbol));
+        else top.push_back(std::move(symbol));
+    }
+    std::ranges::reverse(top);
+    return top;
+}
+
+Json Session::folding(const Json& params) {
+    const auto file = parsed(params);
+    Json found = Json::array();
+    for (const Fold& fold : folds(names(*file), *file)) {
+        found.push_back({{"startLine", fold.first}, {"endLine", fold.last}});
+        if (fold.comment) found.back()["kind"] = "comment";
+    }
+    return found;
+}
+
+Json Session::semantic_tokens(const Json& params) {
+    const auto file = parsed(params);
+    return {{"data", tokens(names(*file), *file)}};
+}
+
+Json Session::completion(const Json& params) {
+    const auto file = parsed(params);
+    const std::size_t cursor = file->text->offset(position_of(params.at("position")));
+    Json items = Json::array();
+    for (const Proposal& proposal : proposals(names(*file), *file, cursor)) {
+        Json item = {{"label", proposal.label}, {"kind", static_cast<int>(proposal.kind)}};
+        if (!proposal.detail.empty()) item["detail"] = proposal.detail;
+        if (!proposal.documentation.empty())
+            item["documentation"] = {{"kind", "plaintext"}, {"value", proposal.documentation}};
+        if (!proposal.snippet.empty() && can_.takes_snippets)
+            item["insertText"] = proposal.snippet, item["insertTextFormat"] = 2;
+        items.push_back(std::move(item));
+    }
+    return {{"isIncomplete", false}, {"items", std::move(items)}};
+}
+
+/// As `fmt` writes it; of a text with syntax errors nothing.
+Json Session::formatting(const Json& params) {
+    const auto file = parsed(params);
+    if (file->broken || file->tree.declarations.empty()) return nullptr;
+    const std::string text = formatted(file->tree);
+    if (text == file->text->bytes()) return Json::array();
+    return Json::array({{{"range", json_of(file->text->range(0, file->text->bytes().size()))}, {"newText", text}}});
+}
+
+}  // namespace grafverif::lsp

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "lsp/hover.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "syntax/print/equations.hpp"
+
+namespace grafverif::lsp {
+
+namespace {
+
+/// Text of a file in Markdown: nothing of it is taken for a mark.
+std::string fenced(std::string_view text, const char* language) {
+    std::string fence = "```";
+    while (text.find(fence) != std::string_view::npos) fence += '`';
+    return fence + language + "\n" + std::string(text) + "\n" + fence + "\n";
+}
+
+/// What the chart's equations say of a step, a transition, an output or a stored variable; empty: nothing.
+std::string equation_of(const Thing& thing, const Model& model) {
+    const std::string name = thing.owner.substr(thing.owner.find(' ') + 1);
+    const auto chart = find_chart(model, name);
+    Diagnostics ignored;
+    const auto equations = chart ? equations_of(model, *chart, ignored) : std::nullopt;
+    if (!equations) return {};
+    const auto is_called = [&](Id<Equations::Variable> variable) {
+        return equations->variables[variable].name == thing.name;
+    };
+    if (thing.kind == Kind::Step) {
+        for (const Equations::StepActivity& step : equations->steps)
+            if (step.step.step == thing.name && thing.key.starts_with(thing.owner + "/s " + step.step.partial + "/"))
+                return equation_text(*equations, step.variable, step.next);
+    } else if (thing.kind == Kind::Transition) {
+        for (const Equations::Firing& firing : equations->firings)
+            if (firing.transition == thing.name) return equation_text(*equations, firing.variable, firing.condition);
+    } else if (thing.kind == Kind::Output || thing.kind == Kind::Internal) {
+        for (const Equations::Stored& stored : equations->stored)
+            if (is_called(stored.variable)) return equation_text(*equations, stored.variable, stored.next);
+        for (const Equations::Output& output : equations->outputs)
+            if (is_called(output.variable)) return equation_text(*equations, output.variable, output.value);
+    }
+    return {};
+}
+
+std::string documentation_of(const Names& names, const Thing& thing) {
+    const bool parameter =
+        thing.kind == Kind::InputParameter || thing.kind == Kind::OutputParameter || thing.kind == Kind::Constant;
+    if (parameter)
+        if (const Thing* const component = names.thing(thing.owner))
+            return parameter_comment(*component->file, component->whole, thing.name);
+    if (thing.kind == Kind::Instance) {
+        const Thing* const component = names.thing(names.component_of(thing.key));
+        return component == nullptr ? std::string() : comment_of(*component->file, component->whole);
+    }
+    return comment_of(*thing.file, thing.whole);
+}
+
+/// Types that are not written.
+std::string shown_declaration(const Thing& thing) {
+    const std::string text = declaration_text(thing);
+    const bool variable = thing.kind == Kind::Input || thing.kind == Kind::Output || thing.kind == Kind::Internal ||
+                          thing.kind == Kind::Own || thing.kind == Kind::InputParameter ||
+                          thing.kind == Kind::OutputParameter;
+    if (!variable || text.find(':') != std::string::npos) return text;
+    const std::size_t value = std::min(text.find(" ="), text.size());
+    return text.substr(0, value) + ": bool" + text.substr(value);
+}
+
+}  // namespace
+
+std::string hover_text(const Names& names, const Thing& thing, const Model* model) {
+    std::string text = fenced(shown_declaration(thing), "grafcet");
+    const std::string documentation = documentation_of(names, thing);
+    if (!documentation.empty()) text += "\n" + fenced(documentation, "text");
+    const std::string equation =
+        model != nullptr && thing.owner.starts_with("chart ") ? equation_of(thing, *model) : "";
+    if (!equation.empty()) text += "\n" + fenced(equation, "text");
+    return text;
+}
+
+}  // namespace grafverif::lsp

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// The component library as trees and names, made once.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "lsp/names.hpp"
+
+namespace grafverif::lsp {
+
+/// The file of the component of that name; null: there is none.
+std::shared_ptr<const Parsed> library_file(std::string_view component);
+/// The names of all components of the library.
+const Names& library_names();
+
+}  // namespace grafverif::lsp

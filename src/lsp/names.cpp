@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "lsp/names.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lsp/library.hpp"
+#include "lsp/walk.hpp"
+#include "support/overloaded.hpp"
+
+namespace grafverif::lsp {
+
+namespace {
+
+bool is_shared(Kind kind) { return kind == Kind::Input || kind == Kind::Output; }
+
+}  // namespace
+
+Names::Names(Files files) : files_(std::move(files)) {
+    for (const auto& file : files_) declare_all(*file, *this);
+    take_library();
+    for (const auto& file : files_) declare_plant(*file, *this);
+    for (const auto& file : files_) uses_[file.get()] = uses_in(*file, *this);
+}
+
+void Names::take_library() {
+    std::set<std::string> wanted;
+    for (const auto& [instance, component] : components_)
+        if (!things_.contains(component)) wanted.insert(component.substr(component.find(' ') + 1));
+    for (const std::string& name : wanted) {
+        const auto file = library_file(name);
+        if (file == nullptr) continue;
+        files_.push_back(file);
+        declare_all(*file, *this);
+    }
+}
+
+const std::vector<Use>& Names::uses(const Parsed& file) const {
+    static const std::vector<Use> none;
+    const auto found = uses_.find(&file);
+    return found == uses_.end() ? none : found->second;
+}
+
+const Use* Names::use_at(const Parsed& file, std::size_t offset) const {
+    const std::vector<Use>& all = uses(file);
+    auto after = std::ranges::upper_bound(all, offset, {}, [](const Use& use) { return use.where.begin; });
+    while (after != all.begin()) {
+        const Use& use = *--after;
+        if (use.where.end >= offset) return &use;
+        if (use.where.end + 256 < offset) break;
+    }
+    return nullptr;
+}
+
+const Thing* Names::thing(const std::string& key) const {
+    const auto found = things_.find(key);
+    return found == things_.end() ? nullptr : &found->second;
+}
+
+std::vector<const Thing*> Names::parts(const std::string& owner) const {
+    std::vector<const Thing*> found;
+    const std::string prefix = owner + "/";
+    for (auto part = things_.lower_bound(prefix); part != things_.end() && part->first.starts_with(prefix); ++part)
+        found.push_back(&part->second);
+    return found;
+}
+
+std::vector<const Thing*> Names::all(Kind kind) const {
+    std::vector<const Thing*> found;
+    for (const auto& [key, thing] : things_)
+        if (thing.kind == kind) found.push_back(&thing);
+    return found;
+}
+
+const Thing* Names::around(const Parsed& file, std::size_t offset) const {
+    const Thing* best = nullptr;
+    for (const auto& [key, thing] : things_) {
+        const bool holds =
+            thing.file == &file && thing.owner.empty() && thing.whole.begin <= offset && offset <= thing.whole.end;
+        if (holds && (best == nullptr || best->whole.begin < thing.whole.begin)) best = &thing;
+    }
+    return best;
+}
+
+std::vector<std::string> Names::controllers(const std::string& loop) const {
+    const auto found = controllers_.find(loop);
+    return found == controllers_.end() ? std::vector<std::string>() : found->second;
+}
+
+std::string Names::component_of(const std::string& instance) const {
+    const auto found = components_.find(instance);
+    return found == components_.end() ? std::string() : found->second;
+}
+
+/// The inputs and outputs that a loop shares with this one, in turn.
+std::set<std::string> Names::tied(const std::string& key) const {
+    std::set<std::string> found = {key};
+    const Thing* const first = thing(key);
+    if (first == nullptr || !is_shared(first->kind)) return found;
+    std::vector<std::string> waiting = {first->owner};
+    while (!waiting.empty()) {
+        const std::string chart = std::move(waiting.back());
+        waiting.pop_back();
+        for (const auto& [loop, charts] : controllers_) {
+            if (std::ranges::find(charts, chart) == charts.end()) continue;
+            for (const std::string& other : charts) {
+                const Thing* const same = thing(other + "/v " + first->name);
+                if (same != nullptr && is_shared(same->kind) && found.insert(same->key).second)
+                    waiting.push_back(other);
+            }
+        }
+    }
+    return found;
+}
+
+std::vector<FileUse> Names::everywhere(const std::string& key) const {
+    const std::set<std::string> keys = tied(key);
+    std::vector<FileUse> found;
+    for (const auto& file : files_)
+        for (const Use& use : uses(*file))
+            if (keys.contains(use.key)) found.push_back({file.get(), use});
+    return found;
+}
+
+std::string Names::meaning(const Parsed& file, std::size_t offset, std::string_view name) const {
+    const Thing* const owner = around(file, offset);
+    if (owner == nullptr) return {};
+    std::string key = term_key(*this, *owner, "", name);
+    if (key.empty() && owner->kind == Kind::Chart) key = term_key(*this, *owner, "", "X" + std::string(name));
+    if (key.empty() && owner->kind == Kind::Component) key = owner->key + "/l " + std::string(name);
+    if (key.empty() && owner->kind == Kind::Loop)
+        for (const char* kind : {"chart ", "component "})
+            if (things_.contains(kind + std::string(name))) key = kind + std::string(name);
+    return things_.contains(key) ? key : std::string();
+}
+
+// -- what is said of a thing ------------------------------------------------------------------------------------------------
+
+namespace {
+
+std::string without_marks(std::string_view comment) {
+    std::string text;
+    if (comment.starts_with("//")) {
+        comment.remove_prefix(2);
+        if (comment.starts_with(' ')) comment.remove_prefix(1);
+        return std::string(comment);
+    }
+    comment.remove_prefix(std::min<std::size_t>(2, comment.size()));
+    if (comment.ends_with("*/")) comment.remove_suffix(2);
+    return std::string(comment);
+}
+
+std::size_t line_of(const Parsed& file, std::size_t offset) { return file.text->position(offset).line; }
+
+}  // namespace
+
+std::string comment_of(const Parsed& file, Span whole) {
+    std::size_t line = line_of(file, whole.begin);
+    std::vector<std::string> lines;
+    for (auto comment = file.tree.comments.rbegin(); comment != file.tree.comments.rend(); ++comment) {
+        if (comment->where.begin >= whole.begin || !comment->own_line) continue;
+        if (line_of(file, comment->where.end) + 1 != line) break;
+        line = line_of(file, comment->where.begin);
+        if (!comment->text.starts_with("// SPDX-")) lines.push_back(without_marks(comment->text));
+    }
+    std::string text;
+    for (auto each = lines.rbegin(); each != lines.rend(); ++each) text += *each + "\n";
+    for (const tree::Comment& comment : file.tree.comments)
+        if (!comment.own_line && comment.where.begin >= whole.end &&
+            line_of(file, comment.where.begin) == line_of(file, whole.end))
+            text += without_marks(comment.text) + "\n";
+    while (text.ends_with('\n')) text.pop_back();
+    return text;
+}
+
+std::string parameter_comment(const Parsed& file, Span component, std::string_view parameter) {
+    const std::string comment = comment_of(file, component);
+    for (std::size_t at = 0; at < comment.size();) {
+        const std::size_t end = std::min(comment.find('\n', at), comment.size());
+        std::string_view line = std::string_view(comment).substr(at, end - at);
+        at = end + 1;
+        line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        if (!line.starts_with(parameter) || !line.substr(parameter.size()).starts_with("  ")) continue;
+        line.remove_prefix(parameter.size());
+        for (const std::string_view kind : {"", "input", "output", "constant"}) {
+            line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+            if (!kind.empty() && line.starts_with(kind) && line.substr(kind.size()).starts_with(' '))
+                line.remove_prefix(kind.size());
+        }
+        return std::string(line);
+    }
+    return {};
+}
+
+std::string declaration_text(const Thing& thing) {
+    const auto joined = [&](Span where) {
+        std::string text;
+        for (const char byte : thing.file->bytes(where)) {
+            const bool blank = byte == ' ' || byte == '\n' || byte == '\r' || byte == '\t';
+            if (!blank) text += byte;
+            else if (!text.ends_with(' ')) text += ' ';
+        }
+        return text;
+    };
+    const auto head = [&] {  // up to what is inside
+        std::string text = joined(thing.whole);
+        text.resize(std::min(text.find('{'), text.size()));
+        while (text.ends_with(' ') || text.ends_with(';')) text.pop_back();
+        return text;
+    };
+    switch (thing.kind) {
+    case Kind::Chart:
+    case Kind::Component:
+    case Kind::Loop:
+    case Kind::Partial:
+    case Kind::Step:
+    case Kind::Observer: return head();
+    case Kind::Input: return "input " + joined(thing.whole);
+    case Kind::Output: return "output " + joined(thing.whole);
+    case Kind::Internal: return "internal " + joined(thing.whole);
+    case Kind::InputParameter: return "input " + joined(thing.whole);
+    case Kind::OutputParameter: return "output " + joined(thing.whole);
+    case Kind::Constant: return joined(thing.whole);
+    case Kind::Own: return "variable " + joined(thing.whole);
+    case Kind::Clock: return "clock " + thing.name;
+    case Kind::PlantVariable: return thing.name + ", of the plant: " + joined(thing.whole);
+    case Kind::Transition:
+    case Kind::Location:
+    case Kind::Instance:
+    case Kind::Property: return joined(thing.whole);
+    }
+    unreachable();
+}
+
+}  // namespace grafverif::lsp

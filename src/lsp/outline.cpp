@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "lsp/outline.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "lsp/scan.hpp"
+#include "support/overloaded.hpp"
+
+namespace grafverif::lsp {
+
+namespace {
+
+std::vector<const Thing*> things_in(const Names& names, const Parsed& file) {
+    std::vector<const Thing*> found;
+    std::map<std::string, bool> seen;
+    for (const Use& use : names.uses(file)) {
+        const Thing* const thing = use.declares ? names.thing(use.key) : nullptr;
+        if (thing != nullptr && seen.emplace(use.key, true).second) found.push_back(thing);
+    }
+    std::ranges::stable_sort(found, {}, [](const Thing* thing) { return thing->whole.begin; });
+    return found;
+}
+
+/// Places in token_types.
+enum TokenType : std::uint32_t {
+    Keyword,
+    Comment,
+    String,
+    Number,
+    Variable,
+    Parameter,
+    Class,
+    Namespace,
+    Function,
+    Event,
+    EnumMember,
+    PropertyToken
+};
+
+TokenType type_of(Kind kind) {
+    switch (kind) {
+    case Kind::Chart:
+    case Kind::Loop:
+    case Kind::Partial: return Namespace;
+    case Kind::Component: return Class;
+    case Kind::Input:
+    case Kind::Output:
+    case Kind::Internal:
+    case Kind::Own:
+    case Kind::Clock:
+    case Kind::PlantVariable:
+    case Kind::Instance: return Variable;
+    case Kind::Step: return Event;
+    case Kind::Transition: return Function;
+    case Kind::InputParameter:
+    case Kind::OutputParameter:
+    case Kind::Constant: return Parameter;
+    case Kind::Location: return EnumMember;
+    case Kind::Property:
+    case Kind::Observer: return PropertyToken;
+    }
+    unreachable();
+}
+
+bool is_read_only(Kind kind) {
+    return kind == Kind::Input || kind == Kind::InputParameter || kind == Kind::Constant || kind == Kind::Step;
+}
+
+}  // namespace
+
+std::vector<Entry> outline(const Names& names, const Parsed& file) {
+    std::vector<Entry> entries;
+    std::vector<std::size_t> open;
+    for (const Thing* const thing : things_in(names, file)) {
+        while (!open.empty() && entries[open.back()].thing->whole.end < thing->whole.end) open.pop_back();
+        if (thing->kind == Kind::PlantVariable) continue;
+        entries.push_back({thing, open.empty() ? std::nullopt : std::optional(open.back())});
+        open.push_back(entries.size() - 1);
+    }
+    return entries;
+}
+
+std::vector<Fold> folds(const Names& names, const Parsed& file) {
+    std::vector<Fold> found;
+    const auto line = [&](std::size_t offset) { return file.text->position(offset).line; };
+    for (const Thing* const thing : things_in(names, file)) {
+        const Fold fold{line(thing->whole.begin), line(thing->whole.end)};
+        if (fold.first < fold.last) found.push_back(fold);
+    }
+    for (const tree::Comment& comment : file.tree.comments) {
+        const Fold fold{line(comment.where.begin), line(comment.where.end), true};
+        const bool goes_on =
+            comment.own_line && !found.empty() && found.back().comment && found.back().last + 1 == fold.first;
+        if (goes_on) found.back().last = fold.last;
+        else if (comment.own_line) found.push_back(fold);
+    }
+    std::erase_if(found, [](const Fold& fold) { return fold.first == fold.last; });
+    return found;
+}
+
+std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file) {
+    std::vector<std::uint32_t> numbers;
+    Position before;
+    const std::string& text = file.text->bytes();
+    const std::vector<Use>& uses = names.uses(file);
+    auto use = uses.begin();
+    const auto put = [&](std::size_t begin, std::size_t end, TokenType type, std::uint32_t modifiers) {
+        while (begin < end) {  // a token is of one line
+            const std::size_t stop = std::min(text.find('\n', begin), end);
+            const Position from = file.text->position(begin), to = file.text->position(stop);
+            if (from.line == to.line && from.character < to.character) {
+                const bool same = from.line == before.line;
+                for (const std::uint32_t number :
+                     {from.line - before.line, same ? from.character - before.character : from.character,
+                      to.character - from.character, static_cast<std::uint32_t>(type), modifiers})
+                    numbers.push_back(number);
+                before = from;
+            }
+            begin = stop + 1;
+        }
+    };
+    for (const Word& word : words_of(text)) {
+        while (use != uses.end() && use->where.end <= word.begin) ++use;
+        const bool named = use != uses.end() && use->where.begin <= word.begin && word.end <= use->where.end;
+        const Thing* const thing = named ? names.thing(use->key) : nullptr;
+        if (thing != nullptr && word.kind != Word::Kind::Comment) {
+            put(word.begin, word.end, type_of(thing->kind),
+                (use->declares ? 1U : 0U) | (is_read_only(thing->kind) ? 2U : 0U) | (use->writes ? 4U : 0U));
+            continue;
+        }
+        switch (word.kind) {
+        case Word::Kind::Name:
+            if (is_keyword(std::string_view(text).substr(word.begin, word.end - word.begin)))
+                put(word.begin, word.end, Keyword, 0);
+            break;
+        case Word::Kind::Number: put(word.begin, word.end, Number, 0); break;
+        case Word::Kind::String: put(word.begin, word.end, String, 0); break;
+        case Word::Kind::Comment: put(word.begin, word.end, Comment, 0); break;
+        case Word::Kind::Sign: break;
+        }
+    }
+    return numbers;
+}
+
+}  // namespace grafverif::lsp

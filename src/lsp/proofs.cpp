@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// What a session lets be proved, and shows of it: on save, on demand, over the lines of loops and properties.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "grafverif/grafverif.hpp"
+#include "lsp/session.hpp"
+
+namespace grafverif::lsp {
+
+void Session::ask_client(const std::string& id, const std::string& method, const Json& params) {
+    send({{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", params}});
+}
+
+// -- proofs in the background ---------------------------------------------------------------------------------------------
+
+/// What was saved, and all that include it: what is open first.
+void Session::saved() {
+    dirty_ = true;
+    settle();
+    for (const bool open : {true, false})
+        for (const auto& root : board_.roots())
+            if ((workspace_.find(workspace_.uri_of(root->path)) != nullptr) == open) prove(root->path, "");
+}
+
+void Session::prove(const std::string& path, const std::string& only) {
+    const auto root = board_.root(path);
+    if (root == nullptr || !root->reading.model) return;
+    prover_->ask({root, Task::What::Proofs, only});
+}
+
+void Session::found(Found outcome) {
+    if (!board_.is_current(*outcome.root)) return;
+    board_.add(*outcome.root, outcome.source, std::move(outcome.told));
+    Verdicts& known = verdicts_[outcome.root->path];
+    if (known.number != outcome.root->number) known = {outcome.root->number, {}};
+    const bool news = !outcome.verdicts.empty();
+    for (auto& [key, shown] : outcome.verdicts) known.by_key[key] = std::move(shown);
+    publish();
+    if (news && can_.refreshes_lenses) ask_client("grafverif/lenses", "workspace/codeLens/refresh", nullptr);
+}
+
+void Session::progress(const std::string& words) {
+    if (!can_.shows_progress || state_ != State::Running) return;
+    const auto tell = [&](const Json& value) {
+        send({{"jsonrpc", "2.0"}, {"method", "$/progress"}, {"params", {{"token", token_}, {"value", value}}}});
+    };
+    if (words.empty()) {
+        if (telling_ == Telling::Going) tell({{"kind", "end"}});
+        telling_ = Telling::Nothing;
+    } else if (telling_ == Telling::Nothing) {
+        telling_ = Telling::Asked;
+        ++token_;
+        ask_client("grafverif/progress/" + std::to_string(token_), "window/workDoneProgress/create",
+                   {{"token", token_}});
+    } else if (telling_ == Telling::Going) {
+        tell({{"kind", "report"}, {"message", words}});
+    }
+}
+
+void Session::progress_is_wanted() {
+    if (telling_ != Telling::Asked) return;
+    telling_ = Telling::Going;
+    send({{"jsonrpc", "2.0"},
+          {"method", "$/progress"},
+          {"params",
+           {{"token", token_}, {"value", {{"kind", "begin"}, {"title", "grafverif check"}, {"cancellable", true}}}}}});
+}
+
+// -- what is known --------------------------------------------------------------------------------------------------------
+
+/// The verdict on the property of that key in the texts as they are now; null: there is none.
+const Shown* Session::shown(const std::string& path, const std::string& key) const {
+    const auto root = board_.root(path);
+    const auto known = verdicts_.find(path);
+    if (root == nullptr || known == verdicts_.end() || known->second.number != root->number) return nullptr;
+    const auto found = known->second.by_key.find(key);
+    if (found != known->second.by_key.end()) return &found->second;
+    const auto part = known->second.by_key.lower_bound(key + ".");  // of one that expands, the first
+    return part != known->second.by_key.end() && part->first.starts_with(key + ".") ? &part->second : nullptr;
+}
+
+std::string Session::verdict_words(const Thing& thing) const {
+    const Shown* const known = thing.kind == Kind::Property ? shown(thing.file->path, thing.key) : nullptr;
+    return known == nullptr ? std::string() : "\n```text\n" + known->text + "```\n";
+}
+
+// -- over the lines -------------------------------------------------------------------------------------------------------
+
+Json Session::lenses(const Json& params) {
+    const auto file = parsed(params);
+    const Names& all = names(*file);
+    settle();
+    const std::string uri = params.at("textDocument").at("uri").get<std::string>();
+    Json found = Json::array();
+    const auto add = [&](const Thing& thing, const std::string& title, const char* command, Json arguments) {
+        arguments.insert(arguments.begin(), uri);
+        found.push_back({{"range", json_of(file->text->range(thing.where.begin, thing.where.end))},
+                         {"command", {{"title", title}, {"command", command}, {"arguments", std::move(arguments)}}}});
+    };
+    for (const Use& use : all.uses(*file)) {
+        const Thing* const thing = use.declares ? all.thing(use.key) : nullptr;
+        if (thing == nullptr) continue;
+        if (thing->kind == Kind::Loop || thing->kind == Kind::Chart) {
+            add(*thing, "check", "grafverif.check", Json::array({thing->name}));
+            if (thing->kind == Kind::Chart) add(*thing, "draw", "grafverif.draw", Json::array({thing->name}));
+            add(*thing, "simulate", "grafverif.simulate", Json::array());
+        } else if (thing->kind == Kind::Property) {
+            const Shown* const known = shown(file->path, thing->key);
+            const std::string loop = thing->owner.substr(thing->owner.find(' ') + 1);
+            if (known == nullptr) add(*thing, "not checked: check", "grafverif.check", Json::array({loop}));
+            else add(*thing, known->word, "grafverif.showVerdict", Json::array({loop, thing->name}));
+        }
+    }
+    return found;
+}
+
+Json Session::execute(const Json& params) {
+    const auto command = params.at("command").get<std::string>();
+    const Json arguments = params.value("arguments", Json::array());
+    if (!arguments.is_array() || arguments.empty())
+        throw Refusal{invalid_params, command + " takes the address of a document first"};
+    const OpenText* const open = workspace_.find(arguments.at(0).get<std::string>());
+    if (open == nullptr) throw Refusal{request_failed, "this document is not open"};
+    const std::string path = open->path;
+    const auto argument = [&](std::size_t place) {
+        return arguments.size() > place ? arguments[place].get<std::string>() : std::string();
+    };
+    settle();
+    if (command == "grafverif.check") return prove(path, argument(1)), Json();
+    if (command == "grafverif.showVerdict") return show_verdict(path, argument(1), argument(2));
+    if (command == "grafverif.draw") return draw(path, argument(1));
+    if (command == "grafverif.simulate") return simulate(path);
+    throw Refusal{invalid_params, "there is no command " + command};
+}
+
+Json Session::show(const std::string& uri, bool elsewhere, const std::string& words) {
+    if (!can_.shows_documents)
+        send({{"jsonrpc", "2.0"}, {"method", "window/showMessage"}, {"params", {{"type", 3}, {"message", words}}}});
+    else
+        ask_client("grafverif/show", "window/showDocument",
+                   {{"uri", uri}, {"external", elsewhere}, {"takeFocus", true}});
+    return {{"uri", uri}};
+}
+
+Json Session::show_verdict(const std::string& path, const std::string& loop, const std::string& property) {
+    const Shown* known = shown(path, "loop " + loop + "/q " + property);
+    if (property.empty()) {  // of the whole file, from a palette
+        const auto all = verdicts_.find(path);
+        if (all != verdicts_.end() && !all->second.by_key.empty()) known = &all->second.by_key.begin()->second;
+    }
+    if (known == nullptr)
+        throw Refusal{request_failed, "nothing is known of it yet: save the file, or let it be checked"};
+    const bool kept = can_.shows_documents && surroundings_.keep;
+    const std::string uri = kept ? uri_of_path(surroundings_.keep(property + ".txt", known->text)) : "";
+    if (kept) show(uri, false, known->text);
+    else
+        send({{"jsonrpc", "2.0"},
+              {"method", "window/showMessage"},
+              {"params", {{"type", 3}, {"message", known->text}}}});
+    return {{"verdict", known->word}, {"text", known->text}};
+}
+
+Json Session::draw(const std::string& path, const std::string& chart) {
+    const auto root = board_.root(path);
+    if (root == nullptr || !root->reading.model)
+        throw Refusal{request_failed, "the file has errors; a drawing of it has to wait"};
+    const Model& model = *root->reading.model;
+    for (const Id<Chart> id : model.charts.ids()) {
+        if (!chart.empty() && model.charts[id].name != chart) continue;
+        if (model.charts[id].steps.size() > 5000)
+            throw Refusal{request_failed, "the chart has more than 5,000 steps; `grafverif draw` draws it"};
+        const std::string svg = svg_of(drawing_of(model, id));
+        if (!surroundings_.keep) return {{"svg", svg}};
+        const std::string drawn = surroundings_.keep(model.charts[id].name + ".svg", svg);
+        Json shown = show(uri_of_path(drawn), true, "drawn: " + drawn);
+        shown["svg"] = svg;
+        return shown;
+    }
+    throw Refusal{request_failed, "there is no such chart"};
+}
+
+Json Session::simulate(const std::string& path) {
+    if (!surroundings_.simulator) throw Refusal{request_failed, "there are no pages here"};
+    const std::string address = surroundings_.simulator(path);
+    return show(address, true, path + " is at " + address);
+}
+
+}  // namespace grafverif::lsp

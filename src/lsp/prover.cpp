@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "lsp/prover.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "lsp/story.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+#include "report/terminal.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::lsp {
+
+namespace {
+
+constexpr auto tell_progress_every = std::chrono::milliseconds(250);
+
+/// The main file of a root is its first source; what stands in another file is told of that file.
+bool is_of(const Root&, Span origin) { return origin.source.valid() && origin.source.index == 0; }
+
+std::string outcome_words(const Verdict& verdict) {
+    std::string words(word(verdict.outcome));
+    if (verdict.outcome != Outcome::Unknown && verdict.expected_violated)
+        words += as_expected(verdict) ? ", as expected" : ", which is not expected";
+    return words;
+}
+
+/// As `check` prints it, of this property alone.
+std::string told_by_check(const Report& report, const Answer& answer) {
+    Report one = report;
+    one.answers = {answer};
+    std::ostringstream text;
+    print_report(one, {.verbose = true}, text);
+    return printable_lines(std::move(text).str());
+}
+
+}  // namespace
+
+Prover::Prover(Ears ears, std::optional<std::chrono::milliseconds> patience)
+    : ears_(std::move(ears)), patience_(patience), thread_([this] { work(); }) {}
+
+Prover::~Prover() {
+    {
+        const std::lock_guard hold(door_);
+        over_ = true;
+        stop_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+}
+
+void Prover::ask(Task task) {
+    const std::lock_guard hold(door_);
+    if (task.what == Task::What::Models) tasks_.push_front(std::move(task));
+    else tasks_.push_back(std::move(task));
+    wake_.notify_all();
+}
+
+void Prover::keep(const std::function<bool(const Root&)>& current) {
+    const std::lock_guard hold(door_);
+    std::erase_if(tasks_, [&](const Task& task) { return !current(*task.root); });
+    if (at_hand_ != nullptr && !current(*at_hand_)) stop_ = true;
+}
+
+void Prover::give_up() {
+    keep([](const Root&) { return false; });
+}
+
+void Prover::work() {
+    for (;;) {
+        Task task;
+        {
+            std::unique_lock hold(door_);
+            at_hand_ = nullptr;
+            wake_.wait(hold, [this] { return over_ || !tasks_.empty(); });
+            if (over_) return;
+            task = std::move(tasks_.front());
+            tasks_.pop_front();
+            at_hand_ = task.root;
+            stop_ = false;
+        }
+        try {
+            if (task.what == Task::What::Models) make_models(task);
+            else prove(task);
+        } catch (const std::bad_alloc&) {  // nothing is told that was not found out
+        } catch (const std::system_error&) {
+        }
+        const std::lock_guard hold(door_);
+        const auto proves = [](const Task& other) { return other.what == Task::What::Proofs; };
+        if (std::ranges::none_of(tasks_, proves)) ears_.progress("");
+    }
+}
+
+/// What is refused only when a model is made of what was read.
+void Prover::make_models(const Task& task) {
+    const Model& model = *task.root->reading.model;
+    Diagnostics diagnostics;
+    for (const Id<ClosedLoop> loop : model.loops.ids()) {
+        if (stop_) return;
+        network_of(model, loop, ModelOptions{}, diagnostics);
+    }
+    for (const Id<Chart> chart : model.charts.ids()) {
+        if (stop_) return;
+        const bool controls = std::ranges::any_of(model.loops, [&](const ClosedLoop& loop) {
+            return std::ranges::any_of(loop.controllers, [&](const auto& each) { return each.chart == chart; });
+        });
+        if (!controls) equations_of(model, chart, diagnostics);
+    }
+    if (!stop_) ears_.found({task.root, "models", told(diagnostics, *task.root->places), {}});
+}
+
+Limits Prover::limits(const std::string& what) {
+    Limits limits;
+    limits.stop = &stop_;
+    const auto begin = std::chrono::steady_clock::now();
+    if (patience_) limits.deadline = begin + *patience_;
+    limits.progress = [this, what, last = begin](const Progress& now) mutable {
+        if (std::chrono::steady_clock::now() - last < tell_progress_every) return;
+        last = std::chrono::steady_clock::now();
+        ears_.progress(what + ": " + printable(now.words()));
+    };
+    return limits;
+}
+
+void Prover::prove(const Task& task) {
+    const Root& root = *task.root;
+    const Model& model = *root.reading.model;
+    const auto wanted = [&](const std::string& name, Span origin) {
+        return task.only.empty() ? is_of(root, origin) : task.only == name;
+    };
+    const auto each = [&](const std::string& name, Span origin, const char* kind, const auto& find_out) {
+        if (stop_ || !wanted(name, origin)) return;
+        ears_.progress(name);
+        Found outcome{task.root, kind + name, {}, {}};
+        find_out(outcome);
+        if (!stop_) ears_.found(std::move(outcome));
+    };
+    for (const Id<ClosedLoop> loop : model.loops.ids())
+        each(model.loops[loop].name, model.loops[loop].origin, "loop ",
+             [&](Found& outcome) { prove_loop(root, loop, outcome); });
+    for (const Id<Chart> chart : model.charts.ids())
+        each(model.charts[chart].name, model.charts[chart].origin, "chart ",
+             [&](Found& outcome) { look_into(root, chart, outcome); });
+}
+
+void Prover::prove_loop(const Root& root, Id<ClosedLoop> loop, Found& outcome) {
+    const Model& model = *root.reading.model;
+    CheckOptions options;
+    options.limits = limits(model.loops[loop].name);
+    Diagnostics refused;
+    const auto report = check(model, loop, ModelOptions{}, options, refused);
+    if (!report) return;  // why is told of the models
+    const Story story(model, loop, *root.places);
+    for (const Answer& answer : report->answers) {
+        const Verdict& verdict = answer.verdict;
+        outcome.verdicts["loop " + model.loops[loop].name + "/q " + verdict.property] = {
+            outcome_words(verdict), told_by_check(*report, answer)};
+        if (as_expected(verdict) || (verdict.outcome == Outcome::Unknown && !verdict.declared)) continue;
+        const bool open = verdict.outcome == Outcome::Unknown;
+        Told told{root.places->of(verdict.origin.source.valid() ? verdict.origin : model.loops[loop].origin),
+                  open ? Severity::Warning : Severity::Error,
+                  open ? "unknown" : std::string(word(verdict.outcome)),
+                  "",
+                  {},
+                  {}};
+        told.message = fmt::format("`{}` {}{}", verdict.property,
+                                   open ? "is not decided: " + printable(verdict.reason)
+                                   : verdict.outcome == Outcome::Violated ? "is violated"
+                                                                          : "holds, but is expected to be violated",
+                                   answer.text.empty() ? "" : ": " + printable(answer.text));
+        if (answer.trace && !open) told.related = story.of(*answer.trace);
+        outcome.told.push_back(std::move(told));
+    }
+    for (const Breakdown& breakdown : report->breakdowns)
+        outcome.told.push_back({root.places->of(model.loops[loop].origin),
+                                Severity::Error,
+                                breakdown.code,
+                                printable(breakdown.message),
+                                story.of(breakdown.trace),
+                                {}});
+}
+
+void Prover::look_into(const Root& root, Id<Chart> chart, Found& outcome) {
+    const Model& model = *root.reading.model;
+    Diagnostics refused;
+    const auto analysis = analysis_of(model, chart, {}, limits(model.charts[chart].name), refused);
+    if (!analysis) return;
+    const Story story(model, chart, *root.places);
+    for (const Finding& finding : analysis->findings) {
+        if (!is_open(finding)) continue;
+        Told told{root.places->of(finding.origin),
+                  finding.level == Finding::Level::Error ? Severity::Error : Severity::Warning,
+                  finding.code,
+                  printable(finding.message),
+                  {},
+                  {}};
+        for (const Finding::Related& related : finding.related)
+            if (related.where.source.valid())
+                told.related.push_back({root.places->of(related.where), printable(related.message)});
+        if (finding.evidence)
+            for (Related& each : story.of(*finding.evidence)) told.related.push_back(std::move(each));
+        outcome.told.push_back(std::move(told));
+    }
+}
+
+}  // namespace grafverif::lsp

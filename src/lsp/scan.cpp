@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "lsp/scan.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace grafverif::lsp {
+
+namespace {
+
+constexpr std::array<std::string_view, 22> reserved = {
+    "grafcet", "component",  "closed_loop", "include",   "input",      "output",  "internal", "step",
+    "when",    "transition", "do",          "force",     "and",        "or",      "not",      "true",
+    "false",   "always",     "never",       "reachable", "inevitable", "possible"};
+constexpr std::array<std::string_view, 55> contextual = {
+    "constraint",   "initial",     "linked",    "entry",    "exit",       "macro",    "expands", "enclosing",
+    "encloses",     "partial",     "expansion", "if",       "after",      "for",      "on",      "activation",
+    "deactivation", "event",       "bool",      "int",      "duration",   "variable", "clock",   "location",
+    "invariant",    "with",        "urgent",    "timed",    "controller", "grain",    "time",    "unit",
+    "plant",        "environment", "initially", "property", "expected",   "violated", "at",      "stable",
+    "leads",        "to",          "no",        "deadlock", "timelock",   "all",      "steps",   "exactly",
+    "one",          "of",          "uppaal",    "ctl",      "ltl",        "observer", "schedule"};
+
+bool begins_name(char byte) { return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_'; }
+bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
+
+/// Where what begins at `at` ends, for which `goes_on` holds.
+template <class GoesOn>
+std::size_t end_of_run(std::string_view text, std::size_t at, GoesOn goes_on) {
+    while (at < text.size() && goes_on(text[at])) ++at;
+    return at;
+}
+
+Word word_at(std::string_view text, std::size_t at) {
+    const auto word = [&](Word::Kind kind, std::size_t end) {
+        return Word{kind, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(std::min(end, text.size()))};
+    };
+    const auto in_name = [](char byte) { return begins_name(byte) || is_digit(byte); };
+    if (begins_name(text[at])) return word(Word::Kind::Name, end_of_run(text, at, in_name));
+    if (is_digit(text[at])) {
+        std::size_t end = end_of_run(text, at, in_name);
+        if (end + 1 < text.size() && text[end] == '.' && is_digit(text[end + 1]))
+            end = end_of_run(text, end + 1, in_name);
+        return word(Word::Kind::Number, end);
+    }
+    const std::string_view two = text.substr(at, 2);
+    if (text[at] == '"') {
+        const std::size_t end = std::min(text.find_first_of("\"\n", at + 1), text.size());
+        return word(Word::Kind::String, end < text.size() && text[end] == '"' ? end + 1 : end);
+    }
+    if (two == "//") return word(Word::Kind::Comment, text.find('\n', at));
+    if (two == "/*") {
+        const std::size_t end = text.find("*/", at + 2);
+        return word(Word::Kind::Comment, end == std::string_view::npos ? end : end + 2);
+    }
+    for (const std::string_view sign : {":=", "->", "..", "==", "!=", "<=", ">=", "&&", "||"})
+        if (two == sign) return word(Word::Kind::Sign, at + 2);
+    return word(Word::Kind::Sign, at + 1);
+}
+
+bool begins_line(std::string_view text, std::size_t at) {
+    while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t')) --at;
+    return at == 0 || text[at - 1] == '\n' || text[at - 1] == '\r';
+}
+
+bool has(const std::vector<std::string>& words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+}  // namespace
+
+std::vector<Word> words_of(std::string_view text) {
+    std::vector<Word> words;
+    for (std::size_t at = 0; at < text.size();) {
+        if (static_cast<unsigned char>(text[at]) <= ' ') {
+            ++at;
+            continue;
+        }
+        words.push_back(word_at(text, at));
+        at = words.back().end;
+    }
+    return words;
+}
+
+bool is_reserved(std::string_view word) { return std::ranges::find(reserved, word) != reserved.end(); }
+
+bool is_keyword(std::string_view word) {
+    return is_reserved(word) || word == "rise" || word == "fall" || word == "accept" ||
+           std::ranges::find(contextual, word) != contextual.end();
+}
+
+bool is_name(std::string_view word, bool numbers) {
+    if (word.empty() || word.size() > 200 || is_reserved(word)) return false;
+    if (numbers && std::ranges::all_of(word, is_digit)) return true;
+    return begins_name(word[0]) &&
+           std::ranges::all_of(word, [](char byte) { return begins_name(byte) || is_digit(byte); });
+}
+
+/// A missing `;` or `}` costs the declaration at hand: a word that begins one, and a line, begins anew.
+Half half_at(std::string_view text, std::size_t cursor) {
+    Half half;
+    int brackets = 0;
+    for (const Word& word : words_of(text.substr(0, cursor))) {
+        const std::string_view seen = text.substr(word.begin, word.end - word.begin);
+        half.in_text = false;
+        if (word.kind == Word::Kind::Comment || word.kind == Word::Kind::String) {
+            const bool closed =
+                word.kind == Word::Kind::String ? seen.size() > 1 && seen.ends_with('"') : seen.ends_with("*/");
+            half.in_text = word.end == cursor && !closed;
+            if (word.kind == Word::Kind::String) half.words.emplace_back("\"");
+            continue;
+        }
+        const bool at_cursor = word.end == cursor && word.kind != Word::Kind::Sign;
+        if (at_cursor) break;
+        if (begins_line(text, word.begin)) {
+            if (seen == "grafcet" || seen == "component" || seen == "closed_loop" || seen == "include")
+                half.blocks.clear(), half.words.clear(), brackets = 0;
+            const bool in_chart = seen == "input" || seen == "output" || seen == "internal" || seen == "transition" ||
+                                  (seen == "step" && !half.words.empty() && !is_keyword(half.words.back()));
+            if (in_chart && brackets == 0) {
+                half.words.clear();
+                if (half.blocks.size() > 1 && has(half.blocks.back(), "step")) half.blocks.pop_back();
+            }
+        }
+        if (seen == "(") ++brackets;
+        if (seen == ")" && brackets > 0) --brackets;
+        if (seen == "{") {
+            half.blocks.push_back(std::move(half.words));
+            half.words.clear();
+            brackets = 0;
+        } else if (seen == "}") {
+            const bool set =
+                !half.blocks.empty() && (has(half.blocks.back(), "force") || has(half.blocks.back(), "of"));
+            half.words.clear();
+            if (set) half.words = half.blocks.back();
+            if (!half.blocks.empty()) half.blocks.pop_back();
+            brackets = 0;
+        } else if (seen == ";" && (brackets == 0 || !has(half.words, "component"))) {
+            half.words.clear();
+            brackets = 0;
+        } else {
+            half.words.emplace_back(seen);
+        }
+    }
+    return half;
+}
+
+}  // namespace grafverif::lsp

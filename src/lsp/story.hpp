@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Story: a run as places of the texts: the transition that is cleared, the instance that moves, in order, each with what
+// happens there and when.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grafverif/grafverif.hpp"
+#include "lsp/told.hpp"
+
+namespace grafverif::lsp {
+
+class Story {
+public:
+    Story(const Model& model, Id<ClosedLoop> loop, const Places& places)
+        : model_(model), loop_(loop), places_(places) {}
+    Story(const Model& model, Id<Chart> chart, const Places& places) : model_(model), chart_(chart), places_(places) {}
+
+    /// As many as people read: of a run of more rows the first and the last.
+    std::vector<Related> of(const ChartRun& run) const;
+
+private:
+    Span origin_of(const ChartRun& run, const ChartRun::Row& row) const;
+    const Chart* chart_named(const std::string& name) const;
+
+    const Model& model_;
+    Id<ClosedLoop> loop_ = {};
+    Id<Chart> chart_ = {};
+    const Places& places_;
+};
+
+}  // namespace grafverif::lsp

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+// Names and places: what an editor asks about a text, whole or half.
+#include "unit/lsp/client.hpp"
+
+namespace grafverif::lsp {
+namespace {
+
+// `@` in a text is where the cursor is; it is no part of it.
+struct Marked {
+    std::string text = {};
+    Json position = {};
+};
+Marked marked(std::string text) {
+    const std::size_t at = text.find('@');
+    text.erase(at, 1);
+    const Position position = Text(text).position(at);
+    return {text, {{"line", position.line}, {"character", position.character}}};
+}
+
+const std::string press =
+    "// Press: opens and shuts.\n"
+    "grafcet press {\n"
+    "    input START, DOWN;  // from the desk\n"
+    "    output MOVE;\n"
+    "    internal N: int 0..5;\n"
+    "    initial step 0;\n"
+    "    step 1 { MOVE; }\n"
+    "    transition t0: 0 -> 1 when START && !X1 do N := 1;\n"
+    "    transition t1: 1 -> 0 when DOWN;\n"
+    "}\n";
+const std::string loop =
+    "include \"press.grafcet\";\n"
+    "closed_loop station {\n"
+    "    controller press;\n"
+    "    plant Lamp = lamp(ON = MOVE);\n"
+    "    environment Start = push_button(OUT = START);\n"
+    "    environment Down = free(OUT = DOWN);\n"
+    "    property moved \"it moves\": X1 leads to MOVE || N == 1;\n"
+    "}\n";
+
+class Editor {
+public:
+    Editor() {
+        folder.write("press.grafcet", press);
+        folder.write("loop.grafcet", loop);
+        client.begin({{"textDocument", {{"completion", {{"completionItem", {{"snippetSupport", true}}}}}}}},
+                     folder.path());
+    }
+    void open(const std::string& name, const std::string& text) { client.open(folder.uri(name), text); }
+    /// Asks at the cursor in `text`, which `name` is made to hold.
+    Json at(const std::string& method, const std::string& name, const std::string& text, Json more = Json::object()) {
+        const Marked here = marked(text);
+        open(name, here.text);
+        more["textDocument"] = {{"uri", folder.uri(name)}};
+        more["position"] = here.position;
+        return client.result(method, more);
+    }
+    Json of(const std::string& method, const std::string& name) {
+        return client.result(method, {{"textDocument", {{"uri", folder.uri(name)}}}});
+    }
+    std::vector<std::string> labels(const std::string& name, const std::string& text) {
+        std::vector<std::string> found;
+        const Json all = at("textDocument/completion", name, text);
+        for (const Json& item : all["items"]) found.push_back(item["label"]);
+        return found;
+    }
+
+    Folder folder;
+    Client client;
+};
+
+std::string with(std::string text, const std::string& what, const std::string& replacement) {
+    return text.replace(text.find(what), what.size(), replacement);
+}
+
+bool holds(const std::vector<std::string>& labels, const char* label) {
+    return std::ranges::find(labels, label) != labels.end();
+}
+
+TEST(LspNames, LeadToTheirDeclarationAcrossIncludes) {
+    Editor editor;
+    const auto line = [&](const std::string& text) {
+        const Json found = editor.at("textDocument/definition", "loop.grafcet", text);
+        return found.is_null() ? std::string("none")
+                               : path_of_uri(found["uri"].get<std::string>()).substr(editor.folder.path().size() + 1) +
+                                     ":" + std::to_string(found["range"]["start"]["line"].get<int>());
+    };
+    EXPECT_EQ(line(with(loop, "controller press", "controller pr@ess")), "press.grafcet:1");
+    EXPECT_EQ(line(with(loop, "OUT = START", "OUT = ST@ART")), "press.grafcet:2");
+    EXPECT_EQ(line(with(loop, "X1 leads", "X@1 leads")), "press.grafcet:6");
+    EXPECT_EQ(line(with(loop, "N == 1", "N@ == 1")), "press.grafcet:4");
+    EXPECT_EQ(line(with(loop, "plant Lamp", "plant La@mp")), "loop.grafcet:3");
+    EXPECT_EQ(line(with(loop, "= lamp(", "= la@mp(")), "none");  // of the library
+}
+
+TEST(LspNames, AreFoundInHalfAText) {
+    Editor editor;
+    const std::string half = with(with(press, "when DOWN;", "when DO@WN && ("), "}\n", "}\n");
+    EXPECT_EQ(editor.at("textDocument/definition", "press.grafcet", half)["range"]["start"]["line"], 2);
+    const std::string unended = with(press, "step 1 { MOVE; }", "step 1");
+    EXPECT_EQ(editor.at("textDocument/definition", "press.grafcet",
+                        with(unended, "t0: 0 -> 1", "t0: 0 -> @1"))["range"]["start"]["line"],
+              6);
+    const Json symbols = editor.of("textDocument/documentSymbol", "press.grafcet");
+    ASSERT_EQ(symbols.size(), 1U);
+    EXPECT_EQ(symbols[0]["children"].size(), 8U);
+}
+
+TEST(LspNames, AreReferredToFromEveryFileThatIncludesThem) {
+    Editor editor;
+    const auto count = [&](const std::string& text, bool declaration) {
+        return editor
+            .at("textDocument/references", "press.grafcet", text, {{"context", {{"includeDeclaration", declaration}}}})
+            .size();
+    };
+    EXPECT_EQ(count(with(press, "input START", "input STA@RT"), true), 3U);
+    EXPECT_EQ(count(with(press, "input START", "input STA@RT"), false), 2U);
+    EXPECT_EQ(count(with(press, "step 1", "step @1"), true), 5U);
+    EXPECT_EQ(count(with(press, "grafcet press", "grafcet pr@ess"), true), 2U);
+    EXPECT_EQ(count(with(press, "// Press", "// Pre@ss"), true), 0U);
+}
+
+TEST(LspNames, AreRenamedEverywhereAtOnce) {
+    Editor editor;
+    const Json edit =
+        editor.at("textDocument/rename", "press.grafcet", with(press, "step 1", "step @1"), {{"newName", "7"}});
+    std::vector<std::string> texts;
+    for (const auto& [name, before] : {std::pair("press.grafcet", press), std::pair("loop.grafcet", loop)}) {
+        std::string text = before;
+        Json edits = edit["changes"][editor.folder.uri(name)];
+        for (auto each = edits.rbegin(); each != edits.rend(); ++each) {
+            const auto at = [&](const char* end) {
+                return Position{(*each)["range"][end]["line"], (*each)["range"][end]["character"]};
+            };
+            text = changed(Text(text), {Range{at("start"), at("end")}, (*each)["newText"]});
+        }
+        texts.push_back(text);
+    }
+    EXPECT_EQ(texts[0],
+              with(with(with(with(press, "step 1", "step 7"), "0 -> 1", "0 -> 7"), "!X1", "!X7"), "t1: 1", "t1: 7"));
+    EXPECT_EQ(texts[1], with(loop, "X1 leads", "X7 leads"));
+}
+
+TEST(LspNames, AreNotRenamedToWhatMeansSomethingElse) {
+    Editor editor;
+    const auto obstacle = [&](const std::string& text, const char* name) {
+        const Marked here = marked(text);
+        editor.open("press.grafcet", here.text);
+        const Json answer = editor.client.answer(
+            editor.client.ask("textDocument/rename", {{"textDocument", {{"uri", editor.folder.uri("press.grafcet")}}},
+                                                      {"position", here.position},
+                                                      {"newName", name}}));
+        return answer.contains("error") ? answer["error"]["message"].get<std::string>() : "none";
+    };
+    const std::string start = with(press, "input START", "input STA@RT");
+    EXPECT_EQ(obstacle(start, "GO"), "none");
+    EXPECT_EQ(obstacle(start, "DOWN"), "`DOWN` has a meaning where `START` stands; choose another name");
+    EXPECT_EQ(obstacle(start, "X1"), "`X1` has a meaning where `START` stands; choose another name");
+    EXPECT_EQ(obstacle(start, "when"), "`when` is no name here");
+    EXPECT_EQ(obstacle(start, "1"), "`1` is no name here");
+    EXPECT_NE(obstacle(start + "grafcet", "GO").find("has syntax errors"), std::string::npos);
+}
+
+TEST(LspNames, HaveTheirDeclarationCommentAndEquationShown) {
+    Editor editor;
+    const auto shown = [&](const std::string& name, const std::string& text) {
+        return editor.at("textDocument/hover", name, text)["contents"]["value"].get<std::string>();
+    };
+    EXPECT_EQ(shown("press.grafcet", with(press, "output MOVE", "output MO@VE")),
+              "```grafcet\noutput MOVE: bool\n```\n\n```text\nMOVE = X_1\n```\n");
+    EXPECT_NE(shown("press.grafcet", with(press, "when START", "when STA@RT")).find("from the desk"),
+              std::string::npos);
+    EXPECT_NE(shown("press.grafcet", with(press, "X1 do", "X@1 do")).find("X_1 = CF_t0 or (X_1 and not CF_t1)"),
+              std::string::npos)
+        << shown("press.grafcet", with(press, "X1 do", "X@1 do"));
+    EXPECT_NE(shown("press.grafcet", with(press, "N := 1", "@N := 1")).find("internal N: int 0..5"), std::string::npos);
+    EXPECT_NE(shown("loop.grafcet", with(loop, "= push_button", "= push@_button")).find("button"), std::string::npos);
+    EXPECT_NE(shown("loop.grafcet", with(loop, "(ON = MOVE", "(O@N = MOVE")).find("input"), std::string::npos);
+}
+
+TEST(LspCompletion, OffersWhatCanStandThere) {
+    Editor editor;
+    editor.open("press.grafcet", press);
+    const auto in_chart = [&](const std::string& line) {
+        return editor.labels("press.grafcet", with(press, "    transition t1: 1 -> 0 when DOWN;\n", line + "\n"));
+    };
+    const auto in_loop = [&](const std::string& line) {
+        return editor.labels("loop.grafcet", with(loop, "    environment Down = free(OUT = DOWN);\n", line + "\n"));
+    };
+    EXPECT_TRUE(holds(in_chart("    tra@"), "transition"));
+    EXPECT_EQ(in_chart("    transition t1: @"), (std::vector<std::string>{"0", "1"}));
+    EXPECT_EQ(in_chart("    transition t1: 1 -> 0 @"), (std::vector<std::string>{"when", "do"}));
+    for (const char* name : {"START", "DOWN", "MOVE", "N", "X0", "X1", "rise", "not"})
+        EXPECT_TRUE(holds(in_chart("    transition t1: 1 -> 0 when START && D@"), name)) << name;
+    EXPECT_FALSE(holds(in_chart("    transition t1: 1 -> 0 when D@"), "transition"));
+    EXPECT_EQ(in_chart("    step 2 { M@ }"), (std::vector<std::string>{"MOVE", "N", "force"}));
+    EXPECT_EQ(in_chart("    step 2 { N := 1 on @ }"),
+              (std::vector<std::string>{"activation", "deactivation", "event"}));
+    EXPECT_TRUE(holds(in_chart("    accept @"), "step-never-active"));
+    EXPECT_TRUE(in_chart("    // transition t1: @").empty());
+
+    EXPECT_EQ(in_loop("    controller @"), std::vector<std::string>{"press"});
+    EXPECT_TRUE(holds(in_loop("    plant A = cyl@"), "cylinder_5_3"));
+    EXPECT_EQ(in_loop("    plant A = cylinder_5_3(G_IN = MOVE, G_OUT = MOVE, X = H, X_min = 1, X_max = 2, @"),
+              (std::vector<std::string>{"D_X", "STEP", "X_start"}));
+    EXPECT_TRUE(holds(in_loop("    plant A = lamp(ON = @"), "MOVE"));
+    EXPECT_EQ(in_loop("    plant A = position_sensors_2() initially @"),
+              (std::vector<std::string>{"between", "in", "out"}));
+    EXPECT_TRUE(holds(in_loop("    property p: @"), "never"));
+    EXPECT_TRUE(holds(in_loop("    property p: never X1 && @"), "START"));
+    EXPECT_EQ(in_loop("    property p: never Start.@"), (std::vector<std::string>{"idle", "leads to", "at stable"}));
+}
+
+TEST(LspCompletion, SaysWhatParametersAreFor) {
+    Editor editor;
+    const Json items = editor.at("textDocument/completion", "loop.grafcet", with(loop, "(ON = MOVE)", "(@)"))["items"];
+    ASSERT_EQ(items.size(), 1U);
+    EXPECT_EQ(items[0]["label"], "ON");
+    EXPECT_EQ(items[0]["insertText"], "ON = $1");
+    EXPECT_FALSE(items[0]["documentation"]["value"].get<std::string>().empty());
+}
+
+TEST(LspOutline, ShowsFoldsAndColours) {
+    Editor editor;
+    editor.open("press.grafcet", press);
+    const Json folds = editor.of("textDocument/foldingRange", "press.grafcet");
+    ASSERT_EQ(folds.size(), 1U);
+    EXPECT_EQ(folds[0], (Json{{"startLine", 1}, {"endLine", 9}}));
+
+    const Json data = editor.of("textDocument/semanticTokens/full", "press.grafcet")["data"];
+    ASSERT_EQ(data.size() % 5, 0U);
+    std::vector<int> first(data.begin(), data.begin() + 20);
+    EXPECT_EQ(first, (std::vector<int>{0, 0, 26, 1, 0, 1, 0, 7, 0, 0, 0, 8, 5, 7, 1, 1, 4, 5, 0, 0}));
+
+    editor.open("press.grafcet", with(press, "    output MOVE;\n", "output   MOVE;\n"));
+    const Json edits = editor.of("textDocument/formatting", "press.grafcet");
+    ASSERT_EQ(edits.size(), 1U);
+    EXPECT_EQ(edits[0]["newText"], press);
+    editor.open("press.grafcet", press);
+    EXPECT_EQ(editor.of("textDocument/formatting", "press.grafcet"), Json::array());
+    editor.open("press.grafcet", press + "grafcet");
+    EXPECT_TRUE(editor.of("textDocument/formatting", "press.grafcet").is_null());
+}
+
+TEST(LspFeatures, LiveThroughEveryHalfOfAText) {
+    Editor editor;
+    const std::string uri = editor.folder.uri("loop.grafcet");
+    std::string all = press + loop.substr(loop.find('\n') + 1);
+    for (std::size_t length = 0; length < all.size(); length += 7) {
+        editor.client.open(uri, all.substr(0, length));
+        const Position end = Text(all.substr(0, length)).position(length);
+        const Json params = {{"textDocument", {{"uri", uri}}},
+                             {"position", {{"line", end.line}, {"character", end.character}}},
+                             {"context", Json::object()},
+                             {"newName", "Q"}};
+        for (const char* method :
+             {"completion", "hover", "definition", "references", "documentSymbol", "foldingRange",
+              "semanticTokens/full", "formatting", "documentHighlight", "prepareRename", "rename"}) {
+            const Json answer = editor.client.answer(editor.client.ask(std::string("textDocument/") + method, params));
+            EXPECT_TRUE(!answer.contains("error") || answer["error"]["code"] == -32803) << method << answer;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace grafverif::lsp
