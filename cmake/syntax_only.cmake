@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
-# GRAFVERIF_SYNTAX_ONLY (`./dev lint`): a second compiler reads every source alone, warnings being errors, and writes no
-# code; what is built of it are empty files, so that the next run looks at what has changed only.
+# GRAFVERIF_SYNTAX_ONLY (`./dev lint`): a second compiler reads every source alone, those of tests several at once,
+# warnings being errors, and writes no code; what is built of it are empty files, so that the next run looks at what has
+# changed only.
 set(CMAKE_CXX_COMPILE_OBJECT
     "<CMAKE_CXX_COMPILER> <DEFINES> <INCLUDES> <FLAGS> -fsyntax-only <SOURCE>" "\"${CMAKE_COMMAND}\" -E touch <OBJECT>")
 set(CMAKE_CXX_CREATE_STATIC_LIBRARY "\"${CMAKE_COMMAND}\" -E touch <TARGET>")
+set(CMAKE_CXX_CREATE_SHARED_MODULE "\"${CMAKE_COMMAND}\" -E touch <TARGET>")
 set(CMAKE_CXX_LINK_EXECUTABLE "\"${CMAKE_COMMAND}\" -E touch <TARGET>")
 set(CMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE PRE_TEST)
