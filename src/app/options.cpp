@@ -13,7 +13,7 @@
 #include <ostream>
 #include <utility>
 
-#include "app/settle_outputs.hpp"
+#include "app/settle.hpp"
 #include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::app {
@@ -379,23 +379,6 @@ std::string take_all(const std::vector<Option>& known, const po::variables_map& 
 }
 
 // -- what options say together -------------------------------------------------------------------------------------------
-
-/// Options that only plant automata have ask for them.
-std::string settle_untimed(Options& options) {
-    ScheduleOptions& untimed = options.untimed;
-    const bool discrete = untimed.time == TimeModel::Discrete;
-    const char* asked = untimed.schedule   ? "schedule"
-                        : discrete         ? "time discrete"
-                        : untimed.fairness ? "fairness"
-                                           : nullptr;
-    untimed.plant = options.plant.value_or(asked != nullptr ? PlantApproach::Automata : PlantApproach::None);
-    if (asked != nullptr && untimed.plant != PlantApproach::Automata)
-        return fmt::format("`--{}` needs `--plant automata`", asked);
-    if (discrete && untimed.schedule.value_or(Schedule::Interleaved) != Schedule::Interleaved)
-        return "`--time discrete` needs `--schedule interleaved`";
-    if (discrete) untimed.schedule = Schedule::Interleaved;
-    return {};
-}
 
 /// `modelled`: an option of untimed models was given.
 std::string settle_engine(bool modelled, const po::variables_map& values, Options& options) {

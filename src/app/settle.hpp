@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the options say of outputs together, and of limits.
+// What the options say of outputs together, of limits, and of untimed models.
 #pragma once
 
 #include <string>
@@ -13,5 +13,8 @@ std::string settle_outputs(const Verb& verb, const Options& options);
 
 /// Likewise of limits; a time that no clock counts becomes one that it does.
 std::string settle_limits(Options& options);
+
+/// Likewise of the untimed model.
+std::string settle_untimed(Options& options);
 
 }  // namespace grafverif::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/settle_outputs.hpp"
+#include "app/settle.hpp"
 
 #include <fmt/format.h>
 
@@ -46,6 +46,23 @@ std::string settle_limits(Options& options) {
     static_assert(2 * hundred_years < std::numeric_limits<std::int64_t>::max() / 1'000'000);
     for (std::optional<std::uint64_t>* time : {&options.timeout_ms, &options.patience_ms})
         if (*time) *time = std::min(**time, hundred_years);
+    return {};
+}
+
+/// Options that only plant automata have ask for them.
+std::string settle_untimed(Options& options) {
+    ScheduleOptions& untimed = options.untimed;
+    const bool discrete = untimed.time == TimeModel::Discrete;
+    const char* asked = untimed.schedule   ? "schedule"
+                        : discrete         ? "time discrete"
+                        : untimed.fairness ? "fairness"
+                                           : nullptr;
+    untimed.plant = options.plant.value_or(asked != nullptr ? PlantApproach::Automata : PlantApproach::None);
+    if (asked != nullptr && untimed.plant != PlantApproach::Automata)
+        return fmt::format("`--{}` needs `--plant automata`", asked);
+    if (discrete && untimed.schedule.value_or(Schedule::Interleaved) != Schedule::Interleaved)
+        return "`--time discrete` needs `--schedule interleaved`";
+    if (discrete) untimed.schedule = Schedule::Interleaved;
     return {};
 }
 
