@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "schedule/properties.hpp"
 
+#include <algorithm>
+
 #include "support/overloaded.hpp"
 
 namespace grafverif::schedule {
@@ -112,10 +114,14 @@ void add_property(const LoopMeaning& meaning, const Property& property) {
     system.properties.add(std::move(translated));
 }
 
-void add_never(TransitionSystem& system, std::string name, std::string text, const std::vector<Id<Expr>>& flags) {
+void add_never(TransitionSystem& system, const std::string& name, std::string text,
+               const std::vector<Id<Expr>>& flags) {
     if (flags.empty()) return;
     Property property;
-    property.name = std::move(name);
+    property.name = name;
+    const auto taken = [&](const Property& other) { return other.name == property.name; };
+    for (int number = 2; std::ranges::any_of(system.properties, taken); ++number)
+        property.name = name + "_" + std::to_string(number);
     property.text = std::move(text);
     property.pattern = Pattern::Never;
     property.operands = {system.exprs.disjunction(flags)};

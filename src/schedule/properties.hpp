@@ -44,6 +44,6 @@ Id<Expr> term_of(const LoopMeaning& meaning, Id<Expr> expr, std::string& reason)
 void add_property(const LoopMeaning& meaning, const Property& property);
 
 /// `name`: never one of `flags`; nothing where there are none.
-void add_never(TransitionSystem& system, std::string name, std::string text, const std::vector<Id<Expr>>& flags);
+void add_never(TransitionSystem& system, const std::string& name, std::string text, const std::vector<Id<Expr>>& flags);
 
 }  // namespace grafverif::schedule

@@ -223,7 +223,7 @@ bool ByCells::needs_whole() {
     for (Verdict& verdict : result_.verdicts) {
         if (verdict.outcome != Outcome::Unknown) continue;
         const bool named = std::ranges::find(options_.properties, verdict.property) != options_.properties.end();
-        verdict.declared = verdict.declared && (options_.properties.empty() || named);
+        verdict.declared = named || (verdict.declared && options_.properties.empty());
         needed = needed || verdict.declared;
         if (!verdict.declared)
             verdict.reason =

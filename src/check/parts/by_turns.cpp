@@ -192,8 +192,10 @@ void ByTurns::search_whole() {
     result_.fault = whole.fault;
     for (std::size_t i = 0; i < whole.verdicts.size(); ++i) {
         Verdict& verdict = whole.verdicts[i];
-        const std::string& why = whole_.at(verdict.about.index);
-        if (!why.empty()) verdict.notes.push_back("the whole loop was searched: " + why);
+        const auto asked = whole_.find(verdict.about.index);
+        if (asked == whole_.end()) continue;
+        if (const std::string& why = asked->second; !why.empty())
+            verdict.notes.push_back("the whole loop was searched: " + why);
         given_[verdict.about.index] = {verdict, std::move(whole.runs[i])};
     }
 }

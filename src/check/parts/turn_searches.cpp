@@ -131,15 +131,21 @@ symbolic::Turns& TurnSearches::turns(Searched& search) {
 void TurnSearches::know(Searched& search, Claim claim, bool at_stable) {
     Neighbour& as = search.as;
     if (!as.searched || (claim == Claim::Everywhere && !at_stable)) return;
-    if (timed() && !std::exchange(search.knows_time, true)) {
+    // What a search that ran out of memory left open is asked again.
+    if (timed() && !search.knows_time) {
         as.never_locks = turns(search).never_locks();
         as.diverges = as.never_locks || turns(search).diverges();
+        search.knows_time = true;
     }
-    if (claim == Claim::Unavoidable && !std::exchange(search.knows_rest, true)) as.rests = turns(search).rests();
-    if (!at_stable || !search.system.settled.valid() || std::exchange(search.knows_settled, true)) return;
+    if (claim == Claim::Unavoidable && !search.knows_rest) {
+        as.rests = turns(search).rests();
+        search.knows_rest = true;
+    }
+    if (!at_stable || !search.system.settled.valid() || search.knows_settled) return;
     const Bdd settled = search.check->meaning(search.system, search.system.settled);
     as.settles =
         timed() ? (turns(search).ready() & ~settled).is_false() : !(turns(search).reached() & settled).is_false();
+    search.knows_settled = true;
 }
 
 const Neighbour& TurnSearches::neighbour(std::uint32_t part, const Verdict& verdict, bool at_stable) {

@@ -266,6 +266,7 @@ private:
             if (!options_.reach) shorten(question, answer, Clock::now() - start);
             return reached(question, answer);
         }
+        if (!question.wants() && property.at_stable) is_settled();  // where that is interrupted the question stays open
         close(question, question.wants() ? Outcome::Violated : Outcome::Holds);
         question.verdict.notes.push_back("an inductive invariant of " + std::to_string(answer.invariant.size()) +
                                          (answer.invariant.size() == 1 ? " clause" : " clauses") +
@@ -378,9 +379,14 @@ private:
                (steps == 1 ? " step" : " steps") + (question.wants() ? " gets there" : " violates it");
     }
 
-    void mark_vacuous(Verdict& verdict) {
+    /// Whether some state is settled.
+    bool is_settled() {
         if (!settled_) settled_ = searched(circuit_.settled, "settled").reached;
-        if (*settled_) return;
+        return *settled_;
+    }
+
+    void mark_vacuous(Verdict& verdict) {
+        if (is_settled()) return;
         verdict.vacuous = true;
         verdict.notes.emplace_back("no state is ever settled");
     }

@@ -21,6 +21,8 @@ Watch::Watch(const Bounds& bounds) : bounds_(bounds), share_(bounds.deadline), b
 
 void Watch::share(std::size_t parts) {
     met_.reset();
+    calls_ = 0;
+    share_ = bounds_.deadline;  // a limit of what was done before is over
     if (!bounds_.deadline || parts == 0) return;
     const auto now = std::chrono::steady_clock::now();
     if (now < *bounds_.deadline) share_ = now + (*bounds_.deadline - now) / static_cast<std::int64_t>(parts);

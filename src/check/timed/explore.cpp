@@ -223,6 +223,7 @@ private:
 
     /// A new state, with its parent: all of it, or nothing where memory ends.
     std::uint32_t discover(Word root, std::uint32_t parent) {
+        if (graph_.states() >= Store::most) throw std::bad_alloc();  // one state may lead to many at once
         graph_.parent.make_room(1);
         graph_.kinds.make_room(1);
         const std::uint32_t state = graph_.store.roots().append(root);

@@ -34,7 +34,7 @@ TEST(Program, RefusesWrongUsageWithExitCodeTwo) {
              {{"nusmv", station, "--plant", "none", "--fairness"}, "`--fairness` needs `--plant automata`"},
              {{"nusmv", station, "--time", "discrete", "--schedule", "sequenced"},
               "`--time discrete` needs `--schedule interleaved`"},
-             {{"build", station, "--frob"}, "unrecognised option '--frob'"},
+             {{"build", station, "--frob"}, "there is no option `--frob`"},
              {{"uppaal", station, "-o"}, "the required argument for option '--output' is missing"},
          }) {
         SCOPED_TRACE(c.complaint);

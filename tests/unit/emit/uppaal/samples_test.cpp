@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "app/job.hpp"
@@ -17,10 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Not one that is for others to include.
+bool has_loop(const fs::path& file) {
+    std::ifstream in(file);
+    return std::string(std::istreambuf_iterator<char>(in), {}).find("closed_loop") != std::string::npos;
+}
+
 std::vector<std::string> samples() {
     std::vector<std::string> found;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(GRAFVERIF_SOURCE_DIR "/samples"))
-        if (entry.path().extension() == ".grafcet") found.push_back(entry.path().string());
+        if (entry.path().extension() == ".grafcet" && has_loop(entry.path())) found.push_back(entry.path().string());
     std::ranges::sort(found);
     return found;
 }
