@@ -49,6 +49,7 @@ function(expect_made)
     endif()
 endfunction()
 function(replace file what with)
+    execute_process(COMMAND "${CMAKE_COMMAND}" -E sleep 0.1)  # a file is newer by the clock of its file system
     file(READ "${file}" text)
     string(REPLACE "${what}" "${with}" new "${text}")
     if(new STREQUAL text)
