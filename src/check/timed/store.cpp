@@ -49,7 +49,10 @@ void Store::take(const Word* words, Unfolded& now) const {
     }
 }
 
-Word Store::fold(const Word* words, const Unfolded& before, Unfolded& now) {
+/// Numbers the inner nodes by `number(node, pair)`, children first; one whose children are those of `before` keeps its
+/// number. Nothing where a pair has none.
+template <class Number>
+std::optional<Word> Store::numbered(const Word* words, const Unfolded& before, Unfolded& now, Number number) const {
     take(words, now);
     std::uint32_t* const numbers = now.numbers.data();
     const std::uint32_t* const same = before.numbers.data();
@@ -57,23 +60,18 @@ Word Store::fold(const Word* words, const Unfolded& before, Unfolded& now) {
         const auto [low, high] = nodes_[i];
         const bool known = !before.numbers.empty() && numbers[low] == same[low] && numbers[high] == same[high];
         const std::size_t at = 2 * stored_ + i;
-        numbers[at] = known ? same[at] : tables_[i].intern(Pairs::pair(numbers[low], numbers[high])).number;
+        numbers[at] = known ? same[at] : number(i, Pairs::pair(numbers[low], numbers[high]));
+        if (numbers[at] == none) return {};
     }
     return Pairs::pair(numbers[nodes_.back().low], numbers[nodes_.back().high]);
 }
 
+Word Store::fold(const Word* words, const Unfolded& before, Unfolded& now) {
+    return *numbered(words, before, now, [this](std::size_t i, Word pair) { return tables_[i].intern(pair).number; });
+}
+
 std::optional<Word> Store::root_of(const Word* words, const Unfolded& before, Unfolded& now) const {
-    take(words, now);
-    std::uint32_t* const numbers = now.numbers.data();
-    const std::uint32_t* const same = before.numbers.data();
-    for (std::size_t i = 0; i < tables_.size(); ++i) {
-        const auto [low, high] = nodes_[i];
-        const bool known = !before.numbers.empty() && numbers[low] == same[low] && numbers[high] == same[high];
-        const std::size_t at = 2 * stored_ + i;
-        numbers[at] = known ? same[at] : tables_[i].find(Pairs::pair(numbers[low], numbers[high]));
-        if (numbers[at] == none) return {};
-    }
-    return Pairs::pair(numbers[nodes_.back().low], numbers[nodes_.back().high]);
+    return numbered(words, before, now, [this](std::size_t i, Word pair) { return tables_[i].find(pair); });
 }
 
 void Store::unfold(std::size_t node, Word pair, std::uint32_t* numbers) const {

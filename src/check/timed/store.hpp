@@ -61,6 +61,8 @@ private:
     std::uint32_t grow(const std::vector<std::size_t>& seams, std::uint32_t first, std::uint32_t end);
     void unfold(std::size_t node, Word pair, std::uint32_t* numbers) const;
     void take(const Word* words, Unfolded& now) const;
+    template <class Number>
+    std::optional<Word> numbered(const Word* words, const Unfolded& before, Unfolded& now, Number number) const;
 
     std::uint32_t words_, stored_, halves_;
     std::vector<Node> nodes_ = {};    // children first, the root last
