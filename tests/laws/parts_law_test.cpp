@@ -16,19 +16,13 @@
 #include "support/law_size.hpp"
 #include "support/random_parts.hpp"
 #include "support/read_loop.hpp"
+#include "support/tell_counts.hpp"
 #include "unit/check/networks.hpp"
 
 namespace grafverif {
 namespace {
 
 constexpr std::uint64_t whole_limit = 20'000;
-
-void tell(const std::map<std::string, int>& counts) {
-    for (const auto& [what, count] : counts) {
-        testing::Test::RecordProperty(what, count);
-        if (std::getenv("GRAFVERIF_LAWS_TELL") != nullptr) printf("%7d %s\n", count, what.c_str());
-    }
-}
 
 /// Whether some part of the network can never fire an edge again from `state` on, whatever time does.
 bool some_part_is_dead(const Network& network, NetworkState state) {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <iostream>
 #include <iterator>
 #include <map>
 
@@ -21,6 +20,7 @@
 #include "support/random_parts.hpp"
 #include "support/read_loop.hpp"
 #include "support/run_transition_system.hpp"
+#include "support/tell_counts.hpp"
 #include "support/untimed_loop.hpp"
 
 namespace grafverif {
@@ -161,13 +161,6 @@ SymbolicResult compare(const System& system, Counts& seen) {
         EXPECT_EQ(apart.runs[i].has_value(), whole.runs[i].has_value());
     }
     return apart;
-}
-
-void tell(const Counts& counts) {
-    for (const auto& [what, count] : counts) {
-        testing::Test::RecordProperty(what, count);
-        if (std::getenv("GRAFVERIF_LAWS_TELL") != nullptr) std::cout << count << " " << what << "\n";
-    }
 }
 
 TEST(TurnsLaw, PartsJudgedApartGiveTheVerdictsOfTheWholeAndRunsOfIt) {

@@ -114,7 +114,7 @@ void ByCells::ask() {
         questions_.emplace_back();
         if (verdict.obstacle != Obstacle::Bound || !verdict.about.valid()) continue;
         Property property = network_.properties[verdict.about];
-        if (property.pattern == Pattern::ReachableAllSteps || !about_single_states(property)) continue;
+        if (!about_single_states(property)) continue;
         if (property.at_stable && !ever_settled_) continue;
         const Cells read = cells_read(network_, cells_, property);
         if (about_race(property)) race_ = k;

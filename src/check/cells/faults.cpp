@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ir/interval.hpp"
+#include "ir/junction.hpp"
 #include "ir/slots.hpp"
 
 namespace grafverif {
@@ -60,7 +61,7 @@ public:
             guarded = guarded && !now.contains(network_.exprs[assignments[before].target].value);
         std::vector<Id<Expr>> guards;
         if (guarded)
-            for (const Id<Expr> conjunct : conjuncts(edge.guard))
+            for (const Id<Expr> conjunct : operands_of(network_.exprs, edge.guard, Op::And))
                 if (reads_some(conjunct, now)) guards.push_back(conjunct);
         for (const Id<Expr> guard : guards) read(guard);
         if (combinations > most_tried) return false;
@@ -82,11 +83,6 @@ private:
         return interval(network_.exprs, term,
                         [this](const Expr& leaf) { return network_.variables[variable_of(leaf)].type; });
     }
-    std::vector<Id<Expr>> conjuncts(Id<Expr> term) const {
-        if (network_.exprs[term].op != Op::And) return {term};
-        const auto operands = network_.exprs.operands(term);
-        return {operands.begin(), operands.end()};
-    }
     bool reads_some(Id<Expr> term, const std::map<std::int64_t, std::int64_t>& of) const {
         return std::ranges::any_of(leaves(network_.exprs, term),
                                    [&](Id<Expr> leaf) { return of.contains(network_.exprs[leaf].value); });
@@ -103,13 +99,6 @@ private:
     const Network& network_;
     std::set<Id<Expr>> known_ = {};  // to have a value, or asked already
 };
-
-/// The operands of a disjunction; of another term itself.
-std::vector<Id<Expr>> disjuncts(const Exprs& exprs, Id<Expr> term) {
-    if (exprs[term].op != Op::Or) return {term};
-    const auto operands = exprs.operands(term);
-    return {operands.begin(), operands.end()};
-}
 
 }  // namespace
 
@@ -139,7 +128,7 @@ std::set<std::uint32_t> cells_that_may_err(const Network& network, const Network
             for (std::size_t k = 0; k < assignments.size(); ++k) {
                 const Id<Expr> target = assignments[k].target;
                 if (network.race.valid() && network.exprs[target].value == network.race.index) {
-                    for (const Id<Expr> reason : disjuncts(network.exprs, assignments[k].value))
+                    for (const Id<Expr> reason : operands_of(network.exprs, assignments[k].value, Op::Or))
                         if (reason != target) {
                             // as long as one cell that it reads is there, the local network has the reason
                             std::uint32_t cell = NetworkCells::none;

@@ -5,18 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "ir/junction.hpp"
+
 namespace grafverif {
-
-namespace {
-
-/// The operands of a disjunction; of another term itself.
-std::vector<Id<Expr>> disjuncts(const Exprs& exprs, Id<Expr> term) {
-    if (exprs[term].op != Op::Or) return {term};
-    const auto operands = exprs.operands(term);
-    return {operands.begin(), operands.end()};
-}
-
-}  // namespace
 
 bool TurnSearches::asked(const Property& property) const {
     const std::vector<std::string>& names = options_.properties;
@@ -70,13 +61,13 @@ bool TurnSearches::about_each(const Property& property) const {
         return timed() && flat_.justice.empty() &&
                (operand == system_.parts.can_move || operand == system_.parts.can_wait);
     return property.pattern == Pattern::Never && reads({operand}).size() > 1 &&
-           std::ranges::all_of(disjuncts(system_.exprs, operand),
+           std::ranges::all_of(operands_of(system_.exprs, operand, Op::Or),
                                [&](Id<Expr> each) { return set_by_several(each) || reads({each}).size() == 1; });
 }
 
 /// The disjuncts of what speaks of every part alike that speak of this one.
 std::vector<Id<Expr>> TurnSearches::share(const Property& property, std::uint32_t part) const {
-    std::vector<Id<Expr>> found = disjuncts(system_.exprs, property.operands.front());
+    std::vector<Id<Expr>> found = operands_of(system_.exprs, property.operands.front(), Op::Or);
     std::erase_if(found, [&](Id<Expr> each) { return !set_by_several(each) && reads({each}) != PartList{part}; });
     return found;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ir/interval.hpp"
+#include "ir/junction.hpp"
 #include "ir/literal.hpp"
 #include "ir/network_cells.hpp"
 #include "ir/slots.hpp"
@@ -22,13 +23,6 @@ constexpr std::int64_t most_copies = 1024;  // of one edge
 
 /// What a term reads.
 enum : std::uint8_t { Kept = 1, Free = 2 };
-
-/// The operands of a junction `op`; of another term itself.
-std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term, Op op) {
-    if (exprs[term].op != op) return {term};
-    const auto operands = exprs.operands(term);
-    return {operands.begin(), operands.end()};
-}
 
 class LocalBuilder {
 public:

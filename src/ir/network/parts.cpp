@@ -3,6 +3,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ir/junction.hpp"
 #include "ir/network_parts.hpp"
 #include "ir/network_terms.hpp"
 #include "ir/slots.hpp"
@@ -36,17 +37,10 @@ bool does_nothing(const Network::Template& automaton) {
            });
 }
 
-/// The operands of a conjunction; of another term itself.
-std::vector<Id<Expr>> conjuncts(const Exprs& exprs, Id<Expr> term) {
-    if (exprs[term].op != Op::And) return {term};
-    const auto operands = exprs.operands(term);
-    return {operands.begin(), operands.end()};
-}
-
 std::vector<std::vector<Id<Expr>>> settled_by_parts(const Network& network, const NetworkParts& parts) {
     if (!network.settled.valid()) return {};
     std::vector<std::vector<Id<Expr>>> settled(parts.count);
-    for (const Id<Expr> conjunct : conjuncts(network.exprs, network.settled)) {
+    for (const Id<Expr> conjunct : operands_of(network.exprs, network.settled, Op::And)) {
         const std::vector<std::uint32_t> read = parts_read(network, parts, {conjunct});
         if (read.size() > 1) return {};
         for (std::uint32_t part = 0; part < parts.count; ++part)

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What a conjunction or disjunction joins.
+#pragma once
+
+#include <vector>
+
+#include "grafverif/ir/expr.hpp"
+
+namespace grafverif {
+
+/// The operands of a junction `op`; of another term itself.
+inline std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term, Op op) {
+    if (exprs[term].op != op) return {term};
+    const auto operands = exprs.operands(term);
+    return {operands.begin(), operands.end()};
+}
+
+}  // namespace grafverif

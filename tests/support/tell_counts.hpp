@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What a law came across: kept with the test's result, and printed where GRAFVERIF_LAWS_TELL is set.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+namespace grafverif {
+
+inline void tell(const std::map<std::string, int>& counts) {
+    for (const auto& [what, count] : counts) {
+        testing::Test::RecordProperty(what, count);
+        if (std::getenv("GRAFVERIF_LAWS_TELL") != nullptr) std::printf("%7d %s\n", count, what.c_str());
+    }
+}
+
+}  // namespace grafverif
