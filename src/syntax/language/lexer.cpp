@@ -82,6 +82,12 @@ Token Lexer::next() {
         Token scanned = scanner_.next(*this);
         token.move(scanned);
     }
+    if (token.kind() == Symbols::S_YYEOF && !blocks_.empty() && !cut_off_) {
+        cut_off_ = true;
+        token.clear();
+        Token cut(Parser::token::CUT_OFF, Span{here_.source, here_.end, here_.end});
+        token.move(cut);
+    }
     if (nests_too_deep(token.kind())) {
         Token error = broken(messages::too_deep(token.location, deepest_expression));
         token.clear();

@@ -4,7 +4,8 @@
 // Comments and blank lines are put aside in the file. After an error the lexer skips to where the next declaration
 // begins and says RESUME there: past a `;`, before the `}` that ends the block at hand, or at a word that begins a
 // declaration and a line. A declaration of a file (`grafcet`, ...) at the start of a line ends every open block, a
-// declaration of a chart ends the actions of a step: a missing `}` costs one error.
+// declaration of a chart ends the actions of a step: a missing `}` costs one error. A text that ends in a
+// block says CUT_OFF first, for a parser of Bison gives up where it cannot throw away what it stumbled over.
 #pragma once
 
 #include <cstddef>
@@ -88,6 +89,7 @@ private:
 
     std::deque<Token> pending_ = {};  ///< to be handed out before anything new
     bool recovering_ = false;
+    bool cut_off_ = false;                        ///< the text has ended within a block, and the parser has been told
     Span reported_ = {};                          ///< the token last reported: not a second time
     std::uint32_t handed_back_ = 0;               ///< end of the last token handed out a second time: there is no third
     Kind last_ = Parser::symbol_kind::S_YYEMPTY;  ///< the token last handed out

@@ -85,6 +85,7 @@ bool Lexer::begins_line(Span where) const {
 
 void Lexer::report_unexpected(Kind seen, Span where, std::span<const Kind> expected) {
     recovering_ = true;
+    if (seen == Symbols::S_CUT_OFF) seen = Symbols::S_YYEOF;
     const bool again = reported_.source.valid() && reported_.begin == where.begin && reported_.end == where.end;
     reported_ = where;
     if (again) return;
@@ -126,7 +127,7 @@ void Lexer::resynchronise() {
         pending_.emplace_back(Parser::token::RESUME, here_);
         close_blocks(closing);
     };
-    Kind kind = last_;
+    Kind kind = last_ == Symbols::S_CUT_OFF ? Symbols::S_YYEOF : last_;
     Token token;
     bool first = true;
     const auto step = [&] {
@@ -136,7 +137,7 @@ void Lexer::resynchronise() {
         kind = token.kind();
         first = false;
     };
-    const bool stuck = last_where_.end == handed_back_ && last_ != Symbols::S_YYEOF;  // it was of no use there either
+    const bool stuck = last_where_.end == handed_back_ && kind != Symbols::S_YYEOF;  // it was of no use there either
     const auto hand_back = [&] {
         handed_back_ = first ? last_where_.end : token.location.end;
         if (!first) pending_.push_back(token);

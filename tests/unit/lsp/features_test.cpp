@@ -211,6 +211,21 @@ TEST(LspCompletion, OffersWhatCanStandThere) {
     EXPECT_EQ(in_loop("    property p: never Start.@"), (std::vector<std::string>{"idle", "leads to", "at stable"}));
 }
 
+TEST(LspCompletion, KnowsWhatAChartDeclaresBeforeItsBracesAreClosed) {
+    Editor editor;
+    const std::string begin = press.substr(0, press.find("    transition"));
+    const std::string end = press.substr(press.find("    transition"));
+    for (const char* rest : {"", "}\n", "\n    step 3;\n}\n"})
+        EXPECT_EQ(editor.labels("press.grafcet", begin + "    step 2 { M@\n" + rest),
+                  (std::vector<std::string>{"MOVE", "N", "force"}))
+            << rest;
+    EXPECT_EQ(editor.labels("press.grafcet", begin + "    step 2 { M@\n" + end),
+              (std::vector<std::string>{"MOVE", "N", "force"}));
+    EXPECT_EQ(editor.labels("press.grafcet", begin + "    transition t0: 0 -> @"),
+              (std::vector<std::string>{"0", "1"}));
+    EXPECT_TRUE(holds(editor.labels("loop.grafcet", with(loop, "}\n", "    property p: never Start.@")), "idle"));
+}
+
 TEST(LspCompletion, SaysWhatParametersAreFor) {
     Editor editor;
     const Json items = editor.at("textDocument/completion", "loop.grafcet", with(loop, "(ON = MOVE)", "(@)"))["items"];
