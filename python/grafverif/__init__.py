@@ -126,6 +126,7 @@ class Verdict:
         self.text: str | None = document["text"]  #: the sentence of the property
         self.verdict: str = document["verdict"]  #: `holds`, `violated` or `unknown`
         self.expected: str = document["expected"]
+        self.declared: bool = document["declared"]
         self.reason: str | None = document["reason"]  #: of an unknown one
         self.vacuous: bool = document["vacuous"]
         self.notes: list[str] = document["notes"]

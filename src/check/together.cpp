@@ -11,6 +11,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "check/parts/by_turns.hpp"
+
 namespace grafverif {
 
 namespace {
@@ -79,7 +81,8 @@ private:
             const Lock lock(mutex_);
             told_.symbolic = now;
         };
-        SymbolicResult found = check_symbolic(system_, options);
+        SymbolicResult found =
+            options_.whole ? check_symbolic(system_, options) : check_symbolic_by_parts(system_, options);
         const Lock lock(mutex_);
         for (std::size_t i = 0; i < found.verdicts.size(); ++i) {
             if (is_decided(found.verdicts[i])) found.verdicts[i].notes.emplace_back("decided by symbolic");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Engines beside each other: the symbolic engine in one thread, PDR and BMC in turns in another, on one system. The first
+// Engines beside each other: the symbolic engine in one thread (by sub-loops, as it is alone), PDR and BMC in turns in another, on one system. The first
 // of them that decides a property has decided it, and a note says which; where all is decided the others end. What they
 // find is checked as it is when each works alone, so verdicts do not depend on who was first; which run shows one may.
 //
@@ -25,6 +25,7 @@ struct TogetherOptions {
     const std::atomic<bool>* stop = nullptr;                     ///< set by somebody else: end with what is known
     std::function<void(const TogetherProgress&)> progress = {};  ///< called now and then, by the caller's thread
     bool witnesses = true;                                       ///< a run for each `reachable` that holds
+    bool whole = false;                                          ///< the symbolic engine takes nothing apart
 };
 
 /// Requires verify(system).empty(). What the system refuses to a thread is thrown here.

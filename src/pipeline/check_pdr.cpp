@@ -55,6 +55,7 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
 Report check_together(const SystemToCheck& check, const CheckOptions& options) {
     TogetherOptions all;
     all.witnesses = options.witnesses;
+    all.whole = options.whole;
     all.properties = names_asked(check.system, options.properties);
     set_limits(all, options.limits);
     if (options.limits.progress)

@@ -25,12 +25,14 @@ std::string some_of(const std::vector<std::string>& names) {
 
 /// What a verdict on sub-loops leaves out, and why it may.
 std::string scope_words(const Scope& scope) {
-    if (scope.searched.empty()) return {};
+    if (scope.searched.empty() && scope.left_out.empty()) return {};
     const bool one = scope.searched.size() == 1;
-    const std::string what =
-        fmt::format("{}{} {}", scope.cells ? "cell" : "sub-loop", one ? "" : "s", some_of(scope.searched));
+    const std::string what = scope.searched.empty() ? "no search"
+                                                    : fmt::format("{}{} {}", scope.cells ? "cell" : "sub-loop",
+                                                                  one ? "" : "s", some_of(scope.searched));
     if (scope.left_out.empty()) return what + ", each by itself";
-    const std::string rest = fmt::format("{} alone; left out: {}", what, some_of(scope.left_out));
+    const std::string rest =
+        fmt::format("{}; left out: {}", scope.searched.empty() ? what : what + " alone", some_of(scope.left_out));
     if (scope.because.empty()) return rest;
     return fmt::format("{}, {} {}", rest, scope.left_out.size() == 1 ? "which" : "each of which", scope.because);
 }

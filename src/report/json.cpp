@@ -38,6 +38,7 @@ Json property(const Report& report, const Answer& answer, const Sources& sources
     add_place(made, file_place(sources, verdict.origin));
     const Json found = {{"verdict", word(verdict.outcome)},
                         {"expected", verdict.expected_violated ? "violated" : "holds"},
+                        {"declared", verdict.declared},
                         {"engine", text_or_null(report.basis.engine)},
                         {"mode", text_or_null(report.basis.mode)},
                         {"grain", text_or_null(report.basis.grain)},
@@ -50,7 +51,7 @@ Json property(const Report& report, const Answer& answer, const Sources& sources
                         {"trace", answer.trace ? trace_json(*answer.trace) : Json(nullptr)}};
     made.update(found);
     const Scope& scope = verdict.scope;
-    if (!scope.searched.empty())
+    if (!scope.searched.empty() || !scope.left_out.empty())
         made[scope.cells ? "cells" : "sub_loops"] = {
             {"searched", scope.searched}, {"left_out", scope.left_out}, {"because", text_or_null(scope.because)}};
     return made;
@@ -115,6 +116,7 @@ void print_json_lines(const Report& report, const Written& written, std::ostream
                             {"text", text_or_null(answer.text)},
                             {"verdict", word(verdict.outcome)},
                             {"expected", verdict.expected_violated ? "violated" : "holds"},
+                            {"declared", verdict.declared},
                             {"as_expected", as_expected(verdict)},
                             {"engine", text_or_null(report.basis.engine)},
                             {"mode", text_or_null(report.basis.mode)},

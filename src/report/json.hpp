@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A report as JSON: `{"model","properties":[{"name","text","file","line","column","verdict","expected","engine","mode","grain","states",
-// "transitions","seconds","reason","vacuous","notes","trace"}]}`, and `"errors":[{"code","message","trace"}]` where the
+// A report as JSON: `{"model","properties":[{"name","text","file","line","column","verdict","expected","declared","engine","mode","grain",
+// "states","transitions","seconds","reason","vacuous","notes","trace"}]}`, and `"errors":[{"code","message","trace"}]` where the
 // model breaks off, and `"profile"` (report/profile.hpp) where there is one. A trace is `{"loop_from","steps":[{"time","kind","component","inputs","fired","situation",
 // "outputs","moment"}],"run"}`; time is in milliseconds, inputs and outputs are objects by name, all of them in every
 // step; `run` is all that there is to know of the run (docs/trace.md). What there is not is null.
 //
 // As JSON lines: an object per verdict and line, `{"file","line","column","model","property","text","verdict","expected",
-// "as_expected","engine","mode","grain","states","seconds","reason","vacuous","notes","story"}`: of a verdict against
+// "declared","as_expected","engine","mode","grain","states","seconds","reason","vacuous","notes","story"}`: of a verdict against
 // expectation `story` is the table of its trace, line by line. Where the model breaks off and of an error in the input
 // `verdict` is `error`, with `code` and `message`.
 #pragma once

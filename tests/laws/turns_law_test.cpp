@@ -11,6 +11,7 @@
 #include "check/parts/carry.hpp"
 #include "check/parts/turn_searches.hpp"
 #include "check/symbolic/turns.hpp"
+#include "check/together.hpp"
 #include "ir/system_parts.hpp"
 #include "pipeline/check.hpp"
 #include "run/project.hpp"
@@ -139,9 +140,7 @@ std::string claim(const Property& property, const Verdict& verdict) {
            std::string(word(verdict.outcome)) + (verdict.scope.searched.empty() ? ", whole" : ", apart");
 }
 
-SymbolicResult compare(const System& system, Counts& seen) {
-    const SymbolicResult whole = check_symbolic(system);
-    SymbolicResult apart = check_symbolic_by_parts(system);
+void compare(const SymbolicResult& apart, const SymbolicResult& whole, const System& system, Counts& seen) {
     EXPECT_EQ(apart.fault.has_value(), whole.fault.has_value());
     EXPECT_EQ(apart.verdicts.size(), whole.verdicts.size());
     for (std::size_t i = 0; i < std::min(apart.verdicts.size(), whole.verdicts.size()); ++i) {
@@ -160,6 +159,11 @@ SymbolicResult compare(const System& system, Counts& seen) {
         EXPECT_EQ(here.vacuous, there.vacuous);
         EXPECT_EQ(apart.runs[i].has_value(), whole.runs[i].has_value());
     }
+}
+
+SymbolicResult compare(const System& system, Counts& seen) {
+    SymbolicResult apart = check_symbolic_by_parts(system);
+    compare(apart, check_symbolic(system), system, seen);
     return apart;
 }
 
@@ -196,6 +200,23 @@ TEST(TurnsLaw, RunsOfClosedLoopsJudgedByPartsReplayOnAllTheirCharts) {
             }
         }
     EXPECT_GT(seen["runs"], law_size(4));
+    tell(seen);
+}
+
+TEST(TurnsLaw, EnginesBesideEachOtherGiveTheVerdictsOfTheWholeAndRunsOfIt) {
+    Counts seen;
+    const auto cases = static_cast<std::uint64_t>(law_size(10));
+    for (std::uint64_t seed = 1; seed <= cases && !HasFailure(); ++seed)
+        for (const TimeModel time : {TimeModel::Abstract, TimeModel::Discrete}) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + (time == TimeModel::Discrete ? ", discrete" : ""));
+            Random random(seed);
+            const System system = random_system(random, static_cast<int>(random_number(random, 2, 3)), time);
+            const SymbolicResult whole = check_symbolic(system);
+            const PdrResult together = check_together(system);
+            EXPECT_EQ(together.failures, std::vector<std::string>{});
+            compare({together.verdicts, together.runs, together.fault}, whole, system, seen);
+        }
+    EXPECT_GT(seen["runs"], law_size(10));
     tell(seen);
 }
 

@@ -62,6 +62,7 @@ private:
     bool about_race(const Property& property) const;
     void search_locally();
     void search(const Task& task);
+    Scope scope(const std::set<std::uint32_t>& searched, const char* because) const;
     void widen(const LocalNetwork& local, Task task);
     void take_local();
     bool needs_whole();
@@ -80,6 +81,7 @@ private:
     std::map<std::size_t, Verdict> found_ = {};  // by cells
     std::optional<std::size_t> race_ = {};       // the verdict that nothing races
     std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
+    std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // of all searches without an error
 };
 
 /// As many states of the whole as are soon looked at: all of them, most often, and near ones that decide much.
@@ -166,23 +168,28 @@ void ByCells::search(const Task& task) {
     if (!found.complete) return;
     if (!found.errors.empty() && !ablations_.break_off) return widen(local, task);
     faultless_.insert(task.cells.begin(), task.cells.end());
+    faultless_states_ += found.states;
+    faultless_transitions_ += found.transitions;
     Task open{task.cells, {}};
     for (std::size_t i = 0; i < task.asked.size(); ++i) {
         const std::size_t k = task.asked[i];
         const Verdict& verdict = found.verdicts[i];
         const Outcome carries = wanted(*questions_[k]) ? Outcome::Violated : Outcome::Holds;
         if (verdict.outcome == carries) {
-            Verdict& kept = found_[k] = verdict;
-            kept.scope.cells = true;
-            for (std::uint32_t cell = 0; cell < cells_.count; ++cell)
-                (std::ranges::binary_search(task.cells, cell) ? kept.scope.searched : kept.scope.left_out)
-                    .push_back(cells_.names[cell]);
-            kept.scope.because = "is taken to do anything at any moment, which takes no run away";
+            (found_[k] = verdict).scope = scope(std::set(task.cells.begin(), task.cells.end()),
+                                                "is taken to do anything at any moment, which takes no run away");
         } else {
             open.asked.push_back(k);
         }
     }
     if (!open.asked.empty()) widen(local, std::move(open));
+}
+
+Scope ByCells::scope(const std::set<std::uint32_t>& searched, const char* because) const {
+    Scope made{.because = because, .cells = true};
+    for (std::uint32_t cell = 0; cell < cells_.count; ++cell)
+        (searched.contains(cell) ? made.searched : made.left_out).push_back(cells_.names[cell]);
+    return made;
 }
 
 /// The same with the cells whose values it reads: those of its borders, and last those that keep its PLCs from being stable.
@@ -202,8 +209,11 @@ void ByCells::widen(const LocalNetwork& local, Task task) {
 void ByCells::take_local() {
     if (race_) {  // each cell that may race has been searched
         Verdict& none = found_[*race_] = {.outcome = Outcome::Holds};
-        none.scope.cells = true;
-        for (const std::uint32_t cell : faultless_) none.scope.searched.push_back(cells_.names[cell]);
+        none.scope = scope(faultless_, "has nothing in it that could race");
+        if (!faultless_.empty()) {
+            none.states = std::to_string(faultless_states_);
+            none.transitions = faultless_transitions_;
+        }
     }
     for (auto& [k, found] : found_) {
         Verdict& verdict = result_.verdicts[k];
@@ -255,6 +265,21 @@ TimedResult ByCells::search_whole() {
     return whole;
 }
 
+/// Where time is locked nothing is reached any more: what holds says how far that was looked for, if not everywhere.
+TimedResult with_time_told(TimedResult result) {
+    const auto time = std::ranges::find(result.verdicts, Pattern::NoTimelock, &Verdict::pattern);
+    if (time == result.verdicts.end()) return result;
+    const bool cut_off =
+        time->obstacle == Obstacle::Bound || time->obstacle == Obstacle::Memory || time->obstacle == Obstacle::Stopped;
+    if (time->outcome != Outcome::Unknown || !cut_off) return result;
+    const std::string note = "time-locks were looked for in the first " + time->states + " states only" +
+                             (time->declared ? "" : "; ask for `no timelock` to have all looked at");
+    for (Verdict& verdict : result.verdicts)
+        if (verdict.outcome == (verdict.pattern == Pattern::Reachable ? Outcome::Violated : Outcome::Holds))
+            verdict.notes.push_back(note);
+    return result;
+}
+
 }  // namespace
 
 TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options, const CellLimits& limits,
@@ -262,11 +287,11 @@ TimedResult check_timed_by_cells(const Network& network, const TimedOptions& opt
     const bool asked = std::ranges::any_of(network.properties, [&](const Property& property) {
         return timed::asked(options, property) && about_single_states(property);
     });
-    if (!asked) return whole(network, options);
+    if (!asked) return with_time_told(whole(network, options));
     const Network flat = expand(network);
     const NetworkCells cells = cells_of(flat);
-    if (cells.count < 2 || !terms_have_values(flat)) return whole(network, options);
-    return ByCells(flat, cells, options, limits, ablations, whole).result();
+    if (cells.count < 2 || !terms_have_values(flat)) return with_time_told(whole(network, options));
+    return with_time_told(ByCells(flat, cells, options, limits, ablations, whole).result());
 }
 
 }  // namespace grafverif

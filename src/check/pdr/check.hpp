@@ -37,7 +37,7 @@ struct Undecided {
 };
 
 struct PdrOptions {
-    /// InTurns: PDR for a while on each property, then BMC for as long, then both for four times as long, and so on; a note
+    /// InTurns: PDR for a while on each property, then BMC for a third of that, then both for four times as long, and so on; a note
     /// says which of them found the verdict.
     enum class Method { Pdr, Bmc, InTurns };
     Method method = Method::Pdr;

@@ -106,7 +106,11 @@ TEST(Check, DecidesACellOfALineAndSaysWhatItLeftOut) {
     EXPECT_EQ(properties[0]["cells"],
               Json::parse(R"({"searched": ["cell_2"], "left_out": ["cell_1", "cell_3", "Buffer_1", "Buffer_2"],
                               "because": "is taken to do anything at any moment, which takes no run away"})"));
+    EXPECT_EQ(properties[0]["declared"], true);
+    EXPECT_TRUE(
+        std::string(properties[0]["notes"].at(0)).starts_with("time-locks were looked for in the first 131072 states"));
     EXPECT_EQ(properties[1]["verdict"], "unknown");
+    EXPECT_EQ(properties[1]["declared"], false);
     std::vector<std::string> whole = command;
     whole.insert(whole.end(), {"--whole", "--max-states", "1000"});
     EXPECT_EQ(Json::parse(grafverif(whole).out)["properties"][0]["verdict"], "unknown");

@@ -115,6 +115,53 @@ TEST(Cells, AGuardThatKeepsAValueInRangeIsSeen) {
     EXPECT_FALSE(terms_have_values(expand(s.network)));
 }
 
+/// Three clocks that beat; what `b` sets races where `by_b` says so, nothing else does. Asked whether it does.
+Network may_race(bool by_b) {
+    Sketch s;
+    const auto race = s.boolean("race"), x = s.boolean("x");
+    s.network.race = race;
+    for (const char* name : {"A", "B", "C"}) {
+        const auto process = s.process(name, 1, 1);
+        s.edge(process, {.when = {{0, Op::GreaterEqual, 1}}, .reset = {0}});
+        s.edge(process, {.when = {{0, Op::GreaterEqual, 2}}, .reset = {0}});
+        if (*name == 'B' && by_b) {
+            s.edge(process, {.guard = s.is(x), .set = {{race, s.network.exprs.disjunction(s.is(race), s.is(x))}}});
+            s.edge(process, {.guard = s.network.exprs.constant(false), .set = {{x, s.yes()}}});
+        }
+    }
+    s.property("none", Pattern::Never, {s.is(race)});
+    return expand(s.network);
+}
+
+TEST(Cells, ThatNothingRacesSaysWhichCellsWereSearchedAndWhyNoOther) {
+    for (const bool by_b : {false, true}) {
+        const Verdict found =
+            verdict(check_timed_by_cells(may_race(by_b), {}, {.whole = 3, .local = 100}, {}, check_timed), "none");
+        EXPECT_EQ(found.outcome, Outcome::Holds);
+        EXPECT_TRUE(found.scope.cells);
+        EXPECT_EQ(found.scope.searched, by_b ? std::vector<std::string>{"B"} : std::vector<std::string>{});
+        EXPECT_EQ(found.scope.left_out,
+                  by_b ? (std::vector<std::string>{"A", "C"}) : (std::vector<std::string>{"A", "B", "C"}));
+        EXPECT_EQ(found.scope.because, "has nothing in it that could race");
+        EXPECT_EQ(found.states.empty(), !by_b) << found.states;
+    }
+}
+
+TEST(Cells, WhatHoldsWhereTimeIsNotLockedTellsHowFarThatWasLookedFor) {
+    const auto note = [](const TimedResult& result, const char* property) {
+        const std::vector<std::string>& notes = verdict(result, property).notes;
+        return notes.empty() ? "" : notes.back();
+    };
+    const std::string looked = "time-locks were looked for in the first ";
+    TimedResult found = by_cells(line(), {.properties = {"held_2"}});
+    EXPECT_EQ(told(found, "no_timelock"), "unknown (bound)");
+    EXPECT_EQ(note(found, "held_2"), looked + verdict(found, "no_timelock").states +
+                                         " states only; ask for `no timelock` to have all looked at");
+    found = by_cells(read_sample("testing_station/testing_station.grafcet").network);
+    for (const Verdict& each : found.verdicts)
+        for (const std::string& said : each.notes) EXPECT_FALSE(said.starts_with(looked)) << each.property;
+}
+
 TEST(Cells, WhatTheFirstLookFoundStaysWhereTheNextOneIsStopped) {
     Sketch s;
     const auto x = s.boolean("x"), y = s.boolean("y");

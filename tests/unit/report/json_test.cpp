@@ -32,9 +32,9 @@ TEST(Json, HasTheKeysThatItsReadersKnow) {
     ASSERT_EQ(document["properties"].size(), 6u);
     for (const Json& property : document["properties"])
         EXPECT_EQ(keys(property),
-                  (std::vector<std::string>{"name", "text", "file", "line", "column", "verdict", "expected", "engine",
-                                            "mode", "grain", "states", "transitions", "seconds", "reason", "vacuous",
-                                            "notes", "trace"}));
+                  (std::vector<std::string>{"name", "text", "file", "line", "column", "verdict", "expected", "declared",
+                                            "engine", "mode", "grain", "states", "transitions", "seconds", "reason",
+                                            "vacuous", "notes", "trace"}));
     const Json& trace = document["properties"][1]["trace"];
     EXPECT_EQ(keys(trace), (std::vector<std::string>{"loop_from", "steps", "run"}));
     for (const Json& step : trace["steps"])
