@@ -5,7 +5,7 @@
 set -euo pipefail
 export LC_ALL=C
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-rooms='support ir syntax run bdd circuit read derive plant compose schedule emit check conform analyse report simulate pipeline page app'
+rooms='support ir syntax run bdd circuit read derive plant compose schedule emit check conform analyse explain report simulate pipeline page app'
 for room in $rooms; do
     grep -rhoE --include='*.?pp' '^#include "[^"]+"' "src/$room" $([ ! -d "include/grafverif/$room" ] || echo "include/grafverif/$room") |
         sed -E 's|^#include "(grafverif/)?([^/"]+)/.*|\2|' | sort -u | sed "s/^/$room /"

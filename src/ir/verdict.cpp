@@ -1,9 +1,40 @@
 // SPDX-License-Identifier: MIT
 #include "grafverif/ir/verdict.hpp"
 
+#include <fmt/format.h>
+
+#include <string>
+
 #include "support/overloaded.hpp"
 
 namespace grafverif {
+
+namespace {
+
+std::string edge_words(const Network& network, const ModelError& error) {
+    const Network::Process& process = network.processes[error.process];
+    for (const Network::Controller& controller : network.controllers)
+        if (controller.process == error.process) return fmt::format("an evolution of `{}`", controller.words.name);
+    const Network::Template& automaton = network.templates[process.automaton];
+    const Network::Edge& edge = automaton.edges[error.edge];
+    return fmt::format("`{}` on its way {} -> {}", process.name, automaton.locations[edge.from].name,
+                       automaton.locations[edge.to].name);
+}
+
+}  // namespace
+
+std::string text_of(const Network& network, const ModelError& error) {
+    switch (error.kind) {
+    case ModelError::Kind::OutOfRange: {
+        const Network::Variable& variable = network.variables[error.variable];
+        return fmt::format("`{}` would leave its range {}..{}, in {}", variable.name, variable.type.low,
+                           variable.type.high, edge_words(network, error));
+    }
+    case ModelError::Kind::ActionRace: return "two stored actions give one variable different values in one evolution";
+    case ModelError::Kind::NoValue: return fmt::format("division by zero, in {}", edge_words(network, error));
+    }
+    unreachable();
+}
 
 std::string_view word(Outcome outcome) {
     switch (outcome) {

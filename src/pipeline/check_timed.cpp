@@ -7,6 +7,7 @@
 #include "check/cells/cells.hpp"
 #include "check/timed/timed.hpp"
 #include "pipeline/check.hpp"
+#include "pipeline/explain.hpp"
 #include "pipeline/models.hpp"
 #include "plant/time_unit.hpp"
 #include "report/report.hpp"
@@ -50,7 +51,7 @@ public:
     Reporter(const LoopToCheck& loop, const CheckOptions& options)
         : loop_(loop),
           network_(loop.network),
-          witnesses_(options.witnesses),
+          options_(options),
           detail_(options.every_move ? Detail::Everything : Detail::Chart) {}
 
     Report report(TimedResult result) {
@@ -60,12 +61,16 @@ public:
             report.breakdowns.push_back(breakdown_of(network_, error, detail_));
             if (error.kind == ModelError::Kind::ActionRace) name_race(report.breakdowns.back(), error.run);
         }
+        std::vector<Violation> violations;
         for (Verdict& verdict : result.verdicts) {
-            if (verdict.outcome == Outcome::Holds && !witnesses_) verdict.run.reset();
+            if (verdict.outcome == Outcome::Holds && !options_.witnesses) verdict.run.reset();
             if (verdict.run && !replays(*verdict.run, fmt::format("the trace of `{}`", verdict.property)))
                 verdict.run.reset();
+            if (verdict.run && verdict.outcome == Outcome::Violated)
+                violations.push_back({report.answers.size(), *verdict.run});
             report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
         }
+        explain(network_, violations, again(result), report);
         report.profile = std::move(result.profile);
         if (report.profile && loop_.finest) report.profile->finest = loop_.finest();
         report.failures = std::move(failures_);
@@ -73,6 +78,17 @@ public:
     }
 
 private:
+    /// Decides some properties of a network like ours; nothing where that may take long.
+    Search again(const TimedResult& result) const {
+        if (result.states >= many_states) return {};
+        return [this](const Network& network, std::vector<std::string> names) {
+            CheckOptions options = options_;
+            options.properties = std::move(names);
+            options.profile = false;
+            return search(network, options).verdicts;
+        };
+    }
+
     void name_race(Breakdown& breakdown, const Run& run) const {
         const std::optional<Clash> found = clash(project(network_, run), loop_.charts);
         if (!found) return;
@@ -91,7 +107,7 @@ private:
 
     const LoopToCheck& loop_;
     const Network& network_;
-    bool witnesses_;
+    const CheckOptions& options_;
     Detail detail_;
     std::vector<std::string> failures_ = {};
 };

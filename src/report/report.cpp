@@ -19,30 +19,6 @@ std::string mode_words(bool searches, bool cycles) {
     return mode;
 }
 
-std::string edge_words(const Network& network, const ModelError& error) {
-    const Network::Process& process = network.processes[error.process];
-    for (const Network::Controller& controller : network.controllers)
-        if (controller.process == error.process) return fmt::format("an evolution of `{}`", controller.words.name);
-    const Network::Template& automaton = network.templates[process.automaton];
-    const Network::Edge& edge = automaton.edges[error.edge];
-    return fmt::format("`{}` on its way {} -> {}", process.name, automaton.locations[edge.from].name,
-                       automaton.locations[edge.to].name);
-}
-
-std::string message_of(const Network& network, const ModelError& error) {
-    const std::string name = error.variable.valid() ? network.variables[error.variable].name : "";
-    switch (error.kind) {
-    case ModelError::Kind::OutOfRange: {
-        const Type& type = network.variables[error.variable].type;
-        return fmt::format("`{}` would leave its range {}..{}, in {}", name, type.low, type.high,
-                           edge_words(network, error));
-    }
-    case ModelError::Kind::ActionRace: return "two stored actions give one variable different values in one evolution";
-    case ModelError::Kind::NoValue: return fmt::format("division by zero, in {}", edge_words(network, error));
-    }
-    unreachable();
-}
-
 }  // namespace
 
 Basis basis_of(const Network& network, std::string engine) {
@@ -98,7 +74,7 @@ Answer answer_of(const Network& network, Verdict verdict, Detail detail) {
 }
 
 Breakdown breakdown_of(const Network& network, const ModelError& error, Detail detail) {
-    return {std::string(word(error.kind)), message_of(network, error), tell(project(network, error.run), detail)};
+    return {std::string(word(error.kind)), text_of(network, error), tell(project(network, error.run), detail)};
 }
 
 void name_places(Report& report, const Sources& sources) {

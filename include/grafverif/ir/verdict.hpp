@@ -109,6 +109,8 @@ std::string_view word(Outcome outcome);
 std::string_view word(Obstacle obstacle);
 /// The code of a model error: `out-of-range`, `action-race`, `no-value`.
 std::string_view word(ModelError::Kind kind);
+/// What breaks off and where: `` `N` would leave its range 0..3, in an evolution of `press` ``.
+std::string text_of(const Network& network, const ModelError& error);
 
 /// The verdict on `property`, the one called `about` in its model, before anything is known.
 Verdict verdict_on(Id<Property> about, const Property& property);

@@ -33,17 +33,6 @@ std::string text_of(Obstacle ended, const Graph& graph, const Limits& limits) {
     return "stopped after " + states;
 }
 
-std::string text_of(const ModelError& error, const Network& network) {
-    if (error.kind == ModelError::Kind::ActionRace) return "stored actions race; see the model error";
-    const Network::Process& process = network.processes[error.process];
-    const Network::Template& automaton = network.templates[process.automaton];
-    const Network::Edge& edge = automaton.edges[error.edge];
-    const std::string place = "edge `" + automaton.locations[edge.from].name + " -> " +
-                              automaton.locations[edge.to].name + "` of `" + process.name + "`";
-    if (error.kind == ModelError::Kind::NoValue) return place + " divides by zero";
-    return place + " takes `" + network.variables[error.variable].name + "` out of its range";
-}
-
 /// A run that shows a state from which time never passes again: on from there until it repeats or nothing can happen.
 Lasso without_time(Graph& graph, std::uint32_t state) {
     Lasso lasso{.path = graph.path_to(state)};
@@ -68,7 +57,8 @@ std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std:
     if (ended == Obstacle::Unsupported)
         outcomes_ = {ended, "a state of this model takes more memory than the timed engine can address"};
     else if (ended != Obstacle::None) outcomes_ = {ended, text_of(ended, graph, limits)};
-    else if (!errors.empty()) outcomes_ = {Obstacle::Faulty, text_of(errors.front(), network_)};
+    else if (!errors.empty())
+        outcomes_ = {Obstacle::Faulty, "the model breaks off: " + text_of(network_, errors.front())};
     else if (inexact_) outcomes_ = {Obstacle::Inexact, inexact_reason()};
     std::vector<Verdict> verdicts;
     for (Question& question : questions_) {

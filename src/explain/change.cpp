@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "explain/change.hpp"
+
+#include <algorithm>
+
+#include "ir/network_run.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// More edges than this within one instant: the loop answers itself for ever.
+constexpr std::size_t most_at_once = 1000;
+
+const Network::Edge& edge_of(const Network& network, const Fire& fire) {
+    return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
+}
+
+bool is_free(const Network& network, const Move& move) {
+    const Fire* const fire = std::get_if<Fire>(&move);
+    if (fire == nullptr) return false;
+    const Network::Process& process = network.processes[fire->process];
+    const Network::Edge& edge = edge_of(network, *fire);
+    const bool plant = process.kind == Network::ProcessKind::Plant || process.kind == Network::ProcessKind::Environment;
+    return plant && !edge.urgent && network.templates[process.automaton].locations[edge.from].invariant.empty();
+}
+
+/// A run made again, move by move.
+class Remake {
+public:
+    explicit Remake(const Network& network) : network_(network), state_(initial_state(network)) {}
+
+    /// Whether it is made, or may be left out.
+    bool make(const Move& move) {
+        if (const Delay* const delay = std::get_if<Delay>(&move)) {
+            for (std::int64_t unit = 0; unit < delay->units; ++unit)
+                if (!after_what_must_be(Delay{1})) return false;
+            return true;
+        }
+        if (is_free(network_, move)) return after_what_must_be(move);
+        const Step::Result result = perform_it(move);
+        return result == Step::Result::Done || result == Step::Result::Blocked;
+    }
+
+    bool finish() {
+        for (std::size_t k = 0; k < most_at_once; ++k) {
+            const std::vector<Fire> can = enabled(network_, state_);
+            const auto next =
+                std::ranges::find_if(can, [&](const Fire& fire) { return edge_of(network_, fire).urgent; });
+            if (next == can.end()) return true;
+            if (perform_it(*next) != Step::Result::Done) return false;
+        }
+        return false;
+    }
+
+    Run run() && { return std::move(run_); }
+
+private:
+    bool after_what_must_be(const Move& move) {
+        for (std::size_t k = 0; k < most_at_once; ++k) {
+            const Step::Result result = perform_it(move);
+            if (result != Step::Result::Blocked) return result == Step::Result::Done;
+            const std::vector<Fire> can = enabled(network_, state_);
+            const auto next = std::ranges::find_if(can, [&](const Fire& fire) { return !is_free(network_, fire); });
+            if (next == can.end() || perform_it(*next) != Step::Result::Done) return false;
+        }
+        return false;
+    }
+
+    Step::Result perform_it(const Move& move) {
+        const Step::Result result = perform(network_, state_, move).result;
+        if (result == Step::Result::Done) run_.moves.push_back(move);
+        return result;
+    }
+
+    const Network& network_;
+    NetworkState state_;
+    Run run_ = {};
+};
+
+bool judged_good(const Network& network, const Property& property, const NetworkState& state) {
+    if (property.at_stable && value(network, state, network.settled) != 1) return true;
+    std::size_t holding = 0;
+    for (const Id<Expr> operand : property.operands) {
+        const auto now = value(network, state, operand);
+        if (!now) return false;
+        if (*now != 0) ++holding;
+    }
+    return property.pattern == Pattern::Never ? holding == 0 : holding == 1;
+}
+
+bool holds_along(const Network& network, const Property& property, const Run& run) {
+    const auto states = replay(network, run);
+    return states && std::ranges::all_of(
+                         *states, [&](const NetworkState& state) { return judged_good(network, property, state); });
+}
+
+/// The next choice of as many out of `count`, in order; false: there is none.
+bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
+    for (std::size_t k = chosen.size(); k-- > 0;) {
+        if (chosen[k] + chosen.size() - k >= count) continue;
+        ++chosen[k];
+        for (std::size_t i = k + 1; i < chosen.size(); ++i) chosen[i] = chosen[i - 1] + 1;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::optional<Run> without(const Network& network, const Run& run, const std::vector<std::size_t>& left_out) {
+    Remake remake(network);
+    for (std::size_t k = 0; k < run.moves.size(); ++k)
+        if (std::ranges::find(left_out, k) == left_out.end() && !remake.make(run.moves[k])) return {};
+    if (!remake.finish()) return {};
+    return std::move(remake).run();
+}
+
+ShortestChange shortest_change(const Network& network, const Property& property, const Run& run, std::size_t runs) {
+    ShortestChange result;
+    if (property.pattern != Pattern::Always && property.pattern != Pattern::Never &&
+        property.pattern != Pattern::ExactlyOneOf)
+        return result;
+    std::vector<std::size_t> free;
+    for (std::size_t k = 0; k < run.moves.size(); ++k)
+        if (is_free(network, run.moves[k])) free.push_back(k);
+    result.free_moves = free.size();
+    for (std::size_t size = 1; size <= free.size(); ++size) {
+        std::vector<std::size_t> chosen;
+        for (std::size_t k = 0; k < size; ++k) chosen.push_back(k);
+        do {
+            if (runs-- == 0) {
+                result.exhausted = true;
+                return result;
+            }
+            std::vector<std::size_t> left_out;
+            for (const std::size_t each : chosen) left_out.push_back(free[each]);
+            auto rest = without(network, run, left_out);
+            if (!rest || !holds_along(network, property, *rest)) continue;
+            result.found = Change{std::move(left_out), std::move(*rest)};
+            return result;
+        } while (next_choice(chosen, free.size()));
+    }
+    return result;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What a timed check adds to what it found: why.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/network.hpp"
+#include "grafverif/ir/report.hpp"
+#include "grafverif/ir/verdict.hpp"
+
+namespace grafverif {
+
+/// An answer `violated`, and the run that shows it, which replays.
+struct Violation {
+    std::size_t answer = 0;  ///< in Report::answers
+    Run run = {};
+};
+
+/// Decides the properties of these names of a network; the verdicts of others may be among those it gives.
+using Search = std::function<std::vector<Verdict>(const Network& network, std::vector<std::string> names)>;
+
+/// Adds to the answers of `report`, which is about `network`. `search`: empty where another search would take long.
+void explain(const Network& network, const std::vector<Violation>& violations, const Search& search, Report& report);
+
+}  // namespace grafverif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Why a property fails, as a report tells it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "grafverif/grafverif.hpp"
+
+namespace grafverif {
+namespace {
+
+/// The report on a loop of one chart, whose inputs are buttons and whose outputs are lamps.
+Report report_of(const std::string& chart, const std::string& properties) {
+    Reading reading = read_string(
+        chart + " closed_loop asked { controller c; environment A = push_button(OUT = a); " + properties + " }\n", "c");
+    EXPECT_TRUE(reading.model) << reading.complaints();
+    if (!reading.model) return {};
+    const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
+    EXPECT_TRUE(report) << reading.complaints();
+    return report.value_or(Report{});
+}
+
+const Answer& answer(const Report& report, std::string_view property) {
+    const auto found = std::ranges::find(report.answers, property,
+                                         [](const Answer& each) -> std::string_view { return each.verdict.property; });
+    EXPECT_NE(found, report.answers.end()) << property;
+    return *found;
+}
+
+std::string notes(const Report& report, std::string_view property) {
+    std::string text;
+    for (const std::string& note : answer(report, property).verdict.notes) text += note + '\n';
+    return text;
+}
+
+constexpr const char* lamps = R"(grafcet c {
+    input a;
+    output green, red;
+    initial step 0 { green; }
+    step 1 { red; }
+    transition t0: 0 -> 1 when a;
+    transition t1: 1 -> 0 when !a;
+})";
+
+TEST(Explain, APropertyThatIsFalseBeforeTheFirstOutputsIsToldFromOneThatIsNot) {
+    const Report report = report_of(
+        lamps,
+        "property one: exactly one of {green, red}; property lit: always green or red;"
+        "property never_red: always green; property later: never red; property settled: always green at stable;");
+    const std::string trap = "it is false at power-on, before the first outputs are written and the loop has settled";
+    const std::string cure = trap + "; in every settled state it holds: say `at stable` behind it\n";
+    EXPECT_EQ(notes(report, "one"), cure);
+    EXPECT_EQ(notes(report, "lit"), cure);
+    EXPECT_EQ(notes(report, "never_red"), trap + "; `at stable` it is violated as well\n");
+    EXPECT_EQ(notes(report, "later"), "");
+    EXPECT_EQ(notes(report, "settled"), "");
+    const Report cured = report_of(lamps, "property one: exactly one of {green, red} at stable;");
+    EXPECT_EQ(answer(cured, "one").verdict.outcome, Outcome::Holds);
+}
+
+TEST(Explain, AChartThatNeverSettlesIsToldByItsSituations) {
+    const Report report = report_of(R"(grafcet c {
+    input a;
+    output green;
+    initial step 0 { green; }
+    step 1;
+    step 2;
+    transition t0: 0 -> 1 when a;
+    transition t1: 1 -> 2 when a;
+    transition t2: 2 -> 1 when a;
+})",
+                                    "");
+    EXPECT_EQ(answer(report, "no_timelock").verdict.outcome, Outcome::Violated);
+    EXPECT_EQ(notes(report, "no_timelock"),
+              "with these inputs `c` never becomes stable: its situation goes 1 -> 2 -> 1, for ever within one "
+              "instant; let a "
+              "transition of the loop wait for an input to change\n");
+}
+
+TEST(Explain, WhatAModelThatBreaksOffLeavesOpenSaysWhereInTheWordsOfTheChart) {
+    const Report report = report_of(R"(grafcet c {
+    input a;
+    output green;
+    internal N: int 0..1 = 0;
+    initial step 0 { green; }
+    step 1 { N := N + 1 on activation; }
+    transition t0: 0 -> 1 when a;
+    transition t1: 1 -> 0 when !a;
+})",
+                                    "property small: always N < 4;");
+    ASSERT_EQ(report.breakdowns.size(), 1U);
+    EXPECT_EQ(answer(report, "small").verdict.reason, "the model breaks off: " + report.breakdowns[0].message);
+    EXPECT_EQ(report.breakdowns[0].message, "`N` would leave its range 0..1, in an evolution of `c`");
+}
+
+}  // namespace
+}  // namespace grafverif
