@@ -28,7 +28,7 @@ public:
     WholeCircuit(const WholeCircuit&) = delete;
     WholeCircuit& operator=(const WholeCircuit&) = delete;
 
-    static int of(Gates::Literal literal) {
+    static int of(Literal literal) {
         const int variable = static_cast<int>(node_of(literal)) + 1;
         return is_inverted(literal) ? -variable : variable;
     }
@@ -54,13 +54,13 @@ private:
 
 }  // namespace
 
-std::string flaw(const Circuit& circuit, Gates::Literal bad, const std::vector<Cube>& cubes, Watch& watch) {
-    std::unordered_map<std::uint32_t, Gates::Literal> next;
+std::string flaw(const Circuit& circuit, Literal bad, const std::vector<Cube>& cubes, Watch& watch) {
+    std::unordered_map<std::uint32_t, Literal> next;
     for (const Circuit::Latch& latch : circuit.latches) next[latch.node] = latch.next;
     WholeCircuit solver(circuit, watch);
     for (const Cube& cube : cubes) {
         std::vector<int> outside;
-        for (const Gates::Literal literal : cube) {
+        for (const Literal literal : cube) {
             if (!next.contains(node_of(literal))) return "it speaks of something that is no latch";
             outside.push_back(-WholeCircuit::of(literal));
         }
@@ -70,8 +70,7 @@ std::string flaw(const Circuit& circuit, Gates::Literal bad, const std::vector<C
     if (solver.possible({WholeCircuit::of(bad)})) return "it does not exclude what it should";
     for (const Cube& cube : cubes) {
         std::vector<int> after;
-        for (const Gates::Literal literal : cube)
-            after.push_back(WholeCircuit::of(next[node_of(literal)] ^ (literal & 1U)));
+        for (const Literal literal : cube) after.push_back(WholeCircuit::of(next[node_of(literal)] ^ (literal & 1U)));
         if (solver.possible(after)) return "a step leads out of it";
     }
     return {};

@@ -17,8 +17,6 @@ namespace pdr {
 
 namespace {
 
-using Literal = Gates::Literal;
-
 /// Why this engine does not take a property; empty: it does.
 std::string refusal(Pattern pattern) {
     const bool about_runs =

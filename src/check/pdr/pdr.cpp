@@ -16,8 +16,6 @@ namespace grafverif::pdr {
 
 namespace {
 
-using Literal = Gates::Literal;
-
 /// The first state has every latch false.
 bool holds_first_state(const Cube& cube) { return std::ranges::all_of(cube, is_inverted); }
 

@@ -25,10 +25,9 @@ struct Answer {
 };
 
 /// Throws Exhausted. `progress` is told the number of frames.
-Answer reach(const Circuit& circuit, Gates::Literal bad, Watch& watch,
-             const std::function<void(std::size_t)>& progress = {});
+Answer reach(const Circuit& circuit, Literal bad, Watch& watch, const std::function<void(std::size_t)>& progress = {});
 /// The same to be asked again after Exhausted: it goes on where it was. Circuit and watch outlive it.
-std::function<Answer()> search_for(const Circuit& circuit, Gates::Literal bad, Watch& watch,
+std::function<Answer()> search_for(const Circuit& circuit, Literal bad, Watch& watch,
                                    std::function<void(std::size_t)> progress);
 
 }  // namespace grafverif::pdr

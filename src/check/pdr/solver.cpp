@@ -89,12 +89,12 @@ int Solver::variable(std::uint32_t node) {
     return made;
 }
 
-int Solver::literal(Gates::Literal literal) const {
+int Solver::literal(Literal literal) const {
     const int known = variable_[node_of(literal)];
     return is_inverted(literal) ? -known : known;
 }
 
-int Solver::of(Gates::Literal wanted) {
+int Solver::of(Literal wanted) {
     variable_.resize(circuit_.gates.size());
     is_latch_.resize(circuit_.gates.size());
     std::vector<std::uint32_t> open;  // gates with a variable and no clauses yet
@@ -144,7 +144,7 @@ bool Solver::solve(std::span<const int> assumptions, std::span<const int> one_of
     return answer == 10;
 }
 
-bool Solver::value(Gates::Literal literal) const {
+bool Solver::value(Literal literal) const {
     const int variable = variable_[node_of(literal)];
     return (solver_->val(variable) > 0) != is_inverted(literal);
 }

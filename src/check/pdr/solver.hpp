@@ -17,6 +17,8 @@
 
 namespace grafverif::pdr {
 
+using Literal = Gates::Literal;
+
 /// What bounds the work.
 struct Bounds {
     std::uint64_t memory = std::uint64_t{2} << 30U;  ///< bytes
@@ -69,7 +71,7 @@ public:
     Solver& operator=(const Solver&) = delete;
 
     /// A literal of the circuit as one of the solver; its gates are clauses from now on.
-    int of(Gates::Literal literal);
+    int of(Literal literal);
     /// A new variable.
     int fresh() { return ++variables_; }
     /// The latch variables that are false where `condition` holds: those that are there, and those to come.
@@ -79,8 +81,8 @@ public:
     /// Whether the assumptions can be met, together with `one_of` where there is any. Throws Exhausted.
     bool solve(std::span<const int> assumptions, std::span<const int> one_of = {});
     /// Of the last answer: the value of a literal that the solver knows; whether an assumption was needed to refute.
-    bool value(Gates::Literal literal) const;
-    bool knows(Gates::Literal literal) const {
+    bool value(Literal literal) const;
+    bool knows(Literal literal) const {
         return node_of(literal) < variable_.size() && variable_[node_of(literal)] != 0;
     }
     bool failed(int assumption) { return solver_->failed(assumption); }
@@ -89,7 +91,7 @@ public:
 
 private:
     int variable(std::uint32_t node);
-    int literal(Gates::Literal literal) const;
+    int literal(Literal literal) const;
 
     const Circuit& circuit_;
     Watch& watch_;

@@ -6,8 +6,6 @@
 
 namespace grafverif::pdr {
 
-using Literal = Gates::Literal;
-
 Unrolling::Unrolling(const Circuit& circuit, Watch& watch)
     : circuit_(circuit),
       watch_(watch),

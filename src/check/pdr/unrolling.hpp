@@ -23,21 +23,21 @@ public:
 
     /// A run with `bad` in the state after that many steps; nothing: there is none, which is kept in mind. Throws
     /// Exhausted, and may then be asked again.
-    std::optional<RunInputs> run_to(Gates::Literal bad, std::size_t steps);
+    std::optional<RunInputs> run_to(Literal bad, std::size_t steps);
 
 private:
-    static constexpr Gates::Literal unknown = ~Gates::Literal{0};
+    static constexpr Literal unknown = ~Literal{0};
 
-    Gates::Literal at(Gates::Literal literal, std::size_t step);
+    Literal at(Literal literal, std::size_t step);
     bool settle(std::uint32_t node, std::size_t step);
     RunInputs inputs_of_answer(std::size_t steps) const;
 
     const Circuit& circuit_;
     Watch& watch_;
-    std::vector<Gates::Literal> next_;                      ///< per node of a latch
-    std::vector<bool> is_latch_;                            ///< per node
-    Circuit unrolled_ = {};                                 ///< gates alone
-    std::vector<std::vector<Gates::Literal>> states_ = {};  ///< per step and node: what it is among the gates unrolled
+    std::vector<Literal> next_;                      ///< per node of a latch
+    std::vector<bool> is_latch_;                     ///< per node
+    Circuit unrolled_ = {};                          ///< gates alone
+    std::vector<std::vector<Literal>> states_ = {};  ///< per step and node: what it is among the gates unrolled
     Solver solver_;
 };
 

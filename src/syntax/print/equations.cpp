@@ -13,6 +13,8 @@ namespace grafverif {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 std::string plain(const Equations& equations, Id<Expr> term) {
     return expr_text(equations.exprs, term, plain_spelling, [&](std::ostream& out, const Expr& leaf) {
         out << equations.variables[Id<Equations::Variable>{static_cast<std::uint32_t>(leaf.value)}].name;
@@ -173,7 +175,6 @@ void print_equations_latex(std::ostream& out, const Equations& equations) {
 }
 
 void print_equations_json(std::ostream& out, const Equations& equations) {
-    using Json = nlohmann::ordered_json;
     Json firings = Json::array();
     for (const Equations::Firing& firing : equations.firings)
         firings.push_back({{"variable", name(equations, firing.variable)},
