@@ -45,6 +45,8 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 "and"           return lexer.word(Kind::AND_WORD);
 "or"            return lexer.word(Kind::OR_WORD);
 "not"           return lexer.word(Kind::NOT_WORD);
+"implies"       return lexer.word(Kind::IMPLIES_WORD);
+"in"            return lexer.word(Kind::IN);
 "true"          return lexer.word(Kind::TRUE);
 "false"         return lexer.word(Kind::FALSE);
 "always"        return lexer.word(Kind::ALWAYS);
@@ -123,6 +125,7 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 "!"             return lexer.sign(Kind::NOT);
 "=="            return lexer.sign(Kind::EQUAL);
 "!="            return lexer.sign(Kind::NOT_EQUAL);
+"=>"            return lexer.sign(Kind::IMPLIES);
 "<"             return lexer.sign(Kind::LESS);
 "<="            return lexer.sign(Kind::LESS_EQUAL);
 ">"             return lexer.sign(Kind::GREATER);

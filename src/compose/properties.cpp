@@ -9,7 +9,7 @@ namespace grafverif {
 
 namespace {
 
-Id<Expr> formula_of(const ClosedLoop::Symbol& symbol, Composition& composition) {
+Id<Expr> formula_of(const ClosedLoop& loop, const ClosedLoop::Symbol& symbol, Composition& composition) {
     Network& network = composition.network;
     const auto in_controller = [&](const ControllerParts& parts, Id<Equations::Variable> variable) {
         return leaf(network, parts.variable[variable.index]);
@@ -25,6 +25,10 @@ Id<Expr> formula_of(const ClosedLoop::Symbol& symbol, Composition& composition) 
                           },
                           [&](const ClosedLoop::LocationSymbol& of) {
                               return network.exprs.at(of.instance.index, of.location.index);
+                          },
+                          [&](const ClosedLoop::OwnSymbol& of) {
+                              const auto& arguments = network.processes[{of.instance.index}].arguments;
+                              return leaf(network, std::get<Id<Network::Variable>>(arguments[own_argument(loop, of)]));
                           },
                           [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },  // see reads_observer
                       },
@@ -76,7 +80,7 @@ void add_properties(Composition& composition, const ClosedLoop& loop) {
     const auto add = [&](Property property) {
         for (Id<Expr>& operand : property.operands)
             operand = translate(loop.exprs, operand, network.exprs, [&](const Expr& node) {
-                return formula_of(loop.symbols[{static_cast<std::uint32_t>(node.value)}], composition);
+                return formula_of(loop, loop.symbols[{static_cast<std::uint32_t>(node.value)}], composition);
             });
         if (property.pattern == Pattern::ReachableAllSteps)
             for (const ControllerParts& parts : composition.controllers)

@@ -106,6 +106,10 @@ bool is_known(const Checker& checker, const ClosedLoop::Symbol& symbol) {
                 return loop.instances.contains(of.instance) &&
                        checker.model.components[loop.instances[of.instance].component].locations.contains(of.location);
             },
+            [&](const ClosedLoop::OwnSymbol& of) {
+                return loop.instances.contains(of.instance) &&
+                       checker.model.components[loop.instances[of.instance].component].variables.contains(of.variable);
+            },
             [&](const ClosedLoop::ObserverSymbol& of) {
                 return loop.observers.contains(of.observer) &&
                        loop.observers[of.observer].locations.contains(of.location);
@@ -155,6 +159,10 @@ std::vector<std::string> verify(const ClosedLoop& loop, const Model& model) {
     if (checker.faults.empty()) check_properties(checker);
     check_observers(checker);
     return checker.faults;
+}
+
+std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol) {
+    return loop.instances[symbol.instance].arguments.size() + symbol.variable.index;
 }
 
 bool reads_observer(const ClosedLoop& loop, const Property& property) {

@@ -273,7 +273,7 @@ private:
         if (last() == ":")
             return keywords({"always", "never", "reachable", "reachable all steps", "inevitable", "always possible",
                              "no deadlock", "no timelock", "exactly one of", "ctl", "ltl", "uppaal"});
-        keywords({"leads to", "at stable"});
+        keywords({"leads to", "at stable", "implies", "in"});
     }
 
     // -- names of terms

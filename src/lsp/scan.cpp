@@ -12,14 +12,14 @@ constexpr std::array<std::string_view, 22> reserved = {
     "grafcet", "component",  "closed_loop", "include",   "input",      "output",  "internal", "step",
     "when",    "transition", "do",          "force",     "and",        "or",      "not",      "true",
     "false",   "always",     "never",       "reachable", "inevitable", "possible"};
-constexpr std::array<std::string_view, 55> contextual = {
-    "constraint",   "initial",     "linked",    "entry",    "exit",       "macro",    "expands", "enclosing",
-    "encloses",     "partial",     "expansion", "if",       "after",      "for",      "on",      "activation",
-    "deactivation", "event",       "bool",      "int",      "duration",   "variable", "clock",   "location",
-    "invariant",    "with",        "urgent",    "timed",    "controller", "grain",    "time",    "unit",
-    "plant",        "environment", "initially", "property", "expected",   "violated", "at",      "stable",
-    "leads",        "to",          "no",        "deadlock", "timelock",   "all",      "steps",   "exactly",
-    "one",          "of",          "uppaal",    "ctl",      "ltl",        "observer", "schedule"};
+constexpr std::array<std::string_view, 57> contextual = {
+    "constraint", "initial",    "linked",   "entry",    "exit",  "macro",    "expands",     "enclosing",    "encloses",
+    "partial",    "expansion",  "if",       "after",    "for",   "on",       "activation",  "deactivation", "event",
+    "bool",       "int",        "duration", "variable", "clock", "location", "invariant",   "with",         "urgent",
+    "timed",      "controller", "grain",    "time",     "unit",  "plant",    "environment", "initially",    "property",
+    "expected",   "violated",   "at",       "stable",   "leads", "to",       "no",          "deadlock",     "timelock",
+    "all",        "steps",      "exactly",  "one",      "of",    "uppaal",   "ctl",         "ltl",          "observer",
+    "schedule",   "implies",    "in"};
 
 bool begins_name(char byte) { return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_'; }
 bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
@@ -53,7 +53,7 @@ Word word_at(std::string_view text, std::size_t at) {
         const std::size_t end = text.find("*/", at + 2);
         return word(Word::Kind::Comment, end == std::string_view::npos ? end : end + 2);
     }
-    for (const std::string_view sign : {":=", "->", "..", "==", "!=", "<=", ">=", "&&", "||"})
+    for (const std::string_view sign : {":=", "->", "..", "==", "!=", "<=", ">=", "=>", "&&", "||"})
         if (two == sign) return word(Word::Kind::Sign, at + 2);
     return word(Word::Kind::Sign, at + 1);
 }

@@ -208,7 +208,7 @@ private:
             if (expr.op == tree::Op::Name) {
                 const std::string key = term_key(names_, owner, partial, file_.tree.text(expr.word));
                 use(key, expr.where, skipped(key));
-            } else if (expr.op == tree::Op::Member) {
+            } else if (expr.op == tree::Op::Member || expr.op == tree::Op::In) {
                 member(owner, expr);
             } else {
                 for (Id<tree::Expr> each = expr.first; each.valid(); each = file_.tree.exprs[each].next)
@@ -239,7 +239,9 @@ private:
             if (names_.thing(part) != nullptr) {
                 use(part, last.where);
                 const std::string component = names_.component_of(part);
-                return use((component.empty() ? part : component) + "/l " + name, where);
+                const std::string owned = (component.empty() ? part : component) + '/';
+                const bool variable = expr.op == tree::Op::Member && names_.thing(owned + "l " + name) == nullptr;
+                return use(owned + (variable ? "v " : "l ") + name, where);
             }
             const auto charts = names_.controllers(owner.key);
             if (std::ranges::find(charts, "chart " + before) != charts.end()) chart = "chart " + before;

@@ -207,6 +207,12 @@ Named named(const Model& model, const ClosedLoop& loop, const ClosedLoop::Symbol
                 return {{{"op", "location"}, {"boolean", true}, {"instance", instance.name}, {"location", location}},
                         instance.name + "." + location};
             },
+            [&](const ClosedLoop::OwnSymbol& of) -> Named {
+                const ClosedLoop::Instance& instance = loop.instances[of.instance];
+                const Component::Variable& variable = model.components[instance.component].variables[of.variable];
+                return {{{"op", "signal"}, {"boolean", variable.value == Component::ValueKind::Boolean}},
+                        instance.name + "_" + variable.name};  // as the trace calls the signal
+            },
             [&](const ClosedLoop::ObserverSymbol& at) -> Named {
                 const ClosedLoop::Observer& observer = loop.observers[at.observer];
                 return {{{"op", "unknown"}, {"boolean", true}},

@@ -196,6 +196,7 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
                         .shared = std::move(shared),
                         .variable = variable,
                         .at = at,
+                        .own = [&](std::size_t process, std::size_t place) { return plant.argument(process, place); },
                         .can_move = offers.can_move,
                         .can_wait = offers.can_wait};
     add_questions(meaning, plant);

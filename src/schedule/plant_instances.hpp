@@ -36,6 +36,11 @@ struct PlantInstances {
         if (!held.valid()) return main.system.exprs.constant(true);
         return main.draft.is(main.member(instances[process], held), location);
     }
+    /// What holds the variable that a process is given as argument `argument`.
+    Id<Symbol> argument(std::size_t process, std::size_t argument) const {
+        const auto& arguments = context.network.processes[{static_cast<std::uint32_t>(process)}].arguments;
+        return variables[std::get<Id<Network::Variable>>(arguments[argument]).index];
+    }
     /// `automata[i].*symbol` of every process that has such a symbol.
     std::vector<Id<Expr>> each(Id<Symbol> AutomatonModule::*symbol) const;
     /// No process has an urgent edge to take.

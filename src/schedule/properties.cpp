@@ -35,6 +35,14 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
                     "`" + instance.name + "." + component.locations[of.location].name + "` is a location of the plant";
                 return {};
             },
+            [&](const ClosedLoop::OwnSymbol& of) -> Id<Expr> {
+                if (meaning.own) return main.leaf(meaning.own(of.instance.index, own_argument(loop, of)));
+                const ClosedLoop::Instance& instance = loop.instances[of.instance];
+                const Component& component = meaning.model.components[instance.component];
+                reason =
+                    "`" + instance.name + "." + component.variables[of.variable].name + "` is a variable of the plant";
+                return {};
+            },
             [&](const ClosedLoop::ObserverSymbol& of) -> Id<Expr> {
                 reason = meaning.unobserved[of.observer.index];
                 return reason.empty() ? main.is(meaning.observers[of.observer.index], of.location.index) : Id<Expr>{};

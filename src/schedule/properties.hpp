@@ -27,6 +27,8 @@ struct LoopMeaning {
     std::function<Id<Symbol>(std::size_t controller, Id<Equations::Variable>)> variable = {};
     /// An instance of the plant is at a location. None: the model has no plant.
     std::function<Id<Expr>(std::size_t instance, std::uint32_t location)> at = {};
+    /// The argument of an instance of the plant in that place, a variable, as main has it. None: the model has no plant.
+    std::function<Id<Symbol>(std::size_t instance, std::size_t argument)> own = {};
     /// Per observer, once add_observers has added them: the symbol of main that is its location; and why properties
     /// cannot read it, or nothing.
     std::vector<Id<Symbol>> observers = {};

@@ -136,6 +136,7 @@ Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, s
                           std::int64_t wanted_low, std::int64_t wanted_high);
 Diagnostic no_controller(Span where, std::string_view loop);
 Diagnostic clock_in_property(Span where, std::string_view clock);
+Diagnostic place_outside_property(Span where);
 /// `language`: `CTL`; `what`: of the text at `where`.
 Diagnostic bad_formula(Span where, std::string_view language, std::string_view what);
 Diagnostic formula_at_stable(Span where);

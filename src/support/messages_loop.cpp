@@ -69,6 +69,12 @@ Diagnostic clock_in_property(Span where, std::string_view clock) {
                              clipped(clock)));
 }
 
+Diagnostic place_outside_property(Span where) {
+    return error(
+        "place-outside-property", where,
+        "`in` asks where an instance of the plant is, and properties alone know that; read its outputs instead");
+}
+
 Diagnostic declared_twice(Span where, std::string_view what) {
     return error("declared-twice", where, fmt::format("the loop says its {} twice; keep one", what));
 }

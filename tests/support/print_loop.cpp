@@ -148,6 +148,10 @@ private:
                     const ClosedLoop::Instance& owner = loop_.instances[of.instance];
                     return owner.name + '.' + model_.components[owner.component].locations[of.location].name;
                 },
+                [&](const ClosedLoop::OwnSymbol& of) {
+                    const ClosedLoop::Instance& owner = loop_.instances[of.instance];
+                    return owner.name + '.' + model_.components[owner.component].variables[of.variable].name;
+                },
                 [&](const ClosedLoop::ObserverSymbol& of) {
                     const ClosedLoop::Observer& owner = loop_.observers[of.observer];
                     return owner.name + '.' + owner.locations[of.location].name;

@@ -29,7 +29,7 @@ syn match grafcetName /\<[A-Za-z_][A-Za-z0-9_]*/
 " Words before the beginning of a term, a label, a text: no name is followed by these.
 let s:free = '\.\@1<!\<\%('
 let s:operand = '\%(\%(and\|or\|when\|do\)\>\)\@!'
-let s:follows = '\%(\%(leads\s\+to\|at\s\+stable\|on\s\+\%(activation\|deactivation\|event\)\)\>\)\@!'
+let s:follows = '\%(\%(implies\|in\|leads\s\+to\|at\s\+\%(stable\|most\|least\)\|on\s\+\%(activation\|deactivation\|event\)\|holds\s\+\%(for\|at\)\|precedes\|within\|before\|after\|between\|until\|since\)\>\)\@!'
 let s:term = '\)\>\%(\s*\%($\|\/\/\|\/\*\|(\)\|\s\+' . s:operand . s:follows . '\%([A-Za-z0-9_↑↓]\|!=\@!\|-[>[:space:]]\@!\)\)\@='
 exe 'syn match grafcetDeclaration /' . s:free . 'variable\|clock\|constraint\|accept\|grain\|schedule\|plant\|environment' . s:term . '/'
 exe 'syn match grafcetDeclaration /' . s:free . 'partial\|expansion\|observer' . s:term . '/ nextgroup=grafcetBlockName skipwhite'
@@ -37,6 +37,8 @@ exe 'syn match grafcetDeclaration /' . s:free . 'controller' . s:term . '/ nextg
 exe 'syn match grafcetDeclaration /' . s:free . 'location' . s:term . '/ nextgroup=grafcetStepName skipwhite'
 exe 'syn match grafcetDeclaration /' . s:free . 'property' . s:term . '/ nextgroup=grafcetPropertyName skipwhite'
 exe 'syn match grafcetControl /' . s:free . 'if\|after\|for\|with\|invariant\|initially\|expands\|encloses' . s:term . '/'
+exe 'syn match grafcetLogic /' . s:free . 'implies\|in' . s:term . '/'
+exe 'syn match grafcetPattern /' . s:free . 'precedes\|within\|before\|between\|until\|since' . s:term . '/'
 exe 'syn match grafcetModifier /' . s:free . 'urgent\|timed\)\>\%(\s*$\|\s\+' . s:operand . '[A-Za-z0-9_]\)\@=/'
 exe 'syn match grafcetModifier /' . s:free . 'initial\|linked\|entry\|exit\|macro\|enclosing\)\>' .
             \ '\%(\s*$\|\s\+\%(initial\|linked\|entry\|exit\|macro\|enclosing\|step\|location\)\>\)\@=/'
@@ -50,10 +52,15 @@ exe 'syn match grafcetControl /' . s:free . 'on\)\s\+\%(activation\|deactivation
 exe 'syn match grafcetControl /' . s:free . 'expected\)\s\+violated\>/'
 exe 'syn match grafcetControl /' . s:free . 'at\)\s\+stable\>/'
 exe 'syn match grafcetPattern /' . s:free . 'leads\)\s\+to\>/'
+exe 'syn match grafcetPattern /' . s:free . 'holds\)\%(\s\+\%(for\|at\)\>\)\@=/'
+exe 'syn match grafcetControl /' . s:free . 'at\)\%(\s\+\%(most\|least\s\+every\)\>\)\@=/'
+exe 'syn match grafcetControl /\%(\<holds\s\+\)\@<=for\>/'
+exe 'syn match grafcetPattern /\%(\<at\s\+\)\@<=\%(most\|least\%(\s\+every\>\)\@=\)\>/'
+exe 'syn match grafcetPattern /\%(\<at\s\+least\s\+\)\@<=every\>/'
 exe 'syn match grafcetPattern /' . s:free . 'no\)\s\+\%(deadlock\|timelock\)\>/'
 exe 'syn match grafcetPattern /' . s:free . 'exactly\)\s\+one\s\+of\>/'
 syn match grafcetAllSteps /\<all\s\+steps\>/ contained
-syn match grafcetType /\%(:\s*\)\@<=\%(bool\|int\|duration\)\>\%(\s*\%(->\|leads\>\)\)\@!/
+syn match grafcetType /\%(:\s*\)\@<=\%(bool\|int\|duration\)\>\%(\s*\%(->\|\%(leads\|implies\|in\|precedes\|holds\|at\)\>\)\)\@!/
 
 " Names where they are declared.
 syn match grafcetTypeName /\<\%(\%(and\|or\|when\|do\)\>\)\@![A-Za-z_][A-Za-z0-9_]*/ contained
@@ -70,7 +77,7 @@ syn match grafcetInvalid /\<[0-9]\+\%(\.[0-9]\+[A-Za-z0-9_]*\|[A-Za-z_][A-Za-z0-
 syn match grafcetDuration /\<[0-9]\+\%(\.[0-9]\+\)\?\%(ms\|s\|min\)\>/
 syn match grafcetOperator /[-!<>+*\/%=]/
 syn match grafcetInvalid /<>\|&\||/
-syn match grafcetOperator /:=\|->\|&&\|||\|==\|!=\|<=\|>=\|\.\./
+syn match grafcetOperator /:=\|->\|=>\|&&\|||\|==\|!=\|<=\|>=\|\.\./
 syn match grafcetAccept /\.\@1<!\<accept\s\+\%(\%(when\|do\)\>\)\@![A-Za-z_][A-Za-z0-9_]*\%(-[A-Za-z_][A-Za-z0-9_]*\)*/ contains=grafcetAcceptWord
 syn match grafcetAcceptWord /\<accept\%(\s\)\@=/ contained nextgroup=grafcetFinding skipwhite
 syn match grafcetFinding /[A-Za-z0-9_-]\+/ contained

@@ -107,13 +107,19 @@ struct ClosedLoop {
         Id<Component::Location> location = {};
         bool operator==(const LocationSymbol&) const = default;
     };
+    /// A variable of an instance's own.
+    struct OwnSymbol {
+        Id<Instance> instance = {};
+        Id<Component::Variable> variable = {};
+        bool operator==(const OwnSymbol&) const = default;
+    };
     /// An observer is at a location.
     struct ObserverSymbol {
         Id<Observer> observer = {};
         Id<ObserverLocation> location = {};
         bool operator==(const ObserverSymbol&) const = default;
     };
-    using Symbol = std::variant<SharedSymbol, InternalSymbol, StepSymbol, LocationSymbol, ObserverSymbol>;
+    using Symbol = std::variant<SharedSymbol, InternalSymbol, StepSymbol, LocationSymbol, OwnSymbol, ObserverSymbol>;
 
     std::string name = {};
     Grain grain = Grain::Phased;
@@ -142,6 +148,9 @@ struct Model {
 };
 
 std::vector<std::string> verify(const ClosedLoop& loop, const Model& model);
+
+/// Where the variable stands among the arguments of its process in a Network: behind those of the parameters.
+std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol);
 
 /// Whether an operand of `property` asks where an observer is: untimed models alone have observers.
 bool reads_observer(const ClosedLoop& loop, const Property& property);

@@ -166,6 +166,12 @@ Id<Expr> Builder::member(Id<Expr> owner, Name name, Span where) {
     return id;
 }
 
+Id<Expr> Builder::place(Id<Expr> owner, Name location, Span where) {
+    const Id<Expr> id = node(Op::In, {owner}, where);
+    file_->exprs[id].word = location.word;
+    return id;
+}
+
 Id<Expr> Builder::unary(Op op, Id<Expr> operand, Span where) { return node(op, {operand}, where); }
 
 Id<Expr> Builder::binary(Op op, Id<Expr> left, Id<Expr> right, Span where) {

@@ -51,6 +51,7 @@ public:
     Id<tree::Expr> duration(std::int64_t milliseconds, Span where);
     Id<tree::Expr> name(tree::Name name);
     Id<tree::Expr> member(Id<tree::Expr> owner, tree::Name name, Span where);
+    Id<tree::Expr> place(Id<tree::Expr> owner, tree::Name name, Span where);
     Id<tree::Expr> unary(tree::Op op, Id<tree::Expr> operand, Span where);
     /// `&&` and `||` take in a left operand of their own kind that has no brackets: a conjunction is one node.
     Id<tree::Expr> binary(tree::Op op, Id<tree::Expr> left, Id<tree::Expr> right, Span where);

@@ -34,6 +34,8 @@ bool is_operator(Symbol symbol) {
     switch (symbol) {
     case Symbols::S_AND_WORD:
     case Symbols::S_OR_WORD:
+    case Symbols::S_IMPLIES_WORD:
+    case Symbols::S_IN:
     case Symbols::S_DOT:
     case Symbols::S_MINUS: return true;
     default: return symbol >= Symbols::S_AND && symbol <= Symbols::S_MODULO && symbol != Symbols::S_NOT;

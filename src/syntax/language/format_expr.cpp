@@ -14,6 +14,7 @@ namespace {
 /// How tightly an operator binds, as in the grammar.
 int precedence(tree::Op op) {
     switch (op) {
+    case tree::Op::Implies: return 0;
     case tree::Op::Or: return 1;
     case tree::Op::And: return 2;
     case tree::Op::Equal:
@@ -35,6 +36,7 @@ int precedence(tree::Op op) {
     case tree::Op::Duration:
     case tree::Op::Name:
     case tree::Op::Member:
+    case tree::Op::In:
     case tree::Op::Rise:
     case tree::Op::Fall: return 7;
     }
@@ -56,6 +58,11 @@ public:
         case tree::Op::Member:
             print(node.first);
             text += '.';
+            text += file_->text(node.word);
+            return;
+        case tree::Op::In:
+            print(node.first);
+            text += " in ";
             text += file_->text(node.word);
             return;
         case tree::Op::Rise:
@@ -94,7 +101,7 @@ private:
     void infix(const tree::Expr& node) {
         const int own = precedence(node.op);
         const bool junction = node.op == tree::Op::And || node.op == tree::Op::Or;
-        const bool comparison = own == 3;
+        const bool comparison = own == 3 || own == 0;  // an implication of one is bracketed, on either side
         const std::string sign(spelling(node.op));
         bool first = true;
         for (Id<tree::Expr> id = node.first; id.valid(); id = file_->exprs[id].next) {

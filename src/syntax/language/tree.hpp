@@ -39,12 +39,14 @@ enum class Op : std::uint8_t {
     Duration,
     Name,
     Member,  // Member: operand `.` word
+    In,      // operand `in` word
     Not,
     Rise,
     Fall,
     Negate,
     And,
     Or,  // two or more operands
+    Implies,
     Equal,
     NotEqual,
     Less,
@@ -62,7 +64,7 @@ struct Expr {
     Op op = Op::False;
     bool bracketed = false;  ///< the author put it in brackets
     std::uint16_t depth = 1;
-    Id<Word> word = {};                         ///< Name, Member
+    Id<Word> word = {};                         ///< Name, Member, In
     std::int64_t value = 0;                     ///< Number; Duration: milliseconds
     Id<Expr> first = {}, last = {}, next = {};  ///< first and last operand, next sibling
     Span where = {};

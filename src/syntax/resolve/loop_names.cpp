@@ -24,6 +24,9 @@ Term symbol_term(LoopScope& scope, const ClosedLoop::Symbol& symbol, bool boolea
                        [](const ClosedLoop::StepSymbol& of) {
                            return "s" + std::to_string(of.controller.index) + '.' + std::to_string(of.step.index);
                        },
+                       [](const ClosedLoop::OwnSymbol& of) {
+                           return "w" + std::to_string(of.instance.index) + '.' + std::to_string(of.variable.index);
+                       },
                        [](const ClosedLoop::LocationSymbol& of) {
                            return "l" + std::to_string(of.instance.index) + '.' + std::to_string(of.location.index);
                        },
@@ -82,6 +85,25 @@ std::optional<Term> inside(LoopScope& scope, Id<Controller> controller, std::str
     return Term{};
 }
 
+Term own_term(LoopScope& scope, Id<ClosedLoop::Instance> instance, Id<Component::Variable> variable) {
+    const Component& component = scope.context.model.components[scope.loop.instances[instance].component];
+    return symbol_term(scope, ClosedLoop::OwnSymbol{instance, variable},
+                       component.variables[variable].value == Component::ValueKind::Boolean);
+}
+
+/// `Gate_X`, as traces and models call the variable `X` of `Gate`.
+std::optional<Term> told_name(LoopScope& scope, std::string_view name) {
+    for (const Id<ClosedLoop::Instance> id : scope.loop.instances.ids()) {
+        const ClosedLoop::Instance& instance = scope.loop.instances[id];
+        if (!instance.component.valid() || !name.starts_with(instance.name + '_')) continue;
+        const Component& component = scope.context.model.components[instance.component];
+        for (const Id<Component::Variable> variable : component.variables.ids())
+            if (component.variables[variable].name == name.substr(instance.name.size() + 1))
+                return own_term(scope, id, variable);
+    }
+    return {};
+}
+
 Term simple_name(LoopScope& scope, Span where, std::string_view name) {
     const auto shared = scope.shared.find(std::string(name));
     if (shared != scope.shared.end())
@@ -102,13 +124,30 @@ Term simple_name(LoopScope& scope, Span where, std::string_view name) {
         owner = controller;
     }
     if (found) return *found;
+    if (const auto own = told_name(scope, name)) return *own;
     if (scope.excused.contains(name)) return {};  // declared by an instance with an error
     return unknown_name(scope, where, name);
 }
 
 // -- `owner.name` -----------------------------------------------------------------------------------------------------
 
-Term location_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::string_view name, Span where) {
+/// A variable of the instance's own, or what its output or input `name` is bound to.
+std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, const Component& component,
+                                std::string_view name) {
+    for (const Id<Component::Variable> variable : component.variables.ids())
+        if (component.variables[variable].name == name) return own_term(scope, instance, variable);
+    for (const Id<Component::Parameter> id : component.parameters.ids()) {
+        if (component.parameters[id].name != name) continue;
+        const auto& argument = scope.loop.instances[instance].arguments[id.index];
+        if (const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&argument))
+            return symbol_term(scope, ClosedLoop::SharedSymbol{*shared}, scope.loop.shared[*shared].type.boolean);
+    }
+    return {};
+}
+
+/// `Gate.open`, `Gate in open`: a location; `Gate.X`: a variable, where no location has the name.
+Term state_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::string_view name, const tree::Expr& node) {
+    const Span where = node.where;
     const Id<Component> id = scope.loop.instances[instance].component;
     if (!id.valid()) return {};
     const Component& component = scope.context.model.components[id];
@@ -117,6 +156,11 @@ Term location_of(LoopScope& scope, Id<ClosedLoop::Instance> instance, std::strin
         if (component.locations[location].name == name)
             return symbol_term(scope, ClosedLoop::LocationSymbol{instance, location});
         nearest.offer(component.locations[location].name);
+    }
+    const bool place = node.op == tree::Op::In;
+    if (!place) {
+        if (const auto variable = variable_of(scope, instance, component, name)) return *variable;
+        for (const Component::Variable& variable : component.variables) nearest.offer(variable.name);
     }
     for (const Component::Clock& clock : component.clocks) {
         if (clock.name != name) continue;
@@ -166,14 +210,24 @@ Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_vie
     return {};
 }
 
+Term no_such_instance(LoopScope& scope, const tree::Expr& owner) {
+    const std::string_view name = scope.file.text(owner.word);
+    Nearest nearest(name);
+    for (const auto& instance : scope.loop.instances) nearest.offer(instance.name);
+    for (const auto& observer : scope.loop.observers) nearest.offer(observer.name);
+    scope.diagnostics.add(messages::unknown(owner.where, "instance", name, nearest.best()));
+    return {};
+}
+
 Term member_name(LoopScope& scope, const tree::Expr& node) {
     const tree::Expr& owner = scope.file.exprs[node.first];
     const std::string_view name = scope.file.text(node.word);
     if (owner.op == tree::Op::Name) {
         const auto instance = scope.instances.find(scope.file.text(owner.word));
-        if (instance != scope.instances.end()) return location_of(scope, instance->second, name, node.where);
+        if (instance != scope.instances.end()) return state_of(scope, instance->second, name, node);
         const auto observer = scope.observers.find(scope.file.text(owner.word));
         if (observer != scope.observers.end()) return observed(scope, observer->second, name, node.where);
+        if (node.op == tree::Op::In) return no_such_instance(scope, owner);
         const auto controller = scope.controllers.find(scope.file.text(owner.word));
         if (controller != scope.controllers.end()) {
             // Where names repeat, `chart.X2` is the step written directly in the grafcet.
@@ -188,6 +242,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
         }
         return in_partial_chart(scope, owner, name, node.where);
     }
+    if (node.op == tree::Op::In) return no_such_instance(scope, owner);
     const tree::Expr& outer = scope.file.exprs[owner.first];
     const auto controller =
         outer.op == tree::Op::Name ? scope.controllers.find(scope.file.text(outer.word)) : scope.controllers.end();
@@ -213,6 +268,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
 
 Terms property_terms(LoopScope& scope) {
     Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
+    terms.places_allowed = true;
     terms.name = [&scope](const tree::Expr& node) {
         return node.op == tree::Op::Name ? simple_name(scope, node.where, scope.file.text(node.word))
                                          : member_name(scope, node);

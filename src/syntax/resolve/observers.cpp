@@ -92,6 +92,7 @@ bool reads_inputs_only(LoopScope& scope, Id<Expr> condition, Span where) {
                 },
                 [&](const ClosedLoop::StepSymbol& of) { refuse("X" + scope.chart(of.controller).steps[of.step].name); },
                 [&](const ClosedLoop::LocationSymbol& of) { refuse(loop.instances[of.instance].name); },
+                [&](const ClosedLoop::OwnSymbol& of) { refuse(loop.instances[of.instance].name); },
                 [&](const ClosedLoop::ObserverSymbol& of) { refuse(loop.observers[of.observer].name); },
             },
             loop.symbols[{static_cast<std::uint32_t>(loop.exprs[leaf].value)}]);

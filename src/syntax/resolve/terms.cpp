@@ -30,12 +30,14 @@ Op ir_op(tree::Op op) {
     case tree::Op::Duration: return Op::Duration;
     case tree::Op::Name: return Op::Variable;
     case tree::Op::Member: return Op::Variable;
+    case tree::Op::In: return Op::Variable;
     case tree::Op::Not: return Op::Not;
     case tree::Op::Rise: return Op::Rise;
     case tree::Op::Fall: return Op::Fall;
     case tree::Op::Negate: return Op::Negate;
     case tree::Op::And: return Op::And;
     case tree::Op::Or: return Op::Or;
+    case tree::Op::Implies: return Op::Or;  // of the negated left side: Terms::implication
     case tree::Op::Equal: return Op::Equal;
     case tree::Op::NotEqual: return Op::NotEqual;
     case tree::Op::Less: return Op::Less;
@@ -59,12 +61,14 @@ std::string_view spelling(tree::Op op) {
     case tree::Op::Duration: return "a duration";
     case tree::Op::Name: return "a name";
     case tree::Op::Member: return ".";
+    case tree::Op::In: return "in";
     case tree::Op::Not: return "!";
     case tree::Op::Rise: return "rise";
     case tree::Op::Fall: return "fall";
     case tree::Op::Negate: return "-";
     case tree::Op::And: return "&&";
     case tree::Op::Or: return "||";
+    case tree::Op::Implies: return "=>";
     case tree::Op::Equal: return "==";
     case tree::Op::NotEqual: return "!=";
     case tree::Op::Less: return "<";
@@ -98,11 +102,13 @@ Term Terms::resolve(Id<tree::Expr> id) {
     case tree::Op::Duration: return {exprs_->duration(node.value), Kind::Duration};
     case tree::Op::Name:
     case tree::Op::Member: return name(node);
+    case tree::Op::In: return place(node);
     case tree::Op::Not: return boolean_operand(node, Op::Not);
     case tree::Op::Rise: return boolean_operand(node, Op::Rise);
     case tree::Op::Fall: return boolean_operand(node, Op::Fall);
     case tree::Op::And:
     case tree::Op::Or: return junction(node);
+    case tree::Op::Implies: return implication(node);
     case tree::Op::Equal:
     case tree::Op::NotEqual:
     case tree::Op::Less:
@@ -182,6 +188,20 @@ Term Terms::junction(const tree::Expr& written) {
     }
     if (!right) return {};
     return {written.op == tree::Op::And ? exprs_->conjunction(operands) : exprs_->disjunction(operands), Kind::Boolean};
+}
+
+/// Only of the loop's owner there are places to be at.
+Term Terms::place(const tree::Expr& written) {
+    if (places_allowed) return name(written);
+    diagnostics_->add(messages::place_outside_property(written.where));
+    return {};
+}
+
+Term Terms::implication(const tree::Expr& written) {
+    const Term left = resolve(written.first), right = resolve(written.last);
+    const bool left_right = is(node(written.first), left, Kind::Boolean, quoted(written.op));
+    if (!is(node(written.last), right, Kind::Boolean, quoted(written.op)) || !left_right) return {};
+    return {exprs_->disjunction(exprs_->negation(left.expr), right.expr), Kind::Boolean};
 }
 
 Term Terms::comparison(const tree::Expr& written) {

@@ -36,6 +36,7 @@ public:
     /// What the owner takes for itself; empty: the common rules apply.
     std::function<std::optional<Term>(const tree::Expr&)> special = {};
     bool edges_allowed = false;
+    bool places_allowed = false;  ///< `Gate in open`: given to `name`
 
     Term resolve(Id<tree::Expr> node);
     /// A term of `kind`, or an error that says that `user` wants one; not valid after an error.
@@ -48,6 +49,8 @@ public:
     Diagnostics& diagnostics() { return *diagnostics_; }
 
 private:
+    Term implication(const tree::Expr& node);
+    Term place(const tree::Expr& node);
     Term junction(const tree::Expr& node);
     Term comparison(const tree::Expr& node);
     Term arithmetic(const tree::Expr& node);

@@ -208,7 +208,8 @@ TEST(LspCompletion, OffersWhatCanStandThere) {
               (std::vector<std::string>{"between", "in", "out"}));
     EXPECT_TRUE(holds(in_loop("    property p: @"), "never"));
     EXPECT_TRUE(holds(in_loop("    property p: never X1 && @"), "START"));
-    EXPECT_EQ(in_loop("    property p: never Start.@"), (std::vector<std::string>{"idle", "leads to", "at stable"}));
+    EXPECT_EQ(in_loop("    property p: never Start.@"),
+              (std::vector<std::string>{"idle", "leads to", "at stable", "implies", "in"}));
 }
 
 TEST(LspCompletion, KnowsWhatAChartDeclaresBeforeItsBracesAreClosed) {

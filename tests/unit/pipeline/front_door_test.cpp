@@ -54,6 +54,58 @@ TEST(FrontDoor, TellsWhatIsWrongWithATextAsTheProgramDoes) {
     EXPECT_NE(missing.complaints().find("no such file"), std::string::npos) << missing.complaints();
 }
 
+TEST(FrontDoor, PropertiesNameEveryStateOfThePlantInEveryEngine) {
+    const Reading reading = read_string(R"(grafcet raising {
+    input CARD, TOP;
+    output RAISE;
+    initial step 0;
+    step 1 { RAISE; }
+    transition t0: 0 -> 1 when CARD;
+    transition t1: 1 -> 0 when TOP;
+}
+component gate(input OPEN; output AT_TOP; STEP = 1s) {
+    variable X: int 0..3 = 0;
+    variable MOVED = false;
+    clock t;
+    initial location resting;
+    location rising invariant t <= STEP;
+    urgent resting -> rising when OPEN && X < 3 do t := 0;
+    timed rising -> resting when t == STEP && X < 2 do X := X + 1, MOVED := true;
+    timed rising -> resting when t == STEP && X == 2 do X := 3, MOVED := true, AT_TOP := true;
+}
+closed_loop park {
+    controller raising;
+    plant Gate = gate(OPEN = RAISE, AT_TOP = TOP);
+    environment Card = push_button(OUT = CARD);
+    property names: always Gate.OPEN == RAISE && Gate.AT_TOP == TOP && Gate_X == Gate.X;
+    property moves: always Gate.X > 0 => Gate.MOVED;
+    property rests: always Gate.X == 3 implies Gate in resting;
+    property rises: reachable Gate in rising && Gate.X == 2;
+    property stays: never Gate.X == 3 && TOP;
+})",
+                                        "park.grafcet");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    Diagnostics diagnostics;
+    const Id<ClosedLoop> park{0};
+    ModelOptions discrete;
+    discrete.untimed.plant = PlantApproach::Automata;
+    discrete.untimed.time = TimeModel::Discrete;
+    ModelOptions together = discrete;
+    together.untimed.time = TimeModel::Abstract;
+    together.untimed.schedule = Schedule::Synchronous;
+    for (const auto& report : {check(*reading.model, park, {}, {}, diagnostics),
+                               check_untimed(*reading.model, park, discrete, {}, diagnostics),
+                               check_untimed(*reading.model, park, together, {}, diagnostics)}) {
+        ASSERT_TRUE(report);
+        for (const char* name : {"names", "moves", "rests", "rises"})
+            EXPECT_EQ(outcome(*report, name), Outcome::Holds) << name;
+        EXPECT_EQ(outcome(*report, "stays"), Outcome::Violated);
+    }
+    const auto alone = check_untimed(*reading.model, park, {}, {}, diagnostics);  // it has no plant
+    ASSERT_TRUE(alone);
+    EXPECT_EQ(outcome(*alone, "moves"), Outcome::Unknown);
+}
+
 TEST(FrontDoor, IncludesComeFromWhereTheCallerSays) {
     ReadOptions options;
     std::vector<std::string> asked;

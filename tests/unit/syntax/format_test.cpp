@@ -46,6 +46,11 @@ TEST(FormatCondition, UsesOneSpellingAndTheBracketsThatHelp) {
         {"a and  b", "a && b"},
         {"not a or b", "!a || b"},
         {"((a))", "a"},
+        {"a implies b or c", "a => b || c"},
+        {"a => b => c", "a => (b => c)"},
+        {"(a => b) => c", "(a => b) => c"},
+        {"not (a implies b) && Gate in open", "!(a => b) && Gate in open"},
+        {"!Gate in 3", "!Gate in 3"},
         {"(a) && (b == c)", "a && b == c"},
         {"(a && b) || c", "(a && b) || c"},  // kept: tells the mixture apart
         {"a && b || c", "a && b || c"},

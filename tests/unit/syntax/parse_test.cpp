@@ -18,8 +18,8 @@ std::string shape(const tree::File& file, Id<tree::Expr> id) {
     if (!node.first.valid()) return formatted(file, id);
     if (node.op == tree::Op::Member) return shape(file, node.first) + '.' + std::string(file.text(node.word));
     const char* const names[] = {
-        "false", "true", "number", "duration", "name", "member", "not", "rise", "fall", "negate", "and", "or",
-        "==",    "!=",   "<",      "<=",       ">",    ">=",     "+",   "-",    "*",    "/",      "%"};
+        "false",   "true", "number", "duration", "name", "member", "in", "not", "rise", "fall", "negate", "and", "or",
+        "implies", "==",   "!=",     "<",        "<=",   ">",      ">=", "+",   "-",    "*",    "/",      "%"};
     std::string text = std::string("(") + names[static_cast<std::size_t>(node.op)];
     for (Id<tree::Expr> operand = node.first; operand.valid(); operand = file.exprs[operand].next)
         text += ' ' + shape(file, operand);
@@ -66,6 +66,8 @@ struct Case {
 TEST(ParseCondition, BindsOperatorsAsTheLanguageSays) {
     const std::vector<Case> cases = {
         {"a || b && c", "(or a (and b c))"},
+        {"a => b implies c || d", "(implies a (implies b (or c d)))"},
+        {"!G.a in 3 => true", "(implies (not (in G.a)) true)"},
         {"a and b or not c", "(or (and a b) (not c))"},
         {"a && b && c && d", "(and a b c d)"},
         {"(a && b) && c", "(and (and a b) c)"},
