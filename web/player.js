@@ -29,6 +29,8 @@ export class Player {
         this.property = data.property === null ? null : page.properties[data.property];
         this.claims = this.property ? new Claims(this.run, this.property) : null;
         this.decisive = this.claims && data.kind === "counterexample" ? decisiveMoment(this.claims) : null;
+        this.causeRows = new Set((this.run.trace.causes?.values ?? []).map(({from}) => this.run.shown.find(
+            (index) => this.run.rowMoments[index] >= from) ?? this.run.shown.at(-1)));
         this.moment = 0;
         this.chosen = null;
         this.everyMove = false;
@@ -234,7 +236,7 @@ export class Player {
             ? "" : this.run.timeText(row.moment);
         const loop = this.run.data.loop_from !== null && index >= this.run.data.loop_from;
         const cell = (name, text) => make("span", {class: name, title: text}, text);
-        return [cell("loop-mark", loop ? "↻" : ""), cell("when", time), cell("what", row.words),
+        return [cell("loop-mark", `${loop ? "↻" : ""}${this.causeRows.has(index) ? "*" : ""}`), cell("when", time), cell("what", row.words),
                 cell("fired", row.cleared ? `⇣ ${row.cleared}` : "")];
     }
 

@@ -90,13 +90,33 @@ export function whyProperty(claims, moment, decisive, go) {
         const so = `${valueWords(property.terms[term], value)} ${sinceWords(run, since)}`;
         const heading = make("p", {class: "answer"}, words[Math.min(k, words.length - 1)] ?? "", when, ": ");
         if (value !== undefined) heading.append(since === 0 ? make("span", {class: "remark"}, so) : link(since, so));
-        const causes = value === undefined ? [] : claims.causes(term, moment);
-        if (causes.length > 0 && causes[0] !== term)
-            heading.append(", made so by ", ...causes.flatMap((each, n) => [n > 0 ? ", " : "",
+        const makers = value === undefined ? [] : claims.causes(term, moment);
+        if (makers.length > 0 && makers[0] !== term)
+            heading.append(", made so by ", ...makers.flatMap((each, n) => [n > 0 ? ", " : "",
                 make("code", {}, property.terms[each].text), ` (then ${valueWords(property.terms[each], claims.value(each, since))})`]));
         return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader, {faulty: !mayBeFalse(property.pattern, k)}))];
     });
-    return make("div", {}, ...(decisive === null ? [] : [standing(property, moment, decisive, link, run)]), ...parts.flat());
+    return make("div", {}, ...(decisive === null ? [] : [standing(property, moment, decisive, link, run)]),
+                ...causes(run, moment, link), ...parts.flat());
+}
+
+// The values that make it fail, each with a way to where it begins, and the moves that could have been left out.
+function causes(run, moment, link) {
+    const {causes, left_out} = run.trace, parts = [];
+    const when = (m) => (m === 0 ? "power-on" : run.timeText(m));
+    if (causes) {
+        const items = causes.values.map(({words, from, to}) => {
+            const until = to === from ? "" : to === run.last ? " on" : ` to ${when(to)}`;
+            return make("li", {class: from <= moment && moment <= to ? "cause here" : "cause"}, make("code", {}, words),
+                        from === to ? " at " : " from ", link(from, when(from)), until);
+        });
+        parts.push(make("p", {class: "answer"}, `${causes.exact ? "Causes" : "Causes, approximately"}:`),
+                   make("ul", {class: "causes"}, ...items));
+    }
+    if (left_out)
+        parts.push(make("p", {class: "answer"}, "It holds along the run without what happens at ",
+                        ...left_out.flatMap((m, k) => [k > 0 ? ", " : "", link(m, when(m))]), "."));
+    return parts;
 }
 
 // How a violated property stands at the moment.

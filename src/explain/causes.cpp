@@ -202,4 +202,92 @@ std::optional<Causes> causes_of(const Network& network, const Property& property
     }
 }
 
+namespace {
+
+/// Where the run has what the leaves of terms read.
+class Marker {
+public:
+    Marker(const Network& network, ChartRun& run) : network_(network), run_(run) {
+        std::uint32_t instances = 0;
+        for (const Network::Process& process : network.processes)
+            instances_.push_back(process.kind == Network::ProcessKind::Controller
+                                     ? Id<ChartRun::Instance>{}
+                                     : Id<ChartRun::Instance>{instances++});
+        for (const Id<Network::Controller> id : network.controllers.ids()) {
+            const auto& words = network.controllers[id].words;
+            const ChartRun::Controller& controller = run.controllers[{id.index}];
+            for (std::size_t k = 0; k < words.steps.size(); ++k)
+                steps_[words.steps[k].variable.index] = controller.steps[k];
+        }
+        for (const Id<Network::Variable> id : network.variables.ids()) {
+            const auto signal = std::ranges::find_if(run.signals, [&](const ChartRun::Signal& each) {
+                return each.role != ChartRun::Role::Image && each.name == network.variables[id].name;
+            });
+            if (signal != run.signals.end())
+                signals_[id.index] = {static_cast<std::uint32_t>(signal - run.signals.begin())};
+        }
+    }
+
+    void mark(const Causes::Pair& pair) {
+        for (const Id<Expr> leaf : leaves(network_.exprs, pair.term)) add(network_.exprs[leaf], pair.state);
+    }
+
+private:
+    void add(const Expr& leaf, std::size_t state) {
+        const std::size_t moment = std::min(state, run_.moments.size() - 1);
+        const ChartRun::State& after = run_.moments[moment].after;
+        ChartRun::Cause cause{.first = moment, .last = moment};
+        const auto index = static_cast<std::uint32_t>(leaf.value);
+        if (leaf.op == Op::At) {
+            cause.instance = instances_[at_process(leaf)];
+            cause.location = at_location(leaf);
+            cause.value = location_of(cause.instance, moment) == cause.location ? 1 : 0;
+            if (!cause.instance.valid()) return;
+        } else if (const auto step = steps_.find(index); step != steps_.end()) {
+            cause.step = step->second;
+            cause.value = std::ranges::find(after.situation, cause.step) != after.situation.end() ? 1 : 0;
+        } else if (const auto signal = signals_.find(index); signal != signals_.end()) {
+            cause.signal = signal->second;
+            cause.value = after.values[cause.signal.index];
+        } else {
+            return;
+        }
+        for (ChartRun::Cause& before : run_.causes) {
+            ChartRun::Cause same = before;
+            same.first = cause.first;
+            same.last = cause.last;
+            if (same != cause || before.last + 1 < moment) continue;
+            before.last = moment;
+            return;
+        }
+        run_.causes.push_back(cause);
+    }
+
+    std::size_t location_of(Id<ChartRun::Instance> instance, std::size_t moment) const {
+        for (std::size_t k = moment; k > 0; --k)
+            if (run_.moments[k].instance == instance && run_.moments[k].location) return *run_.moments[k].location;
+        for (const Id<Network::Process> id : network_.processes.ids())
+            if (instances_[id.index] == instance) return network_.processes[id].initial.index;
+        return 0;
+    }
+
+    const Network& network_;
+    ChartRun& run_;
+    std::vector<Id<ChartRun::Instance>> instances_ = {};          // per process
+    std::map<std::uint32_t, Id<ChartRun::Step>> steps_ = {};      // per variable
+    std::map<std::uint32_t, Id<ChartRun::Signal>> signals_ = {};  // per variable
+};
+
+}  // namespace
+
+void mark(const Network& network, const Causes& causes, ChartRun& run) {
+    Marker marker(network, run);
+    run.causes_exact = causes.exact;
+    for (const Causes::Pair& pair : causes.pairs) marker.mark(pair);
+    // The last moment is that before the loop again.
+    for (const Causes::Pair& pair : causes.pairs)
+        if (run.loop && pair.state + 1 == *run.loop) marker.mark({pair.term, run.moments.size() - 1});
+    std::ranges::stable_sort(run.causes, {}, &ChartRun::Cause::first);
+}
+
 }  // namespace grafverif

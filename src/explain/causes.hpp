@@ -7,8 +7,8 @@
 // there are bottom-valued pairs, it not among them, such that with their values changed the property still fails on the run,
 // and with its value changed as well it does not. Which states are settled is taken as it is.
 //
-// Of `always`, `never`, `exactly one of` the first state that fails is what is explained; of `leads to` the first state
-// that asks and is never answered, on the run for ever: a value in a loop is changed in every round.
+// Of `always`, `never`, `exactly one of` the first state that fails is explained, by its own values; of `leads to` the first
+// state that asks and is never answered, by its values and those of all later states: one in a loop is changed in every round.
 #pragma once
 
 #include <cstddef>

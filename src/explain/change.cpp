@@ -28,11 +28,13 @@ bool is_free(const Network& network, const Move& move) {
 /// A run made again, move by move.
 class Remake {
 public:
-    explicit Remake(const Network& network) : network_(network), state_(initial_state(network)) {}
+    Remake(const Network& network, std::size_t& effort)
+        : network_(network), effort_(effort), state_(initial_state(network)) {}
 
     /// Whether it is made, or may be left out.
     bool make(const Move& move) {
         if (const Delay* const delay = std::get_if<Delay>(&move)) {
+            if (perform_it(move) == Step::Result::Done) return true;
             for (std::int64_t unit = 0; unit < delay->units; ++unit)
                 if (!after_what_must_be(Delay{1})) return false;
             return true;
@@ -67,13 +69,17 @@ private:
         return false;
     }
 
+    /// NoValue where the effort is spent.
     Step::Result perform_it(const Move& move) {
+        if (effort_ == 0) return Step::Result::NoValue;
+        --effort_;
         const Step::Result result = perform(network_, state_, move).result;
         if (result == Step::Result::Done) run_.moves.push_back(move);
         return result;
     }
 
     const Network& network_;
+    std::size_t& effort_;
     NetworkState state_;
     Run run_ = {};
 };
@@ -106,17 +112,19 @@ bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
     return false;
 }
 
-}  // namespace
-
-std::optional<Run> without(const Network& network, const Run& run, const std::vector<std::size_t>& left_out) {
-    Remake remake(network);
+/// The run without the free moves `left_out`; nothing where the rest is none.
+std::optional<Run> without(const Network& network, const Run& run, const std::vector<std::size_t>& left_out,
+                           std::size_t& effort) {
+    Remake remake(network, effort);
     for (std::size_t k = 0; k < run.moves.size(); ++k)
         if (std::ranges::find(left_out, k) == left_out.end() && !remake.make(run.moves[k])) return {};
     if (!remake.finish()) return {};
     return std::move(remake).run();
 }
 
-ShortestChange shortest_change(const Network& network, const Property& property, const Run& run, std::size_t runs) {
+}  // namespace
+
+ShortestChange shortest_change(const Network& network, const Property& property, const Run& run, std::size_t effort) {
     ShortestChange result;
     if (property.pattern != Pattern::Always && property.pattern != Pattern::Never &&
         property.pattern != Pattern::ExactlyOneOf)
@@ -129,13 +137,14 @@ ShortestChange shortest_change(const Network& network, const Property& property,
         std::vector<std::size_t> chosen;
         for (std::size_t k = 0; k < size; ++k) chosen.push_back(k);
         do {
-            if (runs-- == 0) {
+            std::vector<std::size_t> left_out;
+            for (const std::size_t each : chosen) left_out.push_back(free[each]);
+            auto rest = without(network, run, left_out, effort);
+            if (effort == 0) {
                 result.exhausted = true;
                 return result;
             }
-            std::vector<std::size_t> left_out;
-            for (const std::size_t each : chosen) left_out.push_back(free[each]);
-            auto rest = without(network, run, left_out);
+            ++result.tried;
             if (!rest || !holds_along(network, property, *rest)) continue;
             result.found = Change{std::move(left_out), std::move(*rest)};
             return result;

@@ -29,15 +29,13 @@ struct Change {
 struct ShortestChange {
     std::optional<Change> found = {};  ///< of those with the fewest moves the first one
     std::size_t free_moves = 0;        ///< how many there are in the run
-    bool exhausted = false;            ///< the runs allowed were made, and there were more to make
+    std::size_t tried = 0;             ///< sets of them
+    bool exhausted = false;            ///< the effort allowed is spent, and there were more to try
 };
 
-/// The run of the network without the free moves `left_out`; nothing where the rest is none.
-std::optional<Run> without(const Network& network, const Run& run, const std::vector<std::size_t>& left_out);
-
 /// Requires that `run` replays and shows that `property` is violated. Nothing is found for properties that are not about
-/// single states. `runs`: at most so many are made.
+/// single states. `effort`: at most so many moves are tried in all.
 ShortestChange shortest_change(const Network& network, const Property& property, const Run& run,
-                               std::size_t runs = 200);
+                               std::size_t effort = 5000);
 
 }  // namespace grafverif

@@ -92,6 +92,15 @@ std::vector<std::string> verify(const ChartRun& run) {
     if (run.loop && (*run.loop == 0 || *run.loop > run.moments.size())) faults.emplace_back("nothing begins the loop");
     if (run.loop_from && (*run.loop_from == 0 || *run.loop_from >= run.rows.size()))
         faults.emplace_back("the loop begins at no row");
+    for (const ChartRun::Cause& cause : run.causes) {
+        const bool known = (!cause.signal.valid() || run.signals.contains(cause.signal)) &&
+                           (!cause.step.valid() || run.steps.contains(cause.step)) &&
+                           (!cause.instance.valid() || run.instances.contains(cause.instance));
+        if (!known || cause.first > cause.last || cause.last >= run.moments.size())
+            faults.emplace_back("a cause is about something unknown");
+    }
+    if (!run.left_out.empty() && run.left_out.back() >= run.moments.size())
+        faults.emplace_back("an unknown moment is left out");
     return faults;
 }
 

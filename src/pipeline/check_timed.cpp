@@ -70,7 +70,7 @@ public:
                 violations.push_back({report.answers.size(), *verdict.run});
             report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
         }
-        explain(network_, violations, again(result), report);
+        if (!loop_.cures_left_out) explain(network_, violations, again(result), report);
         report.profile = std::move(result.profile);
         if (report.profile && loop_.finest) report.profile->finest = loop_.finest();
         report.failures = std::move(failures_);

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/explain.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
+#include "explain/causes.hpp"
+#include "explain/change.hpp"
 #include "explain/settling.hpp"
+#include "ir/network_run.hpp"
 
 namespace grafverif {
 
@@ -32,12 +37,31 @@ void explain_power_on(const Network& network, const std::vector<Violation>& viol
     }
 }
 
+/// Marks the values that make it fail, and finds what could have been left out.
+void explain_run(const Network& network, const Run& run, Answer& answer) {
+    if (!answer.verdict.about.valid() || !answer.trace) return;
+    const Property& property = network.properties[answer.verdict.about];
+    const auto states = replay(network, run);
+    const auto causes = states ? causes_of(network, property, *states, run.loop) : std::nullopt;
+    if (!causes) return;
+    mark(network, *causes, *answer.trace);
+    const ShortestChange change = shortest_change(network, property, run);
+    if (change.found)
+        for (const std::size_t move : change.found->left_out) answer.trace->left_out.push_back(move + 1);
+    if (change.exhausted)
+        answer.verdict.notes.push_back(fmt::format(
+            "which of the {} free moves of its counterexample would have to be left out was not found: {} ways "
+            "were tried",
+            change.free_moves, change.tried));
+}
+
 }  // namespace
 
 void explain(const Network& network, const std::vector<Violation>& violations, const Search& search, Report& report) {
     explain_power_on(network, violations, search, report);
     for (const Violation& each : violations) {
         Answer& answer = report.answers[each.answer];
+        explain_run(network, each.run, answer);
         if (answer.verdict.pattern != Pattern::NoTimelock || !answer.trace) continue;
         if (std::string words = unsettled_words(*answer.trace); !words.empty())
             answer.verdict.notes.push_back(std::move(words));

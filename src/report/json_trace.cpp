@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "report/words.hpp"
+
 namespace grafverif {
 
 namespace {
@@ -122,40 +124,58 @@ Json moment_json(const ChartRun& run, std::size_t index) {
     return object;
 }
 
+Json cause_json(const ChartRun& run, const ChartRun::Cause& cause) {
+    return {{"signal", place(cause.signal)},
+            {"step", place(cause.step)},
+            {"instance", place(cause.instance)},
+            {"location", cause.instance.valid() ? Json(cause.location) : Json(nullptr)},
+            {"value", cause.value},
+            {"from", cause.first},
+            {"to", cause.last},
+            {"words", cause_words(run, cause)}};
+}
+
 }  // namespace
 
 Json run_json(const ChartRun& run) {
     Json moments = Json::array();
     for (std::size_t i = 0; i < run.moments.size(); ++i) moments.push_back(moment_json(run, i));
-    return {{"version", 1},
-            {"name", run.name},
-            {"timed", run.timed},
-            {"controllers", listed(run.controllers, controller_json)},
-            {"steps", listed(run.steps,
-                             [](const ChartRun::Step& step) {
-                                 return Json{{"name", step.name.text()},
-                                             {"full_name", step.full_name()},
-                                             {"short_name", step.short_name}};
-                             })},
-            {"transitions", listed(run.transitions,
-                                   [](const ChartRun::Transition& each) {
-                                       return Json::object({{"name", each.name}});
+    Json made = {{"version", 1},
+                 {"name", run.name},
+                 {"timed", run.timed},
+                 {"controllers", listed(run.controllers, controller_json)},
+                 {"steps", listed(run.steps,
+                                  [](const ChartRun::Step& step) {
+                                      return Json{{"name", step.name.text()},
+                                                  {"full_name", step.full_name()},
+                                                  {"short_name", step.short_name}};
+                                  })},
+                 {"transitions", listed(run.transitions,
+                                        [](const ChartRun::Transition& each) {
+                                            return Json::object({{"name", each.name}});
+                                        })},
+                 {"timers", listed(run.timers,
+                                   [](const ChartRun::Timer& timer) {
+                                       return Json{
+                                           {"name", timer.name},
+                                           {"watched", timer.watched.empty() ? Json(nullptr) : Json(timer.watched)},
+                                           {"rise", timer.rise_ms},
+                                           {"fall", timer.fall_ms}};
                                    })},
-            {"timers", listed(run.timers,
-                              [](const ChartRun::Timer& timer) {
-                                  return Json{{"name", timer.name},
-                                              {"watched", timer.watched.empty() ? Json(nullptr) : Json(timer.watched)},
-                                              {"rise", timer.rise_ms},
-                                              {"fall", timer.fall_ms}};
-                              })},
-            {"signals", listed(run.signals, signal_json)},
-            {"instances",
-             listed(run.instances,
-                    [](const ChartRun::Instance& each) {
-                        return Json{{"name", each.name}, {"kind", word(each.kind)}, {"locations", each.locations}};
-                    })},
-            {"moments", std::move(moments)},
-            {"loop", or_null(run.loop)}};
+                 {"signals", listed(run.signals, signal_json)},
+                 {"instances",
+                  listed(run.instances,
+                         [](const ChartRun::Instance& each) {
+                             return Json{{"name", each.name}, {"kind", word(each.kind)}, {"locations", each.locations}};
+                         })},
+                 {"moments", std::move(moments)},
+                 {"loop", or_null(run.loop)}};
+    if (!run.causes.empty()) {
+        const auto each = [&run](const ChartRun::Cause& cause) { return cause_json(run, cause); };
+        made["causes"] = {{"exact", run.causes_exact}, {"values", listed(run.causes, each)}};
+    }
+    if (!run.left_out.empty()) made["left_out"] = run.left_out;
+    return made;
 }
 
 Json trace_json(const ChartRun& run) {

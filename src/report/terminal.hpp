@@ -3,7 +3,8 @@
 //
 // A trace is a table: time; what happened; the inputs that changed (`V_IN`, `!V_IN`, `LEVEL = 3`; all that are not 0 at
 // power-on); the transitions cleared, `;` between evolutions; the situation and the outputs where they changed, and
-// in the first and the last row. Time is written where it goes on. Rows that repeat for ever have a bar before them.
+// in the first and the last row. Time is written where it goes on. Rows that repeat for ever have a bar before them, those
+// with which a cause begins a star; the causes, and what could have been left out, stand below.
 #pragma once
 
 #include <array>

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "report/words.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "report/tell.hpp"
 #include "run/project.hpp"
 #include "syntax/print/dialect.hpp"
@@ -44,6 +48,45 @@ std::string timer_words(const ChartRun::Timer& timer, bool value) {
 std::string value_words(const ChartRun::Signal& signal, std::int64_t value) {
     if (signal.type.boolean) return value != 0 ? signal.name : "!" + signal.name;
     return signal.name + " = " + std::to_string(value);
+}
+
+std::string cause_words(const ChartRun& run, const ChartRun::Cause& cause) {
+    if (cause.signal.valid()) return value_words(run.signals[cause.signal], cause.value);
+    const std::string sign = cause.value != 0 ? "" : "!";
+    if (cause.instance.valid()) {
+        const ChartRun::Instance& instance = run.instances[cause.instance];
+        return sign + instance.name + "." + instance.locations[cause.location];
+    }
+    const ChartRun::Step& step = run.steps[cause.step];
+    return sign + (step.controller.empty() ? "" : step.controller + ".") + step.name.variable();
+}
+
+std::string causes_words(const ChartRun& run) {
+    constexpr std::size_t most = 8;
+    std::string text, last;
+    for (std::size_t k = 0; k < std::min(most, run.causes.size()); ++k) {
+        const ChartRun::Cause& cause = run.causes[k];
+        std::string when = "at " + moment_text(run, run.moments[cause.first].after);
+        const bool goes_on = cause.first < cause.last;
+        if (goes_on && cause.last + 1 < run.moments.size())
+            when = "from" + when.substr(2) + " to " + moment_text(run, run.moments[cause.last].after);
+        else if (goes_on) when = "from" + when.substr(2) + " on";
+        text += when == last ? ", " : (text.empty() ? "" : "; ") + when + ": ";
+        text += cause_words(run, cause);
+        last = when;
+    }
+    return run.causes.size() > most ? fmt::format("{}; and {} more", text, run.causes.size() - most) : text;
+}
+
+std::string left_out_words(const ChartRun& run) {
+    std::string text;
+    for (const std::size_t moment : run.left_out) {
+        const ChartRun::Moment& told = run.moments[moment];
+        const std::string what = instance_words(run, moment, true);
+        text += fmt::format("{}{}{} at {}", text.empty() ? "" : ", ", run.instances[told.instance].name,
+                            what.empty() ? "" : " (" + what + ")", moment_text(run, told.after));
+    }
+    return text;
 }
 
 std::string change_words(const ChartRun::Signal& signal, std::int64_t before, std::int64_t after) {

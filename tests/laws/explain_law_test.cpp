@@ -3,9 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "check/timed/timed.hpp"
+#include "explain/causes.hpp"
+#include "explain/change.hpp"
 #include "explain/settling.hpp"
 #include "grafverif/grafverif.hpp"
 #include "run/project.hpp"
@@ -54,6 +63,255 @@ TEST(ExplainLaw, AChartThatIsSaidNeverToSettleIsTotallyUnstableToTheSearchOfAnal
         }
     }
     EXPECT_GT(unstable, 0);
+}
+
+// -- causes ------------------------------------------------------------------------------------------------------------
+
+std::size_t below(Random& random, std::size_t bound) { return random() % bound; }
+
+/// A term over the first `variables` variables; some terms come twice.
+Id<Expr> random_term(Random& random, Exprs& exprs, std::size_t variables, int depth) {
+    if (depth == 0 || below(random, 4) == 0) {
+        const Id<Expr> leaf = exprs.leaf(Op::Variable, static_cast<std::uint32_t>(below(random, variables)));
+        return below(random, 3) == 0 ? exprs.apply(Op::Less, leaf, exprs.integer(1)) : leaf;
+    }
+    const Id<Expr> left = random_term(random, exprs, variables, depth - 1);
+    if (below(random, 4) == 0) return exprs.negation(left);
+    const Id<Expr> right = random_term(random, exprs, variables, depth - 1);
+    return below(random, 2) == 0 ? exprs.conjunction(left, right) : exprs.disjunction(left, right);
+}
+
+using Pair = std::pair<std::uint32_t, std::size_t>;  // a term, a state
+
+/// A run of states that a property fails on, and the definition word by word.
+class Enumeration {
+public:
+    Enumeration(const Network& network, const Property& property, std::vector<NetworkState> states, std::size_t count,
+                std::optional<std::size_t> loop)
+        : network_(network), property_(property), states_(std::move(states)), count_(count), loop_(loop) {}
+
+    /// Empty optional: it does not fail, or there is too much to enumerate.
+    std::optional<std::set<Pair>> causes() {
+        for (explained_ = 0; explained_ < count_; ++explained_)
+            if (fails({})) break;
+        if (explained_ == count_) return {};
+        std::set<Pair> bottom;
+        for (const std::size_t state : pairs_of())
+            for (const auto& [term, wanted] : literals(state))
+                if (literal(term, state, {}) != wanted) bottom.insert({term, state});
+        if (bottom.size() > 10) return {};
+        const std::vector<Pair> all(bottom.begin(), bottom.end());
+        std::set<Pair> found;
+        for (std::size_t bits = 0; bits < std::size_t{1} << all.size(); ++bits) {
+            std::set<Pair> changed;
+            for (std::size_t k = 0; k < all.size(); ++k)
+                if ((bits >> k & 1U) != 0) changed.insert(all[k]);
+            if (!fails(changed)) continue;
+            for (const Pair& each : all) {
+                std::set<Pair> more = changed;
+                if (more.insert(each).second && !fails(more)) found.insert(each);
+            }
+        }
+        return found;
+    }
+
+private:
+    bool responds() const { return property_.pattern == Pattern::LeadsTo; }
+
+    /// The states whose values may be changed: of `leads to` all that come.
+    std::vector<std::size_t> pairs_of() const {
+        std::vector<std::size_t> list = {explained_};
+        for (std::size_t k = 0; k < count_ && responds(); ++k)
+            if (k > explained_ || (loop_ && k >= *loop_ && k < explained_)) list.push_back(k);
+        return list;
+    }
+
+    bool literal(std::uint32_t term, std::size_t state, const std::set<Pair>& changed) const {
+        return (value(network_, states_[state], {term}) != 0) != changed.contains({term, state});
+    }
+
+    bool holds(Id<Expr> term, std::size_t state, const std::set<Pair>& changed) const {
+        const Op op = network_.exprs[term].op;
+        std::size_t holding = 0;
+        for (const Id<Expr> operand : network_.exprs.operands(term))
+            if ((op == Op::Not || op == Op::And || op == Op::Or) && holds(operand, state, changed)) ++holding;
+        if (op == Op::Not) return holding == 0;
+        if (op == Op::And) return holding == network_.exprs.operands(term).size();
+        if (op == Op::Or) return holding > 0;
+        if (is_constant(op)) return op == Op::True;
+        return literal(term.index, state, changed);
+    }
+
+    bool fails(const std::set<Pair>& changed) const {
+        const auto& p = property_.operands;
+        const auto so = [&](Id<Expr> term) { return holds(term, explained_, changed); };
+        switch (property_.pattern) {
+        case Pattern::Always: return !so(p[0]);
+        case Pattern::Never: return so(p[0]);
+        case Pattern::ExactlyOneOf: return std::ranges::count_if(p, so) != 1;
+        default: break;
+        }
+        return so(p[0]) &&
+               std::ranges::none_of(pairs_of(), [&](std::size_t state) { return holds(p[1], state, changed); });
+    }
+
+    /// Each occurrence of a term in what `state` should be, in negation normal form, with the value that it should have.
+    std::vector<std::pair<std::uint32_t, bool>> literals(std::size_t state) const {
+        std::vector<std::pair<std::uint32_t, bool>> list;
+        const auto walk = [&](const auto& self, Id<Expr> term, bool wanted) -> void {
+            const Op op = network_.exprs[term].op;
+            if (is_constant(op)) return;
+            if (op != Op::Not && op != Op::And && op != Op::Or) return list.emplace_back(term.index, wanted), void();
+            for (const Id<Expr> operand : network_.exprs.operands(term)) self(self, operand, wanted == (op != Op::Not));
+        };
+        const auto& p = property_.operands;
+        for (std::size_t k = 0; k < p.size(); ++k) {
+            const bool asks = responds() && k == 0;
+            if (asks && state != explained_) continue;
+            if (property_.pattern != Pattern::Never && !asks) walk(walk, p[k], true);
+            const bool exclusive = property_.pattern == Pattern::ExactlyOneOf && p.size() > 1;
+            if (property_.pattern == Pattern::Never || asks || exclusive) walk(walk, p[k], false);
+        }
+        return list;
+    }
+
+    const Network& network_;
+    const Property& property_;
+    std::vector<NetworkState> states_;
+    std::size_t count_;
+    std::optional<std::size_t> loop_;
+    std::size_t explained_ = 0;
+};
+
+TEST(ExplainLaw, CausesAreThoseOfTheDefinitionByEnumeration) {
+    constexpr std::size_t variables = 4;
+    std::map<Pattern, int> explained;
+    for (int seed = 1; seed <= law_size(3000); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        Network network;
+        for (std::size_t k = 0; k < variables; ++k) network.variables.add({.name = std::string(1, char('a' + k))});
+        constexpr std::array patterns = {Pattern::Always, Pattern::Never, Pattern::ExactlyOneOf, Pattern::LeadsTo};
+        Property property{.pattern = patterns[below(random, patterns.size())]};
+        const std::size_t operands = property.pattern == Pattern::ExactlyOneOf ? 1 + below(random, 3)
+                                     : property.pattern == Pattern::LeadsTo    ? 2
+                                                                               : 1;
+        for (std::size_t k = 0; k < operands; ++k)
+            property.operands.push_back(random_term(random, network.exprs, variables, 3));
+        std::vector<NetworkState> states(1 + below(random, 4));
+        for (NetworkState& state : states)
+            for (std::size_t k = 0; k < variables; ++k) state.variables.push_back(below(random, 3) == 0 ? 1 : 0);
+        const std::size_t count = states.size();
+        std::optional<std::size_t> loop;
+        if (below(random, 2) == 0) loop = below(random, count);
+        std::vector<NetworkState> run = states;
+        if (loop) run.push_back(states[*loop]);
+        const auto expected = Enumeration(network, property, states, count, loop).causes();
+        const auto found = causes_of(network, property, run, loop);
+        if (!expected) continue;
+        ASSERT_TRUE(found);
+        ASSERT_TRUE(found->exact);
+        std::set<Pair> pairs;
+        for (const Causes::Pair& pair : found->pairs) EXPECT_TRUE(pairs.insert({pair.term.index, pair.state}).second);
+        ASSERT_EQ(pairs, *expected);
+        ++explained[property.pattern];
+    }
+    for (const auto& [pattern, count] : explained) EXPECT_GT(count, law_size(3000) / 20);
+    EXPECT_EQ(explained.size(), 4U);
+}
+
+// -- the shortest change -------------------------------------------------------------------------------------------------
+
+const Network::Edge& edge_of(const Network& network, const Fire& fire) {
+    return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
+}
+
+/// As explain/change.hpp says it, in the order of its sentences.
+bool nothing_forces(const Network& network, const Move& move) {
+    if (std::holds_alternative<Delay>(move)) return false;
+    const Fire& fire = std::get<Fire>(move);
+    const Network::Process& process = network.processes[fire.process];
+    const Network::Location& from = network.templates[process.automaton].locations[edge_of(network, fire).from];
+    return (process.kind == Network::ProcessKind::Plant || process.kind == Network::ProcessKind::Environment) &&
+           !edge_of(network, fire).urgent && from.invariant.empty();
+}
+
+/// The states of the run made again; nothing where it is none.
+std::optional<std::vector<NetworkState>> made_again(const Network& network, const Run& run,
+                                                    const std::set<std::size_t>& left_out) {
+    std::vector<NetworkState> states = {initial_state(network)};
+    const auto can = [&](const Move& move) {
+        NetworkState next = states.back();
+        const Step::Result result = perform(network, next, move).result;
+        if (result == Step::Result::Done) states.push_back(next);
+        return result == Step::Result::Done;
+    };
+    const auto must = [&](bool urgent) {
+        for (const Fire& fire : enabled(network, states.back()))
+            if (urgent ? edge_of(network, fire).urgent : !nothing_forces(network, fire)) return can(fire);
+        return false;
+    };
+    for (std::size_t k = 0; k < run.moves.size(); ++k) {
+        if (left_out.contains(k)) continue;
+        std::vector<Move> parts = {run.moves[k]};
+        if (const Delay* const delay = std::get_if<Delay>(&run.moves[k]))
+            parts.assign(static_cast<std::size_t>(delay->units), Delay{1});
+        const bool kept = std::holds_alternative<Delay>(run.moves[k]) || nothing_forces(network, run.moves[k]);
+        for (const Move& part : parts)
+            for (int tries = 0; !can(part) && kept; ++tries)
+                if (tries > 500 || !must(false)) return {};
+    }
+    for (int tries = 0; must(true); ++tries)
+        if (tries > 500) return {};
+    return states;
+}
+
+TEST(ExplainLaw, TheShortestChangeIsTheSmallestSetOfFreeMovesThatMendsTheRun) {
+    int mended = 0, hopeless = 0;
+    for (int seed = 1; seed <= law_size(150); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Model model = random_loop(random);
+        const auto network = network_for(model);
+        if (!network) continue;
+        for (const Verdict& verdict : searched(*network).verdicts) {
+            if (verdict.outcome != Outcome::Violated || !verdict.about.valid()) continue;
+            const Property& property = network->properties[verdict.about];
+            if (property.pattern != Pattern::Always && property.pattern != Pattern::Never) continue;
+            const auto good = [&](const NetworkState& state) {
+                const bool judged = !property.at_stable || value(*network, state, network->settled) == 1;
+                return !judged || value(*network, state, property.operands[0]) == (property.pattern == Pattern::Always);
+            };
+            const grafverif::Run& run = verdict.run.value();
+            std::vector<std::size_t> free;
+            for (std::size_t k = 0; k < run.moves.size(); ++k)
+                if (nothing_forces(*network, run.moves[k])) free.push_back(k);
+            if (free.size() > 6) continue;
+            std::size_t least = free.size() + 1;
+            for (std::size_t bits = 1; bits < std::size_t{1} << free.size(); ++bits) {
+                std::set<std::size_t> left_out;
+                for (std::size_t k = 0; k < free.size(); ++k)
+                    if ((bits >> k & 1U) != 0) left_out.insert(free[k]);
+                const auto states = made_again(*network, run, left_out);
+                if (states && std::ranges::all_of(*states, good)) least = std::min(least, left_out.size());
+            }
+            const ShortestChange change = shortest_change(*network, property, run, 1'000'000);
+            EXPECT_FALSE(change.exhausted);
+            EXPECT_EQ(change.free_moves, free.size());
+            ASSERT_EQ(change.found.has_value(), least <= free.size());
+            if (!change.found) {
+                ++hopeless;
+                continue;
+            }
+            ++mended;
+            EXPECT_EQ(change.found->left_out.size(), least);
+            const auto states = replay(*network, change.found->run);
+            ASSERT_TRUE(states);
+            EXPECT_TRUE(std::ranges::all_of(*states, good));
+        }
+    }
+    EXPECT_GT(mended, law_size(150) / 20);
+    EXPECT_GT(hopeless, 0);
 }
 
 }  // namespace

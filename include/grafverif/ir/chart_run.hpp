@@ -129,6 +129,18 @@ struct ChartRun {
         bool operator==(const Row&) const = default;
     };
 
+    /// A value that makes the property fail that the run shows violated (explain/causes.hpp says what that is): of a signal, of
+    /// a step (1: it is active), or of an instance (1: it is at `location`). The others are not valid.
+    struct Cause {
+        Id<Signal> signal = {};
+        Id<Step> step = {};
+        Id<Instance> instance = {};
+        std::size_t location = 0;
+        std::int64_t value = 0;
+        std::size_t first = 0, last = 0;  ///< behind these moments, and each between them, it is one
+        bool operator==(const Cause&) const = default;
+    };
+
     std::string name = {};  ///< the loop
     bool timed = true;      ///< false: of a model that knows no time
     bool searches = true;   ///< a search for stability is one row; false: each evolution is
@@ -143,6 +155,11 @@ struct ChartRun {
     std::optional<std::size_t> broken_at = {};  ///< the move of the run that could not be made; the rest is missing
     std::vector<Row> rows = {};
     std::optional<std::size_t> loop_from = {};  ///< the same loop, in rows
+    std::vector<Cause> causes = {};             ///< by their first moment
+    bool causes_exact = true;                   ///< false: some may be missing, and some may be none
+    /// The fewest free moves without which the property holds along the run (explain/change.hpp), as moments; empty: none
+    /// were looked for, or found.
+    std::vector<std::size_t> left_out = {};
 
     const State& after(const Row& row) const { return moments[row.moment].after; }
 

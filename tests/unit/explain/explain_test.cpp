@@ -94,5 +94,30 @@ TEST(Explain, WhatAModelThatBreaksOffLeavesOpenSaysWhereInTheWordsOfTheChart) {
     EXPECT_EQ(report.breakdowns[0].message, "`N` would leave its range 0..1, in an evolution of `c`");
 }
 
+TEST(Explain, TheValuesThatMakeAPropertyFailAreMarkedWithTheMoveThatCouldHaveBeenLeftOut) {
+    const Report report = report_of(lamps, "property dark: never red && X1;");
+    const std::string text = text_of(report);
+    const std::string end =
+        " *      c                      t0       1          red\n"
+        "    * causes: at 1 s: red, X1\n"
+        "    without A (a) at 1 s the property holds along the run\n";
+    EXPECT_NE(text.find(end), std::string::npos) << text;
+    const ChartRun& run = answer(report, "dark").trace.value();
+    EXPECT_EQ(verify(run), std::vector<std::string>{});
+    ASSERT_EQ(run.causes.size(), 2U);
+    EXPECT_EQ(run.causes[0].first, run.moments.size() - 1);
+    ASSERT_EQ(run.left_out.size(), 1U);
+    EXPECT_EQ(run.instances[run.moments[run.left_out[0]].instance].name, "A");
+    const std::string json = json_of(report);
+    EXPECT_NE(json.find(R"("words": "red")"), std::string::npos) << json;
+    EXPECT_NE(json.find(R"("left_out": [)"), std::string::npos) << json;
+}
+
+TEST(Explain, WhatIsNeverAnsweredIsACauseFromTheMomentThatAsksOn) {
+    const Report report = report_of(lamps, "property comes: X0 && green leads to red;");
+    const std::string text = text_of(report);
+    EXPECT_NE(text.find("* causes: at 0 s: X0, green; from 0 s on: !red\n"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace grafverif
