@@ -33,7 +33,7 @@ private:
     TurnRun turn_run(const Searched& search, const FlatRun& run) const;
     std::optional<FlatRun> whole_run(const Searched& search, const FlatRun& run, bool at_stable, Verdict& verdict);
     TurnRun led_on(TurnRun made, const TurnStep& last, const PartList& rest);
-    std::vector<std::int64_t> here(const Searched& search, const std::vector<std::int64_t>& whole) const;
+    std::vector<std::int64_t> here(Searched& search, const std::vector<std::int64_t>& whole);
     TurnRun settled(const PartList& parts);
 
     const System& system_;
@@ -222,11 +222,21 @@ TurnRun ByTurns::turn_run(const Searched& search, const FlatRun& run) const {
     return made;
 }
 
-/// A state of the whole as one of the search.
-std::vector<std::int64_t> ByTurns::here(const Searched& search, const std::vector<std::int64_t>& whole) const {
+/// A state of the whole as one of the search. What is of no part (that something races) each part has for itself: where
+/// it did not come to that, it is as it was at first.
+std::vector<std::int64_t> ByTurns::here(Searched& search, const std::vector<std::int64_t>& whole) {
+    const std::vector<Id<FlatSystem::Variable>> in_whole = variables_in_whole(search.check->flat(), parts_.flat());
     std::vector<std::int64_t> made;
-    for (const Id<FlatSystem::Variable> id : variables_in_whole(search.check->flat(), parts_.flat()))
-        made.push_back(whole[id.index]);
+    for (const Id<FlatSystem::Variable> id : in_whole) made.push_back(whole[id.index]);
+    if (parts_.turns(search).reaches(made)) return made;
+    const std::vector<std::int64_t> first = replayed(parts_.flat(), {}).states.back();
+    const std::vector<std::uint32_t> part_of = parts_of_symbols(system_);
+    for (std::size_t symbol = 0; symbol < part_of.size(); ++symbol) {
+        const Expr& value = search.check->flat().exprs[search.check->flat().symbols[symbol]];
+        if (part_of[symbol] != no_part || value.op != Op::Variable) continue;
+        const auto variable = static_cast<std::size_t>(value.value);
+        made[variable] = first[in_whole[variable].index];
+    }
     return made;
 }
 

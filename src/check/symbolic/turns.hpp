@@ -28,6 +28,8 @@ public:
     /// The states that it reaches in which it can wait.
     const Bdd& ready();
     const Bdd& reached() const { return reached_; }
+    /// Whether the state with these values is one of them.
+    bool reaches(const std::vector<std::int64_t>& values) const { return evaluate(reached_, model_.state_of(values)); }
 
     /// A run that waits again and again; none: it is too long. Requires diverges().
     std::optional<FlatRun> waiting_run();
