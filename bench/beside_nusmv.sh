@@ -42,6 +42,7 @@ echo '| --- | --- | --- | --- |'
     row two automata discrete
     for count in 1 2 3 4; do row cylinders $count automata interleaved; done
     for count in 2 3; do row cylinders $count automata discrete; done
+    for count in 1 2 3 4; do row line $count automata atomic; done
     for count in 2 8 16; do row stations $count; done
 } | tee "$folder/rows"
 awk -F'|' '{ gsub(/ /, "", $4); gsub(/ /, "", $5) }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The symbolic engine. bench_symbolic stations N: N assembly stations (DESDES06) side by side in one chart, with free
-// inputs, the growth with the number of steps and inputs. bench_symbolic PATH|cylinders N|two APPROACH [SCHEDULE] [discrete]
-// [atomic]: the closed loop of samples/PATH, of N cylinders, or two testing stations that share nothing but time (the
+// inputs, the growth with the number of steps and inputs. bench_symbolic PATH|cylinders N|line N|two APPROACH [SCHEDULE]
+// [discrete] [atomic]: the closed loop of samples/PATH, of N cylinders, of a transfer line of N cells, or two testing stations that share nothing but time (the
 // properties of one), with all properties; none, constraints or automata; interleaved, synchronous or sequenced;
 // `discrete`: clocks count; `atomic`: in that grain. As the last word, `whole` searches sub-loops together, `nusmv` prints the
 // model instead.
@@ -89,7 +89,7 @@ Value meant(const std::map<std::string, Value>& table, const std::string& word) 
     const auto found = table.find(word);
     if (found == table.end())
         throw std::invalid_argument(
-            "usage: bench_symbolic stations N | PATH|cylinders N|two APPROACH [SCHEDULE] [discrete] "
+            "usage: bench_symbolic stations N | PATH|cylinders N|line N|two APPROACH [SCHEDULE] [discrete] "
             "[atomic] [whole|nusmv]");
     return found->second;
 }
@@ -99,7 +99,8 @@ TransitionSystem system_of(const std::vector<std::string>& words) {
         return stations(static_cast<std::size_t>(std::atoi(words[1].c_str())));
     using enum PlantApproach;
     using enum Schedule;
-    const bool grows = words.size() > 1 && words[0] == "cylinders", two = words.size() > 1 && words[0] == "two";
+    const bool grows = words.size() > 1 && (words[0] == "cylinders" || words[0] == "line"),
+               two = words.size() > 1 && words[0] == "two";
     ScheduleOptions options;
     std::optional<Grain> grain;
     for (std::size_t i = grows ? 2 : 1; i < words.size(); ++i)
@@ -113,7 +114,7 @@ TransitionSystem system_of(const std::vector<std::string>& words) {
                 {{"interleaved", Interleaved}, {"synchronous", Synchronous}, {"sequenced", Sequenced}}, words[i]);
     if (words.empty()) meant<Grain>({}, "");
     bench::LoopParts parts =
-        bench::parts(grows ? bench::cylinders(std::atoi(words[1].c_str()))
+        bench::parts(grows ? (words[0] == "line" ? bench::transfer_line : bench::cylinders)(std::atoi(words[1].c_str()))
                            : bench::sample(two ? "testing_station/testing_station.grafcet" : words[0]));
     if (!two) return closed_loop(parts, {}, options, grain);
     parts.equations.push_back(parts.equations.front());

@@ -56,11 +56,13 @@ Bdd Saturation::closed(const Bdd& states, std::size_t from) {
 }
 
 Bdd Saturation::closed_here(const Bdd& states, std::size_t from) {
-    Bdd result = states;
+    Bdd result = closed(states, from + 1);
     for (Bdd before; before != result;) {
         before = result;
-        result = closed(result, from + 1);
-        for (const Steps* kind : levels_[from].kinds) result |= kind->relation.image(result, kind->gone);
+        for (const Steps* kind : levels_[from].kinds) {
+            const Bdd found = kind->relation.image(result, kind->gone) & ~result;
+            if (!found.is_false()) result |= closed(found, from + 1);  // what was closed stays so beside it
+        }
     }
     return result;
 }

@@ -39,6 +39,8 @@ public:
     /// The states from which some step leads to one of `states`.
     Bdd preimage(const Bdd& states) const { return preimage(states, steps_); }
     Bdd preimage(const Bdd& states, const std::deque<bdd::Steps>& steps) const;
+    /// States in which some step leaves all as it is, as far as its kind tells.
+    Bdd still() const;
     /// The steps of which `condition`, over states and choices, is true.
     std::deque<bdd::Steps> steps_where(const Bdd& condition) const;
 

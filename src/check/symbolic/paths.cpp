@@ -30,7 +30,23 @@ Bdd can_reach(const StateSpace& model, const Bdd& within, const Bdd& goal) {
     return result;
 }
 
+namespace {
+
+/// Without justice: states that no step keeps within are taken away, then only those before what was taken away last are
+/// looked at again.
+Bdd can_stay(const StateSpace& model, const Bdd& within) {
+    Bdd result = within & model.preimage(within);
+    for (Bdd gone = within & ~result; !gone.is_false(); result &= ~gone) {
+        const Bdd before = model.preimage(gone) & result;
+        gone = before & ~model.preimage(model.image(before) & result);
+    }
+    return result;
+}
+
+}  // namespace
+
 Bdd can_stay(const StateSpace& model, const Bdd& within, const std::vector<Bdd>& justice) {
+    if (justice.empty()) return can_stay(model, within);
     Bdd result = within;
     for (;;) {
         const Bdd before = result;
@@ -58,11 +74,17 @@ void append(Path& path, const std::vector<State>& states) {
 
 Path stay(const StateSpace& model, const State& first, const Bdd& staying, const std::vector<Bdd>& justice) {
     // A round from a state through all justice conditions. Where it does not close, its end lies in a strongly
-    // connected component further down, from where the next round starts: there are finitely many.
+    // connected component further down, from where the next round starts: there are finitely many. Where nothing is asked
+    // of fairness, it may end where all stays as it is.
     Path path{{first}, {}};
+    const Bdd still = justice.empty() ? staying & model.still() : Bdd();
     for (;;) {
         const std::size_t start = path.states.size() - 1;
         const State origin = path.states.back();
+        if (evaluate(still, origin)) {
+            path.loop = start;
+            return path;
+        }
         const auto around_last = [&](const Bdd& goal) {
             return rings_to(model, model.image(model.only(path.states.back())), staying, goal);
         };
@@ -72,11 +94,13 @@ Path stay(const StateSpace& model, const State& first, const Bdd& staying, const
             if (met) continue;
             append(path, shortest_path(model, around_last(each), each));
         }
-        const bdd::Rings rings = around_last(model.only(origin));
-        const std::vector<State> back = shortest_path(model, rings, model.only(origin));
+        const Bdd here = model.only(origin), end = here | still;
+        const bdd::Rings rings = around_last(end);
+        const std::vector<State> back = shortest_path(model, rings, end);
         if (!back.empty()) {
-            append(path, {back.begin(), back.end() - 1});
-            path.loop = start;
+            const bool closes = evaluate(here, back.back());
+            append(path, {back.begin(), back.end() - (closes ? 1 : 0)});
+            path.loop = closes ? start : path.states.size() - 1;
             return path;
         }
         assert(!rings.each.empty());

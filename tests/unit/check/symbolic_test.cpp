@@ -6,6 +6,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <set>
+
+#include "check/symbolic/order.hpp"
 
 namespace grafverif {
 namespace {
@@ -117,6 +120,29 @@ TEST(Symbolic, NothingThatFollowsAStepOutOfARangeIsBelievedWhereTheSearchIsStopp
     ASSERT_TRUE(result.fault);
     EXPECT_EQ(result.fault->variable, "number");
     EXPECT_EQ(result.verdicts.at(0).outcome, Outcome::Unknown);
+}
+
+TEST(Symbolic, WhatTurnsTogetherStandsTogetherInTheOrderOfVariables) {
+    System system = empty_system();
+    constexpr std::size_t rings = 3, bits = 4;
+    std::vector<std::vector<Id<Expr>>> ring(rings);
+    std::vector<Id<Expr>> all;
+    for (std::size_t bit = 0; bit < bits; ++bit)
+        for (std::size_t k = 0; k < rings; ++k) {
+            const std::string name = std::to_string(k) + "_" + std::to_string(bit);
+            ring[k].push_back(add_state(system, name, Type{}, system.exprs.constant(bit == 0)));
+            all.push_back(ring[k].back());
+        }
+    const Id<Expr> wide = system.exprs.negation(system.exprs.conjunction(all));
+    for (std::vector<Id<Expr>>& each : ring)
+        for (std::size_t bit = 0; bit < bits; ++bit)
+            set_next(system, each[bit], system.exprs.conjunction(each[(bit + 1) % bits], wide));
+    const FlatSystem flat = flattened(system);
+    std::string order;
+    for (const auto id : symbolic::variable_order(flat)) order += flat.variables[id].name.front();
+    EXPECT_EQ(std::set<std::string>({order.substr(0, bits), order.substr(bits, bits), order.substr(2 * bits)}),
+              (std::set<std::string>{"0000", "1111", "2222"}))
+        << order;
 }
 
 TEST(Symbolic, ChoicesThatChangeNothingDoNotMultiplyTheKindsOfSteps) {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// A static order of the variables of a system for decision diagrams: variables that terms read together stand near each
+// other.
+#pragma once
+
+#include <vector>
+
+#include "ir/flat_system.hpp"
+
+namespace grafverif::symbolic {
+
+/// Every variable once, the topmost first.
+std::vector<Id<FlatSystem::Variable>> variable_order(const FlatSystem& flat);
+
+}  // namespace grafverif::symbolic
