@@ -19,7 +19,9 @@ using Kind = grafverif::tree::Parser::token;
 %}
 
 DIGITS      [0-9]+
+WIDE        [\xC2-\xDF][\x80-\xBF]|[\xE0\xE1\xE3-\xEF][\x80-\xBF]{2}|\xE2[\x80-\x85\x87-\xBF][\x80-\xBF]|\xE2\x86[\x80-\x90\x92\x94-\xBF]|[\xF0-\xF4][\x80-\xBF]{3}
 NAME        [A-Za-z_][A-Za-z0-9_]*
+WIDE_NAME   ([A-Za-z_]|{WIDE})([A-Za-z0-9_]|{WIDE})*
 COMMENT     "/*"([^*]|\*+[^*/])*
 
 %%
@@ -114,6 +116,7 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 "fall"          return lexer.word(Kind::FALL);
 
 {NAME}          return lexer.word(Kind::IDENTIFIER);
+{WIDE_NAME}     return lexer.wide_name();
 {DIGITS}        return lexer.word(Kind::NUMBER);
 {DIGITS}(\.{DIGITS})?{NAME}   return lexer.duration();
 {DIGITS}\.{DIGITS}           return lexer.decimal_without_unit();

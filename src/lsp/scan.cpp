@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "support/text/identifier.hpp"
+
 namespace grafverif::lsp {
 
 namespace {
@@ -21,7 +23,11 @@ constexpr std::array<std::string_view, 57> contextual = {
     "all",        "steps",      "exactly",  "one",      "of",    "uppaal",   "ctl",         "ltl",          "observer",
     "schedule",   "implies",    "in"};
 
-bool begins_name(char byte) { return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_'; }
+/// Whether a name may begin with the character of which this byte is one: of those beyond ASCII the lexer says more.
+bool begins_name(char byte) {
+    return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || byte == '_' ||
+           static_cast<unsigned char>(byte) >= 0x80;
+}
 bool is_digit(char byte) { return byte >= '0' && byte <= '9'; }
 
 /// Where what begins at `at` ends, for which `goes_on` holds.
@@ -36,6 +42,8 @@ Word word_at(std::string_view text, std::size_t at) {
         return Word{kind, static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(std::min(end, text.size()))};
     };
     const auto in_name = [](char byte) { return begins_name(byte) || is_digit(byte); };
+    for (const std::string_view arrow : {"↑", "↓"})
+        if (text.substr(at).starts_with(arrow)) return word(Word::Kind::Sign, at + arrow.size());
     if (begins_name(text[at])) return word(Word::Kind::Name, end_of_run(text, at, in_name));
     if (is_digit(text[at])) {
         std::size_t end = end_of_run(text, at, in_name);
@@ -92,8 +100,7 @@ bool is_keyword(std::string_view word) {
 bool is_name(std::string_view word, bool numbers) {
     if (word.empty() || word.size() > 200 || is_reserved(word)) return false;
     if (numbers && std::ranges::all_of(word, is_digit)) return true;
-    return begins_name(word[0]) &&
-           std::ranges::all_of(word, [](char byte) { return begins_name(byte) || is_digit(byte); });
+    return identifier_length(word) == word.size();
 }
 
 /// A missing `;` or `}` costs the declaration at hand: a word that begins one, and a line, begins anew.

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "support/messages.hpp"
+#include "support/printable.hpp"
+#include "support/text/identifier.hpp"
 
 namespace grafverif {
 
@@ -21,7 +23,6 @@ constexpr std::array reserved = {"grafcet",  "component", "closed_loop", "includ
                                  "never",    "reachable", "inevitable",  "possible"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 }  // namespace
 
@@ -158,10 +159,14 @@ std::string LegalNames::make(std::string_view wish, Span where) {
 
 std::string LegalNames::invent(std::string_view wish) {
     std::string name;
-    for (const char c : wish.substr(0, longest_name)) {
-        if (is_letter(c) || is_digit(c)) name += c;
+    for (std::string_view rest = wish.substr(0, longest_name); !rest.empty();) {
+        const std::string_view character = rest.substr(0, first_glyph(rest).bytes);
+        if (identifier_length("_" + std::string(character)) > character.size()) name += character;
         else if (!name.empty() && name.back() != '_') name += '_';
+        rest.remove_prefix(character.size());
     }
+    name = composed(name);
+    if (identifier_length(name) == 0 && !name.empty() && !is_digit(name[0])) name = '_' + name;
     const bool numbered = std::ranges::all_of(name, is_digit);
     if (name.empty()) name = "_";
     if (is_digit(name[0]) && !(kind_ == Kind::Label && numbered)) name = '_' + name;

@@ -13,6 +13,7 @@
 #include "read/sfc/sfc.hpp"
 #include "read/xml.hpp"
 #include "support/messages.hpp"
+#include "support/text/encoding.hpp"
 #include "syntax/language/parse.hpp"
 #include "syntax/language/readable.hpp"
 #include "syntax/language/tree.hpp"
@@ -119,10 +120,7 @@ tree::File read_xml(Id<Source> source, Sources& sources, const ImportOptions& op
 }  // namespace
 
 FileFormat format_of(std::string_view text) {
-    if (is_utf16(text)) {  // XML comes so; text is told to come in UTF-8 by whoever reads it
-        text.remove_prefix(std::min(text.find_first_not_of(std::string_view("\xFF\xFE\0 \t\r\n", 7)), text.size()));
-        return text.starts_with('<') ? FileFormat::Xml : FileFormat::Unknown;
-    }
+    if (is_utf16(text)) return format_of(utf8_of_utf16(text));
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     const std::string_view first = without_comments(text);
     if (first.starts_with('<')) return FileFormat::Xml;
@@ -138,7 +136,9 @@ FileFormat format_of(std::string_view text) {
 }
 
 tree::File read_any(Id<Source> source, Sources& sources, const ImportOptions& options, Diagnostics& diagnostics) {
-    switch (format_of(sources[source].text)) {
+    const FileFormat format = format_of(sources[source].text);
+    if (format != FileFormat::Xml) make_utf8(source, sources, diagnostics);
+    switch (format) {
     case FileFormat::Unknown:
     case FileFormat::Grafcet: return parse_file(source, sources, diagnostics);
     case FileFormat::Xml: return read_xml(source, sources, options, diagnostics);

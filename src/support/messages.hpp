@@ -35,6 +35,7 @@ Diagnostic not_expressible(Span property, std::string_view name, std::string_vie
 Diagnostic file_too_large(Span where, std::size_t mebibytes);
 Diagnostic utf16(Span where);
 Diagnostic invalid_utf8(Span where, unsigned char byte);
+Diagnostic read_as_latin(Span where);
 Diagnostic unexpected_character(Span where, std::string_view character);
 Diagnostic unterminated(Span where, std::string_view what, std::string_view end);
 Diagnostic unknown_unit(Span where, std::string_view text);

@@ -15,6 +15,11 @@ Diagnostic invalid_utf8(Span where, unsigned char byte) {
     return error("invalid-utf8", where, fmt::format("byte 0x{:02X} is not UTF-8; save the file as UTF-8 text", byte));
 }
 
+Diagnostic read_as_latin(Span where) {
+    return warning("read-as-latin", where,
+                   "this text is not UTF-8, and is read as Latin-1 (Windows-1252); save the file as UTF-8");
+}
+
 Diagnostic utf16(Span where) {
     return error("invalid-utf8", where, "this text is UTF-16; save the file as UTF-8 text");
 }

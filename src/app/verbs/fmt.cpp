@@ -6,6 +6,7 @@
 #include "support/printable.hpp"
 #include "syntax/language/format.hpp"
 #include "syntax/language/parse.hpp"
+#include "syntax/language/readable.hpp"
 
 namespace grafverif::app {
 
@@ -13,10 +14,12 @@ ExitCode fmt(Job& job, const Streams& streams) {
     const std::string& path = job.options.operands[0];
     const auto source = read_source(path, job);
     if (!source) return ExitCode::Input;
+    const std::string read = job.sources[*source].text;
+    make_utf8(*source, job.sources, job.diagnostics);
     const tree::File file = parse_file(*source, job.sources, job.diagnostics);
     if (job.diagnostics.has_errors()) return ExitCode::Input;
     const std::string text = formatted(file);
-    const bool canonical = text == job.sources[*source].text;
+    const bool canonical = text == read;
     if (job.options.check) {
         if (!canonical && !job.options.quiet)
             streams.err << printable(path) << ": not in canonical form; `grafverif fmt -i` rewrites it\n";

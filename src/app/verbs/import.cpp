@@ -7,7 +7,6 @@
 #include "read/text.hpp"
 #include "support/messages.hpp"
 #include "syntax/language/format.hpp"
-#include "syntax/language/readable.hpp"
 
 namespace grafverif::app {
 
@@ -16,9 +15,7 @@ ExitCode import_chart(Job& job, const Streams& streams) {
     if (!source) return ExitCode::Input;
     const std::string_view text = job.sources[*source].text;
     if (format_of(text) == FileFormat::Grafcet) job.diagnostics.add(messages::ours_already({*source, 0, 0}));
-    if (format_of(text) == FileFormat::Unknown)
-        job.diagnostics.add(is_utf16(text) ? messages::utf16({*source, 0, 0})
-                                           : messages::unknown_format({*source, 0, 0}, ""));
+    if (format_of(text) == FileFormat::Unknown) job.diagnostics.add(messages::unknown_format({*source, 0, 0}, ""));
     if (job.diagnostics.has_errors()) return ExitCode::Input;
     tree::File file = read_any(*source, job.sources, {job.options.lossy}, job.diagnostics);
     // What is written, every verb reads: what they would refuse of the text is refused here, with its place in the file.

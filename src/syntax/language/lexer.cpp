@@ -5,8 +5,11 @@
 #include <charconv>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "support/messages.hpp"
+#include "support/printable.hpp"
+#include "support/text/identifier.hpp"
 #include "syntax/language/builder.hpp"
 #include "syntax/language/expectation.hpp"
 
@@ -132,6 +135,23 @@ Token Lexer::word(Parser::token_kind_type kind) {
     }
     last_name_ = {words_.intern(text), here_};
     return {kind, last_name_, here_};
+}
+
+/// An identifier that is not all ASCII, or characters that look like none.
+Token Lexer::wide_name() {
+    const std::size_t length = identifier_length(match_);
+    if (length < match_.size()) {
+        begin_thing();
+        const std::string_view character = match_.substr(length, first_glyph(match_.substr(length)).bytes);
+        const auto begin = here_.begin + static_cast<std::uint32_t>(length);
+        const Span where{here_.source, begin, begin + static_cast<std::uint32_t>(character.size())};
+        return broken(messages::unexpected_character(where, character));
+    }
+    const std::string name = composed(match_);
+    match_ = name;
+    Token token = word(Parser::token::IDENTIFIER);
+    match_ = {};
+    return token;
 }
 
 Token Lexer::sign(Parser::token_kind_type kind) {

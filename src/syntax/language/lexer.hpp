@@ -54,6 +54,7 @@ public:
     void lines();
     void comment();
     Token word(Parser::token_kind_type kind);
+    Token wide_name();
     Token sign(Parser::token_kind_type kind);
     Token string();
     Token duration();

@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "syntax/language/readable.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "support/messages.hpp"
 #include "support/printable.hpp"
+#include "support/text/encoding.hpp"
 
 namespace grafverif {
 
-bool is_utf16(std::string_view text) {
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
-    return text.size() >= 2 && (text[0] == '\0') != (text[1] == '\0');
+void make_utf8(Id<Source> source, Sources& sources, Diagnostics& diagnostics) {
+    std::string& text = sources[source].text;
+    if (text.size() > largest_text) return;
+    if (is_utf16(text)) {
+        text = utf8_of_utf16(text);
+    } else if (is_latin(text)) {
+        const auto first = std::ranges::find_if(text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+        const auto at = static_cast<std::uint32_t>(first - text.begin());
+        text = utf8_of_latin(text);
+        const std::size_t bytes = first_glyph(std::string_view(text).substr(at)).bytes;
+        diagnostics.add(messages::read_as_latin({source, at, at + static_cast<std::uint32_t>(bytes)}));
+    }
 }
 
 bool is_readable(Span part, const Sources& sources, Diagnostics& diagnostics) {

@@ -11,8 +11,8 @@ namespace grafverif {
 
 inline constexpr std::size_t largest_text = std::size_t{256} << 20U;  ///< bytes
 
-/// Whether `text` has the byte order mark of UTF-16, or begins with a character of two bytes one of which is 0.
-bool is_utf16(std::string_view text);
+/// Rewrites a text in UTF-16 as UTF-8, and one that can only be Latin-1 (or Windows-1252), which is warned of.
+void make_utf8(Id<Source> source, Sources& sources, Diagnostics& diagnostics);
 
 /// Reports text in UTF-16, the first byte of `part` that is not UTF-8, and parts above `largest_text`.
 bool is_readable(Span part, const Sources& sources, Diagnostics& diagnostics);

@@ -14,6 +14,7 @@
 #include <unordered_map>
 
 #include "support/overloaded.hpp"
+#include "support/text/identifier.hpp"
 
 namespace grafverif {
 namespace {
@@ -114,9 +115,10 @@ bool has_single_underscores(std::string_view name) {
 
 /// `name` with nothing left in it that no identifier may hold.
 std::string spelled(Target target, std::string_view name) {
+    const std::string ascii = in_ascii(name);
     std::string text;
-    if (name.empty() || is_digit(name.front())) text += '_';
-    for (const char c : name) text += is_letter(c) || is_digit(c) ? c : '_';
+    if (ascii.empty() || is_digit(ascii.front())) text += '_';
+    for (const char c : ascii) text += is_letter(c) || is_digit(c) ? c : '_';
     if (target != Target::StructuredText) return text;
     std::string single;
     for (const char c : text)

@@ -27,7 +27,7 @@ bool is_reserved(Target target, std::string_view name);
 bool is_legal(Target target, std::string_view name);
 
 /// What the entities called `names`, which share one scope, are called in the target; none gets a name in `taken`.
-/// What no identifier may hold becomes `_`, a number gets a `_` in front, and a reserved or taken name one behind,
+/// Letters of other scripts are spelled in ASCII (`Förderer`: `Foerderer`), what no identifier may hold becomes `_`, a number gets a `_` in front, and a reserved or taken name one behind,
 /// then `_2`, `_3`, ... until it is free (in Structured Text at once).
 std::vector<std::string> legal_names(Target target, std::span<const std::string> names,
                                      const std::unordered_set<std::string>& taken = {});

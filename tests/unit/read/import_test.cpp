@@ -62,13 +62,31 @@ std::string utf16(const std::string& text) {
     return wide;
 }
 
-TEST(Import, TakesUtf16ForXmlOnlyWhereThereIsXml) {
+TEST(Import, TellsTheFormatOfTextInUtf16) {
     EXPECT_EQ(format_of(utf16(" <project/>")), FileFormat::Xml);
-    EXPECT_EQ(format_of(utf16("grafcet g {}")), FileFormat::Unknown);
-    for (const std::string& text : {utf16("grafcet g { initial step 0; }"), utf16("PROGRAM p END_PROGRAM").substr(2)})
-        EXPECT_NE(imported(text).said.find("this text is UTF-16; save the file as UTF-8 text [invalid-utf8]"),
-                  std::string::npos)
-            << imported(text).said;
+    EXPECT_EQ(format_of(utf16("grafcet g {}")), FileFormat::Grafcet);
+    EXPECT_EQ(format_of(utf16("PROGRAM p END_PROGRAM").substr(2)), FileFormat::StructuredText);
+    EXPECT_EQ(format_of(utf16("")), FileFormat::Unknown);
+}
+
+TEST(Import, ReadsTextInUtf16AndLatin1AsItsUtf8) {
+    const std::string text = "grafcet g { initial step 0; } // Größe";
+    std::string latin =
+                    "grafcet g { initial step 0; } // Gr\xF6\xDF"
+                    "e",
+                wide = utf16("grafcet g { initial step 0; } // Gr");
+    wide += std::string("\xF6\0\xDF\0e\0", 6);
+    const Imported expected = imported(text);
+    EXPECT_EQ(expected.said, "");
+    EXPECT_EQ(imported(wide).text, expected.text);
+    EXPECT_EQ(imported(wide).said, "");
+    EXPECT_EQ(imported(latin).text, expected.text);
+    Sources sources;
+    Diagnostics said;
+    read_any(sources.add({"g.grafcet", latin}), sources, {}, said);
+    ASSERT_EQ(said.all().size(), 1U);
+    EXPECT_EQ(said.all()[0].code, "read-as-latin");
+    EXPECT_NE(imported(latin + " Größe").said.find("byte 0xF6 is not UTF-8"), std::string::npos) << "mixed: a guess";
 }
 
 TEST(Import, TakesOverTheWholeMetaModelOfAgrafe) {

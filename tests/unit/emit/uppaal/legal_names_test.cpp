@@ -62,7 +62,13 @@ TEST(LegalNames, TellNoUpperFromLowerCaseInStructuredText) {
 
 TEST(LegalNames, SpellWhatNoIdentifierMayHold) {
     EXPECT_EQ(legal_names(Target::Uppaal, Names{"2", "P.X7", "a-b", "", "\xC3\xA9"}),
-              (Names{"_2", "P_X7", "a_b", "_", "__"}));
+              (Names{"_2", "P_X7", "a_b", "_", "e"}));
+}
+
+TEST(LegalNames, SpellOtherScriptsInAscii) {
+    const Names names = {"Förderer", "Foerderer", "Größe$P", "モーター", "東京"};
+    EXPECT_EQ(legal_names(Target::Nusmv, names), (Names{"Foerderer_", "Foerderer", "Groesse_P", "mota", "dong_jing"}));
+    EXPECT_EQ(legal_names(Target::StructuredText, names)[0], "Foerderer_2");
 }
 
 TEST(LegalNames, LeaveALegalNameToItsOwnerHoweverLateItComes) {
