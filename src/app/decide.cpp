@@ -8,6 +8,7 @@
 #include "app/engines.hpp"
 #include "app/stop_words.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/why.hpp"
 #include "report/basis.hpp"
 #include "report/profile.hpp"
 #include "report/report.hpp"
@@ -114,7 +115,8 @@ std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool
         if (!job.options.quiet)
             streams.err << "note: `" << model.charts[*chart].name
                         << "` is no closed loop: its steps are checked with free inputs, untimed"
-                        << (job.options.stats ? ", and --stats is of timed checks" : "") << '\n';
+                        << (job.options.stats ? ", and --stats is of timed checks" : "")
+                        << (job.options.why ? ", and --why is of closed loops" : "") << '\n';
         decided.chart = *chart;
         found = chart_report(model, *chart, job, options);
     } else if (const auto loop = chosen_loop(model, job)) {
@@ -125,6 +127,8 @@ std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool
     if (!found) return {};
     if (!keep_asked(job.options.properties, *found, job.diagnostics)) return {};
     decided.report = std::move(*found);
+    if (job.options.why && decided.timed)
+        decided.why = why_it_holds(model, decided.loop, model_options(job.options), options, decided.report);
     name_places(decided.report, job.sources);
     say_who_stopped(decided.report, bounds.interrupted(), job.options);
     return decided;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/job.hpp"
+#include "grafverif/ir/why.hpp"
 
 namespace grafverif::app {
 
@@ -14,6 +15,7 @@ struct Decided {
     Id<ClosedLoop> loop = {};  ///< not valid: a chart alone
     Id<Chart> chart = {};      ///< valid of a chart alone
     bool timed = false;
+    std::optional<Why> why = {};  ///< where it was asked for, of a loop
 };
 /// Nothing after an error. `witnesses`: runs that show what holds, too. Of a chart alone `streams` are told so before.
 std::optional<Decided> decide(const Model& model, Job& job, Bounds& bounds, bool witnesses, const Streams& streams);

@@ -257,6 +257,8 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
         number(Accepts::Search, "max-steps", "N", {}, &Options::max_steps,
                "give up after all runs of N steps (engine bmc; default: 100)"),
         toggle(Accepts::Stats, "stats", &Options::stats, "say where the states come from (timed engine)"),
+        toggle(Accepts::Verdicts, "why", &Options::why,
+               "say what the properties that hold rest on, by leaving it out (timed engine)"),
         text(Accepts::Search, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
         text(Accepts::Search, "sarif", "FILE", &Options::sarif,
              "write what is against expectation as SARIF to FILE, for code scanning"),
@@ -394,6 +396,11 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
     const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;  // to either kind of model
     if (options.stats && (options.check_untimed || !(open || options.engine == Engine::Timed)))
         return "`--stats` asks the embedded timed engine where its states come from; other engines cannot say";
+    if (options.why && (options.check_untimed || !(open || options.engine == Engine::Timed)))
+        return "`--why` asks the embedded timed engine what the properties of a closed loop rest on; other engines "
+               "cannot say";
+    if (options.why && (options.format == Format::JsonLines || !options.cures_left_out.empty()))
+        return "`--why` is told as text and with `--format json`, of models that are what the charts say";
     options.check_untimed = options.check_untimed || (!timed && !open);
     return {};
 }

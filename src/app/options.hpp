@@ -70,6 +70,7 @@ struct Options {
     std::vector<std::string> include_folders = {};  ///< -I
     bool verbose = false;
     bool stats = false;
+    bool why = false;  ///< of `check`
     bool help = false;
 
     std::vector<std::string> properties = {};  ///< of `check`; empty: all

@@ -9,6 +9,7 @@
 #include "report/json_trace.hpp"
 #include "report/profile.hpp"
 #include "report/terminal.hpp"
+#include "report/why.hpp"
 #include "support/json_text.hpp"
 
 namespace grafverif {
@@ -59,7 +60,7 @@ Json property(const Report& report, const Answer& answer, const Sources& sources
 
 }  // namespace
 
-void print_json(const Report& report, const Sources& sources, std::ostream& out) {
+void print_json(const Report& report, const Sources& sources, std::ostream& out, const Why* why) {
     Json properties = Json::array();
     for (const Answer& answer : report.answers) properties.push_back(property(report, answer, sources));
     Json document = {{"model", report.model}, {"properties", std::move(properties)}};
@@ -71,6 +72,7 @@ void print_json(const Report& report, const Sources& sources, std::ostream& out)
         document["errors"] = std::move(errors);
     }
     if (report.profile) document["profile"] = profile_json(*report.profile);
+    if (why != nullptr) document["why"] = why_json(*why);
     out << json_text(document) << '\n';
 }
 

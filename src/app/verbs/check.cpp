@@ -13,6 +13,7 @@
 #include "app/verbs.hpp"
 #include "report/json.hpp"
 #include "report/terminal.hpp"
+#include "report/why.hpp"
 #include "support/overloaded.hpp"
 #include "support/printable.hpp"
 
@@ -75,13 +76,15 @@ ExitCode check_one(const Model& model, Job& job, Bounds& bounds, const Streams& 
     if (!decided) return ExitCode::Input;
     const Report& report = decided->report;
     work_is_done();
-    if (asked.format == Format::Json) print_json(report, job.sources, streams.out);
+    if (asked.format == Format::Json)
+        print_json(report, job.sources, streams.out, decided->why ? &*decided->why : nullptr);
     else if (asked.format == Format::JsonLines)
         print_json_lines(report, {job.sources, model, decided->loop, decided->chart}, streams.out);
     else
         print_report(report,
                      {asked.verbose, asked.quiet, colour_on(streams.out_screen, asked), streams.out_screen.columns},
                      streams.out);
+    if (decided->why && asked.format == Format::Text && !asked.quiet) print_why(*decided->why, streams.out);
     streams.out.flush();
     for (const std::string& failure : report.failures)
         streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
@@ -132,7 +135,7 @@ Verb check_usage() {
          "grafverif check station.grafcet --property P15 --grain atomic --trace-svg P15.svg",
          "grafverif check station.grafcet --format json --timeout 5min --max-memory 8G",
          "grafverif check charts/*.grafcet --all --junit verdicts.xml --sarif verdicts.sarif",
-         "grafverif check station.grafcet --list",
+         "grafverif check station.grafcet --list", "grafverif check samples/oven_door/oven_door.grafcet --why",
          "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
          "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata"},
         {Accepts::Search, Accepts::Verdicts, Accepts::All, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain,

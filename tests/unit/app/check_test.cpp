@@ -65,6 +65,10 @@ TEST(Check, HasAnExitCodeForEachOutcome) {
              {"property a: always N;", {}, ExitCode::Input},
              {"property a: always UNKNOWN;", {}, ExitCode::Input},
              {"property a: always N <= 2;", {"--property", "b"}, ExitCode::Input},
+             {"property a: always N <= 2;", {"--why"}, ExitCode::Done},
+             {"property a: always N <= 2;", {"--why", "--untimed"}, ExitCode::Input},
+             {"property a: always N <= 2;", {"--why", "--json-lines"}, ExitCode::Input},
+             {"property a: always N <= 2;", {"--why", "--without", "stable"}, ExitCode::Input},
              {"property a: always N <= 2;", {"--engine", "NuSMV"}, ExitCode::Input},
              {"property a: always N <= 2;", {"--max-memory", "lots"}, ExitCode::Input},
              {"property a: always N <= 2;", {"--timeout", "5 s"}, ExitCode::Input},
@@ -240,6 +244,26 @@ TEST(Check, NamesTheEmbeddedEngineWhereVerifytaIsNotInstalled) {
     EXPECT_EQ(result.err,
               "error: `verifyta` is not on the PATH; the embedded engine needs nothing installed: `--engine timed` "
               "[missing-program]\n");
+}
+
+TEST(Check, SaysWhatProofsRestOnWhereItIsAsked) {
+    const Folder folder;
+    const std::string file =
+        folder.write("counter.grafcet", counter("property small: always N <= 2; property seen: reachable N == 1;"
+                                                "property off: always N == 2 && L => N > 1;"));
+    const Result text = grafverif({"check", file, "--why"});
+    EXPECT_EQ(text.code, ExitCode::Done) << text.err;
+    EXPECT_NE(text.out.find(
+                  "\nwhy it holds, by 5 more searches:\n"
+                  "small: no transition by itself is needed for it; whatever the plant and the timers do, it holds\n"
+                  "seen: it fails where t0 is never cleared\n"),
+              std::string::npos)
+        << text.out;
+    EXPECT_EQ(grafverif({"check", file, "--why", "-q"}).out, "");
+    const Json why = Json::parse(grafverif({"check", file, "--why", "--format", "json"}).out)["why"];
+    EXPECT_EQ(why["properties"][1]["transitions"], Json({"t0"}));
+    EXPECT_TRUE(why["properties"][1]["parts"].is_null());
+    EXPECT_TRUE(why["ended"].is_null());
 }
 
 /// A program called verifyta that says of every formula with `wrong` in it that it is not satisfied, and of no other. It

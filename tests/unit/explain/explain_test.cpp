@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
+#include <vector>
 
 #include "grafverif/grafverif.hpp"
+#include "pipeline/why.hpp"
 
 namespace grafverif {
 namespace {
@@ -117,6 +120,42 @@ TEST(Explain, WhatIsNeverAnsweredIsACauseFromTheMomentThatAsksOn) {
     const Report report = report_of(lamps, "property comes: X0 && green leads to red;");
     const std::string text = text_of(report);
     EXPECT_NE(text.find("* causes: at 0 s: X0, green; from 0 s on: !red\n"), std::string::npos) << text;
+}
+
+TEST(Explain, WhatNoAssumptionIsNeededForRestsOnNothing) {
+    Reading reading = read_string(std::string(lamps) +
+                                      " closed_loop asked { controller c; environment A = push_button(OUT = a);"
+                                      "property apart: never X0 && X1; property idle: always X0 && X1 => red && green;"
+                                      "property on: reachable red; }",
+                                  "c");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
+    const Why why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
+    ASSERT_EQ(why.grounds.size(), 3U);
+    EXPECT_EQ(why.grounds[0], (Why::Ground{.property = "apart", .about_states = true}));
+    EXPECT_EQ(why.grounds[1], (Why::Ground{.property = "idle", .about_states = true, .never_asked = true}));
+    EXPECT_EQ(why.grounds[2], (Why::Ground{.property = "on", .transitions = {"t0"}}));
+    EXPECT_EQ(why.unneeded_transitions, std::vector<std::string>{"t1"});
+    EXPECT_EQ(why.unneeded_parts, std::vector<std::string>{"A"});
+    EXPECT_EQ(why.ended, "");
+}
+
+TEST(Explain, WhereTheTimeIsOverNothingIsSaidOfWhatWasNotTried) {
+    Reading reading = read_string(std::string(lamps) +
+                                      " closed_loop asked { controller c; environment A = push_button(OUT = a);"
+                                      "property apart: never X0 && X1; }",
+                                  "c");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
+    CheckOptions options;
+    options.limits.deadline = std::chrono::steady_clock::now();
+    const Why why = why_it_holds(*reading.model, {0}, {}, options, report.value());
+    ASSERT_EQ(why.grounds.size(), 1U);
+    EXPECT_EQ(why.grounds[0].open, (std::vector<std::string>{"all other transitions", "all other parts"}));
+    EXPECT_TRUE(why.unneeded_transitions.empty());
+    EXPECT_TRUE(why.unneeded_parts.empty());
+    EXPECT_EQ(why.searches, 0U);
+    EXPECT_EQ(why.ended, "the time allowed was over");
 }
 
 }  // namespace

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/why.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/cells/cells.hpp"
+#include "check/timed/timed.hpp"
+#include "explain/drop.hpp"
+#include "pipeline/models.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Ground = Why::Ground;
+
+/// Whether `verdict` is on the property called `name`, or on a step of it.
+bool is_of(const Verdict& verdict, const std::string& name) {
+    return verdict.property == name || verdict.property.starts_with(name + '.');
+}
+
+/// Violated where one of its verdicts is, or where the model breaks off before it is decided; holds where all do.
+Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name) {
+    bool any = false, all = true;
+    for (const Verdict& verdict : verdicts) {
+        if (!is_of(verdict, name)) continue;
+        if (verdict.outcome == Outcome::Violated || verdict.obstacle == Obstacle::Faulty) return Outcome::Violated;
+        any = true;
+        all = all && verdict.outcome == Outcome::Holds;
+    }
+    return any && all ? Outcome::Holds : Outcome::Unknown;
+}
+
+bool about_states(const Property& property) {
+    return property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
+           property.pattern == Pattern::ExactlyOneOf;
+}
+
+/// What `always !p or q` asks of: p. Not valid: it is no such property.
+Id<Expr> left_side(const Property& property, Exprs& exprs) {
+    if (property.pattern != Pattern::Always || exprs[property.operands[0]].op != Op::Or) return {};
+    std::vector<Id<Expr>> asked;
+    bool answered = false;
+    for (const Id<Expr> operand : std::vector<Id<Expr>>(exprs.operands(property.operands[0]).begin(),
+                                                        exprs.operands(property.operands[0]).end())) {
+        if (exprs[operand].op == Op::Not) asked.push_back(exprs.negation(operand));
+        else answered = true;
+    }
+    return asked.empty() || !answered ? Id<Expr>{} : exprs.conjunction(asked);
+}
+
+class Seeker {
+public:
+    Seeker(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
+           const Report& report)
+        : model_(model), loop_(loop), how_(how), options_(options) {
+        std::uint64_t states = 0;
+        for (const Answer& answer : report.answers)
+            states = std::max<std::uint64_t>(states, std::stoull("0" + answer.verdict.states));
+        most_states_ = std::max<std::uint64_t>(8 * states, 100'000);
+    }
+
+    Why why(const Report& report) {
+        Diagnostics diagnostics;
+        auto network = network_of(model_, loop_, how_, diagnostics);
+        if (!network) return {};
+        std::vector<Verdict> found;
+        for (const Answer& answer : report.answers) found.push_back(answer.verdict);
+        for (const Property& property : network->properties)
+            if (outcome_of(found, property.name) == Outcome::Holds)
+                why_.grounds.push_back({.property = property.name, .about_states = about_states(property)});
+        if (why_.grounds.empty()) return std::move(why_);
+        ask_left_sides(*network);
+        leave_out_transitions();
+        leave_out_parts(expand(*network));
+        return std::move(why_);
+    }
+
+private:
+    std::vector<Verdict> search(const Network& network, const std::vector<std::string>& names) {
+        TimedOptions timed;
+        timed.properties = names;
+        timed.max_states = options_.limits.states.value_or(most_states_);
+        set_limits(timed, options_.limits);
+        timed.jobs = options_.jobs;
+        timed.timelock = false;
+        if (stopped()) return {};
+        ++why_.searches;
+        TimedResult result = options_.whole ? check_timed(network, timed) : check_timed_by_cells(network, timed);
+        return std::move(result.verdicts);
+    }
+
+    bool stopped() {
+        const bool over = options_.limits.deadline && std::chrono::steady_clock::now() >= *options_.limits.deadline;
+        const bool asked = options_.limits.stop != nullptr && *options_.limits.stop;
+        if (over || asked) why_.ended = over ? "the time allowed was over" : "it was stopped";
+        return over || asked;
+    }
+
+    void ask_left_sides(Network network) {
+        std::vector<std::string> names;
+        std::vector<Property> questions;
+        for (const Ground& ground : why_.grounds) {
+            const auto property = std::ranges::find(network.properties, ground.property, &Property::name);
+            const Id<Expr> asked = left_side(*property, network.exprs);
+            if (!asked.valid()) continue;
+            questions.push_back({.name = ground.property + " is asked",
+                                 .pattern = Pattern::Reachable,
+                                 .operands = {asked},
+                                 .at_stable = property->at_stable});
+            names.push_back(questions.back().name);
+        }
+        for (Property& question : questions) network.properties.add(std::move(question));
+        const std::vector<Verdict> found = names.empty() ? std::vector<Verdict>{} : search(network, names);
+        for (Ground& ground : why_.grounds)
+            ground.never_asked = outcome_of(found, ground.property + " is asked") == Outcome::Violated;
+    }
+
+    void leave_out_transitions() {
+        std::vector<std::string> names;
+        for (const Ground& ground : why_.grounds) names.push_back(ground.property);
+        std::set<std::uint32_t> seen;
+        const ClosedLoop& loop = model_.loops[loop_];
+        for (const ClosedLoop::Controller& controller : loop.controllers) {
+            if (!seen.insert(controller.chart.index).second) continue;
+            const Chart& chart = model_.charts[controller.chart];
+            for (const Id<Chart::Transition> id : chart.transitions.ids()) {
+                if (stopped()) break;
+                Model without = model_;
+                drop_transition(without.charts[controller.chart], id);
+                Diagnostics diagnostics;
+                const auto network = network_of(without, loop_, how_, diagnostics);
+                const std::vector<Verdict> found = network ? search(*network, names) : std::vector<Verdict>{};
+                const std::string name =
+                    (loop.controllers.size() > 1 ? chart.name + "." : "") + chart.transitions[id].name;
+                bool needed = false;
+                for (Ground& ground : why_.grounds) {
+                    const Outcome outcome = outcome_of(found, ground.property);
+                    needed = needed || outcome != Outcome::Holds;
+                    if (outcome == Outcome::Violated) ground.transitions.push_back(name);
+                    if (outcome == Outcome::Unknown) ground.open.push_back("transition " + name);
+                }
+                if (!needed) why_.unneeded_transitions.push_back(name);
+            }
+        }
+        for (Ground& ground : why_.grounds)
+            if (!why_.ended.empty()) ground.open.emplace_back("all other transitions");
+    }
+
+    void leave_out_parts(const Network& network) {
+        const std::vector<Id<Network::Process>> order = in_order(network);
+        std::set<std::string> needed;
+        bool asked = false;
+        for (Ground& ground : why_.grounds) {
+            if (!ground.about_states) continue;
+            asked = true;
+            leave_out_parts(network, order, ground);
+            for (const auto* names : {&ground.parts, &ground.open}) needed.insert(names->begin(), names->end());
+        }
+        for (const Id<Network::Process> id : order)
+            if (asked && why_.ended.empty() && !needed.contains(network.processes[id].name))
+                why_.unneeded_parts.push_back(network.processes[id].name);
+    }
+
+    /// Those that give controllers their inputs first: without them what stands behind them may have nothing to say any more.
+    static std::vector<Id<Network::Process>> in_order(const Network& network) {
+        std::vector<Id<Network::Process>> order, behind;
+        for (const Id<Network::Process> id : network.processes.ids()) {
+            const Network::Process& process = network.processes[id];
+            if (process.kind == Network::ProcessKind::Controller) continue;
+            const bool drives =
+                std::ranges::any_of(network.templates[process.automaton].edges, [&](const Network::Edge& edge) {
+                    return std::ranges::any_of(edge.assignments, [&](const Network::Assignment& assignment) {
+                        const Expr& target = network.exprs[assignment.target];
+                        return network.variables[{static_cast<std::uint32_t>(target.value)}].role ==
+                               Network::Role::Input;
+                    });
+                });
+            (drives ? order : behind).push_back(id);
+        }
+        order.insert(order.end(), behind.begin(), behind.end());
+        return order;
+    }
+
+    /// Those that could not be decided are tried once more where the others are left out, all together and one by one.
+    void leave_out_parts(const Network& network, std::vector<Id<Network::Process>> order, Ground& ground) {
+        Network open = network;
+        for (const bool again : {false, true}) {
+            std::vector<Id<Network::Process>> undecided;
+            for (const Id<Network::Process> id : order) {
+                if (stopped()) break;
+                if (leave_out(id, open, ground) != Outcome::Unknown) continue;
+                undecided.push_back(id);
+                if (again) ground.open.push_back(network.processes[id].name);
+            }
+            order = std::move(undecided);
+            if (!again && order.size() > 1 && leave_out_all(order, open, ground)) break;
+        }
+        if (!why_.ended.empty()) ground.open.emplace_back("all other parts");
+    }
+
+    bool leave_out_all(const std::vector<Id<Network::Process>>& processes, Network& open, const Ground& ground) {
+        const Property& property = *std::ranges::find(open.properties, ground.property, &Property::name);
+        Network less = open;
+        for (const Id<Network::Process> id : processes)
+            if (open.processes[id].kind == Network::ProcessKind::Timer) drop_timing(less, id);
+            else if (!drop_instance(less, id, roams(open, property))) return false;
+        if (outcome_of(search(less, {ground.property}), ground.property) != Outcome::Holds) return false;
+        open = std::move(less);
+        return true;
+    }
+
+    /// Leaves as much as can be of a process out of `open`. Holds: that is all; Unknown: nothing is said of it.
+    Outcome leave_out(Id<Network::Process> id, Network& open, Ground& ground) {
+        const std::string name = open.processes[id].name;
+        const Property& property = *std::ranges::find(open.properties, ground.property, &Property::name);
+        const bool timer = open.processes[id].kind == Network::ProcessKind::Timer;
+        const auto without = [&](Network less) {
+            const Outcome outcome = outcome_of(search(less, {ground.property}), ground.property);
+            if (outcome == Outcome::Holds) open = std::move(less);
+            return outcome;
+        };
+        Network less = open;
+        Outcome whole = Outcome::Unknown;
+        if (!timer && drop_instance(less, id, roams(open, property))) whole = without(std::move(less));
+        if (whole == Outcome::Holds) return whole;
+        less = open;
+        const bool clocks = drop_timing(less, id);
+        const Outcome untimed = clocks ? without(std::move(less)) : Outcome::Holds;
+        if (timer) whole = untimed;
+        if (whole != Outcome::Violated || untimed == Outcome::Unknown)
+            return whole == Outcome::Holds ? whole : Outcome::Unknown;
+        ground.parts.push_back(name);
+        if (!timer && untimed == Outcome::Violated) ground.timings.push_back(name);
+        return whole;
+    }
+
+    /// Whether the property asks where instances are.
+    static bool roams(const Network& network, const Property& property) {
+        const auto is_place = [&](Id<Expr> leaf) { return network.exprs[leaf].op == Op::At; };
+        return property.at_stable || std::ranges::any_of(property.operands, [&](Id<Expr> operand) {
+                   return std::ranges::any_of(leaves(network.exprs, operand), is_place);
+               });
+    }
+
+    const Model& model_;
+    Id<ClosedLoop> loop_;
+    const ModelOptions& how_;
+    const CheckOptions& options_;
+    std::uint64_t most_states_ = 0;
+    Why why_ = {};
+};
+
+}  // namespace
+
+Why why_it_holds(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
+                 const Report& report) {
+    return Seeker(model, loop, how, options, report).why(report);
+}
+
+}  // namespace grafverif
