@@ -293,6 +293,8 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
             Accepts::Traces, "to", "EVENT", {}, [](Options & options) -> auto& { return options.events.to; },
             "the last event of the timing diagram (default: that of the trace)"),
         text(Accepts::Walk, "script", "FILE", &Options::script, "take commands from FILE instead of standard input"),
+        text(Accepts::Walk, "junit", "FILE", &Options::junit,
+             "write what the script expects as a JUnit report to FILE"),
         number(Accepts::Walk, "random", "SEED", {}, &Options::random_seed, "make a random walk instead"),
         number(Accepts::Walk, "steps", "N", {}, &Options::steps, "moves of the random walk (default: 100)"),
         number(Accepts::Serve, "port", "N", {}, &Options::port, "listen on port N (default: any that is free)"),

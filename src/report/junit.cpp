@@ -128,6 +128,22 @@ std::string junit_suite(std::string_view file, std::string_view type, std::strin
     return suite_of_error(file, test_case({file, "run", "", {}, 0}, element("error", type, message, "")));
 }
 
+std::string junit_suite(std::string_view file, const std::vector<JunitCase>& cases, std::string_view ended) {
+    std::string text;
+    std::size_t failures = 0;
+    for (const JunitCase& each : cases) {
+        const FilePlace where{std::string(file), {each.line, 1}};
+        failures += each.failure.empty() ? 0U : 1U;
+        text += test_case({file, each.name, "", where, 0},
+                          each.failure.empty() ? "" : failure("unmet", each.failure, where, ""));
+    }
+    if (!ended.empty()) text += test_case({file, "script", "", {}, 0}, element("error", "command", ended, ""));
+    return fmt::format(
+               "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\" time=\"0.000\">\n",
+               attribute_xml(file), cases.size() + (ended.empty() ? 0U : 1U), failures, ended.empty() ? 0 : 1) +
+           text + "  </testsuite>\n";
+}
+
 std::string junit_document(std::string_view suites) {
     return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n{}</testsuites>\n", suites);
 }

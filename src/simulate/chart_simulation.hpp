@@ -40,6 +40,7 @@ public:
     std::string choose(std::size_t choice);
     std::string wait(std::int64_t milliseconds);
     std::string wait();
+    std::optional<std::int64_t> soonest_ms() const { return next_end(); }
     std::string set(const std::vector<Setting>& settings);
     std::string act(std::string_view instance, std::string_view location);
     std::string force(std::string_view step, bool active);

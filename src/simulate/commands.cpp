@@ -59,13 +59,48 @@ Command set_of(const std::vector<std::string>& list) {
     return set;
 }
 
+/// Without the first `count` words.
+std::string_view behind(std::string_view line, std::size_t count) {
+    for (; count > 0; --count) {
+        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+        line.remove_prefix(std::min(line.find_first_of(" \t"), line.size()));
+    }
+    return line;
+}
+
+Command expectation(std::string_view text, std::optional<std::int64_t> patience_ms) {
+    auto read = claim_of(text);
+    if (auto* const complaint = std::get_if<std::string>(&read)) return BadCommand{std::move(*complaint)};
+    return ExpectCommand{std::get<Claim>(std::move(read)), patience_ms};
+}
+
+Command expect_of(std::string_view line, const std::vector<std::string>& list) {
+    if (list.size() < 2 || list[1] != "within") return expectation(behind(line, 1), 0);
+    const auto joined = list.size() > 2 ? duration_ms(list[2]) : std::nullopt;
+    const auto apart = list.size() > 3 ? duration_ms(list[2] + " " + list[3]) : std::nullopt;
+    if (!joined && !apart)
+        return BadCommand{"`expect within` takes a duration such as `3s`, `250ms` or `2min`, then a claim"};
+    return expectation(behind(line, joined ? 3 : 4), joined ? joined : apart);
+}
+
+Command repeat_of(const std::vector<std::string>& list) {
+    const auto times = list.size() == 3 && list[2] == "{" ? number(list[1]) : std::nullopt;
+    if (!times || *times < 1)
+        return BadCommand{"write `repeat 3 {`, and `}` on a line of its own behind what is repeated"};
+    return RepeatCommand{static_cast<std::uint64_t>(*times)};
+}
+
 }  // namespace
 
 Command command_of(std::string_view line) {
-    const std::vector<std::string> list = words(without_comment(line));
+    line = without_comment(line);
+    const std::vector<std::string> list = words(line);
     if (list.empty()) return NoCommand{};
     const std::string& first = list[0];
     if (list.size() > 1 && list[1] == "=") return set_of(list);
+    if (first == "expect") return expect_of(line, list);
+    if (first == "wait" && list.size() > 1 && list[1] == "until") return expectation(behind(line, 2), {});
+    if (first == "repeat") return repeat_of(list);
     if (first == "wait" || first == "w") return wait_of(list);
     if (first == "do" && (list.size() == 2 || list.size() == 3))
         return DoCommand{list[1], list.size() == 3 ? list[2] : ""};
@@ -74,7 +109,9 @@ Command command_of(std::string_view line) {
         return BadCommand{"write `force STEP on` or `force STEP off`"};
     }
     if (list.size() == 1) {
-        if (first == "back" || first == "b") return BackCommand{};
+        if (first == "show") return ShowCommand{};
+        if (first == "}") return EndCommand{};
+        if (first == "back" || first == "b" || first == "undo") return BackCommand{};
         if (first == "quit" || first == "q") return QuitCommand{};
         if (first == "help" || first == "?") return HelpCommand{};
         if (const auto choice = number(first); choice && *choice > 0)

@@ -7,7 +7,11 @@
 //   do INSTANCE          the instance does what it can;  `do INSTANCE LOCATION`: what leads it to the location
 //   force STEP on        a trial: the step is made active by hand, or not (`off`); no run of the model from then on
 //   3                    the third of the choices listed
-//   back                 undo the last command
+//   back, undo           undo the last command
+//   expect CLAIM         it holds now (simulate/claim.hpp);  `expect within 5s CLAIM`: it does in at most so much time
+//   wait until CLAIM     let time pass until it holds
+//   show                 the values of everything now
+//   repeat 3 {           in a script: what follows, up to a line `}`, so many times
 //   quit                 end;  so does the end of the input
 //
 // Empty lines and what stands behind `//` or `#` mean nothing.
@@ -20,6 +24,7 @@
 #include <variant>
 #include <vector>
 
+#include "simulate/claim.hpp"
 #include "simulate/settings.hpp"
 
 namespace grafverif {
@@ -48,6 +53,23 @@ struct ChooseCommand {
 struct BackCommand {
     bool operator==(const BackCommand&) const = default;
 };
+/// `patience_ms`: until then; 0: now; empty: as long as something happens by itself.
+struct ExpectCommand {
+    Claim claim = {};
+    std::optional<std::int64_t> patience_ms = 0;
+    bool operator==(const ExpectCommand&) const = default;
+};
+struct ShowCommand {
+    bool operator==(const ShowCommand&) const = default;
+};
+struct RepeatCommand {
+    std::uint64_t times = 0;
+    bool operator==(const RepeatCommand&) const = default;
+};
+/// `}`
+struct EndCommand {
+    bool operator==(const EndCommand&) const = default;
+};
 struct QuitCommand {
     bool operator==(const QuitCommand&) const = default;
 };
@@ -63,8 +85,9 @@ struct BadCommand {
     bool operator==(const BadCommand&) const = default;
 };
 
-using Command = std::variant<SetCommand, WaitCommand, DoCommand, ForceCommand, ChooseCommand, BackCommand, QuitCommand,
-                             HelpCommand, NoCommand, BadCommand>;
+using Command =
+    std::variant<SetCommand, WaitCommand, DoCommand, ForceCommand, ChooseCommand, BackCommand, ExpectCommand,
+                 ShowCommand, RepeatCommand, EndCommand, QuitCommand, HelpCommand, NoCommand, BadCommand>;
 
 Command command_of(std::string_view line);
 

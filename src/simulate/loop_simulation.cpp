@@ -235,6 +235,21 @@ std::string LoopSimulation::act(std::string_view instance, std::string_view loca
     return fmt::format("`{}`{} cannot happen now", instance, location.empty() ? "" : fmt::format(" to `{}`", location));
 }
 
+std::optional<std::int64_t> LoopSimulation::soonest_ms() const {
+    const Leeway way = leeway(network_, state_);
+    if (!way.limit && !way.change) return {};
+    return std::min(way.limit.value_or(*way.change), way.change.value_or(*way.limit)) * network_.time_unit_ms;
+}
+
+std::optional<std::string> LoopSimulation::location_of(std::string_view instance) const {
+    for (const Id<Network::Process> id : network_.processes.ids()) {
+        const Network::Process& process = network_.processes[id];
+        if (process.name == instance)
+            return network_.templates[process.automaton].locations[state_.locations[id.index]].name;
+    }
+    return {};
+}
+
 bool LoopSimulation::back() {
     if (commands_.empty()) return false;
     Run shorter = std::move(run_);

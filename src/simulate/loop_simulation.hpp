@@ -60,6 +60,10 @@ public:
     std::string force(std::string_view step, bool active);
     /// The first row that is no run of the network any more.
     std::optional<std::size_t> trial_row() const { return trial_row_; }
+    /// How long until something happens by itself, or can be chosen; empty: for ever.
+    std::optional<std::int64_t> soonest_ms() const;
+    /// Where the instance is; empty: there is none of that name.
+    std::optional<std::string> location_of(std::string_view instance) const;
     /// Undoes the last command; false: there is none.
     bool back();
 

@@ -14,6 +14,7 @@ std::string Simulation::begin() {
 }
 
 std::string Simulation::obey(const Command& command) {
+    unmet_ = false;
     return std::visit(
         [&](auto& of) {
             return std::visit(overloaded{
@@ -25,12 +26,41 @@ std::string Simulation::obey(const Command& command) {
                                   [&](const ForceCommand& force) { return of.force(force.step, force.active); },
                                   [&](const ChooseCommand& choice) { return choose(choice.number); },
                                   [&](BackCommand) { return std::string(of.back() ? "" : "there is nothing to undo"); },
+                                  [&](const ExpectCommand& wish) { return expect(wish); },
                                   [](const BadCommand& bad) { return bad.complaint; },
                                   [](const auto&) { return std::string(); },
                               },
                               command);
         },
         of_);
+}
+
+/// Time passes from one thing that happens by itself to the next: nothing changes between them.
+std::string Simulation::expect(const ExpectCommand& wish) {
+    const auto location_of = [this](std::string_view instance) {
+        const auto* const loop = std::get_if<LoopSimulation>(&of_);
+        return loop == nullptr ? std::nullopt : loop->location_of(instance);
+    };
+    const std::int64_t begin = told().moments.back().after.time_ms;
+    for (;;) {
+        std::string problem;
+        const auto unmet = unmet_part(wish.claim, told(), location_of, problem);
+        if (!unmet) return problem;
+        if (unmet->empty()) return {};
+        const auto failed = [&](std::string_view why) {
+            unmet_ = true;
+            return fmt::format("expected `{}`, but {}{}", wish.claim.text, *unmet, why);
+        };
+        const std::int64_t passed = told().moments.back().after.time_ms - begin;
+        if (wish.patience_ms && passed >= *wish.patience_ms)
+            return failed(passed == 0 ? "" : fmt::format(" after {}", seconds_text(passed)));
+        if (!patience().may_pass) return failed(", and time cannot pass before somebody chooses");
+        const auto soonest = std::visit([](const auto& of) { return of.soonest_ms(); }, of_);
+        if (!wish.patience_ms && !soonest) return failed(", and nothing will happen by itself");
+        const std::int64_t left = wish.patience_ms ? *wish.patience_ms - passed : *soonest;
+        problem = std::visit([&](auto& of) { return of.wait(std::min(left, soonest.value_or(left))); }, of_);
+        if (!problem.empty()) return problem;
+    }
 }
 
 std::string Simulation::choose(std::size_t number) {

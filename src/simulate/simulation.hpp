@@ -30,6 +30,9 @@ public:
     std::string begin();
     /// What went wrong; empty: all is well. Of commands that move nothing, nothing does.
     std::string obey(const Command& command);
+    /// Whether the last command was an `expect` or a `wait until` that was not met; then what is so instead is what
+    /// went wrong, and the simulation can go on.
+    bool unmet() const { return unmet_; }
 
     const ChartRun& told() const;
     /// The first row of `told` that is no run of the model any more, since a step was forced by hand; empty: all are.
@@ -45,8 +48,10 @@ public:
 
 private:
     std::string choose(std::size_t number);
+    std::string expect(const ExpectCommand& wish);
 
     std::variant<LoopSimulation, ChartSimulation> of_;
+    bool unmet_ = false;
 };
 
 /// One command after the other, each of those possible as likely as the others; how long time passes is drawn too.

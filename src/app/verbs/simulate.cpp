@@ -5,17 +5,21 @@
 
 #include <algorithm>
 #include <istream>
+#include <map>
 #include <ostream>
 #include <sstream>
 
 #include "app/outputs.hpp"
+#include "app/reports.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
+#include "report/junit.hpp"
 #include "report/report.hpp"
 #include "report/terminal.hpp"
 #include "simulate/commands.hpp"
+#include "simulate/script.hpp"
 #include "simulate/simulation.hpp"
 #include "support/printable.hpp"
 
@@ -38,6 +42,9 @@ public:
     std::string obey(const Command& command) {
         over_ = over_ || std::holds_alternative<QuitCommand>(command);
         if (std::holds_alternative<HelpCommand>(command)) out_ << help;
+        if (std::holds_alternative<ShowCommand>(command)) show();
+        if (std::holds_alternative<RepeatCommand>(command) || std::holds_alternative<EndCommand>(command))
+            return "`repeat` is for scripts";
         return simulation_.obey(command);
     }
 
@@ -65,8 +72,32 @@ private:
         "  do INSTANCE [LOC]  the instance does what it can\n"
         "  wait [3s]          let time pass; alone: until something happens by itself, or can\n"
         "  force STEP on|off  a trial: make the step active by hand, or not; not a run of the model from there on\n"
-        "  back               undo the last command\n"
+        "  expect CLAIM       it holds now: X3, not LAMP, LEVEL >= 3, Gate in open, several with `and`\n"
+        "  expect within 5s CLAIM   it does before so much time has passed\n"
+        "  wait until CLAIM   let time pass until it holds\n"
+        "  show               the values of everything now\n"
+        "  back, undo         undo the last command\n"
         "  quit               end\n";
+
+    void show() {
+        const ChartRun& run = simulation_.told();
+        const ChartRun::State& now = run.moments.back().after;
+        out_ << "time       " << moment_text(run, now) << "\nsituation ";
+        for (const Id<ChartRun::Step> step : now.situation) out_ << ' ' << printable(run.steps[step].short_name);
+        out_ << (now.situation.empty() ? " none\n" : "\n");
+        for (const Id<ChartRun::Signal> id : run.signals.ids()) {
+            const ChartRun::Signal& signal = run.signals[id];
+            if (signal.role == ChartRun::Role::Image) continue;
+            const std::int64_t value = now.values[id.index];
+            const std::string range =
+                signal.type.boolean ? "" : fmt::format("   ({}..{})", signal.type.low, signal.type.high);
+            out_ << fmt::format("{:<10} {} = {}{}\n", word(signal.role), printable(signal.name),
+                                !signal.type.boolean ? std::to_string(value)
+                                : value != 0         ? "true"
+                                                     : "false",
+                                range);
+        }
+    }
 
     /// Each constraint when it begins to be broken.
     void tell_broken_constraints() {
@@ -104,22 +135,82 @@ ExitCode converse(Simulation& simulation, const Streams& streams) {
     return ExitCode::Done;
 }
 
-/// A script stops at its first command that cannot be obeyed.
+/// What became of the expectations on one line of a script.
+struct Expectation {
+    std::string text = {};
+    std::string unmet = {};  ///< the first time; empty: met whenever it was asked
+};
+
+/// A script stops at its first command that cannot be obeyed; an expectation that is not met is told, and it goes on.
+class ScriptRun {
+public:
+    ScriptRun(const Script& script, std::string path, Session& session, Simulation& simulation, const Streams& streams)
+        : script_(script), path_(std::move(path)), session_(session), simulation_(simulation), streams_(streams) {}
+
+    ExitCode run() {
+        std::vector<std::pair<std::size_t, std::uint64_t>>
+            rounds;  // of each open `repeat`: its place, how many are left
+        for (std::size_t at = 0; at < script_.lines.size() && !session_.over();) {
+            const Script::Line& line = script_.lines[at++];
+            if (const auto* const repeat = std::get_if<RepeatCommand>(&line.command)) {
+                rounds.emplace_back(at, repeat->times);
+            } else if (std::holds_alternative<EndCommand>(line.command)) {
+                if (--rounds.back().second > 0) at = rounds.back().first;
+                else rounds.pop_back();
+            } else if (!obey(line)) {
+                return ExitCode::Input;
+            }
+        }
+        return std::ranges::any_of(expectations_, [](const auto& each) { return !each.second.unmet.empty(); })
+                   ? ExitCode::Verdict
+                   : ExitCode::Done;
+    }
+
+    const std::map<std::uint32_t, Expectation>& expectations() const { return expectations_; }
+    const std::string& ended() const { return ended_; }
+
+private:
+    bool obey(const Script::Line& line) {
+        const std::string problem = session_.obey(line.command);
+        session_.answer("");
+        if (const auto* const expected = std::get_if<ExpectCommand>(&line.command)) {
+            Expectation& here = expectations_[line.number];
+            here.text = expected->claim.text;
+            if (here.unmet.empty() && simulation_.unmet()) here.unmet = problem;
+        }
+        if (problem.empty()) return true;
+        streams_.err << fmt::format("{}:{}: {}: {}\n", printable(path_), line.number,
+                                    simulation_.unmet() ? "not met" : "error", printable(problem));
+        if (!simulation_.unmet()) ended_ = problem;
+        return simulation_.unmet();
+    }
+
+    const Script& script_;
+    std::string path_;
+    Session& session_;
+    Simulation& simulation_;
+    const Streams& streams_;
+    std::map<std::uint32_t, Expectation> expectations_ = {};  ///< by line
+    std::string ended_ = {};                                  ///< the command that could not be obeyed
+};
+
 ExitCode follow_script(Simulation& simulation, const std::string& path, const Streams& streams, Job& job) {
-    const auto script = read_source(path, job);
-    if (!script) return ExitCode::Input;
+    const auto source = read_source(path, job);
+    if (!source) return ExitCode::Input;
+    const Script script = script_of(job.sources[*source].text);
+    for (const auto& [number, what] : script.complaints)
+        streams.err << fmt::format("{}:{}: error: {}\n", printable(path), number, printable(what));
+    if (!script.complaints.empty()) return ExitCode::Input;
     Session session(simulation, streams);
     session.begin(false);
-    std::istringstream lines(job.sources[*script].text);
-    std::size_t number = 1;
-    for (std::string line; !session.over() && std::getline(lines, line); ++number) {
-        const std::string problem = session.obey(command_of(line));
-        session.answer("");
-        if (problem.empty()) continue;
-        streams.err << fmt::format("{}:{}: error: {}\n", printable(path), number, printable(problem));
-        return ExitCode::Input;
+    ScriptRun run(script, path, session, simulation, streams);
+    const ExitCode code = run.run();
+    if (job.options.junit) {
+        std::vector<JunitCase> cases;
+        for (const auto& [line, each] : run.expectations()) cases.push_back({each.text, line, each.unmet});
+        job.reports->suites = junit_suite(path, cases, run.ended());
     }
-    return ExitCode::Done;
+    return code;
 }
 
 Detail detail_of(const Job& job) { return job.options.verbose ? Detail::Everything : Detail::Chart; }
@@ -202,7 +293,12 @@ Verb simulate_usage() {
             "  wait 3s            let time pass (ms, s, min); `wait` alone: until something happens by itself, or can\n"
             "  do INSTANCE [LOC]  the instance does what it can, or what leads it to location LOC\n"
             "  force STEP on|off  a trial: make the step active by hand, or not; not a run of the model from there on\n"
-            "  back, quit         undo the last command, end",
+            "  expect CLAIM       it holds now: X3, not LAMP, LEVEL >= 3, Gate in open, several with `and`;\n"
+            "                     `expect within 5s CLAIM`: it does before so much time has passed\n"
+            "  wait until CLAIM   let time pass until it holds\n"
+            "  repeat 3 {         in a script: what follows, up to a line `}`, so many times\n"
+            "  show, undo, quit   the values of everything now; undo the last command; end\n"
+            "Exit code 1: an expectation of the script was not met.",
             {"grafverif simulate samples/blinker/blinker.grafcet",
              "grafverif simulate station.grafcet --script press_start.txt",
              "grafverif simulate samples/oven_door/oven_door.grafcet --chart oven_door",

@@ -20,6 +20,7 @@ std::string squeezed(const std::string& text) {
 }
 
 TEST(Commands, AreReadLineByLine) {
+    using Relation = Claim::Relation;
     struct Case {
         const char* line;
         Command command;
@@ -44,6 +45,28 @@ TEST(Commands, AreReadLineByLine) {
              {"force 3 true", BadCommand{"write `force STEP on` or `force STEP off`"}},
              {" 12 ", ChooseCommand{12}},
              {"back", BackCommand{}},
+             {"undo", BackCommand{}},
+             {"show", ShowCommand{}},
+             {"expect X3", ExpectCommand{{{{"X3", Relation::Equal, 1, ""}}, "X3"}, 0}},
+             {"expect not LAMP, N>=3 // both",
+              ExpectCommand{{{{"LAMP", Relation::Equal, 0, ""}, {"N", Relation::AtLeast, 3, ""}}, "not LAMP, N >= 3"},
+                            0}},
+             {"expect LAMP = true", ExpectCommand{{{{"LAMP", Relation::Equal, 1, ""}}, "LAMP = true"}, 0}},
+             {"expect within 5 s Gate in open",
+              ExpectCommand{{{{"Gate", Relation::In, 1, "open"}}, "Gate in open"}, 5000}},
+             {"wait until press.X3 and N != 2",
+              ExpectCommand{
+                  {{{"press.X3", Relation::Equal, 1, ""}, {"N", Relation::NotEqual, 2, ""}}, "press.X3 and N != 2"},
+                  {}}},
+             {"repeat 3 {", RepeatCommand{3}},
+             {"}", EndCommand{}},
+             {"repeat 0 {", BadCommand{"write `repeat 3 {`, and `}` on a line of its own behind what is repeated"}},
+             {"expect", BadCommand{"write what is to hold, such as `X3`, `not LAMP` or `LEVEL >= 3`"}},
+             {"expect X3 X4", BadCommand{"`X4` does not belong to a claim such as `X3 and LEVEL >= 3`"}},
+             {"expect N >=",
+              BadCommand{"behind `N >=` stands a whole number, `true` or `false`, and no `not` before it"}},
+             {"expect within X3",
+              BadCommand{"`expect within` takes a duration such as `3s`, `250ms` or `2min`, then a claim"}},
              {"q", QuitCommand{}},
              {"?", HelpCommand{}},
              {"", NoCommand{}},
@@ -125,6 +148,69 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
         EXPECT_EQ(result.err, script + c.complaint);
     }
     EXPECT_EQ(grafverif({"simulate", blinker, "--script", folder.file("none.txt")}).code, ExitCode::Input);
+}
+
+TEST(Simulate, ScriptsExpectAndRepeat) {
+    const Folder folder;
+    const std::string script = folder.write("test.txt",
+                                            "expect X0 and not LAMP\n"
+                                            "repeat 2 {\n"
+                                            "    wait 1s\n"
+                                            "    BUTTON = true\n"
+                                            "    expect X1, LAMP = true, Lamp in lit\n"
+                                            "    wait until X2\n"
+                                            "    expect not LAMP and Lamp in dark\n"
+                                            "    BUTTON = false\n"
+                                            "    expect within 1s X0\n"
+                                            "}\n");
+    const Result result = grafverif({"simulate", blinker, "--script", script, "--junit", folder.file("r.xml")});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    EXPECT_NE(folder.read("r.xml").find("tests=\"5\" failures=\"0\" errors=\"0\""), std::string::npos)
+        << folder.read("r.xml");
+    EXPECT_NE(squeezed(result.out).find("8 s T_X2_1s: 1s/X2 is true"), std::string::npos) << result.out;
+}
+
+TEST(Simulate, TellsExpectationsThatAreNotMetAndGoesOn) {
+    const Folder folder;
+    const std::string script = folder.write("test.txt",
+                                            "expect X1\nwait 1s\nBUTTON = true\nexpect within 1s X2\nexpect X1\nwait "
+                                            "until Lamp in dark\nBUTTON = false\nwait until X1\n");
+    const Result result = grafverif({"simulate", blinker, "--script", script, "--junit", folder.file("r.xml")});
+    EXPECT_EQ(result.code, ExitCode::Verdict);
+    EXPECT_EQ(result.err,
+              script + ":1: not met: expected `X1`, but `X1` is not active\n" + script +
+                  ":4: not met: expected `X2`, but `X2` is not active after 1 s\n" + script +
+                  ":8: not met: expected `X1`, but `X1` is not active, and nothing will happen by itself\n");
+    EXPECT_NE(folder.read("r.xml").find("tests=\"5\" failures=\"3\" errors=\"0\""), std::string::npos)
+        << folder.read("r.xml");
+}
+
+TEST(Simulate, ReadsAScriptWholeBeforeItMoves) {
+    const Folder folder;
+    const std::string script = folder.write("test.txt", "wait 1s\nrepeat 2 {\npress\n}\n}\nrepeat 2 {\n");
+    const Result result = grafverif({"simulate", blinker, "--script", script});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, script + ":3: error: `press` is no command; `help` lists them\n" + script +
+                              ":5: error: this `}` ends no `repeat`\n" + script +
+                              ":6: error: `repeat` without its `}`\n");
+    const Result unknown = grafverif(
+        {"simulate", blinker, "--script", folder.write("u.txt", "expect NOBODY\n"), "--junit", folder.file("r.xml")});
+    EXPECT_EQ(unknown.code, ExitCode::Input);
+    EXPECT_NE(unknown.err.find("error: there is no variable or step `NOBODY`"), std::string::npos);
+    EXPECT_NE(folder.read("r.xml").find("errors=\"1\""), std::string::npos);
+}
+
+TEST(Simulate, WaitsForAChartAloneAsLongAsItIsAskedTo) {
+    const Folder folder;
+    const std::string script = folder.write(
+        "test.txt", "BUTTON = true\nexpect within 500ms LAMP\nexpect within 1500ms X2\nexpect within 500ms X2\n");
+    const Result result = grafverif({"simulate", blinker, "--chart", "blinker", "--script", script});
+    EXPECT_EQ(result.code, ExitCode::Verdict);
+    EXPECT_EQ(result.err, script + ":3: not met: expected `X2`, but `X2` is not active after 1.5 s\n");
+    EXPECT_NE(grafverif({"simulate", blinker, "--chart", "blinker"}, "BUTTON = true\nshow\n")
+                  .out.find("output     LAMP = true"),
+              std::string::npos);
 }
 
 TEST(Simulate, AsksForAChoiceWhereThePlantHasOne) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// A claim about the moment at hand of a simulation, as `expect` and `wait until` take it:
+//
+//   X3                    the step 3 is active; `press.X3`, `G1.X3` where there are several controllers or partial charts
+//   LAMP, not LAMP        an input, output, internal variable or variable of the plant is true, or not
+//   LEVEL >= 3            =, ==, !=, <, <=, >, >=; of Booleans `LAMP = true`
+//   Gate in open          the instance Gate is in its location open
+//
+// and several of these with `and` or `,` between them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "grafverif/ir/chart_run.hpp"
+
+namespace grafverif {
+
+struct Claim {
+    enum class Relation { Equal, NotEqual, Less, AtMost, Greater, AtLeast, In, NotIn };
+    struct Part {
+        std::string name = {};
+        Relation relation = Relation::Equal;
+        std::int64_t value = 0;
+        std::string location = {};  ///< of In and NotIn
+        bool operator==(const Part&) const = default;
+    };
+    std::vector<Part> parts = {};  ///< all are to hold; at least one
+    std::string text = {};         ///< as written
+    bool operator==(const Claim&) const = default;
+};
+
+/// Or what is wrong with the text.
+std::variant<Claim, std::string> claim_of(std::string_view text);
+
+/// Where the instance of that name is now; empty: there is none.
+using LocationOf = std::function<std::optional<std::string>(std::string_view instance)>;
+
+/// The first part that does not hold behind the last moment of `run`, with what is so instead (`X3 is not active`);
+/// empty: all hold. Nothing: `problem` says which name there is not.
+std::optional<std::string> unmet_part(const Claim& claim, const ChartRun& run, const LocationOf& location_of,
+                                      std::string& problem);
+
+}  // namespace grafverif

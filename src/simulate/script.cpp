@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "simulate/script.hpp"
+
+#include <sstream>
+
+namespace grafverif {
+
+Script script_of(std::string_view text) {
+    Script script;
+    std::vector<std::size_t> open;
+    std::istringstream lines{std::string(text)};
+    std::uint32_t number = 1;
+    for (std::string line; std::getline(lines, line); ++number) {
+        Script::Line next{command_of(line), number};
+        const bool ends = std::holds_alternative<EndCommand>(next.command);
+        if (auto* const bad = std::get_if<BadCommand>(&next.command))
+            script.complaints.emplace_back(number, bad->complaint);
+        if (ends && open.empty()) script.complaints.emplace_back(number, "this `}` ends no `repeat`");
+        if (std::holds_alternative<RepeatCommand>(next.command)) open.push_back(script.lines.size());
+        else if (ends) open.pop_back();
+        script.lines.push_back(std::move(next));
+    }
+    for (const std::size_t each : open)
+        script.complaints.emplace_back(script.lines[each].number, "`repeat` without its `}`");
+    return script;
+}
+
+}  // namespace grafverif

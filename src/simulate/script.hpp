@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// A script of commands, read whole before anything moves.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "simulate/commands.hpp"
+
+namespace grafverif {
+
+struct Script {
+    struct Line {
+        Command command = {};
+        std::uint32_t number = 0;
+    };
+    std::vector<Line> lines = {};
+    std::vector<std::pair<std::uint32_t, std::string>> complaints = {};  ///< the line, and what is wrong with it
+};
+
+Script script_of(std::string_view text);
+
+}  // namespace grafverif
