@@ -112,6 +112,16 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 "observer"      return lexer.word(Kind::OBSERVER);
 "schedule"      return lexer.word(Kind::SCHEDULE);
 "accept"        return lexer.word(Kind::ACCEPT);
+"within"        return lexer.word(Kind::WITHIN);
+"holds"         return lexer.word(Kind::HOLDS);
+"most"          return lexer.word(Kind::MOST);
+"least"         return lexer.word(Kind::LEAST);
+"every"         return lexer.word(Kind::EVERY);
+"since"         return lexer.word(Kind::SINCE);
+"before"        return lexer.word(Kind::BEFORE);
+"between"       return lexer.word(Kind::BETWEEN);
+"until"         return lexer.word(Kind::UNTIL);
+"precedes"      return lexer.word(Kind::PRECEDES);
 "rise"          return lexer.word(Kind::RISE);
 "fall"          return lexer.word(Kind::FALL);
 

@@ -119,6 +119,7 @@ bool shows(const Evidence& evidence, const Property& property, const std::vector
     case Pattern::LeadsTo: return evidence.fair() && avoids(evidence, loop, operands[0], operands[1]);
     case Pattern::AlwaysPossible:
     case Pattern::RawCtl:
+    case Pattern::Watched:
     case Pattern::RawLtl:
     case Pattern::RawUppaal:
     case Pattern::NoDeadlock:

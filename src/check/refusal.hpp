@@ -14,6 +14,7 @@ inline std::string untimed_refusal(Pattern pattern) {
     switch (pattern) {
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock: return "an untimed model has no deadlock and no time to lock";
+    case Pattern::Watched: return "its observer is not part of this model";
     case Pattern::RawUppaal: return "UPPAAL's formulas are decided by UPPAAL only";
     case Pattern::RawCtl: return "CTL formulas of NuSMV are decided by NuSMV and nuXmv only";
     case Pattern::RawLtl: return "LTL formulas of NuSMV are decided by NuSMV and nuXmv only";

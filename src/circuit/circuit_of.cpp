@@ -232,6 +232,7 @@ private:
         case Pattern::AlwaysPossible: return omit(id, "`always possible` is CTL (AG EF), which this form cannot say");
         case Pattern::RawCtl: return omit(id, "CTL formulas cannot be said in this form");
         case Pattern::RawLtl: return omit(id, "LTL formulas of NuSMV are not translated");
+        case Pattern::Watched: return omit(id, "its observer is not part of this model");
         case Pattern::RawUppaal: return omit(id, "UPPAAL's formulas are decided by UPPAAL only");
         case Pattern::NoDeadlock:
         case Pattern::NoTimelock: return omit(id, "an untimed model has no deadlock and no time to lock");

@@ -109,6 +109,7 @@ std::string_view word(ChartRun::Kind kind) {
     case ChartRun::Kind::Plant: return "plant";
     case ChartRun::Kind::Environment: return "environment";
     case ChartRun::Kind::Timer: return "timer";
+    case ChartRun::Kind::Observer: return "observer";
     case ChartRun::Kind::Controller: return "controller";
     case ChartRun::Kind::Delay: return "delay";
     }

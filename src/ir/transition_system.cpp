@@ -139,6 +139,7 @@ std::optional<std::size_t> arity(Pattern pattern) {
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock:
     case Pattern::ReachableAllSteps:
+    case Pattern::Watched:
     case Pattern::RawUppaal:
     case Pattern::RawCtl:
     case Pattern::RawLtl: return 0;
@@ -153,7 +154,8 @@ void check_properties(const System& system, Sorts& sorts, Faults& faults) {
         if (expected ? property.operands.size() != *expected : property.operands.empty())
             faults.push_back(where + " has the wrong number of operands");
         const bool foreign = property.pattern == Pattern::NoDeadlock || property.pattern == Pattern::NoTimelock ||
-                             property.pattern == Pattern::RawUppaal || property.pattern == Pattern::ReachableAllSteps;
+                             property.pattern == Pattern::RawUppaal || property.pattern == Pattern::ReachableAllSteps ||
+                             property.pattern == Pattern::Watched;
         if (foreign) faults.push_back(where + " is none of a transition system");
         for (const Id<Expr> operand : property.operands)
             sorts.check(operand, Sort::Boolean, where + ": operand", faults);

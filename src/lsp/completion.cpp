@@ -273,7 +273,8 @@ private:
         if (last() == ":")
             return keywords({"always", "never", "reachable", "reachable all steps", "inevitable", "always possible",
                              "no deadlock", "no timelock", "exactly one of", "ctl", "ltl", "uppaal"});
-        keywords({"leads to", "at stable", "implies", "in"});
+        keywords({"leads to", "at stable", "implies", "in", "within", "precedes", "holds for", "holds at most",
+                  "at most", "since", "at least every", "before", "after", "between", "until"});
     }
 
     // -- names of terms

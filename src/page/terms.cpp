@@ -242,6 +242,7 @@ const char* pattern_of(Pattern pattern) {
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock:
     case Pattern::ReachableAllSteps:
+    case Pattern::Watched:
     case Pattern::RawUppaal:
     case Pattern::RawCtl:
     case Pattern::RawLtl: return "other";
@@ -293,7 +294,12 @@ std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term)
 std::string claim_text(const Model& model, const ClosedLoop& loop, const Property& property) {
     std::vector<std::string> operands;
     for (const Id<Expr> operand : property.operands) operands.push_back(term_text(model, loop, operand));
-    return claim(property.pattern, operands, property.raw) + (property.at_stable ? " at stable" : "");
+    const std::string claimed =
+        property.pattern == Pattern::Watched
+            ? claim(property.watch, operands,
+                    property.watch.duration_ms > 0 ? duration_text(property.watch.duration_ms) : "")
+            : claim(property.pattern, operands, property.raw);
+    return claimed + (property.at_stable ? " at stable" : "");
 }
 
 std::string claim_text(const Model& model, Id<ClosedLoop> loop, const std::string& name) {

@@ -2,13 +2,17 @@
 // The embedded timed engine at work.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "check/cells/cells.hpp"
 #include "check/timed/timed.hpp"
+#include "compose/observe.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/explain.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/watched.hpp"
 #include "plant/time_unit.hpp"
 #include "report/report.hpp"
 #include "run/project.hpp"
@@ -30,7 +34,7 @@ std::string progress_text(const TimedProgress& now) {
                        grouped(now.queue), now.bytes >> 20U, now.seconds);
 }
 
-TimedResult search(const Network& network, const CheckOptions& options) {
+TimedOptions timed_options(const CheckOptions& options) {
     TimedOptions timed;
     timed.properties = options.properties;
     timed.max_states = options.limits.states.value_or(timed.max_states);
@@ -42,7 +46,19 @@ TimedResult search(const Network& network, const CheckOptions& options) {
     timed.jobs = options.jobs;
     timed.profile = options.profile;
     timed.many = options.many;
+    return timed;
+}
+
+TimedResult search(const Network& network, const CheckOptions& options) {
+    const TimedOptions timed = timed_options(options);
     return options.whole ? check_timed(network, timed) : check_timed_by_cells(network, timed);
+}
+
+/// An observer looks at the whole, so there are no cells to be had; whether time can stop is asked of the loop alone.
+TimedResult search_watched(const Network& network, const CheckOptions& options) {
+    TimedOptions timed = timed_options(options);
+    timed.timelock = false;
+    return check_timed(network, timed);
 }
 
 /// Turns what the engine found into a report; runs that do not replay are failures and are not told.
@@ -70,7 +86,7 @@ public:
                 violations.push_back({report.answers.size(), *verdict.run});
             report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
         }
-        if (!loop_.cures_left_out) explain(network_, violations, again(result), report);
+        if (!loop_.cures_left_out && !is_watched()) explain(network_, violations, again(result), report);
         report.profile = std::move(result.profile);
         if (report.profile && loop_.finest) report.profile->finest = loop_.finest();
         report.failures = std::move(failures_);
@@ -89,6 +105,12 @@ private:
         };
     }
 
+    /// With an observer in it: its question is none of the loop's.
+    bool is_watched() const {
+        return std::ranges::find(network_.processes, Network::ProcessKind::Observer, &Network::Process::kind) !=
+               network_.processes.end();
+    }
+
     void name_race(Breakdown& breakdown, const Run& run) const {
         const std::optional<Clash> found = clash(project(network_, run), loop_.charts);
         if (!found) return;
@@ -105,7 +127,7 @@ private:
         return !found;
     }
 
-    const LoopToCheck& loop_;
+    const LoopToCheck loop_;
     const Network& network_;
     const CheckOptions& options_;
     Detail detail_;
@@ -119,8 +141,66 @@ LoopToCheck loop_to_check(const Model& model, Id<ClosedLoop> loop, const Network
             [&model, loop] { return finest_duration(model, model.loops[loop]); }};
 }
 
+namespace {
+
+/// What a property judged by an observer is found to be: its observer beside the loop, and nobody else's.
+Report check_watched(const LoopToCheck& loop, Id<Property> id, const CheckOptions& options) {
+    Network network = observed(loop.network, {id});
+    const Property asked = *std::ranges::find(network.properties, loop.network.properties[id].name, &Property::name);
+    network.properties = {};
+    network.properties.add(asked);
+    CheckOptions own = options;
+    own.properties = {asked.name};
+    own.profile = false;
+    TimedResult found = search_watched(network, own);
+    for (Verdict& verdict : found.verdicts)
+        if (verdict.run && verdict.outcome == Outcome::Violated)
+            verdict.notes.push_back(watched_words(loop.network, loop.network.properties[id], network, *verdict.run));
+    return Reporter({network, loop.charts, loop.cures_left_out, loop.finest}, own).report(std::move(found));
+}
+
+void take(Report&& found, Report& report) {
+    std::ranges::move(found.answers, std::back_inserter(report.answers));
+    std::ranges::move(found.failures, std::back_inserter(report.failures));
+    for (Breakdown& breakdown : found.breakdowns)
+        if (std::ranges::find(report.breakdowns, breakdown.message, &Breakdown::message) == report.breakdowns.end())
+            report.breakdowns.push_back(std::move(breakdown));
+}
+
+/// In the order of the properties of the loop, the rest behind them.
+void put_in_order(const Network& network, std::vector<Answer>& answers) {
+    for (Answer& answer : answers) {
+        if (!answer.verdict.declared || !answer.verdict.about.valid()) continue;
+        const std::string& name = answer.verdict.property;  // `S.X7` of a property `S`
+        for (const Id<Property> id : network.properties.ids())
+            if (const std::string& of = network.properties[id].name; name == of || name.starts_with(of + '.'))
+                answer.verdict.about = id;
+    }
+    std::ranges::stable_sort(answers, {}, [](const Answer& answer) { return answer.verdict.about.index; });
+}
+
+}  // namespace
+
 Report check(const LoopToCheck& loop, const CheckOptions& options) {
-    return Reporter(loop, options).report(search(loop.network, options));
+    const std::vector<Id<Property>> by_observers = watched(loop.network);
+    if (by_observers.empty()) return Reporter(loop, options).report(search(loop.network, options));
+
+    const auto is_asked = [&](Id<Property> id) {
+        const std::string& name = loop.network.properties[id].name;
+        return options.properties.empty() || std::ranges::find(options.properties, name) != options.properties.end();
+    };
+    const Network alone = observed(loop.network, {});
+    CheckOptions rest = options;
+    std::erase_if(rest.properties, [&](const std::string& name) {
+        return std::ranges::any_of(by_observers,
+                                   [&](Id<Property> id) { return loop.network.properties[id].name == name; });
+    });
+    if (rest.properties.empty() && !options.properties.empty()) rest.properties = {"no_timelock"};  // in any case
+    Report report = Reporter({alone, loop.charts, loop.cures_left_out, loop.finest}, rest).report(search(alone, rest));
+    for (const Id<Property> id : by_observers)
+        if (is_asked(id)) take(check_watched(loop, id, options), report);
+    put_in_order(loop.network, report.answers);
+    return report;
 }
 
 std::optional<Report> check(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how,

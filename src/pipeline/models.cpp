@@ -2,6 +2,7 @@
 // Model -> Equations, Network, TransitionSystem: the only place where the verbs that make models meet, in order.
 #include "pipeline/models.hpp"
 
+#include "compose/observe.hpp"
 #include "derive/derive.hpp"
 #include "emit/nusmv/nusmv.hpp"
 #include "plant/plant.hpp"
@@ -41,7 +42,10 @@ std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& 
         return schedule_together(model, loop, *equations, *plant_network, options, diagnostics);
     const auto network = compose(*plant_network, loop, *equations, {how.grain, how.mode, {}}, diagnostics);
     if (!network) return {};
-    return schedule_network(model, loop, *equations, *network, options, diagnostics);
+    std::vector<Id<Property>> asked = watched(*network);
+    if (options.time == TimeModel::Abstract)  // no clock counts
+        std::erase_if(asked, [&](Id<Property> id) { return network->properties[id].watch.duration_ms > 0; });
+    return schedule_network(model, loop, *equations, observed(*network, asked), options, diagnostics);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "compose/observe.hpp"
 #include "draw/chart.hpp"
 #include "draw/svg.hpp"
 #include "emit/btor2/btor2.hpp"
@@ -26,7 +27,7 @@ std::string written(Write write) {
 }  // namespace
 
 UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics) {
-    const Network lowered = uppaal::lower(network);
+    const Network lowered = uppaal::lower(observed(network, watched(network)));
     for (const uppaal::Inexpressible& left_out : uppaal::inexpressible(lowered)) {
         const Property& property = lowered.properties[left_out.property];
         diagnostics.add(messages::not_expressible(property.origin, property.name, "UPPAAL", left_out.reason));
@@ -36,11 +37,11 @@ UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics) {
 }
 
 std::string pins_model(const Network& network) {
-    return written([&](std::ostream& out) { pins::emit(network, out); });
+    return written([&](std::ostream& out) { pins::emit(observed(network, watched(network)), out); });
 }
 
 UppaalQuestions uppaal_questions(const Network& network) {
-    const Network lowered = uppaal::lower(network);
+    const Network lowered = uppaal::lower(observed(network, watched(network)));
     const std::vector<uppaal::Inexpressible> left_out = uppaal::inexpressible(lowered);
     UppaalQuestions result;
     for (const uppaal::Formula& formula : uppaal::formulas(lowered)) {

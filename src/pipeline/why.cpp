@@ -72,7 +72,7 @@ public:
         std::vector<Verdict> found;
         for (const Answer& answer : report.answers) found.push_back(answer.verdict);
         for (const Property& property : network->properties)
-            if (outcome_of(found, property.name) == Outcome::Holds)
+            if (property.pattern != Pattern::Watched && outcome_of(found, property.name) == Outcome::Holds)
                 why_.grounds.push_back({.property = property.name, .about_states = about_states(property)});
         if (why_.grounds.empty()) return std::move(why_);
         ask_left_sides(*network);

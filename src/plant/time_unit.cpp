@@ -70,6 +70,7 @@ std::vector<Duration> durations(const Model& model, const ClosedLoop& loop) {
             if (action.limit_ms != 0) take(action.delay_ms + action.limit_ms, action.origin);
         }
     }
+    for (const Property& property : loop.properties) take(property.watch.duration_ms, property.origin);
     return found;
 }
 

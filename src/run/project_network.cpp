@@ -15,6 +15,7 @@ ChartRun::Kind kind_of(Network::ProcessKind kind) {
     case Network::ProcessKind::Environment: return ChartRun::Kind::Environment;
     case Network::ProcessKind::Controller: return ChartRun::Kind::Controller;
     case Network::ProcessKind::Timer: return ChartRun::Kind::Timer;
+    case Network::ProcessKind::Observer: return ChartRun::Kind::Observer;
     }
     unreachable();
 }
@@ -140,6 +141,10 @@ void NetworkProjection::fill(ChartRun::Moment& moment, const Fire& fire, const N
     if (moment.kind == ChartRun::Kind::Controller)
         return moment.acts.push_back(act(controller_of_[fire.process.index], edge, before, after));
     if (edge.from != edge.to || moment.kind == ChartRun::Kind::Timer) moment.location = edge.to.index;
+    if (moment.kind == ChartRun::Kind::Observer) {  // it watches: nothing happens to the loop
+        moment.internal = true;
+        return;
+    }
     if (moment.kind != ChartRun::Kind::Timer) {
         for (const Id<Network::Variable> variable : assigned(Slots(network_, fire.process), edge)) {
             const bool changes = before.variables[variable.index] != after.variables[variable.index];

@@ -105,26 +105,39 @@ Offers add_offers(const PlantInstances& plant, const Turn& move, bool discrete) 
 
 // -- what is asked ----------------------------------------------------------------------------------------------------
 
+/// The question that the property has become with its observer in the network (compose/observe.hpp).
+void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const Property& property) {
+    const Network& network = plant.context.network;
+    const auto known = std::ranges::find(network.properties, property.name, &Property::name);
+    if (known == network.properties.end()) return add_property(meaning, property);
+    Property translated = *known;
+    for (Id<Expr>& operand : translated.operands) operand = over_main(plant, operand);
+    meaning.main.system.properties.add(std::move(translated));
+}
+
 /// Those of the network first, then those that ask observers.
 void add_questions(LoopMeaning& meaning, const PlantInstances& plant) {
     const ClosedLoop& loop = meaning.loop;
     const Network& network = plant.context.network;
     add_observers(meaning);
     for (const Property& property : loop.properties)
-        if (!reads_observer(loop, property)) add_property(meaning, property);
+        if (property.pattern == Pattern::Watched) add_watched(meaning, plant, property);
+        else if (!reads_observer(loop, property)) add_property(meaning, property);
     for (const Property& constraint : constraints_to_prove(loop)) add_property(meaning, constraint);
     if (network.race.valid())
         add_never(meaning.main.system, "no_race", "no two stored actions give one variable different values",
                   {meaning.main.draft.leaf(plant.variables[network.race.index])});
     for (const Property& property : loop.properties)
-        if (reads_observer(loop, property)) add_property(meaning, property);
+        if (property.pattern != Pattern::Watched && reads_observer(loop, property)) add_property(meaning, property);
     plant.add_range_property();
 }
 
 /// The parts of the network, where nothing watches them all.
 System::Parts parts(const PlantInstances& plant, const Turn& move, const Offers& offers) {
     Main& main = plant.main;
-    if (!main.system.observers.empty()) return {};
+    const bool watched = std::ranges::find(plant.context.network.processes, Network::ProcessKind::Observer,
+                                           &Network::Process::kind) != plant.context.network.processes.end();
+    if (!main.system.observers.empty() || watched) return {};
     std::vector<Id<Expr>> turns;
     for (std::size_t process = 0; process < move.processes; ++process) turns.push_back(move.of(main, process));
     System::Parts made{.each = parts_that_take_turns(plant, turns)};
@@ -205,7 +218,8 @@ TransitionSystem interleaved(const Model& model, const ClosedLoop& loop, std::sp
     for (const Id<Network::Controller> id : network.controllers.ids())
         main.system.controllers.push_back(words(plant, network.controllers[id], equations[id.index]));
     for (const Id<Network::Process> process : network.processes.ids())
-        if (network.processes[process].kind != Network::ProcessKind::Controller)
+        if (const auto kind = network.processes[process].kind;
+            kind != Network::ProcessKind::Controller && kind != Network::ProcessKind::Observer)
             main.system.components.push_back(plant.component(process.index));
     main.system.parts = parts(plant, move, offers);
     return main.finish();

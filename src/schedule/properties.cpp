@@ -51,9 +51,14 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
         symbol);
 }
 
-/// Why the model cannot answer a pattern; empty: it can.
-std::string refusal(const LoopMeaning& meaning, Pattern pattern) {
-    switch (pattern) {
+/// Why the model cannot answer a property; empty: it can.
+std::string refusal(const LoopMeaning& meaning, const Property& property) {
+    switch (property.pattern) {
+    case Pattern::Watched:
+        return property.watch.duration_ms > 0 ? "it counts time, which this model does not; the timed engine does, and "
+                                                "--plant automata --schedule interleaved --time discrete"
+                                              : "its observer watches the timed model, and of the untimed ones that of "
+                                                "--plant automata --schedule interleaved";
     case Pattern::NoDeadlock:
         return meaning.can_move.valid() ? "" : "this model is total, and cannot say whether the closed loop is";
     case Pattern::NoTimelock: return meaning.can_wait.valid() ? "" : "there is no time in this model";
@@ -102,7 +107,7 @@ Id<Expr> term_of(const LoopMeaning& meaning, Id<Expr> expr, std::string& reason)
 
 void add_property(const LoopMeaning& meaning, const Property& property) {
     TransitionSystem& system = meaning.main.system;
-    std::string reason = refusal(meaning, property.pattern);
+    std::string reason = refusal(meaning, property);
     Property translated = property;
     translated.operands.clear();
     for (std::size_t k = 0; reason.empty() && k < property.operands.size(); ++k)

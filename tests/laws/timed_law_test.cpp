@@ -142,6 +142,7 @@ bool naive_verdict(const NaiveTadd& tadd, const Explored& all, const Property& p
         return everywhere([&](std::size_t i) { return reaches[i]; });
     }
     case Pattern::ReachableAllSteps:
+    case Pattern::Watched:
     case Pattern::RawUppaal:
     case Pattern::RawCtl:
     case Pattern::RawLtl: break;

@@ -178,6 +178,7 @@ bool explicit_verdict(const System& system, const SystemGraph& graph, const Prop
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock:
     case Pattern::ReachableAllSteps:
+    case Pattern::Watched:
     case Pattern::RawUppaal:
     case Pattern::RawCtl:
     case Pattern::RawLtl: break;

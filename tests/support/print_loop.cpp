@@ -174,6 +174,8 @@ private:
         written.expected_violated = declared.expected_violated;
         written.pattern = declared.pattern;
         for (const Id<Expr> operand : declared.operands) written.operands.push_back(expression(operand));
+        written.watch = declared.watch;
+        if (declared.watch.duration_ms > 0) written.duration = trees_.duration(declared.watch.duration_ms);
         written.raw = declared.raw;
         written.at_stable = declared.at_stable;
         return written;

@@ -46,6 +46,7 @@ std::string_view word(Network::ProcessKind kind) {
     case Network::ProcessKind::Environment: return "environment";
     case Network::ProcessKind::Controller: return "controller";
     case Network::ProcessKind::Timer: return "timer";
+    case Network::ProcessKind::Observer: return "observer";
     }
     unreachable();
 }
@@ -62,6 +63,7 @@ std::string_view word(Pattern pattern) {
     case Pattern::ReachableAllSteps: return "reachable all steps";
     case Pattern::ExactlyOneOf: return "exactly one of";
     case Pattern::AlwaysPossible: return "always possible";
+    case Pattern::Watched: return "watched";
     case Pattern::RawUppaal: return "uppaal";
     case Pattern::RawCtl: return "ctl";
     case Pattern::RawLtl: return "ltl";

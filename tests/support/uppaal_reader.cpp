@@ -30,7 +30,8 @@ const std::map<std::string, Role> roles = {
 const std::map<std::string, Network::ProcessKind> kinds = {{"plant", Network::ProcessKind::Plant},
                                                            {"environment", Network::ProcessKind::Environment},
                                                            {"controller", Network::ProcessKind::Controller},
-                                                           {"timers", Network::ProcessKind::Timer}};
+                                                           {"timers", Network::ProcessKind::Timer},
+                                                           {"observers of properties", Network::ProcessKind::Observer}};
 
 /// What stands between the first `before` and the next `after`.
 std::string between(const std::string& text, const std::string& before, const std::string& after) {

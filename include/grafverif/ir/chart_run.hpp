@@ -28,7 +28,7 @@
 namespace grafverif {
 
 struct ChartRun {
-    enum class Kind { Plant, Environment, Timer, Controller, Delay };
+    enum class Kind { Plant, Environment, Timer, Controller, Delay, Observer };
     enum class Role {
         Input,     ///< what the controllers read of the plant
         Output,    ///< what they have written

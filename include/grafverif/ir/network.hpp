@@ -121,7 +121,7 @@ struct Network {
     };
 
     using Argument = std::variant<Id<Variable>, std::int64_t>;
-    enum class ProcessKind { Plant, Environment, Controller, Timer };
+    enum class ProcessKind { Plant, Environment, Controller, Timer, Observer };
     struct Process {
         std::string name = {};
         Id<Template> automaton = {};

@@ -3,6 +3,7 @@
 // The operands are expressions of the owner (ClosedLoop: leaves are Variable -> symbols; Network: Variable and At).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,32 @@ enum class Pattern {
     ReachableAllSteps,  ///< every step of every chart is active in some reachable state
     ExactlyOneOf,       ///< in every reachable state exactly one of the operands holds
     AlwaysPossible,     ///< from every reachable state a state with p can be reached
+    Watched,            ///< what Property::watch says; an observer judges it (docs/properties.md)
     RawUppaal,
     RawCtl,
     RawLtl,  ///< `raw`, passed through to the target that speaks it
+};
+
+/// A sentence that an observer judges: with a duration or with a scope. Operands: those of the kind, then those of the scope.
+struct Sentence {
+    enum class Kind {
+        Absence,       ///< `never p`
+        Universality,  ///< `always p`
+        Existence,     ///< `inevitable p`
+        Response,      ///< `p leads to q`, also `within` a duration
+        Precedence,    ///< `p precedes q`
+        HoldsFor,      ///< `p holds for` a duration, at least
+        HoldsAtMost,   ///< `p holds at most` a duration
+        Since,         ///< `p at most` a duration `since q`
+        Recurrence,    ///< `p at least every` duration
+    };
+    enum class Scope { Globally, Before, After, Between, AfterUntil };
+
+    Kind kind = Kind::Absence;
+    Scope scope = Scope::Globally;
+    std::int64_t duration_ms = 0;  ///< 0: it has none
+
+    bool operator==(const Sentence&) const = default;
 };
 
 struct Property {
@@ -33,6 +57,7 @@ struct Property {
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
     std::string raw = {};
+    Sentence watch = {};     ///< of Pattern::Watched
     bool at_stable = false;  ///< judged in settled states only
     bool expected_violated = false;
     Span origin = {};

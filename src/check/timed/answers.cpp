@@ -93,6 +93,7 @@ void Questions::answer(Question& question, Graph& graph, const Limits& limits) {
     case Pattern::AlwaysPossible: return answer_possible(question, graph, limits);
     case Pattern::RawUppaal:
     case Pattern::RawCtl:
+    case Pattern::Watched:
     case Pattern::RawLtl: break;
     }
     unreachable();

@@ -14,7 +14,8 @@ namespace {
 
 /// Whether `at stable` restricts the states that the property is judged in.
 bool is_judged(Pattern pattern) {
-    return pattern != Pattern::RawUppaal && pattern != Pattern::RawCtl && pattern != Pattern::RawLtl;
+    return pattern != Pattern::Watched && pattern != Pattern::RawUppaal && pattern != Pattern::RawCtl &&
+           pattern != Pattern::RawLtl;
 }
 
 }  // namespace
@@ -120,6 +121,7 @@ void Questions::compile(Question& question) {
     case Pattern::ReachableAllSteps: return;
     case Pattern::RawUppaal:
     case Pattern::RawCtl:
+    case Pattern::Watched:
     case Pattern::RawLtl:
         question.verdict.obstacle = Obstacle::Unsupported;
         question.verdict.reason = "the timed engine reads no raw formulas";

@@ -73,6 +73,7 @@ Specification specification(const Printer& printer, const Property& property) {
     case Pattern::RawLtl: return {"LTLSPEC", property.raw};
     case Pattern::NoDeadlock:
     case Pattern::NoTimelock:
+    case Pattern::Watched:
     case Pattern::ReachableAllSteps:
     case Pattern::RawUppaal: break;  // never in a TransitionSystem (verify)
     }

@@ -108,6 +108,7 @@ private:
         case Pattern::ReachableAllSteps:
         case Pattern::NoDeadlock:
         case Pattern::NoTimelock:
+        case Pattern::Watched:
         case Pattern::RawUppaal:
         case Pattern::RawCtl:
         case Pattern::RawLtl: break;

@@ -44,6 +44,7 @@ std::string_view title(Network::ProcessKind kind) {
     case Network::ProcessKind::Environment: return "environment";
     case Network::ProcessKind::Controller: return "controller";
     case Network::ProcessKind::Timer: return "timers";
+    case Network::ProcessKind::Observer: return "observers of properties";
     }
     unreachable();
 }

@@ -27,6 +27,7 @@ std::string_view reason(Pattern pattern) {
     case Pattern::ReachableAllSteps:
     case Pattern::ExactlyOneOf:
     case Pattern::RawUppaal: return {};
+    case Pattern::Watched: return "its observer is not part of this model";
     case Pattern::NoTimelock: return "UPPAAL has no query for `no timelock`";
     case Pattern::AlwaysPossible: return "UPPAAL has no query for `always possible` (AG EF)";
     case Pattern::RawCtl: return "UPPAAL reads no CTL beyond its own queries";
@@ -125,6 +126,7 @@ private:
         case Pattern::NoTimelock:
         case Pattern::AlwaysPossible:
         case Pattern::RawCtl:
+        case Pattern::Watched:
         case Pattern::RawLtl: break;
         }
         unreachable();

@@ -92,6 +92,28 @@ Property Builder::pattern(Pattern pattern, std::vector<Id<Expr>> operands) const
     return property;
 }
 
+Property Builder::scoped(Pattern plain, Sentence::Kind kind, std::vector<Id<Expr>> operands, Property scope) const {
+    const bool watched = plain == Pattern::Watched || !scope.operands.empty();
+    scope.pattern = watched ? Pattern::Watched : plain;
+    scope.watch.kind = watched ? kind : Sentence::Kind{};
+    scope.operands.insert(scope.operands.begin(), operands.begin(), operands.end());
+    return scope;
+}
+
+Property Builder::scope(Sentence::Scope scope, std::vector<Id<Expr>> operands) const {
+    Property property;
+    property.watch.scope = scope;
+    property.operands = std::move(operands);
+    return property;
+}
+
+Property Builder::timed(Sentence::Kind kind, std::vector<Id<Expr>> operands, Id<Expr> duration) const {
+    Property property = pattern(Pattern::Watched, std::move(operands));
+    property.watch.kind = kind;
+    property.duration = duration;
+    return property;
+}
+
 Property Builder::formula(Pattern pattern, std::string raw, Span where) const {
     Property property;
     property.pattern = pattern;

@@ -41,6 +41,11 @@ public:
     tree::Transition transition(tree::Transition links, Id<tree::Expr> condition,
                                 std::vector<tree::Assignment> assignments, Span where) const;
     tree::Property pattern(Pattern pattern, std::vector<Id<tree::Expr>> operands) const;
+    /// `plain` where there is no scope.
+    tree::Property scoped(Pattern plain, Sentence::Kind kind, std::vector<Id<tree::Expr>> operands,
+                          tree::Property scope) const;
+    tree::Property scope(Sentence::Scope scope, std::vector<Id<tree::Expr>> operands) const;
+    tree::Property timed(Sentence::Kind kind, std::vector<Id<tree::Expr>> operands, Id<tree::Expr> duration) const;
     tree::Property formula(Pattern pattern, std::string raw, Span where) const;
     tree::Property named(tree::Name name, std::string text, bool expected_violated, tree::Property pattern,
                          bool at_stable, Span where) const;

@@ -273,7 +273,10 @@ Lines item_lines(const tree::File& file, const tree::Property& written, std::siz
     head += ':';
     std::vector<std::string> operands;
     for (const Id<tree::Expr> operand : written.operands) operands.push_back(formatted(file, operand));
-    const std::string rest = claim(written.pattern, operands, written.raw) + (written.at_stable ? " at stable;" : ";");
+    const std::string duration = written.duration.valid() ? formatted(file, written.duration) : "";
+    const std::string claimed = written.pattern == Pattern::Watched ? claim(written.watch, operands, duration)
+                                                                    : claim(written.pattern, operands, written.raw);
+    const std::string rest = claimed + (written.at_stable ? " at stable;" : ";");
     if (column + head.size() + 1 + rest.size() <= widest) return {head + ' ' + rest};
     return {head, "    " + rest};
 }

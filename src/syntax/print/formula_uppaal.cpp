@@ -173,6 +173,7 @@ std::optional<FormulaLanguage> formula_language(Pattern pattern) {
     case Pattern::NoTimelock:
     case Pattern::ReachableAllSteps:
     case Pattern::ExactlyOneOf:
+    case Pattern::Watched:
     case Pattern::AlwaysPossible: return {};
     }
     unreachable();

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <ostream>
+#include <span>
 #include <variant>
 
 #include "support/overloaded.hpp"
@@ -20,6 +21,7 @@ std::string claim(Pattern pattern, const std::vector<std::string>& operands, con
     case Pattern::Reachable: return "reachable " + operands[0];
     case Pattern::Inevitable: return "inevitable " + operands[0];
     case Pattern::LeadsTo: return operands[0] + " leads to " + operands[1];
+    case Pattern::Watched: break;  // it has a sentence of its own
     case Pattern::NoDeadlock: return "no deadlock";
     case Pattern::NoTimelock: return "no timelock";
     case Pattern::ReachableAllSteps: return "reachable all steps";
@@ -28,6 +30,42 @@ std::string claim(Pattern pattern, const std::vector<std::string>& operands, con
     case Pattern::RawCtl: return "ctl \"" + raw + '"';
     case Pattern::RawLtl: return "ltl \"" + raw + '"';
     case Pattern::ExactlyOneOf: return fmt::format("exactly one of {{{}}}", fmt::join(operands, ", "));
+    }
+    unreachable();
+}
+
+namespace {
+
+/// As it stands before `and`, which is not to be one of its own.
+std::string bracketed(const std::string& text) { return text.find(' ') == std::string::npos ? text : '(' + text + ')'; }
+
+/// `scope`: its operands.
+std::string scope_words(Sentence::Scope scope, std::span<const std::string> of) {
+    switch (scope) {
+    case Sentence::Scope::Globally: return "";
+    case Sentence::Scope::Before: return " before " + of[0];
+    case Sentence::Scope::After: return " after " + of[0];
+    case Sentence::Scope::Between: return " between " + bracketed(of[0]) + " and " + of[1];
+    case Sentence::Scope::AfterUntil: return " after " + of[0] + " until " + of[1];
+    }
+    unreachable();
+}
+
+}  // namespace
+
+std::string claim(const Sentence& watch, const std::vector<std::string>& of, const std::string& duration) {
+    const auto within = [&](std::size_t own) { return scope_words(watch.scope, std::span(of).subspan(own)); };
+    switch (watch.kind) {
+    case Sentence::Kind::Absence: return "never " + of[0] + within(1);
+    case Sentence::Kind::Universality: return "always " + of[0] + within(1);
+    case Sentence::Kind::Existence: return "inevitable " + of[0] + within(1);
+    case Sentence::Kind::Response:
+        return of[0] + " leads to " + of[1] + (duration.empty() ? within(2) : " within " + duration);
+    case Sentence::Kind::Precedence: return of[0] + " precedes " + of[1] + within(2);
+    case Sentence::Kind::HoldsFor: return of[0] + " holds for " + duration;
+    case Sentence::Kind::HoldsAtMost: return of[0] + " holds at most " + duration;
+    case Sentence::Kind::Since: return of[0] + " at most " + duration + " since " + of[1];
+    case Sentence::Kind::Recurrence: return of[0] + " at least every " + duration;
     }
     unreachable();
 }

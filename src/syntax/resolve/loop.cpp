@@ -178,6 +178,23 @@ void check_formula(LoopScope& scope, const tree::Property& written) {
     scope.diagnostics.add(messages::bad_formula(there, word(*language), fault->what));
 }
 
+/// What durations are not: something that changes.
+Terms constant_terms(LoopScope& scope, std::string_view user) {
+    Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
+    terms.name = [&scope, user](const tree::Expr& node) {
+        scope.diagnostics.add(messages::not_constant(node.where, user));
+        return Term{};
+    };
+    return terms;
+}
+
+std::int64_t duration_of(LoopScope& scope, Id<tree::Expr> written) {
+    constexpr std::string_view user = "the duration of a property";
+    const auto duration = constant_terms(scope, user).constant(written, Kind::Duration, user);
+    if (duration && *duration <= 0) scope.diagnostics.add(messages::zero_duration(scope.file.exprs[written].where));
+    return duration.value_or(0);
+}
+
 void resolve_property(LoopScope& scope, const tree::Property& written,
                       std::unordered_map<std::string_view, Span>& names) {
     const auto [known, fresh] = names.try_emplace(scope.text(written.name), written.name.where);
@@ -189,6 +206,8 @@ void resolve_property(LoopScope& scope, const tree::Property& written,
     property.text = written.text;
     property.pattern = written.pattern;
     property.raw = written.raw;
+    property.watch = written.watch;
+    if (written.duration.valid()) property.watch.duration_ms = duration_of(scope, written.duration);
     property.at_stable = written.at_stable;
     property.expected_violated = written.expected_violated;
     property.origin = written.name.where;

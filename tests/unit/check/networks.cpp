@@ -89,6 +89,7 @@ void confirm(const Network& network, const Property& property, const Verdict& ve
     case Pattern::NoTimelock: EXPECT_FALSE(may_delay(network, last)); return;
     case Pattern::ReachableAllSteps:
     case Pattern::AlwaysPossible:
+    case Pattern::Watched:
     case Pattern::RawUppaal:
     case Pattern::RawCtl:
     case Pattern::RawLtl: return;

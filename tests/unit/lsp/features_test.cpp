@@ -209,7 +209,9 @@ TEST(LspCompletion, OffersWhatCanStandThere) {
     EXPECT_TRUE(holds(in_loop("    property p: @"), "never"));
     EXPECT_TRUE(holds(in_loop("    property p: never X1 && @"), "START"));
     EXPECT_EQ(in_loop("    property p: never Start.@"),
-              (std::vector<std::string>{"idle", "leads to", "at stable", "implies", "in"}));
+              (std::vector<std::string>{"idle", "leads to", "at stable", "implies", "in", "within", "precedes",
+                                        "holds for", "holds at most", "at most", "since", "at least every", "before",
+                                        "after", "between", "until"}));
 }
 
 TEST(LspCompletion, KnowsWhatAChartDeclaresBeforeItsBracesAreClosed) {

@@ -106,6 +106,78 @@ closed_loop park {
     EXPECT_EQ(outcome(*alone, "moves"), Outcome::Unknown);
 }
 
+constexpr const char* blinking = R"(grafcet blinker {
+    input BUTTON;
+    output LAMP;
+    initial step 0;
+    step 1 { LAMP; }
+    transition t0: 0 -> 1 when BUTTON;
+    transition t1: 1 -> 0 when 3s/X1 && !BUTTON;
+}
+closed_loop room {
+    controller blinker;
+    plant Lamp = lamp(ON = LAMP);
+    environment Button = push_button_released(OUT = BUTTON, HOLD = 4s);
+    property on: BUTTON leads to LAMP within 1s;
+    property off: LAMP leads to !LAMP within 7s;
+    property late: LAMP leads to !LAMP within 6s;
+    property lit: Lamp in lit holds for 3s;
+    property longer: Lamp in lit holds for 4s;
+    property most: LAMP holds at most 6s;
+    property since: LAMP at most 1s since BUTTON;
+    property recent: LAMP at most 2s since BUTTON;
+    property rest: !LAMP at least every 7s at stable;
+    property cause: BUTTON precedes LAMP;
+    property dark: never LAMP before BUTTON;
+    property again: never X1 after X1 until X0;
+    property ends: inevitable X0 after X1;
+    property other: never LAMP && X0 at stable;
+}
+)";
+
+TEST(FrontDoor, ObserversSayTheSameInContinuousAndDiscreteTime) {
+    const Reading reading = read_string(blinking, "room.grafcet");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    Diagnostics diagnostics;
+    ModelOptions discrete;
+    discrete.untimed.plant = PlantApproach::Automata;
+    discrete.untimed.time = TimeModel::Discrete;
+    const auto timed = check(*reading.model, Id<ClosedLoop>{0}, {}, {}, diagnostics);
+    const auto counted = check_untimed(*reading.model, Id<ClosedLoop>{0}, discrete, {}, diagnostics);
+    discrete.untimed.time = TimeModel::Abstract;
+    const auto abstract = check_untimed(*reading.model, Id<ClosedLoop>{0}, discrete, {}, diagnostics);
+    ASSERT_TRUE(timed && counted && abstract);
+    const std::vector<std::string> violated = {"late", "longer", "most", "since", "again"};
+    std::vector<std::string> order;
+    for (const Property& property : reading.model->loops[{0}].properties) {
+        const std::string& name = property.name;
+        const bool holds = std::ranges::find(violated, name) == violated.end();
+        EXPECT_EQ(outcome(*timed, name), holds ? Outcome::Holds : Outcome::Violated) << name;
+        EXPECT_EQ(outcome(*counted, name), holds ? Outcome::Holds : Outcome::Violated) << name;
+        if (property.watch.duration_ms > 0) EXPECT_EQ(outcome(*abstract, name), Outcome::Unknown) << name;
+        else EXPECT_NE(outcome(*abstract, name), Outcome::Unknown) << name;
+        order.push_back(name);
+    }
+    std::vector<std::string> answered;
+    for (const Answer& answer : timed->answers)
+        if (answer.verdict.declared) answered.push_back(answer.verdict.property);
+    EXPECT_EQ(answered, order);
+}
+
+TEST(FrontDoor, CounterexamplesTellTheWordsOfTheirSentence) {
+    const Reading reading = read_string(blinking, "room.grafcet");
+    ASSERT_TRUE(reading.model);
+    Diagnostics diagnostics;
+    CheckOptions one;
+    one.properties = {"late"};
+    const auto report = check(*reading.model, Id<ClosedLoop>{0}, {}, one, diagnostics);
+    ASSERT_TRUE(report);
+    ASSERT_EQ(report->answers.size(), 2U);  // and whether time can stop
+    ASSERT_FALSE(report->answers[0].verdict.notes.empty());
+    EXPECT_EQ(report->answers[0].verdict.notes[0], "`LAMP` at 1 s, and `!LAMP` does not come within 6s");
+    EXPECT_EQ(report->answers[1].verdict.property, "no_timelock");
+}
+
 TEST(FrontDoor, IncludesComeFromWhereTheCallerSays) {
     ReadOptions options;
     std::vector<std::string> asked;

@@ -109,5 +109,28 @@ TEST(CombinationSensor, CanStartOn) {
     EXPECT_EQ(place_of(bench("combination_sensor", {{"A_ON", 0}, {"B_ON", 0}}, "on")), "on");
 }
 
+TEST(OrSensor, DetectsEitherStateOfEitherPolarity) {
+    for (const std::int64_t a_on : {0, 1})
+        for (const std::int64_t b_on : {0, 1}) {
+            Bench sensor = bench("or_sensor", {{"A_ON", a_on}, {"B_ON", b_on}});
+            for (const std::int64_t a : {0, 1, 0})
+                for (const std::int64_t b : {0, 1, 0}) {
+                    sensor.set("A", a);
+                    sensor.set("B", b);
+                    EXPECT_EQ(only(sensor, "OUT"), a == a_on || b == b_on);
+                }
+        }
+}
+
+TEST(Junction, PassesOnWhatComesFromEitherSide) {
+    Bench junction = bench("junction", {});
+    for (const std::int64_t a : {0, 1, 0, 1})
+        for (const std::int64_t b : {0, 1, 0}) {
+            junction.set("A", a);
+            junction.set("B", b);
+            EXPECT_EQ(only(junction, "OUT"), a == 1 || b == 1);
+        }
+}
+
 }  // namespace
 }  // namespace grafverif

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+// Each automaton is the formula of docs/properties.md, which holds the table; the law compares them.
+#include "compose/observer.hpp"
+
+#include <utility>
+
+#include "support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Location = Id<Network::Location>;
+
+class Observer {
+public:
+    Observer(Exprs& exprs, const ObserverTerms& terms, std::int64_t duration)
+        : exprs_(exprs), terms_(terms), duration_(duration) {}
+
+    ObserverMade made = {};
+
+    /// Of the operands.
+    Id<Expr> p(std::size_t number = 0) const { return terms_.operands[number]; }
+    Id<Expr> no(Id<Expr> term) { return exprs_.negation(term); }
+    Id<Expr> both(Id<Expr> left, Id<Expr> right) { return exprs_.conjunction(left, right); }
+    Id<Expr> either(Id<Expr> left, Id<Expr> right) { return exprs_.disjunction(left, right); }
+    Id<Expr> always() { return exprs_.constant(true); }
+
+    Location location(const char* name) {
+        rest_.push_back(exprs_.constant(true));
+        return made.automaton.locations.add({name, {}, {}});
+    }
+    Location failed() {
+        const Location location = this->location("failed");
+        made.pending.push_back(location);
+        return location;
+    }
+    Id<Network::Clock> clock() {
+        clock_ = made.automaton.clocks.add({"t"});
+        return clock_;
+    }
+
+    /// Looking at a state with `when`, where none of the edges from there told before does: it goes to `to`.
+    void sees(Location from, Id<Expr> when, Location to, bool resets = false) {
+        const Id<Expr> rest = rest_[from.index];
+        rest_[from.index] = both(rest, no(when));
+        look(from, to, both(terms_.judged, both(rest, when)), resets);
+    }
+    /// At any time, in a state with `when`, its clock being so: it goes to `to`.
+    void times(Location from, Id<Expr> when, Op relation, Location to) {
+        made.automaton.edges.add({.from = from,
+                                  .to = to,
+                                  .guard = both(terms_.judged, when),
+                                  .constraint = {{clock_, relation, exprs_.integer(duration_)}}});
+    }
+    /// Beyond the duration, whatever holds: it is what has been looked at that counts.
+    void expires(Location from, Location to) {
+        made.automaton.edges.add({.from = from,
+                                  .to = to,
+                                  .guard = always(),
+                                  .constraint = {{clock_, Op::Greater, exprs_.integer(duration_)}}});
+    }
+
+    /// Everywhere else it has looked, and stays.
+    ObserverMade whole(Location initial) {
+        for (const Location at : made.automaton.locations.ids())
+            look(at, at, either(no(terms_.judged), rest_[at.index]), false);
+        made.automaton.initial = initial;
+        return std::move(made);
+    }
+
+private:
+    void look(Location from, Location to, Id<Expr> when, bool resets) {
+        Network::Edge edge{.from = from, .to = to, .urgent = true, .guard = both(terms_.turn, when)};
+        edge.assignments.push_back({terms_.look, terms_.next});
+        if (resets) edge.resets.push_back(clock_);
+        made.automaton.edges.add(std::move(edge));
+    }
+
+    Exprs& exprs_;
+    const ObserverTerms& terms_;
+    std::int64_t duration_;
+    Id<Network::Clock> clock_ = {};
+    std::vector<Id<Expr>> rest_ = {};  ///< per location: what no edge from there has been told for
+};
+
+// -- durations --------------------------------------------------------------------------------------------------------
+
+/// `p leads to q within d`; AG (p -> AF<=d q).
+ObserverMade within(Observer of) {
+    const Location idle = of.location("idle"), due = of.location("due"), failed = of.failed();
+    of.clock();
+    of.sees(idle, of.both(of.p(0), of.no(of.p(1))), due, true);
+    of.sees(due, of.p(1), idle);
+    of.expires(due, failed);
+    return of.whole(idle);
+}
+
+/// `p at least every d`: at power-on and after each state with p, one with p within d.
+ObserverMade recurs(Observer of) {
+    const Location due = of.location("due"), there = of.location("there"), failed = of.failed();
+    of.clock();
+    of.sees(due, of.p(), there);
+    of.sees(there, of.no(of.p()), due, true);
+    of.expires(due, failed);
+    return of.whole(due);
+}
+
+/// `p holds for d`: p that ends has lasted d.
+ObserverMade holds_for(Observer of) {
+    const Location off = of.location("off"), on = of.location("on"), failed = of.failed();
+    of.clock();
+    of.sees(off, of.p(), on, true);
+    of.sees(on, of.no(of.p()), off);
+    of.times(on, of.no(of.p()), Op::Less, failed);
+    return of.whole(off);
+}
+
+/// `p holds at most d`.
+ObserverMade holds_at_most(Observer of) {
+    const Location off = of.location("off"), on = of.location("on"), failed = of.failed();
+    of.clock();
+    of.sees(off, of.p(), on, true);
+    of.sees(on, of.no(of.p()), off);
+    of.expires(on, failed);
+    return of.whole(off);
+}
+
+/// `q at most d since p`: where q holds, p does, or did at most d ago.
+ObserverMade since(Observer of) {
+    const Id<Expr> q = of.p(0), p = of.p(1);
+    const Location before = of.location("before"), during = of.location("during"), after = of.location("after"),
+                   failed = of.failed();
+    of.clock();
+    of.sees(before, p, during);
+    of.sees(before, q, failed);
+    of.sees(during, of.no(p), after, true);
+    of.sees(after, p, during);
+    of.times(after, of.both(q, of.no(p)), Op::Greater, failed);
+    return of.whole(before);
+}
+
+// -- scopes: r opens, s closes ------------------------------------------------------------------------------------------
+
+/// `never p`.
+ObserverMade absence(Observer of, Id<Expr> p, Sentence::Scope scope) {
+    const Id<Expr> r = of.p(1);
+    const Location in = of.location("inside"), out = of.location("outside"), failed = of.failed();
+    if (scope == Sentence::Scope::Before) {
+        const Location spoilt = of.location("spoilt");
+        of.sees(in, r, out);
+        of.sees(in, p, spoilt);
+        of.sees(spoilt, r, failed);
+        return of.whole(in);
+    }
+    if (scope == Sentence::Scope::After) {
+        of.sees(out, of.both(r, p), failed);
+        of.sees(out, r, in);
+        of.sees(in, p, failed);
+        return of.whole(out);
+    }
+    const Id<Expr> s = of.p(2), opens = of.both(r, of.no(s));
+    const bool closed = scope == Sentence::Scope::Between;
+    const Location spoilt = closed ? of.location("spoilt") : failed;
+    of.sees(out, of.both(opens, p), spoilt);
+    of.sees(out, opens, in);
+    of.sees(in, s, out);
+    of.sees(in, p, spoilt);
+    if (closed) of.sees(spoilt, s, failed);
+    return of.whole(out);
+}
+
+/// `inevitable p`.
+ObserverMade existence(Observer of, Sentence::Scope scope) {
+    const Id<Expr> p = of.p(0), r = of.p(1);
+    const Location idle = of.location("idle"), due = of.location("due");
+    if (scope == Sentence::Scope::Before) {
+        const Location failed = of.failed();
+        of.sees(due, r, failed);
+        of.sees(due, p, idle);
+        return of.whole(due);
+    }
+    if (scope == Sentence::Scope::After) {
+        const Location done = of.location("done");
+        of.sees(idle, of.both(r, p), done);
+        of.sees(idle, r, due);
+        of.sees(due, p, done);
+        of.made.pending = {due};
+        of.made.settled = {done};
+        return of.whole(idle);
+    }
+    const Id<Expr> s = of.p(2);
+    const Location failed = of.failed();
+    of.sees(idle, of.both(of.both(r, of.no(s)), of.no(p)), due);
+    of.sees(due, s, failed);
+    of.sees(due, p, idle);
+    if (scope == Sentence::Scope::AfterUntil) {
+        of.made.pending.push_back(due);
+        of.made.settled = {idle};
+    }
+    return of.whole(idle);
+}
+
+/// `p leads to q`.
+ObserverMade response(Observer of, Sentence::Scope scope) {
+    const Id<Expr> p = of.p(0), q = of.p(1), r = of.p(2), asks = of.both(p, of.no(q));
+    const Location out = of.location("outside"), in = of.location("inside"), due = of.location("due");
+    if (scope == Sentence::Scope::Before) {
+        const Location failed = of.failed();
+        of.sees(in, r, out);
+        of.sees(in, asks, due);
+        of.sees(due, r, failed);
+        of.sees(due, q, in);
+        return of.whole(in);
+    }
+    if (scope == Sentence::Scope::After) {
+        of.sees(out, of.both(r, asks), due);
+        of.sees(out, r, in);
+        of.sees(in, asks, due);
+        of.sees(due, q, in);
+        of.made.pending = {due};
+        of.made.settled = {in};
+        return of.whole(out);
+    }
+    const Id<Expr> s = of.p(3), opens = of.both(r, of.no(s));
+    const Location failed = of.failed();
+    of.sees(out, of.both(opens, asks), due);
+    of.sees(out, opens, in);
+    of.sees(in, s, out);
+    of.sees(in, asks, due);
+    of.sees(due, s, failed);
+    of.sees(due, q, in);
+    if (scope == Sentence::Scope::AfterUntil) {
+        of.made.pending.push_back(due);
+        of.made.settled = {in};
+    }
+    return of.whole(out);
+}
+
+/// `p precedes q`.
+ObserverMade precedence(Observer of, Sentence::Scope scope) {
+    const Id<Expr> p = of.p(0), q = of.p(1);
+    const Location open = of.location("inside"), done = of.location("done"), failed = of.failed();
+    if (scope == Sentence::Scope::Globally) {
+        of.sees(open, p, done);
+        of.sees(open, q, failed);
+        return of.whole(open);
+    }
+    const Id<Expr> r = of.p(2);
+    if (scope == Sentence::Scope::Before) {
+        const Location spoilt = of.location("spoilt");
+        of.sees(open, of.either(p, r), done);
+        of.sees(open, q, spoilt);
+        of.sees(spoilt, r, failed);
+        return of.whole(open);
+    }
+    const Location out = of.location("outside");
+    const auto begins = [&](Location from, Id<Expr> when, Location spoilt) {
+        of.sees(from, of.both(when, p), done);
+        of.sees(from, of.both(when, q), spoilt);
+        of.sees(from, when, open);
+    };
+    if (scope == Sentence::Scope::After) {
+        begins(out, r, failed);
+        of.sees(open, p, done);
+        of.sees(open, q, failed);
+        return of.whole(out);
+    }
+    const Id<Expr> s = of.p(3);
+    const bool closed = scope == Sentence::Scope::Between;
+    const Location spoilt = closed ? of.location("spoilt") : failed;
+    begins(out, of.both(r, of.no(s)), spoilt);
+    of.sees(open, s, out);
+    of.sees(open, p, done);
+    of.sees(open, q, spoilt);
+    of.sees(done, s, out);
+    begins(done, r, spoilt);
+    if (closed) of.sees(spoilt, s, failed);
+    return of.whole(out);
+}
+
+}  // namespace
+
+ObserverMade observer_of(Exprs& exprs, const Sentence& watch, const ObserverTerms& terms, std::int64_t duration) {
+    Observer of(exprs, terms, duration);
+    switch (watch.kind) {
+    case Sentence::Kind::Absence: return absence(of, of.p(), watch.scope);
+    case Sentence::Kind::Universality: return absence(of, of.no(of.p()), watch.scope);
+    case Sentence::Kind::Existence: return existence(of, watch.scope);
+    case Sentence::Kind::Response: return watch.duration_ms > 0 ? within(of) : response(of, watch.scope);
+    case Sentence::Kind::Precedence: return precedence(of, watch.scope);
+    case Sentence::Kind::HoldsFor: return holds_for(of);
+    case Sentence::Kind::HoldsAtMost: return holds_at_most(of);
+    case Sentence::Kind::Since: return since(of);
+    case Sentence::Kind::Recurrence: return recurs(of);
+    }
+    unreachable();
+}
+
+}  // namespace grafverif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/watched.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+#include "grafverif/ir/chart_run.hpp"
+#include "ir/network_run.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/dialect.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// When the observer came to its locations: one entry a change, the last time it came to each.
+struct Sighting {
+    std::vector<std::pair<std::string, std::int64_t>> changes = {};
+    std::map<std::string, std::int64_t> last = {};
+
+    std::string at(const std::string& location) const {
+        const auto known = last.find(location);
+        return seconds_text(known == last.end() ? 0 : known->second);
+    }
+};
+
+Sighting sighting(const Network& network, const Run& run) {
+    Sighting seen;
+    const auto observer = network.processes.size() - 1;
+    const Network::Template& automaton =
+        network.templates[network.processes[{static_cast<std::uint32_t>(observer)}].automaton];
+    NetworkState state = initial_state(network);
+    Id<Network::Location> here = state.locations[observer];
+    std::int64_t time_ms = 0;
+    for (const Move& move : run.moves) {
+        if (const auto* delay = std::get_if<Delay>(&move)) time_ms += delay->units * network.time_unit_ms;
+        if (perform(network, state, move).result != Step::Result::Done) break;
+        if (state.locations[observer] == here) continue;
+        here = state.locations[observer];
+        seen.changes.emplace_back(automaton.locations[here].name, time_ms);
+        seen.last[automaton.locations[here].name] = time_ms;
+    }
+    return seen;
+}
+
+std::string term_words(const Network& network, Id<Expr> term) {
+    return expr_text(network.exprs, term, chart_spelling, [&](std::ostream& out, const Expr& leaf) {
+        if (leaf.op == Op::Variable) {
+            out << network.variables[{static_cast<std::uint32_t>(leaf.value)}].name;
+            return;
+        }
+        const Network::Process& process = network.processes[{at_process(leaf)}];
+        out << process.name << '.' << network.templates[process.automaton].locations[{at_location(leaf)}].name;
+    });
+}
+
+}  // namespace
+
+std::string watched_words(const Network& network, const Property& property, const Network& observed, const Run& run) {
+    const Sighting seen = sighting(observed, run);
+    std::vector<std::string> of;
+    for (const Id<Expr> operand : property.operands) of.push_back('`' + term_words(network, operand) + '`');
+    const std::string duration = duration_text(property.watch.duration_ms);
+    if (property.watch.duration_ms > 0) switch (property.watch.kind) {
+        case Sentence::Kind::Response:
+            return fmt::format("{} at {}, and {} does not come within {}", of[0], seen.at("due"), of[1], duration);
+        case Sentence::Kind::HoldsFor:
+            return fmt::format("{} holds from {} to {} only, not for {}", of[0], seen.at("on"), seen.at("failed"),
+                               duration);
+        case Sentence::Kind::HoldsAtMost:
+            return fmt::format("{} holds for more than {} from {} on", of[0], duration, seen.at("on"));
+        case Sentence::Kind::Recurrence:
+            return fmt::format("no {} for more than {} from {} on", of[0], duration, seen.at("due"));
+        case Sentence::Kind::Since:
+            if (!seen.last.contains("during"))
+                return fmt::format("{} at {}, and {} has not been", of[0], seen.at("failed"), of[1]);
+            return fmt::format("{} at {}, more than {} since {} ended at {}", of[0], seen.at("failed"), duration, of[1],
+                               seen.at("after"));
+        case Sentence::Kind::Absence:
+        case Sentence::Kind::Universality:
+        case Sentence::Kind::Existence:
+        case Sentence::Kind::Precedence: break;
+        }
+    std::vector<std::string> changes;
+    for (const auto& [location, time_ms] : seen.changes) changes.push_back(location + " at " + seconds_text(time_ms));
+    return fmt::format("its observer: {}", fmt::join(changes, ", "));
+}
+
+}  // namespace grafverif

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+// Observers against their sentences: the loop with one beside it has exactly the runs of the loop, and on each of them the
+// observer can fail exactly where the formula of docs/properties.md, read naively on the states of the run, says so.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "compose/observe.hpp"
+#include "support/law_size.hpp"
+#include "support/random_walk.hpp"
+#include "unit/compose/hand_chart.hpp"
+
+namespace grafverif {
+namespace {
+
+using Truth = std::vector<bool>;
+
+// -- formulas on finite maximal runs: what is to come must come, what is forbidden is so for as long as the run lasts -----
+
+Truth each(std::size_t size, const std::function<bool(std::size_t)>& value) {
+    Truth made(size);
+    for (std::size_t i = 0; i < size; ++i) made[i] = value(i);
+    return made;
+}
+Truth operator!(const Truth& a) {
+    return each(a.size(), [&](std::size_t i) { return !a[i]; });
+}
+Truth operator&(const Truth& a, const Truth& b) {
+    return each(a.size(), [&](std::size_t i) { return a[i] && b[i]; });
+}
+Truth operator|(const Truth& a, const Truth& b) {
+    return each(a.size(), [&](std::size_t i) { return a[i] || b[i]; });
+}
+Truth operator>>(const Truth& a, const Truth& b) { return (!a) | b; }
+Truth backwards(const Truth& a, const Truth& b, bool at_the_end) {
+    Truth made(a.size());
+    for (std::size_t i = a.size(); i-- > 0;) made[i] = b[i] || (a[i] && (i + 1 < a.size() ? made[i + 1] : at_the_end));
+    return made;
+}
+Truth until(const Truth& a, const Truth& b) { return backwards(a, b, false); }
+Truth weak(const Truth& a, const Truth& b) { return backwards(a, b, true); }
+Truth F(const Truth& a) { return until(Truth(a.size(), true), a); }
+Truth G(const Truth& a) { return weak(a, Truth(a.size(), false)); }
+
+/// A run as a property sees it.
+struct Seen {
+    std::vector<std::int64_t> begin = {}, end = {};  ///< of each state judged, in time units
+    std::vector<Truth> operands = {};                ///< per operand and state judged
+    std::int64_t over = 0;                           ///< the end of the run
+};
+
+bool holds_untimed(const Sentence& watch, const Seen& seen) {
+    using enum Sentence::Scope;
+    if (seen.begin.empty()) return true;
+    const Truth none(seen.begin.size(), false);
+    const auto operand = [&](std::size_t k) { return k < seen.operands.size() ? seen.operands[k] : none; };
+    const bool pair = watch.kind == Sentence::Kind::Response || watch.kind == Sentence::Kind::Precedence;
+    const Truth q = operand(1), r = operand(pair ? 2 : 1), s = operand(pair ? 3 : 2), opens = r & !s;
+    const Truth p = watch.kind == Sentence::Kind::Universality ? !operand(0) : operand(0);
+    switch (watch.kind) {
+    case Sentence::Kind::Absence:
+    case Sentence::Kind::Universality:
+        if (watch.scope == Before) return (F(r) >> until(!p, r))[0];
+        if (watch.scope == After) return G(r >> G(!p))[0];
+        if (watch.scope == Between) return G((opens & F(s)) >> until(!p, s))[0];
+        return G(opens >> weak(!p, s))[0];
+    case Sentence::Kind::Existence:
+        if (watch.scope == Before) return weak(!r, p & !r)[0];
+        if (watch.scope == After) return (G(!r) | F(r & F(p)))[0];
+        if (watch.scope == Between) return G(opens >> weak(!s, p & !s))[0];
+        return G(opens >> until(!s, p & !s))[0];
+    case Sentence::Kind::Response:
+        if (watch.scope == Before) return (F(r) >> until(p >> until(!r, q & !r), r))[0];
+        if (watch.scope == After) return G(r >> G(p >> F(q)))[0];
+        if (watch.scope == Between) return G((opens & F(s)) >> until(p >> until(!s, q & !s), s))[0];
+        return G(opens >> weak(p >> until(!s, q & !s), s))[0];
+    default:
+        if (watch.scope == Globally) return weak(!q, p)[0];
+        if (watch.scope == Before) return (F(r) >> until(!q, p | r))[0];
+        if (watch.scope == After) return weak(!r, r & weak(!q, p))[0];
+        if (watch.scope == Between) return G((opens & F(s)) >> until(!q, p | s))[0];
+        return G(opens >> weak(!q, p | s))[0];
+    }
+}
+
+bool holds_timed(const Sentence& watch, std::int64_t d, const Seen& seen) {
+    const std::size_t size = seen.begin.size();
+    const Truth &p = seen.operands[0], &q = seen.operands.back();
+    /// From `time` on a state with `wanted` begins, at `from` or later, within d.
+    const auto comes = [&](std::int64_t time, std::size_t from, const Truth& wanted) {
+        if (seen.over <= time + d) return true;
+        for (std::size_t j = from; j < size; ++j)
+            if (wanted[j] && seen.begin[j] <= time + d) return true;
+        return false;
+    };
+    const auto rises = [&](std::size_t i) { return p[i] && (i == 0 || !p[i - 1]); };
+    switch (watch.kind) {
+    case Sentence::Kind::Response:
+        for (std::size_t i = 0; i < size; ++i)
+            if (p[i] && !comes(seen.begin[i], i, q)) return false;
+        return true;
+    case Sentence::Kind::Recurrence:
+        if (!comes(0, 0, p)) return false;
+        for (std::size_t i = 1; i < size; ++i)
+            if (p[i - 1] && !p[i] && !comes(seen.begin[i], i, p)) return false;
+        return true;
+    case Sentence::Kind::HoldsFor:
+    case Sentence::Kind::HoldsAtMost:
+        for (std::size_t i = 0; i < size; ++i) {
+            if (!rises(i)) continue;
+            std::size_t j = i;
+            while (j < size && p[j]) ++j;
+            const std::int64_t lasted = (j < size ? seen.begin[j] : seen.over) - seen.begin[i];
+            if (watch.kind == Sentence::Kind::HoldsFor ? j < size && lasted < d : lasted > d) return false;
+        }
+        return true;
+    default:  // p at most d since q
+        for (std::size_t i = 0; i < size; ++i) {
+            if (!p[i] || q[i]) continue;
+            std::size_t j = i;
+            while (j > 0 && !q[j - 1]) --j;  // the first state without q behind the last one with it
+            if (j == 0 || seen.end[i] - seen.begin[j] > d) return false;
+        }
+        return true;
+    }
+}
+
+// -- random sentences -------------------------------------------------------------------------------------------------
+
+struct Asked {
+    Property property = {};
+    std::int64_t duration = 0;  ///< in units
+};
+
+Asked random_sentence(Network& network, Random& random) {
+    using Kind = Sentence::Kind;
+    Exprs& exprs = network.exprs;
+    const auto atom = [&]() -> Id<Expr> {
+        for (;;) {
+            const auto at = static_cast<std::uint32_t>(
+                random_number(random, 0, static_cast<std::int64_t>(network.variables.size()) - 1));
+            const Network::Variable& variable = network.variables[{at}];
+            if (random_number(random, 0, 3) == 0) {
+                const auto process = static_cast<std::uint32_t>(
+                    random_number(random, 0, static_cast<std::int64_t>(network.processes.size()) - 1));
+                const auto size = network.templates[network.processes[{process}].automaton].locations.size();
+                return exprs.at(
+                    process, static_cast<std::uint32_t>(random_number(random, 0, static_cast<std::int64_t>(size) - 1)));
+            }
+            if (variable.scratch) continue;
+            const Id<Expr> leaf = exprs.leaf(Op::Variable, at);
+            if (variable.type.boolean) return leaf;
+            return exprs.apply(Op::Equal, leaf,
+                               exprs.integer(random_number(random, variable.type.low, variable.type.high)));
+        }
+    };
+    const auto term = [&] {
+        const Id<Expr> one = random_number(random, 0, 1) == 0 ? atom() : exprs.negation(atom());
+        return random_number(random, 0, 1) == 0 ? one : exprs.conjunction(one, atom());
+    };
+    Asked made;
+    Property& property = made.property;
+    property = {.name = "S", .pattern = Pattern::Watched, .at_stable = random_number(random, 0, 3) == 0};
+    property.watch.kind = static_cast<Kind>(random_number(random, 0, static_cast<std::int64_t>(Kind::Recurrence)));
+    const bool timed = property.watch.kind >= Kind::HoldsFor ||
+                       (property.watch.kind == Kind::Response && random_number(random, 0, 1) == 0);
+    const bool global = property.watch.kind == Kind::Precedence && random_number(random, 0, 4) == 0;
+    if (timed) made.duration = random_number(random, 1, 4);
+    property.watch.duration_ms = made.duration * network.time_unit_ms;
+    if (!timed && !global) property.watch.scope = static_cast<Sentence::Scope>(random_number(random, 1, 4));
+    const bool pair = property.watch.kind == Kind::Response || property.watch.kind == Kind::Precedence ||
+                      property.watch.kind == Kind::Since;
+    std::size_t operands = pair ? 2 : 1;
+    if (property.watch.scope != Sentence::Scope::Globally)
+        operands += property.watch.scope >= Sentence::Scope::Between ? 2 : 1;
+    for (std::size_t i = 0; i < operands; ++i) property.operands.push_back(term());
+    return made;
+}
+
+// -- both side by side --------------------------------------------------------------------------------------------------
+
+class Pair {
+public:
+    Pair(const Network& network, const Asked& sentence)
+        : plain_(network),
+          watched_(observed(network, watched(network))),
+          sentence_(sentence),
+          observer_(static_cast<std::uint32_t>(watched_.processes.size() - 1)),
+          state_(initial_state(plain_)),
+          beside_(initial_state(watched_)) {
+        const Network::Template& automaton = watched_.templates[watched_.processes[{observer_}].automaton];
+        for (const Id<Network::Location> id : automaton.locations.ids())
+            if (automaton.locations[id].name == "failed") failed_ = id;
+        seen_.operands.resize(sentence.property.operands.size());
+        arrive();
+    }
+
+    /// Whether something can happen, the same on both sides.
+    bool move(Random& random) {
+        std::vector<Fire> choices = enabled(plain_, state_), beside = enabled(watched_, beside_);
+        std::erase_if(beside, [&](const Fire& fire) { return fire.process.index == observer_; });
+        EXPECT_EQ(choices, beside);
+        const Leeway way = leeway(plain_, state_), other = leeway(watched_, beside_);
+        EXPECT_EQ(way.may_pass, other.may_pass);
+        EXPECT_EQ(way.limit, other.limit);
+        const auto count = static_cast<std::int64_t>(choices.size()) + (way.may_pass ? 2 : 0);
+        if (count == 0 || testing::Test::HasFailure()) return false;
+        const auto drawn = static_cast<std::size_t>(random_number(random, 0, count - 1));
+        Move move = Delay{random_number(random, 1, std::clamp<std::int64_t>(way.limit.value_or(5), 1, 5))};
+        if (drawn < choices.size()) move = choices[drawn];
+        const auto done = perform(plain_, state_, move).result;
+        EXPECT_EQ(perform(watched_, beside_, move).result, done);
+        if (done != Step::Result::Done) return false;
+        if (const auto* delay = std::get_if<Delay>(&move)) {
+            time_ += delay->units;
+            note_failure();
+        } else {
+            leave();
+            arrive();
+        }
+        return true;
+    }
+
+    void judge() {
+        leave();
+        const Sentence& watch = sentence_.property.watch;
+        const bool holds =
+            sentence_.duration > 0 ? holds_timed(watch, sentence_.duration, seen_) : holds_untimed(watch, seen_);
+        const Property& asked = watched_.properties.begin()[0];
+        const bool here = value(watched_, beside_, asked.operands[0]).value_or(0) != 0;
+        EXPECT_EQ(!holds, failed_possible_ || (asked.pattern == Pattern::LeadsTo && here))
+            << "kind " << static_cast<int>(watch.kind) << ", scope " << static_cast<int>(watch.scope) << ", "
+            << sentence_.duration << (sentence_.property.at_stable ? " at stable" : "");
+        violated = !holds;
+    }
+
+    bool violated = false;
+
+private:
+    bool fails(const Fire& fire) const {
+        return fire.process.index == observer_ &&
+               watched_.templates[watched_.processes[fire.process].automaton].edges[fire.edge].to == failed_;
+    }
+    void note_failure() {
+        const std::vector<Fire> choices = enabled(watched_, beside_);
+        failed_possible_ =
+            failed_possible_ || std::ranges::any_of(choices, [&](const Fire& fire) { return fails(fire); });
+    }
+
+    /// The observer looks: it cannot help it, no time passes, and nothing else can happen before.
+    void arrive() {
+        for (int looks = 0;; ++looks) {
+            note_failure();
+            std::vector<Fire> choices = enabled(watched_, beside_);
+            const bool away = beside_.locations[observer_] == failed_;
+            std::erase_if(choices, [&](const Fire& fire) {
+                const Network::Edge& edge =
+                    watched_.templates[watched_.processes[fire.process].automaton].edges[fire.edge];
+                return fire.process.index == observer_ && !edge.urgent;
+            });
+            const bool looking =
+                std::ranges::any_of(choices, [&](const Fire& fire) { return fire.process.index == observer_; });
+            if (!looking) {
+                ASSERT_EQ(looks, 1) << "it looks once at every state";
+                break;
+            }
+            ASSERT_EQ(choices.size(), 1U) << (away ? "away" : "");
+            ASSERT_FALSE(leeway(watched_, beside_).may_pass);
+            ASSERT_EQ(perform(watched_, beside_, choices.front()).result, Step::Result::Done);
+        }
+        for (std::size_t i = 0; i < state_.locations.size(); ++i) ASSERT_EQ(state_.locations[i], beside_.locations[i]);
+        for (std::size_t i = 0; i < state_.variables.size(); ++i) ASSERT_EQ(state_.variables[i], beside_.variables[i]);
+        judged_ = !sentence_.property.at_stable || value(plain_, state_, plain_.settled).value() != 0;
+        if (!judged_) return;
+        seen_.begin.push_back(time_);
+        for (std::size_t k = 0; k < seen_.operands.size(); ++k)
+            seen_.operands[k].push_back(value(plain_, state_, sentence_.property.operands[k]).value() != 0);
+    }
+    void leave() {
+        if (judged_) seen_.end.push_back(time_);
+        judged_ = false;
+        seen_.over = time_;
+    }
+
+    const Network& plain_;
+    Network watched_;
+    const Asked& sentence_;
+    std::uint32_t observer_;
+    Id<Network::Location> failed_ = {};
+    NetworkState state_, beside_;
+    Seen seen_ = {};
+    std::int64_t time_ = 0;
+    bool judged_ = false, failed_possible_ = false;
+};
+
+TEST(ObserversLaw, SeeEveryStateOfEveryRunAndFailWhereTheirSentencesSaySo) {
+    std::map<std::pair<int, int>, std::pair<int, int>> met;  // by kind and scope: runs that hold, that are violated
+    for (int seed = 1; seed <= law_size(250); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Model model = random_loop(random);
+        Diagnostics diagnostics;
+        for (const Chart& chart : model.charts) derive(chart, diagnostics);
+        if (diagnostics.has_errors()) continue;
+        Network network = composed(model);
+        for (int asked = 0; asked < 6; ++asked) {
+            const Asked sentence = random_sentence(network, random);
+            network.properties = {};
+            network.properties.add(sentence.property);
+            Pair pair(network, sentence);
+            for (int moves = 0; moves < 60 && pair.move(random);) ++moves;
+            pair.judge();
+            if (HasFailure()) return;
+            const Sentence& watch = sentence.property.watch;
+            const int kind = static_cast<int>(watch.kind) + (watch.duration_ms > 0 ? 10 : 0);
+            auto& [hold, violated] = met[{kind, static_cast<int>(watch.scope)}];
+            ++(pair.violated ? violated : hold);
+        }
+    }
+    EXPECT_EQ(met.size(), 5U * 4U + 1U + 5U);  // five kinds in four scopes, `precedes` alone, five with durations
+    std::map<int, std::pair<int, int>> kinds, scopes;
+    for (const auto& [of, counts] : met)
+        for (auto* sums : {&kinds[of.first], &scopes[of.second]}) {
+            sums->first += counts.first;
+            sums->second += counts.second;
+        }
+    for (const auto* sums : {&kinds, &scopes})
+        for (const auto& [of, counts] : *sums) {
+            EXPECT_GT(counts.first, 0) << of;
+            EXPECT_GT(counts.second, 0) << of;
+        }
+}
+
+}  // namespace
+}  // namespace grafverif
