@@ -246,8 +246,12 @@ private:
         }
     }
 
+    /// PDR loses what it was at where it is interrupted: few questions have more of the first round each.
     void in_turns() {
-        for (Clock::duration time = options_.first_turn; any_open(); time *= 4) {
+        constexpr std::ptrdiff_t few = 8;
+        const auto open = std::max<std::ptrdiff_t>(1, std::ranges::count_if(questions_, &Question::is_open));
+        for (Clock::duration time = options_.first_turn * std::max<std::ptrdiff_t>(1, few / open); any_open();
+             time *= 4) {
             const auto start = Clock::now();
             by_pdr(time);
             by_bmc(std::max<Clock::duration>(time, Clock::now() - start) / 3);  // PDR finds violations too
