@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Three components: the program with what shells, manuals, editors and desktops know of it; the library with its headers; the
-# documentation with the samples. `cmake --install` takes all; packaging/debian.cmake makes a package of each.
+# Components: the program with what shells, manuals, editors and desktops know of it; the library with its headers; the
+# documentation with the samples; in python/, the module for Python. `cmake --install` takes all; packaging/debian.cmake
+# makes a package of each.
 include(CMakePackageConfigHelpers)
 set(data ${CMAKE_INSTALL_DATADIR})
 
@@ -33,16 +34,18 @@ install(FILES "${PROJECT_BINARY_DIR}/grafverifConfig.cmake" "${PROJECT_BINARY_DI
 # As they lie here, so that pages find each other.
 install(FILES LICENSE README.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
 install(DIRECTORY samples docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation PATTERN "*.sh" EXCLUDE)
+install(DIRECTORY tests/unit/app/elements DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/unit/app COMPONENT documentation
+        FILES_MATCHING PATTERN "*.grafcet")
 install(DIRECTORY templates DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation PATTERN CMakeLists.txt EXCLUDE)
 
-foreach(component_and_target "program:grafverif_program" "library:grafverif")
-    string(REGEX MATCH "^(.*):(.*)$" _ ${component_and_target})
-    set(folder ${CMAKE_INSTALL_BINDIR})
-    if(CMAKE_MATCH_1 STREQUAL library)
-        set(folder ${CMAKE_INSTALL_LIBDIR})
-    endif()
+set(stripped "program:grafverif_program:${CMAKE_INSTALL_BINDIR}" "library:grafverif:${CMAKE_INSTALL_LIBDIR}")
+if(TARGET grafverif_python)
+    list(APPEND stripped "python:grafverif_python:${GRAFVERIF_PYTHON_DESTINATION}/grafverif")
+endif()
+foreach(component_target_and_folder IN LISTS stripped)
+    string(REGEX MATCH "^(.*):(.*):(.*)$" _ ${component_target_and_folder})
     install(CODE "if(CMAKE_INSTALL_DO_STRIP)
-                      set(FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${folder}/$<TARGET_FILE_NAME:${CMAKE_MATCH_2}>\")
+                      set(FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_MATCH_3}/$<TARGET_FILE_NAME:${CMAKE_MATCH_2}>\")
                       include(\"${PROJECT_SOURCE_DIR}/packaging/strip.cmake\")
                   endif()" COMPONENT ${CMAKE_MATCH_1})
 endforeach()

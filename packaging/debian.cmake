@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What `cpack` makes: three packages for Debian and Ubuntu, each from one component. Who packages is told by DEBFULLNAME and
+# What `cpack` makes: packages for Debian and Ubuntu, each from one component. Who packages is told by DEBFULLNAME and
 # DEBEMAIL when the tree is configured, as Debian's own tools take it; when, by SOURCE_DATE_EPOCH.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME grafverif)
@@ -56,6 +56,26 @@ of components, and proves properties of their closed loop.
 This package holds the documentation, the samples, and the library of
 components as text.")
 
+set(components program library documentation)
+if(TARGET grafverif_python)
+    list(APPEND components python)
+    math(EXPR next_minor "${GRAFVERIF_PYTHON_MINOR} + 1")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-grafverif)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${GRAFVERIF_PYTHON_MINOR}~), python3 (<< 3.${next_minor})")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "grafverif-doc, python3-pandas")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+    file(COPY packaging/python/postinst packaging/python/prerm DESTINATION "${PROJECT_BINARY_DIR}/packaging/python"
+         FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/packaging/python/postinst;${PROJECT_BINARY_DIR}/packaging/python/prerm")
+    set(CPACK_COMPONENT_PYTHON_DESCRIPTION "proofs of GRAFCET charts from Python
+grafverif takes a GRAFCET chart (IEC 60848) and a plant built from a library
+of components, and proves properties of their closed loop.
+
+This package holds the module for Python, with types for those who check them.")
+endif()
+
 # Each package carries its licence and its changes; an installation without packages does not.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(READ packaging/changelog.Debian.in changelog)
@@ -68,7 +88,7 @@ foreach(file changelog changelog.Debian)
     execute_process(COMMAND gzip -9 -n -k -f "${PROJECT_BINARY_DIR}/packaging/${file}")
 endforeach()
 set(CPACK_COMPONENTS_ALL "")
-foreach(component program library documentation)
+foreach(component IN LISTS components)
     string(TOUPPER ${component} upper)
     install(FILES packaging/copyright "${PROJECT_BINARY_DIR}/packaging/changelog.gz" "${PROJECT_BINARY_DIR}/packaging/changelog.Debian.gz"
             DESTINATION share/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}
