@@ -17,7 +17,7 @@ Script script_of(std::string_view text) {
             script.complaints.emplace_back(number, bad->complaint);
         if (ends && open.empty()) script.complaints.emplace_back(number, "this `}` ends no `repeat`");
         if (std::holds_alternative<RepeatCommand>(next.command)) open.push_back(script.lines.size());
-        else if (ends) open.pop_back();
+        else if (ends && !open.empty()) open.pop_back();
         script.lines.push_back(std::move(next));
     }
     for (const std::size_t each : open)
