@@ -6,6 +6,7 @@
 #include <atomic>
 #include <new>
 
+#include "check/timed/lost.hpp"
 #include "check/timed/questions.hpp"
 #include "support/overloaded.hpp"
 
@@ -211,7 +212,11 @@ void Questions::answer_possible(Question& question, Graph& graph, const Limits& 
     const auto lost = out_of_reach(graph, *goal, Transitions::All, limits);
     if (!lost) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (!lost->empty() && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
-    if (!lost->empty()) return violated(question.verdict, graph.run_to(lost->front()));
+    if (!lost->empty()) {
+        std::string words = outcomes_.obstacle == Obstacle::None ? lost_words(graph, lost->front(), limits) : "";
+        if (!words.empty()) question.verdict.notes.push_back(std::move(words));
+        return violated(question.verdict, graph.run_to(lost->front()));
+    }
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
     if (question.verdict.outcome == Outcome::Holds && machine_.timed())
         unknown(question.verdict, Obstacle::Inexact,

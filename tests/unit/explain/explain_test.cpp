@@ -122,6 +122,32 @@ TEST(Explain, WhatIsNeverAnsweredIsACauseFromTheMomentThatAsksOn) {
     EXPECT_NE(text.find("* causes: at 0 s: X0, green; from 0 s on: !red\n"), std::string::npos) << text;
 }
 
+TEST(Explain, BehindThePointOfNoReturnTheTransitionsAreNamedThatAreNeverClearedAgain) {
+    const char* trap = R"(grafcet c {
+    input a;
+    output green;
+    internal armed: bool = false;
+    initial step 0 { green; }
+    step 1;
+    step 2 { armed := true on activation; }
+    step 3;
+    transition go: 0 -> 1 when a;
+    transition back: 1 -> 0 when !a && !armed;
+    transition on: 1 -> 2 when !a && armed;
+    transition trap: 0 -> 3 when 3s/X0;
+    transition wait: 3 -> 3 when a && armed;
+})";
+    const Report report =
+        report_of(trap, "property again: always possible X1; property other: always possible X0 || X3;");
+    EXPECT_EQ(answer(report, "again").verdict.outcome, Outcome::Violated);
+    // At its end `trap` is about to be cleared, and step 0 is active still.
+    EXPECT_EQ(notes(report, "again"),
+              "from the end of this run on these transitions are never cleared again: go, back (X1 stays false), on "
+              "(X1 stays "
+              "false), wait (armed stays false)\n");
+    EXPECT_EQ(notes(report, "other").find("never cleared"), std::string::npos);
+}
+
 TEST(Explain, WhatNoAssumptionIsNeededForRestsOnNothing) {
     Reading reading = read_string(std::string(lamps) +
                                       " closed_loop asked { controller c; environment A = push_button(OUT = a);"
