@@ -8,6 +8,7 @@
 //   transition_system_of      ClosedLoop or Chart -> TransitionSystem without time
 //   uppaal_project, nusmv_model, structured_text_of   the same as text, for other tools
 //   check, check_untimed      -> Report: a Verdict per property, with the run that shows it
+//   compare                   Chart, Chart -> Comparison: equal for all inputs, or a sequence that tells them apart
 //   analysis_of               Chart -> Analysis: what can go wrong in it, and what never happens
 //   drawing_of, svg_of        Chart -> Drawing, and the same as SVG
 //   automaton_of, mealy_of, test_of                 Chart -> LocationAutomaton, MealyMachine, TestSequence
@@ -17,6 +18,7 @@
 // (memory, a library) is thrown, as std::bad_alloc or std::system_error.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -29,6 +31,7 @@
 
 #include "grafverif/ir/choice.hpp"
 #include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/comparison.hpp"
 #include "grafverif/ir/drawing.hpp"
 #include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/execution.hpp"
@@ -153,6 +156,21 @@ std::optional<Report> check_untimed(const Model& model, Id<Chart> chart, const M
 std::optional<Analysis> analysis_of(const Model& model, Id<Chart> chart, std::optional<ExecutionMode> mode,
                                     const Limits& limits, Diagnostics& diagnostics);
 
+struct CompareOptions {
+    std::optional<ExecutionMode> mode = {};
+    /// Time passes in whole multiples of it; empty: of a part of all durations, so short that as many scans as there are
+    /// timers lie within one of these, where milliseconds allow it.
+    std::optional<std::int64_t> resolution_ms = {};
+    /// Steps that each chart begins with, as if they were its initial ones; none: its own. Both or none.
+    std::array<std::vector<Id<Chart::Step>>, 2> from = {};
+    bool shortest = true;  ///< a sequence that tells the charts apart is made as short as can be
+    Limits limits = {};
+};
+/// Whether a chart of one model and one of another answer all sequences of inputs alike (see Comparison). Both may be of
+/// one model.
+std::optional<Comparison> compare(const Model& a, Id<Chart> of_a, const Model& b, Id<Chart> of_b,
+                                  const CompareOptions& options, Diagnostics& diagnostics);
+
 /// The chart as IEC 60848 draws it.
 Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options = {});
 std::string svg_of(const Drawing& drawing);
@@ -181,6 +199,8 @@ std::string text_of(const ChartRun& run);
 std::string json_of(const ChartRun& run);
 std::string text_of(const Analysis& analysis, const Sources& sources);
 std::string json_of(const Analysis& analysis, const Sources& sources);
+std::string text_of(const Comparison& comparison);
+std::string json_of(const Comparison& comparison);
 std::string text_of(const LocationAutomaton& automaton);
 std::string json_of(const LocationAutomaton& automaton);
 std::string text_of(const MealyMachine& machine);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/outputs.hpp"
@@ -94,6 +95,39 @@ std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, Job& job) {
 
 std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job) {
     return chosen(model.charts, job.options.chart, "chart", "--chart", job);
+}
+
+namespace {
+
+/// `3` or `G1.3`, with or without the X of the step variable.
+bool is_called(const Chart& chart, Id<Chart::Step> step, std::string_view name) {
+    const std::string& partial = chart.partial_charts[chart.steps[step].chart].name;
+    const std::string& own = chart.steps[step].name;
+    return name == own || name == "X" + own || name == partial + '.' + own || name == partial + ".X" + own;
+}
+
+}  // namespace
+
+std::vector<Id<Chart::Step>> named_steps(const Chart& chart, std::string_view rest, std::string_view option, Job& job) {
+    std::vector<Id<Chart::Step>> steps;
+    while (!rest.empty()) {
+        const std::string_view name = rest.substr(0, rest.find(','));
+        rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+        std::vector<Id<Chart::Step>> meant;
+        for (const Id<Chart::Step> step : chart.steps.ids())
+            if (is_called(chart, step, name)) meant.push_back(step);
+        if (meant.size() == 1) {
+            steps.push_back(meant.front());
+            continue;
+        }
+        std::vector<std::string> known;
+        for (const Id<Chart::Step> step : chart.steps.ids())
+            if (meant.empty() || std::ranges::find(meant, step) != meant.end())
+                known.push_back(step_variable(chart, step));
+        job.diagnostics.add(meant.empty() ? messages::no_such_choice("step", name, known, nearest_of(name, known))
+                                          : messages::ambiguous_choice("step", option, known));
+    }
+    return steps;
 }
 
 ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const Job& job) {

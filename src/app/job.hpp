@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/options.hpp"
@@ -75,6 +76,9 @@ bool is_of_a_chart(const Model& model, const Options& options);
 /// The loop or chart that the options name, or the only one there is.
 std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, Job& job);
 std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job);
+
+/// The steps of a list such as `3,X5,G1.3`, the value of `option`; one that is not there, or could be several, is an error.
+std::vector<Id<Chart::Step>> named_steps(const Chart& chart, std::string_view list, std::string_view option, Job& job);
 
 ExecutionMode execution_mode(const Model& model, Id<Chart> chart, const Job& job);
 ModelOptions model_options(const Options& options);

@@ -120,26 +120,6 @@ Option number(Accepts accepts, const char* name, const char* value, std::vector<
             }};
 }
 
-/// `--without CURE`: models with a failure that the method cures, for the page that shows them.
-std::string leave_out_cures(const std::vector<std::string>& cures, Options& options) {
-    for (const std::string& cure : cures) {
-        if (cure == "urgency") options.without.sensors_not_urgent = true;
-        else if (cure == "flags") options.without.cycle_always = true;
-        else if (cure == "stable") options.without.cycle_unless_stable = true;
-        else if (cure == "restart") options.without.timers_as_published = true;
-        else return fmt::format("`--without` takes one of `urgency`, `flags`, `stable`, `restart`; not `{}`", cure);
-        options.cures_left_out.push_back(cure);
-    }
-    return {};
-}
-
-std::string take_jobs(const std::vector<std::string>& given, Options& options) {
-    const char* const stop = given.front().data() + given.front().size();
-    const auto [end, failure] = std::from_chars(given.front().data(), stop, options.jobs);
-    if (failure == std::errc{} && end == stop && options.jobs - 1 < 1000) return {};
-    return fmt::format("`--jobs` takes a whole number from 1 to 1000; not `{}`", given.front());
-}
-
 std::vector<Option> options_for_models() {
     constexpr ExecutionMode search = ExecutionMode::StabilitySearch, every = ExecutionMode::EveryCycle;
     const auto untimed = [](auto member) {
@@ -292,6 +272,20 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
         number(
             Accepts::Traces, "to", "EVENT", {}, [](Options & options) -> auto& { return options.events.to; },
             "the last event of the timing diagram (default: that of the trace)"),
+        text(Accepts::Compare, "other-chart", "NAME", &Options::other_chart,
+             "the chart of OTHER (default: as --chart)"),
+        text(Accepts::Compare, "from-situation", "STEPS", &Options::from_situation,
+             "begin with these steps: `3,5`; `3,5:W3,W5` where b calls them otherwise"),
+        number(Accepts::Compare, "resolution", "TIME", times, &Options::resolution_ms,
+               "scans are at multiples of TIME"),
+        number(Accepts::Mutants, "limit", "N", {}, &Options::limit, "judge N mutants at most (default: all)"),
+        number(Accepts::Mutants, "seed", "SEED", {}, &Options::seed, "which ones --limit chooses (default: 1)"),
+        number(Accepts::Mutants, "each", "TIME", times, &Options::each_ms, "give each up after TIME (default: 60s)"),
+        {Accepts::Mutants, "jobs", "N", "judge N mutants at once (default: one for each core)", take_jobs},
+        text(Accepts::Mutants, "state", "FILE", &Options::state_file,
+             "keep what is found in FILE, and go on from there"),
+        text(Accepts::Mutants, "survivors", "DIR", &Options::survivors,
+             "write those that no property notices into DIR"),
         text(Accepts::Walk, "script", "FILE", &Options::script, "take commands from FILE instead of standard input"),
         text(Accepts::Walk, "junit", "FILE", &Options::junit,
              "write what the script expects as a JUnit report to FILE"),

@@ -49,6 +49,9 @@ struct Options {
     bool all = false;  ///< every loop, or chart, of a file
     std::optional<std::string> loop = {};
     std::optional<std::string> chart = {};
+    std::optional<std::string> other_chart = {};      ///< of `compare`
+    std::optional<std::string> from_situation = {};   ///< of `compare`: names of steps, with commas
+    std::optional<std::uint64_t> resolution_ms = {};  ///< of `compare`
     std::optional<ExecutionMode> mode = {};
     std::optional<Grain> grain = {};
     ScheduleOptions untimed = {};             ///< of untimed models; its mode is the one above
@@ -87,8 +90,11 @@ struct Options {
     std::optional<std::uint64_t> timeout_ms = {};                        ///< a hundred years at most
     std::optional<std::chrono::steady_clock::time_point> deadline = {};  ///< the same from the start of the run on
     std::optional<std::string> junit = {}, sarif = {};
-    bool list = false;      ///< of `check`: its properties
-    std::string date = {};  ///< of `report`, to be shown
+    bool list = false;                                           ///< of `check`: its properties
+    std::optional<std::string> state_file = {}, survivors = {};  ///< of `mutate`
+    std::optional<std::uint64_t> limit = {}, each_ms = {};       ///< of `mutate`: mutants; the time of each
+    std::uint64_t seed = 1;                                      ///< of `mutate`
+    std::string date = {};                                       ///< of `report`, to be shown
     std::optional<std::string> trace_vcd = {}, trace_svg = {};
     EventRange events = {};                         ///< of the trace as a timing diagram
     std::string against = {};                       ///< of `test`: the command that runs the controller
@@ -148,6 +154,8 @@ enum class Accepts {
     Limits,
     Date,
     Drawing,
+    Compare,
+    Mutants,
     Serve,
     Lsp
 };

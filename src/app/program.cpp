@@ -49,6 +49,8 @@ constexpr std::array entries = {
     Entry{serve_usage, serve},
     Entry{lsp_usage, lsp},
     Entry{analyse_usage, analyse},
+    Entry{compare_usage, compare},
+    Entry{mutate_usage, mutate},
     Entry{automaton_usage, automaton},
     Entry{mealy_usage, mealy},
     Entry{testgen_usage, testgen},

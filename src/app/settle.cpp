@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
+#include <system_error>
 
 namespace grafverif::app {
 
@@ -12,7 +14,7 @@ std::string settle_outputs(const Verb& verb, const Options& options) {
     if (accepts(verb, Accepts::OutputDirectory) && options.output == "-")
         return fmt::format("`{}` writes a folder, which `-` is not; other verbs write one document to standard output",
                            verb.name);
-    const bool several = options.operands.size() > 1 || options.all;
+    const bool several = (options.operands.size() > 1 && verb.most_operands == any_number) || options.all;
     if (options.name && several)
         return "`--name` names the files of one loop; of several FILEs, and with `--all`, each loop names its own";
     if (options.name && (options.name->empty() || options.name->find('/') != std::string::npos))
@@ -64,6 +66,25 @@ std::string settle_untimed(Options& options) {
         return "`--time discrete` needs `--schedule interleaved`";
     if (discrete) untimed.schedule = Schedule::Interleaved;
     return {};
+}
+
+std::string leave_out_cures(const std::vector<std::string>& cures, Options& options) {
+    for (const std::string& cure : cures) {
+        if (cure == "urgency") options.without.sensors_not_urgent = true;
+        else if (cure == "flags") options.without.cycle_always = true;
+        else if (cure == "stable") options.without.cycle_unless_stable = true;
+        else if (cure == "restart") options.without.timers_as_published = true;
+        else return fmt::format("`--without` takes one of `urgency`, `flags`, `stable`, `restart`; not `{}`", cure);
+        options.cures_left_out.push_back(cure);
+    }
+    return {};
+}
+
+std::string take_jobs(const std::vector<std::string>& given, Options& options) {
+    const char* const stop = given.front().data() + given.front().size();
+    const auto [end, failure] = std::from_chars(given.front().data(), stop, options.jobs);
+    if (failure == std::errc{} && end == stop && options.jobs - 1 < 1000) return {};
+    return fmt::format("`--jobs` takes a whole number from 1 to 1000; not `{}`", given.front());
 }
 
 }  // namespace grafverif::app

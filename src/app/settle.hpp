@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/options.hpp"
 
@@ -16,5 +17,9 @@ std::string settle_limits(Options& options);
 
 /// Likewise of the untimed model.
 std::string settle_untimed(Options& options);
+
+/// `--without CURE`: models with a failure that the method cures, for the page that shows them.
+std::string leave_out_cures(const std::vector<std::string>& cures, Options& options);
+std::string take_jobs(const std::vector<std::string>& given, Options& options);
 
 }  // namespace grafverif::app

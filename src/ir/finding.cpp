@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "grafverif/ir/comparison.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif {
@@ -71,6 +72,25 @@ std::vector<std::string> verify(const Analysis& analysis) {
     if (analysis.open.empty() != analysis.obstacle.empty())
         faults.push_back("questions are open without a reason, or the other way round");
     return faults;
+}
+
+std::string_view word(Comparison::Outcome outcome) {
+    switch (outcome) {
+    case Comparison::Outcome::Equal: return "equal";
+    case Comparison::Outcome::Different: return "different";
+    case Comparison::Outcome::Unknown: return "unknown";
+    }
+    unreachable();
+}
+
+std::string_view word(ChartChange::Kind kind) {
+    switch (kind) {
+    case ChartChange::Kind::Added: return "added";
+    case ChartChange::Kind::Removed: return "removed";
+    case ChartChange::Kind::Changed: return "changed";
+    case ChartChange::Kind::Renamed: return "renamed";
+    }
+    unreachable();
 }
 
 }  // namespace grafverif

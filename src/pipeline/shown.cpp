@@ -4,6 +4,7 @@
 
 #include "emit/layout/diagram.hpp"
 #include "grafverif/grafverif.hpp"
+#include "report/charts/comparison.hpp"
 #include "report/findings.hpp"
 #include "report/json.hpp"
 #include "report/json_trace.hpp"
@@ -50,6 +51,11 @@ std::string text_of(const Analysis& analysis, const Sources& sources) {
 std::string json_of(const Analysis& analysis, const Sources& sources) {
     return shown([&](std::ostream& out) { print_findings_json(analysis, sources, out); });
 }
+
+std::string text_of(const Comparison& comparison) {
+    return shown([&](std::ostream& out) { print_comparison(comparison, Colour::Plain, out); });
+}
+std::string json_of(const Comparison& comparison) { return comparison_json(comparison); }
 
 std::string text_of(const LocationAutomaton& automaton) {
     return shown([&](std::ostream& out) { print_automaton(out, automaton, true); });

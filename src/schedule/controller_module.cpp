@@ -138,7 +138,7 @@ private:
 
     /// The end of a timer comes after the activation that it counts from, and the first is the first evolution's.
     void add_started() {
-        if (!first_evolution_shows()) return;
+        if (!style_.scans && !first_evolution_shows()) return;
         Exprs& exprs = draft_.exprs;
         started_ =
             draft_.add("started", Type{}, TransitionSystem::ParameterSymbol{}, "the first evolution has been made");
@@ -156,6 +156,7 @@ private:
             if (variable(id).role == Role::Output) add_output(id);
         }
         show(declare(Role::Previous, "previous values, for edges"));
+        if (style_.scans) show(declare(Role::Watched, "levels that timers watch"));
         show(declare(Role::FiringCondition, "firing conditions"));
     }
 
@@ -254,6 +255,15 @@ void set_previous(Cycle& cycle, Draft& draft, Faults& faults) {
     const Id<Expr> off = draft.exprs.constant(false);
     for (const Equations::Previous& previous : cycle.equations().previous)
         cycle.set(cycle.read(previous.variable), off, cycle.total(cycle.now(previous.value), off, faults.conditions));
+}
+
+/// The levels that timers watch, of values after the step.
+void set_watched(Cycle& cycle, Draft& draft, const std::vector<Id<Expr>>& next, Faults& faults) {
+    if (!cycle.style().scans) return;
+    const Id<Expr> off = draft.exprs.constant(false);
+    TermCopier after = cycle.after(next);
+    for (const Equations::Watch& watch : cycle.equations().watches)
+        cycle.set(cycle.read(watch.variable), off, cycle.total(after(watch.value), off, faults.conditions));
 }
 
 /// Whether the output always has its initial value.
@@ -408,6 +418,7 @@ ControllerModule controller_module(const Equations& equations, const ControllerS
     set_firings(cycle, draft, faults);
     const std::vector<Id<Expr>> next = set_next_values(cycle, draft, faults);
     set_previous(cycle, draft, faults);
+    set_watched(cycle, draft, next, faults);
     set_constants(cycle, draft);
     const Id<Symbol> stable = add_stable(cycle, draft, faults);
     const Id<Symbol> settled = set_outputs(cycle, draft, stable, next, faults);

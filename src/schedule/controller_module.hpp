@@ -31,6 +31,9 @@ struct ControllerStyle {
     /// false from the activation of their step on; they may become true in a step with the parameter `elapse`, which
     /// only a module with timers has. Else timer ends are parameters.
     bool with_plant = false;
+    /// Who looks at the module sees scans: the first evolution is a step whether it shows or not, and the levels that timers
+    /// watch are variables.
+    bool scans = false;
 };
 ControllerModule controller_module(const Equations& equations, const ControllerStyle& style, Exprs& exprs);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said where a name on the command line is none that the file has.
+// What is said where a name on the command line is none that the file has, and of two files that do not go together.
 #pragma once
 
 #include <span>
@@ -13,5 +13,16 @@ namespace grafverif::messages {
 /// `nearest`: the one that may be meant; empty: all are listed.
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known,
                           std::string_view nearest);
+
+/// Of two charts to be compared: a `kind` (input, output) that only the chart `owner` has.
+Diagnostic not_in_both(Span where, std::string_view kind, std::string_view name, std::string_view owner);
+/// Likewise one with two ranges, in words.
+Diagnostic other_type(Span where, std::string_view kind, std::string_view name, std::string_view range,
+                      std::string_view other);
+Diagnostic nothing_to_compare(Span where, std::string_view chart);
+/// A chart cannot begin with the situation asked for.
+Diagnostic no_such_beginning(Span where, std::string_view chart, std::string_view why);
+/// `--resolution` does not divide a duration of the charts.
+Diagnostic coarse_resolution(std::string_view resolution, std::string_view duration, std::string_view divides_all);
 
 }  // namespace grafverif::messages

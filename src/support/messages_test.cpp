@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "support/messages_choice.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
@@ -66,6 +67,39 @@ Diagnostic misplaced_activation(Span where) {
         "bad-sequence", where,
         "step 0 is the scan that activates the initial steps: the first row of its sequence, one cycle, with the "
         "inputs of step 1");
+}
+
+// -- charts that cannot be compared --
+
+Diagnostic not_in_both(Span where, std::string_view kind, std::string_view name, std::string_view owner) {
+    return error("not-comparable", where,
+                 fmt::format("the {} `{}` is in `{}` alone; charts are compared that have the same inputs and outputs",
+                             kind, clipped(name), clipped(owner)));
+}
+
+Diagnostic other_type(Span where, std::string_view kind, std::string_view name, std::string_view range,
+                      std::string_view other) {
+    return error("not-comparable", where,
+                 fmt::format("the {} `{}` is {} here and {} in the other chart; charts are compared that have the same "
+                             "inputs and outputs",
+                             kind, clipped(name), range, other));
+}
+
+Diagnostic nothing_to_compare(Span where, std::string_view chart) {
+    return error(
+        "not-comparable", where,
+        fmt::format("`{}` has no outputs, so nobody can tell it from another; declare what it shows", clipped(chart)));
+}
+
+Diagnostic no_such_beginning(Span where, std::string_view chart, std::string_view why) {
+    return error("not-comparable", where,
+                 fmt::format("`{}` cannot begin with the situation of `--from-situation`: {}", clipped(chart), why));
+}
+
+Diagnostic coarse_resolution(std::string_view resolution, std::string_view duration, std::string_view divides_all) {
+    return error("not-comparable", {},
+                 fmt::format("`--resolution {}` does not divide `{}`; take `{}`, or a part of it", resolution, duration,
+                             divides_all));
 }
 
 }  // namespace grafverif::messages

@@ -30,11 +30,11 @@ std::set<std::string> codes() {
 /// What no chart alone can show: files that are missing, too large or cannot be written, choices of the command line,
 /// programs that are not installed, and what one target cannot say (see unit_app).
 const std::set<std::string> of_the_world = {
-    "cannot-read",      "cannot-write",    "too-large",     "no-closed-loop",         "no-such-choice",
-    "ambiguous-choice", "not-expressible", "bad-sequence",  "not-in-structured-text", "cannot-run",
-    "nothing-to-test",  "stopped",         "out-of-memory", "bound-reached",          "nothing-to-import",
-    "left-out",         "missing-program", "cure-left-out", "output-is-input",        "output-twice",
-    "cannot-listen",    "missing-folder",  "not-in-depfile"};
+    "cannot-read",      "cannot-write",    "too-large",      "no-closed-loop",         "no-such-choice",
+    "ambiguous-choice", "not-expressible", "bad-sequence",   "not-in-structured-text", "cannot-run",
+    "nothing-to-test",  "stopped",         "out-of-memory",  "bound-reached",          "nothing-to-import",
+    "left-out",         "missing-program", "cure-left-out",  "output-is-input",        "output-twice",
+    "cannot-listen",    "missing-folder",  "not-in-depfile", "not-comparable"};
 
 TEST(House, EveryDiagnosticHasAReject) {
     const std::set<std::string> all = codes();

@@ -8,7 +8,7 @@
 #include <ostream>
 
 #include "app/verbs.hpp"
-#include "run/interpreter.hpp"
+#include "run/scanner.hpp"
 #include "simulate/commands.hpp"
 #include "syntax/print/scan_line.hpp"
 
@@ -16,82 +16,12 @@ namespace grafverif::app {
 
 namespace {
 
-std::vector<Id<Chart::Variable>> variables_of_kind(const Chart& chart, Chart::VariableKind kind) {
-    std::vector<Id<Chart::Variable>> found;
-    for (const Id<Chart::Variable> id : chart.variables.ids())
-        if (chart.variables[id].kind == kind) found.push_back(id);
-    return found;
+std::vector<ScanColumn> columns_of(const Chart& chart, const Scanner& plc) {
+    std::vector<ScanColumn> columns;
+    for (const Id<Chart::Variable> id : plc.inputs())
+        columns.push_back({chart.variables[id].name, chart.variables[id].type});
+    return columns;
 }
-
-/// `{2, 5}`
-std::string situation_text(const Chart& chart, const std::vector<bool>& situation) {
-    std::string text;
-    for (const Id<Chart::Step> step : chart.steps.ids())
-        if (situation[step.index]) text += (text.empty() ? "" : ", ") + name_of(chart, step).text();
-    return "{" + text + "}";
-}
-
-std::string instability_text(const Chart& chart, const std::vector<std::vector<bool>>& endless) {
-    constexpr std::size_t shown = 8;
-    std::string text = "total instability: with these inputs the situation never becomes stable: ";
-    for (std::size_t k = 0; k < endless.size() && k < shown; ++k) text += situation_text(chart, endless[k]) + ", ";
-    return text + (endless.size() > shown ? "..." : "and so on");
-}
-
-/// Why `cycle` is none that a PLC can make; empty: it is one.
-std::string problem_in(const Chart& chart, const Cycle& cycle) {
-    if (cycle.race)
-        return fmt::format("race: two actions store different values in `{}` in one evolution [action-race]",
-                           chart.variables[cycle.race->variable].name);
-    if (cycle.fault && cycle.fault->kind == RunFault::Kind::OutOfRange)
-        return fmt::format("the value {} for `{}` is outside its range [out-of-range]", cycle.fault->value,
-                           chart.variables[cycle.fault->variable].name);
-    if (cycle.fault && cycle.fault->kind == RunFault::Kind::ForcedApart)
-        return "two forcing orders that cannot be obeyed together are active [action-race]";
-    if (cycle.fault) return "a condition or a stored value cannot be computed [no-value]";
-    if (cycle.gave_up)
-        return fmt::format("no stable situation within {} evolutions [total-instability]", evolution_limit);
-    if (!cycle.endless.empty()) return instability_text(chart, cycle.endless) + " [total-instability]";
-    return {};
-}
-
-class Plc {
-public:
-    Plc(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode), state_(power_on(chart)) {
-        for (const Id<Chart::Variable> id : inputs_)
-            columns_.push_back({chart.variables[id].name, chart.variables[id].type});
-    }
-
-    const std::vector<ScanColumn>& columns() const { return columns_; }
-
-    /// Time that passes before the first scan is before power-on.
-    void wait(std::int64_t milliseconds) {
-        if (state_.started) state_ = pass_time(std::move(state_), milliseconds);
-    }
-
-    /// One scan; what stops the PLC, or nothing.
-    std::string scan(const std::vector<std::int64_t>& values) {
-        std::vector<std::int64_t> inputs(chart_.variables.size());
-        for (std::size_t k = 0; k < inputs_.size(); ++k) inputs[inputs_[k].index] = values[k];
-        Cycle result = cycle(chart_, state_, inputs, mode_);
-        state_ = std::move(result.state);
-        return problem_in(chart_, result);
-    }
-
-    std::vector<std::int64_t> outputs() const {
-        std::vector<std::int64_t> values;
-        for (const Id<Chart::Variable> id : outputs_) values.push_back(state_.outputs[id.index]);
-        return values;
-    }
-
-private:
-    const Chart& chart_;
-    ExecutionMode mode_;
-    State state_;
-    std::vector<Id<Chart::Variable>> inputs_ = variables_of_kind(chart_, Chart::VariableKind::Input);
-    std::vector<Id<Chart::Variable>> outputs_ = variables_of_kind(chart_, Chart::VariableKind::Output);
-    std::vector<ScanColumn> columns_ = {};
-};
 
 /// The next line, or as much of it as is worth keeping: whatever is beyond `longest` is read and forgotten.
 bool next_line(std::istream& in, std::size_t longest, std::string& line) {
@@ -107,10 +37,11 @@ bool next_line(std::istream& in, std::size_t longest, std::string& line) {
 /// The PLC at its lines: each that is understood is obeyed, each that is not is answered by what is wrong with it.
 class PlcSession {
 public:
-    PlcSession(Plc& plc, Clock clock, const Streams& streams) : plc_(plc), clock_(clock), streams_(streams) {}
+    PlcSession(const Chart& chart, ExecutionMode mode, Clock clock, const Streams& streams)
+        : plc_(chart, mode), columns_(columns_of(chart, plc_)), clock_(clock), streams_(streams) {}
 
     ExitCode run() {
-        const std::size_t longest = longest_scan_line(plc_.columns().size());
+        const std::size_t longest = longest_scan_line(columns_.size());
         for (std::string line; code_ != ExitCode::Verdict && next_line(streams_.in, longest, line);) {
             ++number_;
             if (line.size() > longest) refuse(fmt::format("the line is longer than {} bytes", longest));
@@ -126,7 +57,7 @@ private:
 
     void obey(const std::string& line) {
         if (line.starts_with("wait")) return obey_wait(line);
-        const ScanValues inputs = read_scan_line(line, plc_.columns());
+        const ScanValues inputs = read_scan_line(line, columns_);
         if (!inputs.values) return refuse(inputs.problem);
         if (clock_ == Clock::Real) let_real_time_pass();
         const std::string problem = plc_.scan(*inputs.values);
@@ -158,7 +89,8 @@ private:
         code_ = code;
     }
 
-    Plc& plc_;
+    Scanner plc_;
+    std::vector<ScanColumn> columns_;
     Clock clock_;
     const Streams& streams_;
     Steady::time_point last_ = Steady::now();
@@ -172,8 +104,7 @@ ExitCode plc(Job& job, const Streams& streams) {
     const auto model = read_model(job.options.operands[0], job);
     const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
     if (!chart || !equations_of(*model, *chart, job)) return ExitCode::Input;
-    Plc plc(model->charts[*chart], execution_mode(*model, *chart, job));
-    return PlcSession(plc, job.options.clock, streams).run();
+    return PlcSession(model->charts[*chart], execution_mode(*model, *chart, job), job.options.clock, streams).run();
 }
 
 Verb plc_usage() {

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// `compare`: whether two charts answer all inputs alike, and what their texts say otherwise.
+#include <ostream>
+#include <sstream>
+
+#include "app/stop_words.hpp"
+#include "app/system/guard.hpp"
+#include "app/verbs.hpp"
+#include "report/charts/comparison.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+/// `3,5` of both charts, `3,5:W3,W5` of each its own.
+std::array<std::vector<Id<Chart::Step>>, 2> beginnings(const Chart& a, const Chart& b, Job& job) {
+    if (!job.options.from_situation) return {};
+    const std::string_view asked = *job.options.from_situation;
+    const std::size_t colon = asked.find(':');
+    const std::string_view of_a = asked.substr(0, colon);
+    const std::string_view of_b = colon == std::string_view::npos ? of_a : asked.substr(colon + 1);
+    return {named_steps(a, of_a, "--from-situation", job), named_steps(b, of_b, "--from-situation", job)};
+}
+
+ExitCode exit_code(const Comparison& comparison) {
+    if (!comparison.failures.empty()) return ExitCode::Failure;
+    switch (comparison.outcome) {
+    case Comparison::Outcome::Equal: return ExitCode::Done;
+    case Comparison::Outcome::Different: return ExitCode::Verdict;
+    case Comparison::Outcome::Unknown: return ExitCode::Unknown;
+    }
+    return ExitCode::Failure;
+}
+
+}  // namespace
+
+ExitCode compare(Job& job, const Streams& streams) {
+    const auto a = read_model(job.options.operands[0], job);
+    const auto of_a = a ? chosen_chart(*a, job) : std::nullopt;
+    if (!of_a) return ExitCode::Input;
+    const auto b = read_model(job.options.operands[1], job);
+    if (job.options.other_chart) job.options.chart = job.options.other_chart;
+    const auto of_b = b ? chosen_chart(*b, job) : std::nullopt;
+    if (!of_b) return ExitCode::Input;
+    const Bounds bounds(job.options, streams);
+    CompareOptions options{.mode = job.options.mode,
+                           .resolution_ms = job.options.resolution_ms,
+                           .from = beginnings(a->charts[*of_a], b->charts[*of_b], job),
+                           .limits = bounds.limits()};
+    auto found = job.diagnostics.has_errors() ? std::nullopt : compare(*a, *of_a, *b, *of_b, options, job.diagnostics);
+    if (!found) return ExitCode::Input;
+    found->reason = with_who_stopped(std::move(found->reason), bounds.interrupted(), job.options);
+    std::ostringstream out;
+    const bool to_file = job.options.output && *job.options.output != "-";
+    if (job.options.format == Format::Json) out << comparison_json(*found) << '\n';
+    else print_comparison(*found, colour_on(to_file ? Screen{} : streams.out_screen, job.options), out);
+    work_is_done();
+    if (job.options.output) deliver(std::move(out).str(), job, streams);
+    else streams.out << std::move(out).str();  // clean, but for our colours
+    for (const std::string& failure : found->failures)
+        streams.err << "grafverif: internal failure: " << failure << '\n';
+    return exit_code(*found);
+}
+
+Verb compare_usage() {
+    return {
+        "compare",
+        "FILE OTHER",
+        2,
+        2,
+        "prove that two charts answer all inputs alike, or tell them apart",
+        "Asks whether a chart of FILE (a) and one of OTHER (b) with the same inputs and outputs write the same outputs "
+        "in "
+        "every\n"
+        "scan, whatever the inputs are and however long it is between scans, or stop in the same one (race, value out "
+        "of\n"
+        "range, total instability). The answer is a proof, or scans that tell them apart, replayed on the rules of IEC "
+        "60848;\n"
+        "then what the two texts say that is not the same. Files may be of any format that is read. Without --mode the "
+        "mode is\n"
+        "that of the closed loop of FILE that has the chart, else stability-search. Constraints of both charts are "
+        "assumed.\n"
+        "Exit code 1: different; 3: not decided (--timeout, --max-memory, Ctrl-C).",
+        {"grafverif compare station.grafcet station.xml",
+         "grafverif compare old.grafcet new.grafcet --mode every-cycle",
+         "grafverif compare old.grafcet new.grafcet --from-situation 3,5 --format json"},
+        {Accepts::Output, Accepts::Chart, Accepts::Compare, Accepts::Mode, Accepts::Format}};
+}
+
+}  // namespace grafverif::app

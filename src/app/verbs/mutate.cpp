@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+// `mutate`: plausible mistakes in a chart, one at a time: which are none, which the properties notice, which the test sequence
+// catches. Several threads judge; what is known is kept in a file, so that a run that was stopped goes on.
+#include "pipeline/mutate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <ostream>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "app/outputs.hpp"
+#include "app/stop_words.hpp"
+#include "app/system/guard.hpp"
+#include "app/verbs.hpp"
+#include "compare/mutants.hpp"
+#include "read/formats.hpp"
+#include "report/charts/mutation.hpp"
+#include "support/json_text.hpp"
+#include "syntax/language/parse.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+using Kind = MutantFate::Kind;
+
+// -- what is known from a run before -------------------------------------------------------------------------------------
+
+/// A name for what is asked: FNV-1a of the mutant and of what its fate depends on besides.
+std::string key_of(const std::string& original, const Mutant& mutant, const Options& options) {
+    std::uint64_t hash = 14695981039346656037U;
+    const std::string mode(options.mode ? word(*options.mode) : "");
+    for (const std::string& part : {original, mutant.text, mode, options.chart.value_or("")})
+        for (const char byte : part + '\0') hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
+    return fmt::format("{:016x}", hash);
+}
+
+nlohmann::ordered_json stored(const std::string& key, const MutantFate& fate) {
+    return {{"key", key},
+            {"fate", word(fate.kind)},
+            {"reason", fate.reason},
+            {"noticed_by", fate.noticed_by},
+            {"undecided", fate.undecided},
+            {"caught", fate.caught ? nlohmann::ordered_json(*fate.caught) : nlohmann::ordered_json(nullptr)},
+            {"scans", fate.scans}};
+}
+
+/// Nothing where the line is none of ours.
+std::optional<std::pair<std::string, MutantFate>> restored(const std::string& line) {
+    const auto json = nlohmann::json::parse(line, nullptr, false);
+    if (!json.is_object()) return {};
+    try {
+        MutantFate fate;
+        const auto kinds = {Kind::Refused, Kind::Equivalent, Kind::Noticed, Kind::Unnoticed, Kind::Unknown};
+        const auto kind =
+            std::ranges::find(kinds, json.at("fate").get<std::string>(), [](Kind each) { return word(each); });
+        if (kind == kinds.end()) return {};
+        fate.kind = *kind;
+        fate.reason = json.at("reason");
+        fate.noticed_by = json.at("noticed_by");
+        fate.undecided = json.at("undecided");
+        if (!json.at("caught").is_null()) fate.caught = json.at("caught").get<bool>();
+        fate.scans = json.at("scans");
+        return std::pair(json.at("key").get<std::string>(), std::move(fate));
+    } catch (const nlohmann::json::exception&) {
+        return {};
+    }
+}
+
+/// The fates of a run before, and a file that each new one is added to.
+class StateFile {
+public:
+    explicit StateFile(const std::optional<std::string>& path) {
+        if (!path) return;
+        std::ifstream in(*path);
+        for (std::string line; std::getline(in, line);)
+            if (auto known = restored(line)) known_.insert(std::move(*known));
+        in.close();
+        out_.open(*path, std::ios::app);
+        if (!out_) throw std::system_error(errno, std::generic_category(), *path);
+        out_ << '\n';  // behind a line that was not written whole
+    }
+    std::optional<MutantFate> known(const std::string& key) const {
+        const auto found = known_.find(key);
+        return found == known_.end() ? std::nullopt : std::optional(found->second);
+    }
+    void add(const std::string& key, const MutantFate& fate) {
+        if (out_.is_open()) out_ << json_text(stored(key, fate), -1) << std::endl;
+    }
+
+private:
+    std::map<std::string, MutantFate> known_ = {};
+    std::ofstream out_ = {};
+};
+
+// -- a run ---------------------------------------------------------------------------------------------------------------
+
+/// `most` of them, chosen by `seed`, in their order.
+void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random() % k]);
+    order.resize(std::min<std::size_t>(order.size(), most));
+    std::ranges::sort(order);
+    std::vector<Mutant> chosen;
+    for (const std::size_t k : order) chosen.push_back(std::move(all[k]));
+    all = std::move(chosen);
+}
+
+/// Judges all, several at once. A fate stays empty where the run was stopped before.
+class Judging {
+public:
+    Judging(const MutantBench& bench, Mutation& mutation, const std::string& original, const Options& options,
+            const Limits& limits)
+        : bench_(bench),
+          mutation_(mutation),
+          original_(original),
+          options_(options),
+          limits_(limits),
+          state_(options.state_file) {}
+
+    void run() {
+        const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+        const unsigned jobs = options_.jobs == 0 ? cores : options_.jobs;
+        {
+            std::vector<std::jthread> threads;
+            for (unsigned k = 0; k < std::min<std::size_t>(jobs, mutation_.mutants.size()); ++k)
+                threads.emplace_back([this] { work(); });
+        }
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
+private:
+    bool stopped() const {
+        return (limits_.stop != nullptr && limits_.stop->load()) ||
+               (limits_.deadline && std::chrono::steady_clock::now() >= *limits_.deadline);
+    }
+
+    void work() {
+        try {
+            for (std::size_t k = next_++; k < mutation_.mutants.size() && !stopped(); k = next_++) judge(k);
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            failure_ = std::current_exception();
+            next_ = mutation_.mutants.size();
+        }
+    }
+
+    void judge(std::size_t index) {
+        const std::string key = key_of(original_, mutation_.mutants[index], options_);
+        std::optional<MutantFate> fate = state_.known(key);
+        if (!fate) {
+            Limits limits = limits_;
+            limits.progress = {};
+            const auto end =
+                std::chrono::steady_clock::now() + std::chrono::milliseconds(options_.each_ms.value_or(60'000));
+            limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
+            fate = bench_.fate_of(mutation_.mutants[index], limits);
+            if (fate->kind == Kind::Unknown && stopped()) return;
+            const std::lock_guard lock(mutex_);
+            state_.add(key, *fate);
+        }
+        const std::lock_guard lock(mutex_);
+        mutation_.fates[index] = std::move(*fate);
+        ++done_;
+        if (limits_.progress)
+            limits_.progress(
+                {[this] { return fmt::format("{} of {} mutants judged", done_, mutation_.mutants.size()); }});
+    }
+
+    const MutantBench& bench_;
+    Mutation& mutation_;
+    const std::string& original_;
+    const Options& options_;
+    const Limits& limits_;
+    StateFile state_;
+    std::mutex mutex_ = {};
+    std::exception_ptr failure_ = {};
+    std::atomic<std::size_t> next_ = 0;
+    std::size_t done_ = 0;
+};
+
+/// Text and drawing of the original and of each mutant that no property notices.
+bool write_survivors(const Mutation& mutation, const Model& model, Id<Chart> chart, const std::string& original,
+                     const ReadOptions& read, Job& job, const Streams& streams) {
+    if (!job.options.survivors) return true;
+    const std::string folder = *job.options.survivors + "/";
+    std::vector<OutputFile> files{{folder + "original.grafcet", original},
+                                  {folder + "original.svg", svg_of(drawing_of(model, chart))}};
+    for (std::size_t k = 0; k < mutation.mutants.size(); ++k) {
+        if (!mutation.fates[k] || mutation.fates[k]->kind != Kind::Unnoticed) continue;
+        const std::string name = fmt::format("{}{:03}-{}", folder, k + 1, mutation.mutants[k].kind);
+        const Reading reading = read_string(mutation.mutants[k].text, job.options.operands[0], read);
+        const auto mutated = reading.model ? find_chart(*reading.model, mutation.chart) : std::nullopt;
+        files.push_back({name + ".grafcet", mutation.mutants[k].text});
+        if (mutated) files.push_back({name + ".svg", svg_of(drawing_of(*reading.model, *mutated))});
+    }
+    return write_outputs(files, job, streams);
+}
+
+ExitCode exit_code(const Mutation& mutation, bool stopped) {
+    bool open = stopped, survives = false;
+    for (const auto& fate : mutation.fates) {
+        if (fate && !fate->failures.empty()) return ExitCode::Failure;
+        open = open || !fate || fate->kind == Kind::Unknown;
+        survives = survives || (fate && fate->kind == Kind::Unnoticed);
+    }
+    return survives ? ExitCode::Verdict : open ? ExitCode::Unknown : ExitCode::Done;
+}
+
+}  // namespace
+
+ExitCode mutate(Job& job, const Streams& streams) {
+    const std::string& path = job.options.operands[0];
+    const auto model = read_model(path, job);
+    const auto chart = model ? chosen_chart(*model, job) : std::nullopt;
+    if (!chart || !equations_of(*model, *chart, job)) return ExitCode::Input;
+    const Id<Source> source = *job.sources.ids().begin();
+    const FileFormat format = format_of(job.sources[source].text);
+    const bool ours = format == FileFormat::Grafcet || format == FileFormat::Unknown;
+    const tree::File file = ours ? parse_file(source, job.sources, job.diagnostics)
+                                 : laid_out(read_any(source, job.sources, {job.options.lossy}, job.diagnostics));
+    const std::string original = job.sources[source].text;
+    Mutation mutation{.chart = model->charts[*chart].name};
+    mutation.mutants = mutants(file, mutation.chart);
+    mutation.possible = mutation.mutants.size();
+    sample(mutation.mutants, job.options.limit.value_or(mutation.possible), job.options.seed);
+    mutation.fates.resize(mutation.mutants.size());
+    const ReadOptions read{.include_folders = job.options.include_folders, .lossy = job.options.lossy};
+    MutantBench bench(*model, *chart, path, read, job.options.mode);
+    const Bounds bounds(job.options, streams);
+    bool stopped = !bench.prepare(bounds.limits());
+    if (!stopped) Judging(bench, mutation, original, job.options, bounds.limits()).run();
+    stopped = stopped || bounds.interrupted();
+    mutation.properties = bench.properties();
+    mutation.test_steps = bench.test_steps();
+    mutation.no_test = bench.no_test();
+    work_is_done();
+    if (!write_survivors(mutation, *model, *chart, original, read, job, streams)) return ExitCode::Input;
+    std::ostringstream out;
+    if (job.options.format == Format::Json) out << mutation_json(mutation, job.sources) << '\n';
+    else print_mutation(mutation, job.sources, out);
+    deliver(std::move(out).str(), job, streams);
+    for (const auto& fate : mutation.fates)
+        for (const std::string& failure : fate ? fate->failures : std::vector<std::string>{})
+            streams.err << "grafverif: internal failure: " << failure << '\n';
+    return exit_code(mutation, stopped);
+}
+
+Verb mutate_usage() {
+    return {
+        "mutate",
+        "FILE",
+        1,
+        1,
+        "make mistakes in a chart, and see which its properties and tests notice",
+        "Makes plausible mistakes in a chart of FILE, one at a time: a term dropped or negated, `and` for `or`, "
+        "parallel "
+        "branches for\n"
+        "alternatives, a wrong successor, another duration, a missing action, another output, a stored action on the "
+        "wrong "
+        "side, a\n"
+        "forcing order lost. Of each it tells whether it is equivalent, which is proved (see `compare`); which "
+        "properties of "
+        "the closed\n"
+        "loops that have the chart fail for it (see `check`); whether the test sequence of the chart catches it (see "
+        "`testgen`). Those\n"
+        "that no property notices are shown as a change of the text, with --survivors as drawings too.\n"
+        "Exit code 1: a mistake that no property notices; 3: not all was decided (--each, --timeout, Ctrl-C).",
+        {"grafverif mutate samples/oven_door/oven_door.grafcet",
+         "grafverif mutate station.grafcet --chart press --limit 50 --seed 7 --state press.mutants --survivors press",
+         "grafverif mutate station.grafcet --each 10s --format json -o mutants.json"},
+        {Accepts::Output, Accepts::Chart, Accepts::Mutants, Accepts::Mode, Accepts::Format}};
+}
+
+}  // namespace grafverif::app

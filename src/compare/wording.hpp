@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Wording: the parts of a chart as its text has them, steps under names that the caller gives.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "grafverif/ir/chart.hpp"
+
+namespace grafverif::comparing {
+
+/// How a step is called: `2`, `G1.2`.
+using Naming = std::function<std::string(Id<Chart::Step>)>;
+
+class Wording {
+public:
+    /// The chart outlives it.
+    Wording(const Chart& chart, Naming naming) : chart_(chart), naming_(std::move(naming)) {}
+
+    /// `!START && G1.X2`
+    std::string term(Id<Expr> term) const;
+    /// `N: int 0..3 = 1`
+    std::string variable(const Chart::Variable& variable) const;
+    /// A step without its actions: `initial step 2`, `macro step M expands E`.
+    std::string head(Id<Chart::Step> step) const;
+    /// `LAMP if a after 3s`, `N := N + 1 on activation`, `force G1 := {2, 3}`; in the order of the tables.
+    std::vector<std::string> actions(Id<Chart::Step> step) const;
+    /// `1, 2 -> 3`
+    std::string way(Id<Chart::Transition> transition) const;
+    /// `when a do N := 0`
+    std::string guard(Id<Chart::Transition> transition) const;
+
+private:
+    std::string names(const std::vector<Id<Chart::Step>>& steps) const;
+
+    const Chart& chart_;
+    Naming naming_;
+};
+
+}  // namespace grafverif::comparing

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Chart, Chart -> Equations of both -> TransitionSystem of both side by side -> Comparison.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <utility>
+
+#include "analyse/analyse.hpp"
+#include "check/together.hpp"
+#include "compare/difference.hpp"
+#include "derive/derive.hpp"
+#include "pipeline/models.hpp"
+#include "run/interpreter.hpp"
+#include "run/side_by_side.hpp"
+#include "schedule/both.hpp"
+#include "support/messages.hpp"
+#include "support/messages_choice.hpp"
+#include "syntax/print/dialect.hpp"
+
+namespace grafverif {
+
+namespace {
+
+// -- what can be compared ------------------------------------------------------------------------------------------------
+
+std::string range_text(Type type) {
+    return type.boolean ? "a Boolean" : fmt::format("an integer of {} to {}", type.low, type.high);
+}
+
+/// False after an error that names each input or output that is not in both.
+bool same_plugs(const Chart& a, const Chart& b, Diagnostics& diagnostics) {
+    using Kind = Chart::VariableKind;
+    const std::size_t before = diagnostics.errors();
+    for (const auto& [kind, word] : {std::pair(Kind::Input, "input"), std::pair(Kind::Output, "output")})
+        for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+            for (const Chart::Variable& variable : one->variables) {
+                if (variable.kind != kind) continue;
+                const auto twin = std::ranges::find_if(other->variables, [&, kind = kind](const auto& each) {
+                    return each.kind == kind && each.name == variable.name;
+                });
+                if (twin == other->variables.end())
+                    diagnostics.add(messages::not_in_both(variable.origin, word, variable.name, one->name));
+                else if (one == &a && twin->type != variable.type)
+                    diagnostics.add(messages::other_type(variable.origin, word, variable.name,
+                                                         range_text(variable.type), range_text(twin->type)));
+            }
+    if (diagnostics.errors() == before && plugs(a, Kind::Output).empty())
+        diagnostics.add(messages::nothing_to_compare(a.origin, a.name));
+    return diagnostics.errors() == before;
+}
+
+/// `chart` with `steps` for its initial ones; nothing after an error. Orders to {INIT} would change their meaning.
+std::optional<Chart> beginning_with(Chart chart, const std::vector<Id<Chart::Step>>& steps, Diagnostics& diagnostics) {
+    for (const Chart::ForcingOrder& order : chart.forcing)
+        if (order.to == Chart::ForcedTo::Initial) {
+            diagnostics.add(messages::no_such_beginning(
+                order.origin, chart.name, "this order forces the initial situation, which would be another one"));
+            return {};
+        }
+    for (const Id<Chart::Step> step : chart.steps.ids())
+        chart.steps[step].initial = std::ranges::find(steps, step) != steps.end();
+    const std::vector<bool> begins = power_on(chart).situation;
+    for (const Id<Chart::Step> step : chart.steps.ids()) {
+        const bool macro = chart.steps[step].kind == Chart::StepKind::Macro;
+        if (begins[step.index] == chart.steps[step].initial || (macro && begins[step.index])) continue;
+        diagnostics.add(messages::no_such_beginning(
+            chart.steps[step].origin, chart.name,
+            fmt::format("with it `{}` is {}", step_variable(chart, step),
+                        begins[step.index] ? "active too, by a forcing order or a macro-step; name it too"
+                                           : "not active: it is enclosed or forced; name the step that allows it")));
+        return {};
+    }
+    return chart;
+}
+
+// -- time ----------------------------------------------------------------------------------------------------------------
+
+/// All durations of both, increasing.
+std::vector<std::int64_t> durations(const Equations& a, const Equations& b) {
+    std::vector<std::int64_t> found;
+    for (const Equations* chart : {&a, &b})
+        for (const Equations::Timer& timer : chart->timers)
+            for (const std::int64_t time : {timer.rise_ms, timer.fall_ms})
+                if (time > 0) found.push_back(time);
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+std::int64_t common_divisor(const std::vector<std::int64_t>& times) {
+    return std::accumulate(times.begin(), times.end(), std::int64_t{0},
+                           [](std::int64_t one, std::int64_t other) { return std::gcd(one, other); });
+}
+
+/// The unit of time, 0 where nothing is timed: a part of all durations; so many parts that scans between the beginnings of
+/// all timers have places of their own, as far as there are such in whole milliseconds and a timer counts to 30000 at most.
+std::int64_t unit_of(const Equations& a, const Equations& b) {
+    const std::vector<std::int64_t> times = durations(a, b);
+    if (times.empty()) return 0;
+    const std::int64_t whole = common_divisor(times);
+    const auto wanted = static_cast<std::int64_t>(std::max(a.timers.size(), b.timers.size())) + 1;
+    std::int64_t best = 1;
+    for (std::int64_t parts = 1; parts <= std::min<std::int64_t>(whole, 1000) && best < wanted; ++parts)
+        if (whole % parts == 0 && times.back() / (whole / parts) <= greatest_integer) best = parts;
+    return whole / best;
+}
+
+/// Whether both charts become stable whatever the inputs are: nothing then has to be asked about it.
+bool surely_stable(const Chart& chart, const Equations& equations, const Limits& limits) {
+    AnalyseOptions options;
+    options.instability_only = true;
+    set_limits(options, limits);
+    const Analysis found = analyse(chart, equations, options);
+    return found.findings.empty() && found.obstacle.empty() && found.failures.empty();
+}
+
+// -- the question --------------------------------------------------------------------------------------------------------
+
+class Question {
+public:
+    Question(const Chart& a, const Chart& b, const Equations& of_a, const Equations& of_b,
+             const CompareOptions& options, Comparison& result)
+        : charts_{&a, &b}, equations_{&of_a, &of_b}, options_(options), result_(result) {}
+
+    void answer() {
+        const bool searches = result_.mode == ExecutionMode::StabilitySearch;
+        Answered same = ask({"same", "possible"}, {});
+        if (same.outcome == Comparison::Outcome::Equal && searches && !both_stable())
+            same = ask({"a_follows", "b_follows"}, {});
+        result_.outcome = same.outcome;
+        result_.reason = same.reason;
+        if (same.outcome != Comparison::Outcome::Different) return;
+        take(std::move(same.scans));
+        if (options_.shortest && result_.outcome == Comparison::Outcome::Different) shorten();
+    }
+
+private:
+    struct Answered {
+        Comparison::Outcome outcome = Comparison::Outcome::Unknown;
+        std::string reason = {};
+        std::vector<Comparison::Scan> scans = {};
+    };
+
+    std::int64_t unit() const { return std::max<std::int64_t>(result_.resolution_ms, 1); }
+
+    /// Under stability search; looked at once.
+    bool both_stable() {
+        if (!stable_)
+            stable_ = surely_stable(*charts_[0], *equations_[0], options_.limits) &&
+                      surely_stable(*charts_[1], *equations_[1], options_.limits);
+        return *stable_;
+    }
+
+    Answered ask(const std::vector<std::string>& properties, std::optional<std::int64_t> fewer_scans) {
+        const Both both = schedule_both(*equations_[0], *equations_[1], {result_.mode, unit(), fewer_scans});
+        TogetherOptions engines;
+        engines.properties = properties;
+        engines.witnesses = false;
+        set_limits(engines, options_.limits);
+        if (options_.limits.progress)
+            engines.progress = [this](const TogetherProgress& now) {
+                options_.limits.progress({[&now] {
+                    return fmt::format("{} evolutions deep, {} MiB", now.symbolic.depth, now.symbolic.bytes >> 20U);
+                }});
+            };
+        PdrResult found = check_together(both.system, engines);
+        std::ranges::move(found.failures, std::back_inserter(result_.failures));
+        return answered(both, found);
+    }
+
+    static Answered contradiction() {
+        return {Comparison::Outcome::Unknown, "the constraints of both charts leave no inputs", {}};
+    }
+
+    /// `possible` stands for the constraints: without inputs that they leave nothing would be said.
+    Answered answered(const Both& both, const PdrResult& found) const {
+        if (found.fault && found.fault->kind == SystemFault::Kind::NoInitialState) return contradiction();
+        if (found.fault)
+            return {Comparison::Outcome::Unknown, "the model of both charts breaks off: a fault of ours", {}};
+        Answered answer{Comparison::Outcome::Equal, {}, {}};
+        for (std::size_t k = 0; k < found.verdicts.size(); ++k) {
+            const Verdict& verdict = found.verdicts[k];
+            const bool asks_for_inputs = verdict.property == "possible";
+            if (verdict.outcome == Outcome::Unknown) {
+                if (answer.outcome == Comparison::Outcome::Equal)
+                    answer = {Comparison::Outcome::Unknown, verdict.reason, {}};
+            } else if (asks_for_inputs && verdict.outcome == Outcome::Violated) {
+                return contradiction();
+            } else if (!asks_for_inputs && verdict.outcome == Outcome::Violated && found.runs[k]) {
+                answer = {Comparison::Outcome::Different, {}, scans_of(both, *found.runs[k])};
+            }
+        }
+        return answer;
+    }
+
+    /// A scan begins at power-on and wherever both have waited.
+    std::vector<Comparison::Scan> scans_of(const Both& both, const SystemRun& run) const {
+        std::vector<Comparison::Scan> scans;
+        for (std::size_t k = 0; k < run.states.size(); ++k) {
+            if (k > 0 && run.states[k - 1][both.waits.index] == 0) continue;
+            Comparison::Scan scan;
+            if (k > 0 && both.passed.valid()) scan.wait_ms = run.states[k - 1][both.passed.index] * unit();
+            for (const auto input : both.inputs) scan.inputs.push_back(run.states[k][input.index]);
+            scans.push_back(std::move(scan));
+        }
+        return scans;
+    }
+
+    /// What the rules say of these scans; all behind the first difference is dropped.
+    void take(std::vector<Comparison::Scan> scans) {
+        const SideBySide rules(*charts_[0], *charts_[1], result_.mode);
+        const std::optional<std::size_t> last = rules.difference(scans);
+        if (!last) {
+            result_.outcome = Comparison::Outcome::Unknown;
+            result_.reason = "the rules of IEC 60848 do not confirm the difference that was found";
+            result_.failures.emplace_back(result_.reason);
+            return;
+        }
+        scans.resize(*last + 1);
+        std::vector<std::int64_t> times = durations(*equations_[0], *equations_[1]);
+        times.insert(times.begin(), unit());
+        result_.scans = rules.simplified(std::move(scans), times);
+        result_.answers = rules.answers(result_.scans);
+    }
+
+    /// Where a chart may never become stable, a difference by that might come earlier.
+    void shorten() {
+        if (result_.mode == ExecutionMode::StabilitySearch && !both_stable()) return;
+        while (result_.scans.size() > 1) {
+            const Answered shorter = ask({"same"}, static_cast<std::int64_t>(result_.scans.size()));
+            if (shorter.outcome == Comparison::Outcome::Unknown) return;
+            if (shorter.outcome == Comparison::Outcome::Equal) break;
+            take(shorter.scans);
+            if (result_.outcome != Comparison::Outcome::Different) return;
+        }
+        result_.shortest = true;
+    }
+
+    const std::array<const Chart*, 2> charts_;
+    const std::array<const Equations*, 2> equations_;
+    const CompareOptions& options_;
+    Comparison& result_;
+    std::optional<bool> stable_ = {};
+};
+
+std::string steps_text(const Chart& chart, const std::vector<Id<Chart::Step>>& steps) {
+    std::string text;
+    for (const Id<Chart::Step> step : steps) text += (text.empty() ? "" : ", ") + name_of(chart, step).text();
+    return text;
+}
+
+}  // namespace
+
+std::optional<Comparison> compare(const Model& a, Id<Chart> of_a, const Model& b, Id<Chart> of_b,
+                                  const CompareOptions& options, Diagnostics& diagnostics) {
+    const auto start = std::chrono::steady_clock::now();
+    std::array<Chart, 2> charts{a.charts[of_a], b.charts[of_b]};
+    if (!same_plugs(charts[0], charts[1], diagnostics)) return {};
+    Comparison result;
+    std::array<std::optional<Equations>, 2> equations;
+    for (const std::size_t k : {0U, 1U}) {
+        result.charts[k] = charts[k].name;
+        if (!options.from[k].empty()) {
+            result.from[k] = steps_text(charts[k], options.from[k]);
+            auto begun = beginning_with(charts[k], options.from[k], diagnostics);
+            if (!begun) return {};
+            charts[k] = std::move(*begun);
+        }
+        equations[k] = derive(charts[k], diagnostics);
+        if (!equations[k]) return {};
+        result.constrained = result.constrained || !charts[k].constraints.empty();
+    }
+    result.changes = difference(a.charts[of_a], b.charts[of_b]);
+    result.mode = execution_mode(a, of_a, options.mode);
+    result.inputs = plugs(charts[0], Chart::VariableKind::Input);
+    result.outputs = plugs(charts[0], Chart::VariableKind::Output);
+    result.resolution_ms = unit_of(*equations[0], *equations[1]);
+    if (options.resolution_ms && result.resolution_ms > 0) {
+        const std::vector<std::int64_t> times = durations(*equations[0], *equations[1]);
+        for (const std::int64_t time : times)
+            if (*options.resolution_ms == 0 || time % *options.resolution_ms != 0) {
+                diagnostics.add(messages::coarse_resolution(duration_text(*options.resolution_ms), duration_text(time),
+                                                            duration_text(common_divisor(times))));
+                return {};
+            }
+        result.resolution_ms = *options.resolution_ms;
+    }
+    if (!durations(*equations[0], *equations[1]).empty() &&
+        durations(*equations[0], *equations[1]).back() / result.resolution_ms > greatest_integer)
+        result.reason = "a duration has more units of time than are counted; ask for a coarser `--resolution`";
+    else Question(charts[0], charts[1], *equations[0], *equations[1], options, result).answer();
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/mutate.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "run/replay_test.hpp"
+
+namespace grafverif {
+
+namespace {
+
+CheckOptions quiet_check(const std::vector<std::string>& properties, const Limits& limits) {
+    return {.properties = properties, .witnesses = false, .limits = limits, .jobs = 1};
+}
+
+/// The code of the first error.
+std::string first_code(const Diagnostics& diagnostics) {
+    for (const Diagnostic& each : diagnostics.all())
+        if (each.severity == Severity::Error) return each.code;
+    return "error";
+}
+
+}  // namespace
+
+MutantBench::MutantBench(const Model& model, Id<Chart> chart, std::string path, const ReadOptions& read,
+                         std::optional<ExecutionMode> mode)
+    : model_(model), chart_(chart), path_(std::move(path)), read_(read), mode_(mode) {}
+
+std::string MutantBench::shown(const Asked& asked, const std::string& property) const {
+    return asked_.size() < 2 ? property : model_.loops[asked.loop].name + "." + property;
+}
+
+bool MutantBench::prepare(const Limits& limits) {
+    for (const Id<ClosedLoop> loop : model_.loops.ids()) {
+        const auto& controllers = model_.loops[loop].controllers;
+        if (std::ranges::none_of(controllers, [&](const auto& each) { return each.chart == chart_; })) continue;
+        Diagnostics diagnostics;
+        const auto report = check(model_, loop, {.mode = mode_}, quiet_check({}, limits), diagnostics);
+        if (!report) continue;
+        Asked asked{loop, {}, report->breakdowns.empty()};
+        for (const Answer& answer : report->answers) {
+            if (answer.verdict.obstacle == Obstacle::Stopped) return false;
+            if (as_expected(answer.verdict)) asked.properties.push_back(answer.verdict.property);
+        }
+        asked_.push_back(std::move(asked));
+    }
+    for (const Asked& asked : asked_)
+        for (const std::string& property : asked.properties) properties_.push_back(shown(asked, property));
+    Diagnostics diagnostics;
+    test_ = test_of(model_, chart_, {.mode = mode_, .limits = limits}, diagnostics);
+    if (!test_) no_test_ = first_code(diagnostics);
+    return true;
+}
+
+std::optional<std::size_t> MutantBench::test_steps() const {
+    return test_ ? std::optional(step_count(*test_)) : std::nullopt;
+}
+
+void MutantBench::ask(const Model& mutated, const Asked& asked, const Limits& limits, MutantFate& fate) const {
+    const auto loop = find_loop(mutated, model_.loops[asked.loop].name);
+    Diagnostics diagnostics;
+    const auto report =
+        loop ? check(mutated, *loop, {.mode = mode_}, quiet_check({}, limits), diagnostics) : std::nullopt;
+    if (!report) {
+        fate.reason = first_code(diagnostics);
+        return;
+    }
+    if (asked.whole && !report->breakdowns.empty())
+        fate.noticed_by.push_back(shown(asked, report->breakdowns.front().code));
+    for (const Answer& answer : report->answers) {
+        if (std::ranges::find(asked.properties, answer.verdict.property) == asked.properties.end()) continue;
+        const std::string name = shown(asked, answer.verdict.property);
+        if (answer.verdict.outcome == Outcome::Unknown) fate.undecided.push_back(name);
+        else if (!as_expected(answer.verdict)) fate.noticed_by.push_back(name);
+    }
+    fate.failures.insert(fate.failures.end(), report->failures.begin(), report->failures.end());
+}
+
+MutantFate MutantBench::fate_of(const Mutant& mutant, const Limits& limits) const {
+    MutantFate fate;
+    Reading reading = read_string(mutant.text, path_, read_);
+    const auto chart = reading.model ? find_chart(*reading.model, model_.charts[chart_].name) : std::nullopt;
+    if (!chart || !equations_of(*reading.model, *chart, reading.diagnostics))
+        return fate.kind = MutantFate::Kind::Refused, fate.reason = first_code(reading.diagnostics), fate;
+    Diagnostics diagnostics;
+    const auto compared =
+        compare(model_, chart_, *reading.model, *chart,
+                {.mode = execution_mode(model_, chart_, mode_), .shortest = false, .limits = limits}, diagnostics);
+    if (!compared) return fate.kind = MutantFate::Kind::Refused, fate.reason = first_code(diagnostics), fate;
+    fate.failures = compared->failures;
+    fate.scans = compared->scans.size();
+    if (compared->outcome == Comparison::Outcome::Equal) return fate.kind = MutantFate::Kind::Equivalent, fate;
+    for (const Asked& asked : asked_) ask(*reading.model, asked, limits, fate);
+    if (test_) fate.caught = disagreement(reading.model->charts[*chart], *test_).has_value();
+    const bool differs = compared->outcome == Comparison::Outcome::Different;
+    if (!fate.noticed_by.empty()) fate.kind = MutantFate::Kind::Noticed;
+    else if (differs && fate.undecided.empty() && fate.reason.empty()) fate.kind = MutantFate::Kind::Unnoticed;
+    else if (fate.reason.empty()) fate.reason = differs ? "a property was not decided" : compared->reason;
+    return fate;
+}
+
+}  // namespace grafverif

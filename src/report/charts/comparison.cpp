@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "report/charts/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+
+#include "grafverif/ir/chart_run.hpp"
+#include "report/table.hpp"
+#include "report/terminal.hpp"
+#include "support/json_text.hpp"
+#include "support/printable.hpp"
+#include "syntax/print/dialect.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// What is not 0: `START, N = 3`; none: `none`.
+std::string standing(const std::vector<Comparison::Variable>& variables, const std::vector<std::int64_t>& values) {
+    std::string text;
+    for (std::size_t k = 0; k < variables.size(); ++k) {
+        if (values[k] == 0) continue;
+        text += (text.empty() ? "" : ", ") + variables[k].name;
+        if (!variables[k].type.boolean) text += fmt::format(" = {}", values[k]);
+    }
+    return text.empty() ? "none" : text;
+}
+
+/// The outputs of which `a` and `b` write other values.
+std::string differing(const Comparison& comparison, const Comparison::Answer& a, const Comparison::Answer& b) {
+    std::string text;
+    for (std::size_t k = 0; k < comparison.outputs.size(); ++k)
+        if (a.outputs[k] != b.outputs[k]) text += (text.empty() ? "`" : ", `") + comparison.outputs[k].name + "`";
+    return text;
+}
+
+std::string answer_text(const Comparison& comparison, const Comparison::Answer& answer) {
+    if (!answer.stop.empty()) return "stops: " + answer.stop;
+    return standing(comparison.outputs, answer.outputs) + "  in " + answer.situation;
+}
+
+/// The columns of the table, two blanks between them; long cells are wrapped.
+void print_row(const std::array<std::string, 4>& cells, const std::array<std::size_t, 4>& widths, std::ostream& out) {
+    std::array<std::vector<std::string>, 4> lines;
+    std::size_t most = 1;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        lines[k] = wrapped(printable(cells[k]), widths[k]);
+        most = std::max(most, lines[k].size());
+    }
+    for (std::size_t line = 0; line < most; ++line) {
+        std::string text = "  ";
+        for (std::size_t k = 0; k < cells.size(); ++k)
+            text += fmt::format("{:<{}}  ", line < lines[k].size() ? lines[k][line] : "", widths[k]);
+        out << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
+    }
+}
+
+void print_scans(const Comparison& comparison, std::ostream& out) {
+    std::vector<std::array<std::string, 4>> rows{{"time", "inputs", "a writes", "b writes"}};
+    std::int64_t time = 0;
+    for (std::size_t scan = 0; scan < comparison.scans.size(); ++scan) {
+        time += comparison.scans[scan].wait_ms;
+        rows.push_back({seconds_text(time), standing(comparison.inputs, comparison.scans[scan].inputs),
+                        answer_text(comparison, comparison.answers[0][scan]),
+                        answer_text(comparison, comparison.answers[1][scan])});
+    }
+    constexpr std::array<std::size_t, 4> most = {8, 24, 29, 29};
+    std::array<std::size_t, 4> widths = {};
+    for (const auto& row : rows)
+        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::min(most[k], std::max(widths[k], row[k].size()));
+    for (const auto& row : rows) print_row(row, widths, out);
+    const Comparison::Answer &a = comparison.answers[0].back(), &b = comparison.answers[1].back();
+    if (!a.stop.empty() || !b.stop.empty())
+        out << fmt::format("  in the last scan `{}` stops and the other goes on\n", a.stop.empty() ? "b" : "a");
+    else out << fmt::format("  in the last scan they differ in {}\n", printable(differing(comparison, a, b)));
+}
+
+std::string outcome_text(const Comparison& comparison, Colour colour) {
+    const std::string text(word(comparison.outcome));
+    if (colour == Colour::Plain) return text;
+    const char* const shade = comparison.outcome == Comparison::Outcome::Equal       ? "\x1b[32m"
+                              : comparison.outcome == Comparison::Outcome::Different ? "\x1b[31m"
+                                                                                     : "\x1b[33m";
+    return shade + text + "\x1b[0m";
+}
+
+/// What the verdict is about.
+void print_basis(const Comparison& comparison, std::ostream& out) {
+    out << fmt::format("  a scan is one cycle of a PLC, mode {}", word(comparison.mode));
+    if (comparison.resolution_ms > 0)
+        out << fmt::format("; scans come at any multiples of {}", duration_text(comparison.resolution_ms));
+    out << '\n';
+    if (!comparison.from[0].empty())
+        out << fmt::format("  as if a began with {{{}}} and b with {{{}}}\n", printable(comparison.from[0]),
+                           printable(comparison.from[1]));
+    if (comparison.constrained) out << "  the constraints of both charts are assumed\n";
+}
+
+void print_sentence(const Comparison& comparison, std::ostream& out) {
+    const std::size_t scans = comparison.scans.size();
+    switch (comparison.outcome) {
+    case Comparison::Outcome::Equal:
+        out << "  whatever the inputs" << (comparison.resolution_ms > 0 ? ", however long it is between scans" : "")
+            << ": both write the same outputs in every scan, or both stop in the same\n";
+        return;
+    case Comparison::Outcome::Different:
+        out << fmt::format("  told apart by {} scan{}{}, replayed on the rules of IEC 60848:\n", scans,
+                           scans == 1 ? "" : "s", comparison.shortest ? ", fewer do not" : "");
+        return;
+    case Comparison::Outcome::Unknown: out << fmt::format("  not decided: {}\n", printable(comparison.reason)); return;
+    }
+}
+
+nlohmann::ordered_json values_json(const std::vector<Comparison::Variable>& variables,
+                                   const std::vector<std::int64_t>& values) {
+    auto object = nlohmann::ordered_json::object();
+    for (std::size_t k = 0; k < variables.size(); ++k)
+        object[variables[k].name] =
+            variables[k].type.boolean ? nlohmann::ordered_json(values[k] != 0) : nlohmann::ordered_json(values[k]);
+    return object;
+}
+
+nlohmann::ordered_json scans_json(const Comparison& comparison) {
+    auto scans = nlohmann::ordered_json::array();
+    std::int64_t time = 0;
+    for (std::size_t scan = 0; scan < comparison.scans.size(); ++scan) {
+        time += comparison.scans[scan].wait_ms;
+        nlohmann::ordered_json row = {{"wait_ms", comparison.scans[scan].wait_ms},
+                                      {"time_ms", time},
+                                      {"inputs", values_json(comparison.inputs, comparison.scans[scan].inputs)},
+                                      {"answers", nlohmann::ordered_json::array()}};
+        for (const auto& answers : comparison.answers)
+            row["answers"].push_back(
+                {{"outputs", answers[scan].stop.empty() ? values_json(comparison.outputs, answers[scan].outputs)
+                                                        : nlohmann::ordered_json(nullptr)},
+                 {"situation", answers[scan].situation},
+                 {"stop", text_or_null(answers[scan].stop)}});
+        scans.push_back(std::move(row));
+    }
+    return scans;
+}
+
+}  // namespace
+
+void print_changes(const std::vector<ChartChange>& changes, std::ostream& out) {
+    for (const ChartChange& change : changes) {
+        out << fmt::format("  {} {}: ", printable(change.subject), word(change.kind));
+        if (change.before.empty() || change.after.empty())
+            out << printable(change.before.empty() ? change.after : change.before) << '\n';
+        else out << fmt::format("{}\n    now {}\n", printable(change.before), printable(change.after));
+    }
+}
+
+void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out) {
+    out << fmt::format("`{}` (a) and `{}` (b): {}\n", printable(comparison.charts[0]), printable(comparison.charts[1]),
+                       outcome_text(comparison, colour));
+    print_sentence(comparison, out);
+    if (!comparison.scans.empty()) print_scans(comparison, out);
+    print_basis(comparison, out);
+    out << (comparison.changes.empty() ? "the texts say the same, but for order and layout\n"
+                                       : "what the texts say, from a to b:\n");
+    print_changes(comparison.changes, out);
+}
+
+std::string comparison_json(const Comparison& comparison) {
+    nlohmann::ordered_json object = {{"charts", comparison.charts},
+                                     {"mode", word(comparison.mode)},
+                                     {"from", nullptr},
+                                     {"resolution_ms", nullptr},
+                                     {"constrained", comparison.constrained},
+                                     {"outcome", word(comparison.outcome)},
+                                     {"reason", text_or_null(comparison.reason)},
+                                     {"shortest", comparison.shortest},
+                                     {"seconds", comparison.seconds},
+                                     {"scans", scans_json(comparison)},
+                                     {"changes", nlohmann::ordered_json::array()}};
+    if (!comparison.from[0].empty()) object["from"] = comparison.from;
+    if (comparison.resolution_ms > 0) object["resolution_ms"] = comparison.resolution_ms;
+    for (const ChartChange& change : comparison.changes)
+        object["changes"].push_back({{"kind", word(change.kind)},
+                                     {"subject", change.subject},
+                                     {"before", text_or_null(change.before)},
+                                     {"after", text_or_null(change.after)}});
+    return json_text(object);
+}
+
+}  // namespace grafverif

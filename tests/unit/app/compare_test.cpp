@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// `compare`: equal, different, unknown, and what cannot be compared.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+
+const std::string lamp =
+    "grafcet lamp {\n    input on, off;\n    output L;\n\n    initial step 0;\n    step 1 { L; }\n\n"
+    "    transition t0: 0 -> 1 when on;\n    transition t1: 1 -> 0 when off;\n}\n";
+
+Result compared(const std::string& a, const std::string& b, std::vector<std::string> options = {}) {
+    const Folder folder;
+    options.insert(options.begin(), {"compare", folder.write("a.grafcet", a), folder.write("b.grafcet", b)});
+    return grafverif(options);
+}
+
+/// `text` with one word replaced.
+std::string with(std::string text, const std::string& before, const std::string& after) {
+    return text.replace(text.find(before), before.size(), after);
+}
+
+TEST(Compare, AChartIsEqualToItselfInEachMode) {
+    for (const std::string mode : {"stability-search", "every-cycle"}) {
+        const Result result = grafverif({"compare", tanks, tanks, "--mode", mode});
+        EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+        EXPECT_NE(result.out.find(": equal\n"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("the texts say the same"), std::string::npos) << result.out;
+    }
+}
+
+TEST(Compare, StepsWithOtherNamesAreToldAndMakeNoDifference) {
+    const std::string other = with(
+        with(with(with(lamp, "step 1 {", "step ON {"), "0 -> 1", "0 -> ON"), "t1: 1", "t1: ON"), "on, off", "off, on");
+    const Result result = compared(lamp, other);
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    EXPECT_NE(result.out.find("  step 1 renamed: 1\n    now ON\n"), std::string::npos) << result.out;
+}
+
+TEST(Compare, ADifferenceIsTheShortestSequenceWithBothOutputs) {
+    const Result result = compared(lamp, with(lamp, "when off", "when off && !on"));
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    EXPECT_EQ(result.out,
+              "`lamp` (a) and `lamp` (b): different\n"
+              "  told apart by 1 scan, replayed on the rules of IEC 60848:\n"
+              "  time  inputs   a writes                    b writes\n"
+              "  0 s   on, off  stops: total instability:   L  in {1}\n"
+              "                 with these inputs the\n"
+              "                 situation never becomes\n"
+              "                 stable: {0}, {1}, and so on\n"
+              "                 [total-instability]\n"
+              "  in the last scan `a` stops and the other goes on\n"
+              "  a scan is one cycle of a PLC, mode stability-search\n"
+              "what the texts say, from a to b:\n"
+              "  transition t1 changed: 1 -> 0 when off\n"
+              "    now 1 -> 0 when off && !on\n");
+}
+
+TEST(Compare, TimesTellChartsApart) {
+    const std::string pulse = with(lamp, "when off", "when 3s/X1");
+    const Result same = compared(pulse, pulse);
+    EXPECT_EQ(same.code, ExitCode::Done) << same.out << same.err;
+    EXPECT_NE(same.out.find("; scans come at any multiples of 1500ms\n"), std::string::npos) << same.out;
+    const Result other = compared(pulse, with(pulse, "3s", "2s"), {"--format", "json", "--mode", "every-cycle"});
+    EXPECT_EQ(other.code, ExitCode::Verdict) << other.err;
+    const auto json = nlohmann::json::parse(other.out);
+    EXPECT_EQ(json["outcome"], "different");
+    EXPECT_EQ(json["shortest"], true);
+    EXPECT_EQ(json["resolution_ms"], 500);
+    ASSERT_EQ(json["scans"].size(), 3U) << other.out;  // power-on, the first transition, the second
+    EXPECT_EQ(json["scans"].back()["time_ms"], 2000) << other.out;
+    EXPECT_EQ(json["scans"].back()["answers"][0]["outputs"]["L"], true);
+    EXPECT_EQ(json["scans"].back()["answers"][1]["outputs"]["L"], false);
+    EXPECT_EQ(json["changes"][0]["subject"], "transition t1");
+}
+
+TEST(Compare, TwoTimesInTurnAreNotTheirSumWhereAScanComesLate) {
+    const std::string once = with(lamp, "when off", "when 2s/X1");
+    const std::string twice = with(with(once, "step 1 { L; }", "step 1 { L; }\n    step 2 { L; }"),
+                                   "1 -> 0 when 2s/X1;", "1 -> 2 when 1s/X1;\n    transition t2: 2 -> 0 when 1s/X2;");
+    const Result result = compared(once, twice);
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    EXPECT_NE(result.out.find("  step 2 added: step 2 { L; }\n"), std::string::npos) << result.out;
+}
+
+TEST(Compare, AResolutionDividesEveryDuration) {
+    const std::string pulse = with(lamp, "when off", "when 3s/X1");
+    EXPECT_EQ(compared(pulse, pulse, {"--resolution", "1s"}).code, ExitCode::Done);
+    const Result coarse = compared(pulse, pulse, {"--resolution", "2s"});
+    EXPECT_EQ(coarse.code, ExitCode::Input);
+    EXPECT_NE(coarse.err.find("`--resolution 2s` does not divide `3s`; take `3s`, or a part of it [not-comparable]"),
+              std::string::npos)
+        << coarse.err;
+    EXPECT_EQ(compared(pulse, pulse, {"--resolution", "0s"}).code, ExitCode::Input);
+}
+
+TEST(Compare, OtherInputsOrOutputsAreNamed) {
+    const Result result = compared(lamp, with(with(lamp, "on, off", "on, stop"), "when off", "when stop"));
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("the input `off` is in `lamp` alone"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("the input `stop` is in `lamp` alone"), std::string::npos) << result.err;
+    const Result ranges = compared(with(lamp, "on, off;", "on, off; input n: int 0..3;"),
+                                   with(lamp, "on, off;", "on, off; input n: int 0..4;"));
+    EXPECT_EQ(ranges.code, ExitCode::Input);
+    EXPECT_NE(ranges.err.find("the input `n` is an integer of 0 to 3 here and an integer of 0 to 4"), std::string::npos)
+        << ranges.err;
+}
+
+TEST(Compare, ChartsAreComparedFromASituation) {
+    const std::string other = with(lamp, "initial step 0;\n    step 1", "step 0;\n    initial step 1");
+    EXPECT_EQ(compared(lamp, other).code, ExitCode::Verdict);
+    const Result same = compared(lamp, other, {"--from-situation", "0"});
+    EXPECT_EQ(same.code, ExitCode::Done) << same.out << same.err;
+    EXPECT_NE(same.out.find("  as if a began with {0} and b with {0}\n"), std::string::npos) << same.out;
+    EXPECT_EQ(compared(lamp, other, {"--from-situation", "0:1"}).code, ExitCode::Verdict);
+    const Result none = compared(lamp, other, {"--from-situation", "7"});
+    EXPECT_EQ(none.code, ExitCode::Input);
+    EXPECT_NE(none.err.find("the file has no step `7`"), std::string::npos) << none.err;
+    const std::string enclosed =
+        "grafcet g { input a; output L;\n    initial step 0; enclosing step 1 encloses G;\n"
+        "    transition t0: 0 -> 1 when a;\n    partial G { linked step 2 { L; } step 3; transition u: 2 -> 3 when !a; "
+        "}\n}\n";
+    const Result alone = compared(enclosed, enclosed, {"--from-situation", "G.3"});
+    EXPECT_EQ(alone.code, ExitCode::Input);
+    EXPECT_NE(alone.err.find("cannot begin with the situation of `--from-situation`: with it `G.X3` is not active"),
+              std::string::npos)
+        << alone.err;
+    EXPECT_EQ(compared(enclosed, enclosed, {"--from-situation", "1,G.3"}).code, ExitCode::Done);
+}
+
+TEST(Compare, ConstraintsAreAssumedAndMayNotContradict) {
+    const std::string apart = with(lamp, "output L;", "output L;\n    constraint !(on && off);");
+    const Result same = compared(apart, with(lamp, "when off", "when off && !on"));
+    EXPECT_EQ(same.code, ExitCode::Done) << same.out;
+    EXPECT_NE(same.out.find("  the constraints of both charts are assumed\n"), std::string::npos) << same.out;
+    const Result none = compared(with(lamp, "output L;", "output L; constraint on;"),
+                                 with(lamp, "output L;", "output L; constraint !on;"));
+    EXPECT_EQ(none.code, ExitCode::Unknown);
+    EXPECT_NE(none.out.find("not decided: the constraints of both charts leave no inputs"), std::string::npos)
+        << none.out;
+}
+
+TEST(Compare, ARaceIsAStop) {
+    const std::string safe =
+        "grafcet r { input a; output L; initial step 0; step 1 { L := true on activation; }\n"
+        "    transition t: 0 -> 1 when a; transition u: 1 -> 0 when !a do L := false; }\n";
+    const Result result = compared(safe, with(safe, "when a;", "when a do L := false;"));
+    EXPECT_EQ(result.code, ExitCode::Verdict);
+    EXPECT_NE(result.out.find("[action-race]"), std::string::npos) << result.out;
+}
+
+TEST(Compare, WhatIsStoppedIsUnknown) {
+    const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
+    const Result result = grafverif({"compare", station, station, "--chart", "testing_station", "--timeout", "1ms"});
+    EXPECT_EQ(result.code, ExitCode::Unknown) << result.out;
+    EXPECT_NE(result.out.find("stopped at the time limit of 0.001 s"), std::string::npos) << result.out;
+}
+
+TEST(Compare, StructuredTextIsNotReadAsAChart) {
+    const Folder folder;
+    const Result text = grafverif({"st", tanks, "--format", "text", "-o", folder.file("tanks.st")});
+    ASSERT_EQ(text.code, ExitCode::Done) << text.err;
+    const Result result = grafverif({"compare", tanks, folder.file("tanks.st")});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("has no Sequential Function Chart"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace grafverif::app

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// `mutate`: mistakes in a chart, and who notices them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+const std::string gate =
+    "grafcet gate {\n    input up, down, top;\n    output RAISE, LOWER;\n\n    initial step 0;\n    step 1 { RAISE; }\n"
+    "    step 2 { LOWER if down && !up; }\n\n    transition t0: 0 -> 1 when up && !top;\n"
+    "    transition t1: 1 -> 2 when top;\n    transition t2: 2 -> 0 when 2s/X2;\n}\n\n"
+    "closed_loop house {\n    controller gate;\n    environment U = free(OUT = up);\n    environment D = free(OUT = "
+    "down);\n"
+    "    environment T = free(OUT = top);\n    property apart: never RAISE && LOWER;\n"
+    "    property moves: reachable RAISE;\n}\n";
+
+nlohmann::json mutated(const std::string& text, std::vector<std::string> options = {}) {
+    const Folder folder;
+    options.insert(options.begin(), {"mutate", folder.write("gate.grafcet", text), "--format", "json"});
+    const Result result = grafverif(options);
+    EXPECT_NE(result.code, ExitCode::Failure) << result.err;
+    EXPECT_NE(result.code, ExitCode::Input) << result.err;
+    return nlohmann::json::parse(result.out, nullptr, false);
+}
+
+TEST(Mutate, MakesEachKindOfMistakeAndJudgesIt) {
+    const auto json = mutated(gate);
+    std::set<std::string> kinds, fates;
+    for (const auto& mutant : json["mutants"]) {
+        kinds.insert(mutant["kind"]);
+        fates.insert(mutant["fate"]);
+        EXPECT_NE(mutant["before"], mutant["after"]) << mutant;
+        EXPECT_NE(mutant["fate"], "refused") << mutant;
+        const bool differs = mutant["fate"] == "unnoticed";
+        EXPECT_EQ(mutant["noticed_by"].empty(), mutant["fate"] != "noticed") << mutant;
+        EXPECT_TRUE(!differs || mutant["scans"] > 0) << mutant;
+    }
+    for (const char* kind :
+         {"term-dropped", "term-negated", "and-or", "wrong-successor", "duration", "action-missing", "output-swapped"})
+        EXPECT_TRUE(kinds.contains(kind)) << kind;
+    EXPECT_TRUE(fates.contains("noticed") && fates.contains("unnoticed")) << json["counts"];
+    EXPECT_EQ(json["specification"]["of"],
+              json["counts"]["noticed"].get<int>() + json["counts"]["unnoticed"].get<int>());
+    EXPECT_EQ(json["properties"].size(), 3U) << json["properties"];  // and no_timelock
+}
+
+TEST(Mutate, AMissingActionIsNoticedByThePropertyThatNamesIt) {
+    for (const auto& mutant : mutated(gate)["mutants"])
+        if (mutant["kind"] == "action-missing" && mutant["subject"] == "step 1") {
+            EXPECT_EQ(mutant["fate"], "noticed");
+            EXPECT_EQ(mutant["noticed_by"], nlohmann::json::array({"moves"}));
+            EXPECT_EQ(mutant["before"], "step 1 { RAISE; }");
+            EXPECT_EQ(mutant["after"], "step 1;");
+            return;
+        }
+    FAIL();
+}
+
+TEST(Mutate, AMistakeThatNobodySeesIsEquivalent) {
+    const std::string idle =
+        "grafcet c {\n    input a;\n    output L;\n\n    initial step 0;\n    step 1;\n    step 2;\n\n"
+        "    transition t0: 0 -> 1 when a;\n    transition t1: 1 -> 2 when a;\n}\n";
+    const auto json = mutated(idle, {"--jobs", "2"});
+    EXPECT_EQ(json["counts"]["equivalent"], json["mutants"].size()) << json["counts"];
+    EXPECT_EQ(json["properties"].size(), 0U);
+}
+
+TEST(Mutate, ASampleIsThatOfItsSeedAndARunGoesOnFromItsStateFile) {
+    const Folder folder;
+    const std::string file = folder.write("gate.grafcet", gate), state = folder.file("state");
+    const std::vector<std::string> arguments = {"mutate", file, "--limit", "3", "--seed", "5", "--format", "json"};
+    std::vector<std::string> kept = arguments;
+    kept.insert(kept.end(), {"--state", state});
+    const Result first = grafverif(kept), alone = grafverif(arguments);
+    EXPECT_EQ(first.out, alone.out);
+    EXPECT_EQ(nlohmann::json::parse(first.out)["mutants"].size(), 3U);
+    const std::string known = folder.read("state");
+    EXPECT_EQ(std::count(known.begin(), known.end(), '{'), 3) << known;
+    EXPECT_EQ(grafverif(kept).out, first.out);
+    const std::string later = folder.read("state");
+    EXPECT_EQ(std::count(later.begin(), later.end(), '{'), 3) << later;
+}
+
+TEST(Mutate, SurvivorsAreWrittenAsTextAndDrawing) {
+    const Folder folder;
+    const Result result = grafverif({"mutate", folder.write("gate.grafcet", gate), "--survivors", folder.file("left")});
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    EXPECT_NE(result.out.find("noticed by no property:\n"), std::string::npos) << result.out;
+    EXPECT_EQ(folder.read("left/original.grafcet"), gate);
+    std::size_t texts = 0;
+    for (const auto& entry : fs::directory_iterator(folder.file("left"))) {
+        if (entry.path().extension() != ".grafcet") continue;
+        ++texts;
+        EXPECT_TRUE(fs::exists(fs::path(entry.path()).replace_extension(".svg"))) << entry.path();
+        EXPECT_EQ(grafverif({"fmt", "--check", entry.path().string()}).code, ExitCode::Done) << entry.path();
+    }
+    EXPECT_GT(texts, 1U);
+}
+
+}  // namespace
+}  // namespace grafverif::app
