@@ -137,8 +137,10 @@ local function session()
         words = vim.trim(words):gsub('%(%d+%.%d+ s%)', '(0.000 s)')
         for text in vim.gsplit(words, '\n', true) do say(text == '' and '' or '    ' .. text) end
     end
+    -- Names alone: the words of the language, of kind 14, stand in documents of their own.
     local function labels(items)
-        return table.concat(vim.tbl_map(function(item) return item.label end, items), ' ')
+        local names = vim.tbl_filter(function(item) return item.kind ~= 14 end, items)
+        return table.concat(vim.tbl_map(function(item) return item.label end, names), ' ') .. ', and words of the language'
     end
     local function run(lens)
         return ask('workspace/executeCommand', buffer, { command = lens.command.command, arguments = lens.command.arguments })
