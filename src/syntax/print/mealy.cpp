@@ -2,8 +2,10 @@
 // Mealy machines and test sequences.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
 
 #include "support/json_text.hpp"
 #include "syntax/print/automaton.hpp"
@@ -158,13 +160,73 @@ void print_test_json(std::ostream& out, const TestSequence& test) {
     out << json_text(whole) << '\n';
 }
 
+namespace {
+
+/// Situations by number, and to which of them one step of a test leads from each, or back.
+using Ways = std::vector<std::set<std::uint32_t>>;
+
+Ways ways(const TestSequence& test, bool back) {
+    Ways next(test.situations.size());
+    for (const TestSequence::Sequence& sequence : test.sequences)
+        for (std::size_t k = 1; k < sequence.steps.size(); ++k) {
+            const std::uint32_t from = sequence.steps[k - 1].situation.index, to = sequence.steps[k].situation.index;
+            next[back ? to : from].insert(back ? from : to);
+        }
+    return next;
+}
+
+std::set<std::uint32_t> led_to(const Ways& next, std::uint32_t from) {
+    std::set<std::uint32_t> found{from};
+    for (std::vector<std::uint32_t> open{from}; !open.empty();) {
+        const std::uint32_t here = open.back();
+        open.pop_back();
+        for (const std::uint32_t to : next[here])
+            if (found.insert(to).second) open.push_back(to);
+    }
+    return found;
+}
+
+/// Where a tester stays: of each set of situations that nothing leads out of, the first that is entered. All that can be
+/// crossed is crossed, so where the steps do not lead from there nothing does; and of several sequences one at least
+/// begins where nothing leads back to, or one would do.
+std::vector<std::string> traps(const TestSequence& test) {
+    if (test.sequences.size() < 2 || test.cover == TestCover::Locations) return {};
+    const Ways next = ways(test, false), before = ways(test, true);
+    std::vector<std::string> found;
+    std::set<std::uint32_t> known;
+    for (const TestSequence::Sequence& sequence : test.sequences) {
+        const std::uint32_t end = sequence.steps.back().situation.index;
+        if (known.contains(end)) continue;
+        const std::set<std::uint32_t> stays = led_to(next, end);
+        if (!std::ranges::includes(led_to(before, end), stays)) continue;  // it could go on from here
+        known.insert(stays.begin(), stays.end());
+        const auto entered = std::ranges::find_if(
+            sequence.steps, [&](const TestSequence::Step& step) { return stays.contains(step.situation.index); });
+        found.push_back(test.situations[entered->situation].text);
+    }
+    return found;
+}
+
+/// `; nothing leads back from {2} and {4,5}`
+std::string traps_text(const TestSequence& test) {
+    constexpr std::size_t most = 5;
+    const std::vector<std::string> found = traps(test);
+    std::string text;
+    for (std::size_t k = 0; k < std::min(found.size(), most); ++k)
+        text += (k == 0 ? "" : k + 1 == found.size() ? " and " : ", ") + found[k];
+    if (found.size() > most) text += fmt::format(" and {} more", found.size() - most);
+    return text.empty() ? text : "; nothing leads back from " + text;
+}
+
+}  // namespace
+
 std::string summary(const TestSequence& test) {
     const std::size_t steps = step_count(test);
     std::string text = fmt::format("{} step{} in {} sequence{} from power-on, covering {} of {} {}; ", steps,
                                    steps == 1 ? "" : "s", test.sequences.size(), test.sequences.size() == 1 ? "" : "s",
                                    test.covered, test.to_cover, word(test.cover));
-    if (test.proven_least) return text + fmt::format("proven least (lower bound {})", test.lower_bound);
-    return text + fmt::format("not proven least (lower bound {})", test.lower_bound);
+    return text + fmt::format("{} least (lower bound {}){}", test.proven_least ? "proven" : "not proven",
+                              test.lower_bound, traps_text(test));
 }
 
 }  // namespace grafverif
