@@ -19,7 +19,6 @@
 namespace grafverif::app {
 
 namespace {
-
 namespace po = boost::program_options;
 
 /// An option of the verbs that accept its group.
@@ -211,6 +210,11 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
     using F = Format;
     return {
         list(Accepts::Search, "property", "NAME", &Options::properties, "check this property only; may be repeated"),
+        list(Accepts::Supervision, "property", "NAME", &Options::properties, "keep this one only; may be repeated"),
+        text(Accepts::Supervision, "marked", "TERM", &Options::marked, "what stays within reach (default: the start)"),
+        choice<Held>(Accepts::Supervision, "conditions",
+                     {{"both", Held::Both}, {"transitions", Held::Transitions}, {"outputs", Held::Outputs}},
+                     &Options::held, "what gets conditions (default: both)"),
         choice<Engine>(
             Accepts::Search, "engine",
             {{"auto", Engine::Auto},

@@ -37,6 +37,8 @@ enum class Engine {
     Nusmv,
     Nuxmv
 };  ///< Embedded: Timed, of untimed models Symbolic; Auto: Timed, of untimed models several beside each other
+/// What `supervise` may hold back.
+enum class Held { Both, Transitions, Outputs };
 /// How time passes for a controller that runs line by line: by `wait` lines, or by itself.
 enum class Clock { Simulated, Real };
 
@@ -77,6 +79,8 @@ struct Options {
     bool help = false;
 
     std::vector<std::string> properties = {};  ///< of `check`; empty: all
+    std::string marked = {};                   ///< of `supervise`: a term
+    Held held = Held::Both;                    ///< likewise: what gets conditions
     Engine engine = Engine::Embedded;
     bool whole = false;                            ///< no sub-loop and no cell is judged apart
     unsigned jobs = 0;                             ///< threads; 0: as many as there are cores
@@ -150,6 +154,7 @@ enum class Accepts {
     FormatDiagram,
     FormatTest,
     Cover,
+    Supervision,
     Minimise,
     Limits,
     Date,

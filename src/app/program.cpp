@@ -51,6 +51,7 @@ constexpr std::array entries = {
     Entry{analyse_usage, analyse},
     Entry{compare_usage, compare},
     Entry{mutate_usage, mutate},
+    Entry{supervise_usage, supervise},
     Entry{automaton_usage, automaton},
     Entry{mealy_usage, mealy},
     Entry{testgen_usage, testgen},

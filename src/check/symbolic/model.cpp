@@ -139,20 +139,24 @@ void StateSpace::add_next_bits(BddTerms& terms) {
 }
 
 /// A kind leaves bits as they are, and free inputs never stay: with them all is one kind.
-std::deque<bdd::Steps> StateSpace::steps_where(const Bdd& condition) const {
+std::deque<bdd::Steps> StateSpace::steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept) const {
     Kind all{offered_, next_bits_};
     all.conditions.push_back(condition);
+    const auto is_kept = [&](std::uint32_t bit) { return std::ranges::find(kept, bit) != kept.end(); };
+    std::vector<std::uint32_t> gone = choice_bits_;
+    std::erase_if(gone, is_kept);
     std::vector<Kind> found;
     if (by_kind_ && free_.is_true()) {
         std::vector<BddWord> choices;
         for (const Id<Variable> id : flat_.variables.ids())
-            if (flat_.variables[id].choice) choices.push_back(words_[id.index]);
+            if (flat_.variables[id].choice && std::ranges::none_of(words_[id.index].bits, is_kept))
+                choices.push_back(words_[id.index]);
         found = kinds(space_, all, choices);
     }
     if (found.empty()) found.push_back(std::move(all));
     std::deque<bdd::Steps> steps;
     for (Kind& kind : found)
-        steps.emplace_back(space_, std::move(kind.bits), std::move(kind.conditions), choice_bits_, support(free_));
+        steps.emplace_back(space_, std::move(kind.bits), std::move(kind.conditions), gone, support(free_));
     return steps;
 }
 

@@ -41,8 +41,9 @@ public:
     Bdd preimage(const Bdd& states, const std::deque<bdd::Steps>& steps) const;
     /// States in which some step leaves all as it is, as far as its kind tells.
     Bdd still() const;
-    /// The steps of which `condition`, over states and choices, is true.
-    std::deque<bdd::Steps> steps_where(const Bdd& condition) const;
+    /// The steps of which `condition`, over states and choices, is true. Images and preimages leave the choices `kept`,
+    /// bits of the space, as they are.
+    std::deque<bdd::Steps> steps_where(const Bdd& condition, const std::vector<std::uint32_t>& kept = {}) const;
 
     /// Terms over the variables of the system as functions of the bits of a state.
     BddTerms terms() const;

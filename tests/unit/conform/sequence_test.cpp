@@ -132,7 +132,7 @@ TEST(TestSequence, OfAMachineWithoutWayBackStartsAnewFromPowerOn) {
     const std::string words = summary(test), traps = words.substr(std::min(words.size(), words.find("; nothing")));
     EXPECT_TRUE(traps == "; nothing leads back from {2} and {3}" || traps == "; nothing leads back from {3} and {2}")
         << words;
-    EXPECT_EQ(step_count(test), 9U);       // 12 pairs, 3 of which the arrivals hold
+    EXPECT_EQ(step_count(test), 9U);  // 12 pairs, 3 of which the arrivals hold
     EXPECT_TRUE(test.proven_least);
     EXPECT_EQ(disagreement(chart(text), test), std::nullopt);
 }

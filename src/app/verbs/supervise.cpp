@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// `supervise`: conditions on a chart under which the properties of its loop hold.
+#include "pipeline/supervise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+#include <utility>
+
+#include "app/system/guard.hpp"
+#include "app/verbs.hpp"
+#include "report/json_trace.hpp"
+#include "report/terminal.hpp"
+#include "support/json_text.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += fmt::format("{}{}", text.empty() ? "" : ", ", name);
+    return text;
+}
+
+std::string marked_words(const Supervised& found) {
+    return found.marked.empty() ? "the initial situation" : found.marked;
+}
+
+std::string_view word(Supervisor::Outcome outcome) {
+    switch (outcome) {
+    case Supervisor::Outcome::Found: return "found";
+    case Supervisor::Outcome::None: return "none";
+    case Supervisor::Outcome::Unknown: break;
+    }
+    return "unknown";
+}
+
+std::string_view word(Supervisor::Claim claim) {
+    switch (claim) {
+    case Supervisor::Claim::Least: return "least restrictive";
+    case Supervisor::Claim::Several: return "one of several";
+    case Supervisor::Claim::Cautious: break;
+    }
+    return "cautious";
+}
+
+std::string claim_words(const Supervised& found) {
+    switch (found.claim) {
+    case Supervisor::Claim::Least:
+        return "They are least restrictive: whatever they forbid, at that moment nobody could allow.";
+    case Supervisor::Claim::Several:
+        return fmt::format(
+            "At no moment could they allow more, but other things instead: others would do as well, which allow {} "
+            "more "
+            "often and something else less often.",
+            listed(found.traded));
+    case Supervisor::Claim::Cautious: break;
+    }
+    if (found.hidden.empty())
+        return "They are not least restrictive: what the chart sees does not tell apart all that it would take.";
+    return fmt::format(
+        "They are not least restrictive: who saw more of the plant than the chart does could allow {} "
+        "more often.",
+        listed(found.hidden));
+}
+
+std::string timelock_words(Outcome timelock) {
+    switch (timelock) {
+    case Outcome::Holds: return "In the timed loop, grain atomic, time never stops with them.\n";
+    case Outcome::Violated:
+        return "In the timed loop, grain atomic, time can stop, with or for want of them: `grafverif check` shows "
+               "how.\n";
+    case Outcome::Unknown: break;
+    }
+    return "Whether time can stop in the timed loop was not found out: ask `grafverif check`.\n";
+}
+
+std::string subject_words(const ChartCondition& condition, bool several) {
+    const std::string what = condition.step.empty() ? "transition " + condition.subject
+                                                    : fmt::format("output {} in {}", condition.subject, condition.step);
+    return several ? fmt::format("{}: {}", condition.chart, what) : what;
+}
+
+void print_conditions(const Supervised& found, std::ostream& out) {
+    if (found.conditions.empty()) {
+        out << "\nThey hold as it is: nothing need be forbidden.\n";
+        return;
+    }
+    bool several = false;
+    std::size_t width = 0;
+    for (const ChartCondition& condition : found.conditions)
+        several = several || condition.chart != found.conditions.front().chart;
+    for (const ChartCondition& condition : found.conditions)
+        width = std::max(width, subject_words(condition, several).size());
+    out << "\nAdded to the conditions of the chart:\n";
+    for (const ChartCondition& condition : found.conditions)
+        out << fmt::format("  {:<{}}  && {}\n", subject_words(condition, several), width,
+                           condition.sum ? "(" + condition.term + ")" : condition.term);
+    out << claim_words(found) << '\n';
+}
+
+void print(const Supervised& found, std::ostream& out) {
+    out << fmt::format(
+        "{}: untimed, plant automata interleaved, grain atomic\n"
+        "to be kept: {}\nto stay within reach: {}\n",
+        found.loop, listed(found.kept), marked_words(found));
+    switch (found.outcome) {
+    case Supervisor::Outcome::Found:
+        print_conditions(found, out);
+        out << "Read back and proved: all of it by the symbolic engine, the properties by another one too.\n"
+            << timelock_words(found.timelock);
+        break;
+    case Supervisor::Outcome::None:
+        out << (found.blocked
+                    ? "\nThere are no such conditions: whatever the chart forbids, the plant can come to where nothing "
+                      "marked can be\nreached any more without breaking a property.\n"
+                    : "\nThere are no such conditions: whatever the chart forbids, the plant can break a property.\n");
+        if (found.run) {
+            out << "A run of the chart as it is, of which no move could be prevented for good:\n\n";
+            print_trace(*found.run, out);
+        }
+        break;
+    case Supervisor::Outcome::Unknown: out << fmt::format("\nunknown: {}\n", found.reason);
+    }
+}
+
+nlohmann::ordered_json json_of(const Supervised& found, const Sources& sources) {
+    nlohmann::ordered_json conditions = nlohmann::ordered_json::array();
+    for (const ChartCondition& condition : found.conditions)
+        conditions.push_back({{"chart", condition.chart},
+                              {condition.step.empty() ? "transition" : "output", condition.subject},
+                              {"step", text_or_null(condition.step)},
+                              {"condition", condition.term},
+                              {"place", text_or_null(file_and_line(sources, condition.origin))}});
+    nlohmann::ordered_json json = {{"model", found.loop},
+                                   {"kept", found.kept},
+                                   {"marked", text_or_null(found.marked)},
+                                   {"outcome", std::string(word(found.outcome))},
+                                   {"reason", text_or_null(found.reason)}};
+    const bool made = found.outcome == Supervisor::Outcome::Found;
+    json["claim"] = made ? nlohmann::ordered_json(std::string(word(found.claim))) : nlohmann::ordered_json(nullptr);
+    json["hidden"] = found.hidden;
+    json["traded"] = found.traded;
+    json["conditions"] = std::move(conditions);
+    json["no_timelock"] =
+        made ? nlohmann::ordered_json(std::string(grafverif::word(found.timelock))) : nlohmann::ordered_json(nullptr);
+    json["blocked"] = found.blocked;
+    json["trace"] = found.run ? trace_json(*found.run) : nlohmann::ordered_json(nullptr);
+    return json;
+}
+
+/// The text with the conditions; false after an error.
+bool write_chart(const Supervised& found, Job& job, const Streams& streams) {
+    if (!job.options.output || found.outcome != Supervisor::Outcome::Found) return true;
+    if (found.file) return deliver(found.text, job, streams), true;
+    streams.err << "grafverif: error: the conditions are of charts in several files, and `-o` writes one\n";
+    return false;
+}
+
+}  // namespace
+
+ExitCode supervise(Job& job, const Streams& streams) {
+    const auto model = read_model(job.options.operands[0], job);
+    const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
+    if (!loop) return ExitCode::Input;
+    const Bounds bounds(job.options, streams);
+    const Options& options = job.options;
+    const SuperviseAsk ask{.properties = options.properties,
+                           .marked = options.marked,
+                           .transitions = options.held != Held::Outputs,
+                           .outputs = options.held != Held::Transitions,
+                           .mode = options.mode,
+                           .lossy = options.lossy,
+                           .include_folders = options.include_folders,
+                           .limits = bounds.limits()};
+    const auto found = supervised(*model, *loop, *job.sources.ids().begin(), job.sources, ask, job.diagnostics);
+    if (!found) return ExitCode::Input;
+    for (const std::string& failure : found->failures)
+        streams.err << "grafverif: internal failure: " << printable(failure) << '\n';
+    if (!found->failures.empty()) return ExitCode::Failure;
+    work_is_done();
+    if (!write_chart(*found, job, streams)) return ExitCode::Input;
+    if (job.options.format == Format::Json) streams.out << json_text(json_of(*found, job.sources)) << '\n';
+    else print(*found, streams.out);
+    if (found->outcome == Supervisor::Outcome::Unknown) return ExitCode::Unknown;
+    return found->outcome == Supervisor::Outcome::None ? ExitCode::Verdict : ExitCode::Done;
+}
+
+Verb supervise_usage() {
+    return {
+        "supervise",
+        "FILE",
+        1,
+        1,
+        "find conditions on a chart under which its properties hold",
+        "Finds what the charts of FILE's closed loop must be forbidden so that its properties about states (always, "
+        "never,\n"
+        "exactly one of) hold whatever the plant does, and a marked situation stays within reach: conditions on "
+        "transitions\n"
+        "and outputs, over the inputs and steps of the chart. The model is the untimed one with plant automata, "
+        "interleaved,\n"
+        "grain atomic. With -o the file with these conditions is written; it has been proved by two engines then. "
+        "Where there\n"
+        "are none, a run shows what no controller prevents. docs/supervise.md says what is guaranteed.",
+        {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
+         "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
+        {Accepts::Output, Accepts::Loop, Accepts::Mode, Accepts::Supervision, Accepts::Format}};
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "check/supervise/game.hpp"
+
+#include <utility>
+
+namespace grafverif::supervise {
+
+Game::Game(const symbolic::StateSpace& model, const BddSpace& space, std::vector<Player> players, Bdd reached)
+    : model_(model), players_(std::move(players)), reached_(std::move(reached)) {
+    std::vector<std::uint32_t> permissions;
+    Bdd evolution;
+    for (const Player& player : players_) {
+        for (const Bdd& each : player.may) permissions.push_back(each.top());
+        evolution |= player.evolves;
+    }
+    all_may_ = variable_set(space, permissions);
+    is_move_ = ~evolution;
+    moves_ = model_.steps_where(is_move_);
+    for (std::size_t player = 0; player < players_.size(); ++player) {
+        evolutions_.push_back(model_.steps_where(players_[player].evolves, permissions));
+        ready_.push_back(reached_ & states(evolves_to(player, Bdd::constant(true))));
+    }
+}
+
+Bdd Game::evolved(std::size_t player, const Bdd& pairs) const {
+    return states(model_.image(pairs, evolutions_[player]));
+}
+
+/// Where nobody can help it: a move leads to `to`, or an evolution whatever is permitted.
+Bdd Game::unwilling(const Bdd& to) const {
+    Bdd found = moves_to(to);
+    for (std::size_t player = 0; player < players(); ++player) found |= helpless(player, to);
+    return found & reached_;
+}
+
+Bdd Game::allowed(std::size_t player, const Lost& lost) const {
+    return ready(player) & ~lost.all & ~evolves_to(player, lost.all);
+}
+
+/// The won states from which some way through won ones leads to a marked one.
+Bdd Game::coreachable(const Lost& lost, const Bdd& marked) const {
+    const Bdd won = reached_ & ~lost.all;
+    std::vector<Bdd> pairs;
+    for (std::size_t player = 0; player < players(); ++player) pairs.push_back(allowed(player, lost));
+    Bdd found = won & marked;
+    for (Bdd latest = found; !latest.is_false();) {
+        Bdd before = moves_to(latest);
+        for (std::size_t player = 0; player < players(); ++player)
+            before |= states(pairs[player] & evolves_to(player, latest));
+        latest = before & won & ~found;
+        found |= latest;
+    }
+    return found;
+}
+
+Lost Game::solve(const Bdd& bad, const Bdd& marked, Lost lost) const {
+    const auto add = [&](const Bdd& states, bool blocked) {
+        const Bdd found = states & reached_ & ~lost.all;
+        if (found.is_false()) return false;
+        lost.stages.push_back({found, blocked});
+        lost.all |= found;
+        return true;
+    };
+    add(bad, false);
+    do {
+        while (add(unwilling(lost.all), false)) {
+        }
+    } while (add(~coreachable(lost, marked), true));
+    return lost;
+}
+
+}  // namespace grafverif::supervise

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+// Conditions from a game. States are looked at as they are reached under the conditions so far; where those let an
+// evolution come to a lost state, all are made anew over what was reached, until none does. What cannot be kept apart by
+// sight, or circles for ever under the conditions, counts as lost too, and all begins again: the conditions stay sound,
+// and are `Cautious`.
+#include "check/supervise/supervise.hpp"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "check/supervise/cover.hpp"
+#include "check/supervise/game.hpp"
+#include "check/supervise/seen.hpp"
+#include "check/symbolic/paths.hpp"
+
+namespace grafverif {
+
+namespace supervise {
+
+namespace {
+
+constexpr std::size_t most_products = 64;  ///< of a condition: nobody reads longer ones
+
+using symbolic::StateSpace;
+
+/// Of a player: per permission the sights at which it is refused, those of outputs after the evolution; and the same as
+/// permissions over states.
+struct Policy {
+    std::vector<Bdd> refusals = {};
+    Bdd obeyed = Bdd::constant(true);
+};
+
+class Synthesis {
+public:
+    Synthesis(const TransitionSystem& system, const Supervision& asked, const SuperviseOptions& options)
+        : asked_(asked), flat_(flattened(system)), space_({options.max_memory, options.deadline, options.stop}) {
+        const auto here = [&](Id<Expr> term) { return flattened(system, flat_, term); };
+        for (const Supervision::Controller& controller : asked.controllers) {
+            Terms& terms = terms_.emplace_back();
+            terms.evolves = here(controller.evolves);
+            for (const Id<Expr> seen : controller.seen) terms.seen.push_back(here(seen));
+            for (const Supervision::Permission& permission : controller.permissions) {
+                terms.may.push_back(flat_.symbols[permission.symbol.index]);
+                terms.effects.push_back(here(permission.effect));
+            }
+        }
+        for (const Id<Expr> bad : asked.bad) bad_terms_.push_back(here(bad));
+        marked_term_ = here(asked.marked);
+    }
+
+    Supervisor run() {
+        prepare();
+        if (!result_.reason.empty()) return std::move(result_);
+        Lost lost = game_->solve(bad_, marked_);
+        if (!(lost.all & model_->initial()).is_false()) return nothing(lost);
+        while (!settled(lost)) {
+            result_.claim = Supervisor::Claim::Cautious;
+            if (!(lost.all & model_->initial()).is_false())
+                return unknown("what the charts see does not tell apart what must be told apart");
+        }
+        if (!write(lost)) return unknown("a condition has more than 64 terms");
+        result_.outcome = Supervisor::Outcome::Found;
+        return std::move(result_);
+    }
+
+private:
+    struct Terms {
+        Id<Expr> evolves = {};
+        std::vector<Id<Expr>> seen = {}, may = {}, effects = {};
+    };
+
+    Supervisor unknown(std::string why) {
+        Supervisor made;
+        made.reason = std::move(why);
+        return made;
+    }
+
+    void prepare() {
+        model_.emplace(flat_, space_, true);
+        BddTerms terms = model_->terms();
+        const auto bit = [&](Id<Expr> term) {
+            const BddTerm& value = terms(term);
+            return value.bits.front() & ~value.undefined;
+        };
+        for (const Id<Expr> term : bad_terms_) bad_ |= terms(term).bits.front() | terms(term).undefined;
+        marked_ = bit(marked_term_);
+        std::vector<Player> players;
+        for (const Terms& each : terms_) {
+            Player& player = players.emplace_back();
+            player.evolves = bit(each.evolves);
+            std::vector<Bdd>& effects = effects_.emplace_back();
+            std::vector<Bdd> seen;
+            for (const Id<Expr> term : each.may) player.may.push_back(bit(term));
+            for (const Id<Expr> term : each.effects) effects.push_back(bit(term));
+            for (const Id<Expr> term : each.seen) seen.push_back(bit(term));
+            seen_.emplace_back(*model_, space_, seen);
+        }
+        const Bdd reached = all_reached();
+        if (model_->leak(reached)) result_.reason = "a step leaves the range of a variable of the plant";
+        else if (reached.is_false()) result_.reason = "the model has no initial state";
+        else game_.emplace(*model_, space_, std::move(players), reached);
+    }
+
+    Bdd all_reached() const {
+        if (model_->has_kinds()) {
+            const Bdd closure = model_->closure(model_->initial());
+            if ((closure & ~model_->invariant()).is_false() && !model_->leak(closure)) return closure;
+        }
+        bdd::Rings rings;
+        rings.add(model_->initial());
+        (void)symbolic::grow(*model_, rings, model_->invariant(), {},
+                             [&](std::size_t) { return !model_->leak(rings.each.back()); });
+        return rings.reached;
+    }
+
+    const Supervision::Permission& permission(std::size_t player, std::size_t index) const {
+        return asked_.controllers[player].permissions[index];
+    }
+
+    // -- conditions over sights ---------------------------------------------------------------------------------------
+
+    /// The pairs in which a permission is refused by these sights.
+    Bdd refused(std::size_t player, std::size_t index, const Bdd& sights) const {
+        if (sights.is_false()) return {};
+        const Bdd states = seen_[player].states(sights);
+        return permission(player, index).output ? game_->evolves_to(player, states) : states;
+    }
+
+    /// Nothing is refused.
+    Policy lenient(std::size_t player) const {
+        Policy made{std::vector<Bdd>(game_->may(player).size())};
+        for (const Bdd& may : game_->may(player)) made.obeyed &= may;
+        return made;
+    }
+
+    /// What a player has to be refused in the states of `within`, one permission after the other, as little as may be, and
+    /// transitions before outputs; the states for which nothing is left go to `none_left`.
+    Policy decided(std::size_t player, const Bdd& within, const Lost& lost, Bdd& none_left) const {
+        const std::vector<Bdd>& may = game_->may(player);
+        Policy made{std::vector<Bdd>(may.size())};
+        const Bdd here = within & game_->ready(player);
+        Bdd pairs = game_->allowed(player, lost) & here;
+        const auto decide = [&](std::size_t index, const Bdd& wanted) {
+            const Bdd never = game_->states(wanted) & ~game_->states(wanted & may[index]);
+            Bdd& sights = made.refusals[index];
+            if (!never.is_false())
+                sights = seen_[player].sights(permission(player, index).output ? game_->evolved(player, pairs & never)
+                                                                               : never);
+            const Bdd obeyed = may[index] ^ refused(player, index, sights);
+            pairs &= obeyed;
+            made.obeyed &= obeyed;
+            return obeyed;
+        };
+        Bdd wanted = pairs;  // with as many outputs as can be
+        for (std::size_t index = 0; index < may.size(); ++index)
+            if (permission(player, index).output) wanted &= may[index] | ~game_->states(wanted & may[index]);
+        for (std::size_t index = 0; index < may.size(); ++index)
+            if (!permission(player, index).output) wanted &= decide(index, wanted);
+        for (std::size_t index = 0; index < may.size(); ++index)
+            if (permission(player, index).output) (void)decide(index, pairs);
+        none_left |= here & ~game_->states(pairs);
+        return made;
+    }
+
+    /// What is reached from `states` without lost states, under the policies.
+    Bdd closed(Bdd states, const Lost& lost) const {
+        for (Bdd latest = states; !latest.is_false(); states |= latest) {
+            Bdd next = game_->moved(latest);
+            for (std::size_t player = 0; player < game_->players(); ++player)
+                next |= game_->evolved(player, latest & game_->ready(player) & policies_[player].obeyed);
+            latest = next & ~lost.all & ~states;
+        }
+        return states;
+    }
+
+    /// Makes the policies; false, with more that is lost: they cannot be made of this.
+    bool settled(Lost& lost) {
+        policies_.clear();
+        for (std::size_t player = 0; player < game_->players(); ++player) policies_.push_back(lenient(player));
+        Bdd looked_at = model_->initial();
+        for (;;) {
+            looked_at = closed(looked_at, lost);
+            Bdd fails, none_left;
+            for (std::size_t player = 0; player < game_->players(); ++player)
+                fails |=
+                    looked_at & game_->ready(player) & policies_[player].obeyed & game_->evolves_to(player, lost.all);
+            if (fails.is_false()) break;
+            for (std::size_t player = 0; player < game_->players(); ++player)
+                policies_[player] = decided(player, looked_at, lost, none_left);
+            if (none_left.is_false()) continue;
+            lost = game_->solve(none_left, marked_, std::move(lost));
+            return false;
+        }
+        under_ = closed(model_->initial(), lost);
+        const Bdd circling = under_ & ~returning(lost);
+        if (circling.is_false()) return true;
+        lost = game_->solve(circling, marked_, std::move(lost));
+        return false;
+    }
+
+    /// The states reached from which a marked one is reached under the policies.
+    Bdd returning(const Lost& lost) const {
+        std::vector<Bdd> pairs;
+        for (std::size_t player = 0; player < game_->players(); ++player)
+            pairs.push_back(game_->allowed(player, lost) & under_ & policies_[player].obeyed);
+        Bdd found = under_ & marked_;
+        for (Bdd latest = found; !latest.is_false(); found |= latest) {
+            Bdd before = game_->moves_to(latest);
+            for (std::size_t player = 0; player < game_->players(); ++player)
+                before |= game_->states(pairs[player] & game_->evolves_to(player, latest));
+            latest = before & under_ & ~found;
+        }
+        return found;
+    }
+
+    // -- what is said of them -----------------------------------------------------------------------------------------
+
+    /// The pairs in which it matters what the permission is.
+    Bdd relevant(std::size_t player, std::size_t index) const {
+        const Bdd& may = game_->may(player)[index];
+        const auto with = [&](const Bdd& f, bool value) {
+            const BddLiteral literal{may.top(), value};
+            return cofactor(f, cube(space_, {&literal, 1}));
+        };
+        const Bdd& effect = effects_[player][index];
+        if (!permission(player, index).output) return with(effect, true);  // the firing condition holds
+        const Bdd set = game_->evolves_to(player, effect);
+        return with(set, true) & ~with(set, false);
+    }
+
+    /// Condition by condition, and the claim. False: one is too long.
+    bool write(const Lost& lost) {
+        for (std::size_t player = 0; player < game_->players(); ++player) {
+            const Bdd here = under_ & game_->ready(player);
+            const Bdd chosen = here & policies_[player].obeyed;
+            std::vector<Bdd> matters;
+            for (std::size_t index = 0; index < game_->may(player).size(); ++index) {
+                matters.push_back(relevant(player, index) & game_->ready(player));
+                if (!write(player, index, chosen, matters.back())) return false;
+            }
+            claim(player, chosen, matters, game_->allowed(player, lost) & here);
+        }
+        if (!result_.hidden.empty()) result_.claim = Supervisor::Claim::Cautious;
+        if (result_.claim != Supervisor::Claim::Cautious && !result_.traded.empty())
+            result_.claim = Supervisor::Claim::Several;
+        return true;
+    }
+
+    bool write(std::size_t player, std::size_t index, const Bdd& chosen, const Bdd& matters) {
+        if (policies_[player].refusals[index].is_false()) return true;
+        const Bdd& may = game_->may(player)[index];
+        const bool output = permission(player, index).output;
+        const auto sights = [&](const Bdd& pairs) {
+            return seen_[player].sights(output ? game_->evolved(player, pairs) : game_->states(pairs));
+        };
+        const Bdd on = sights(chosen & matters & may), off = sights(chosen & matters & ~may);
+        if (!output) return add(player, index, {}, on, off);
+        const std::vector<std::size_t>& sites = permission(player, index).sites;
+        for (std::size_t site = 0; site < sites.size(); ++site) {
+            const BddLiteral literal = seen_[player].literals()[sites[site]];
+            const Bdd active = cube(space_, {&literal, 1});
+            if (!add(player, index, site, on & active, off & active)) return false;
+        }
+        return true;
+    }
+
+    bool add(std::size_t player, std::size_t index, std::optional<std::size_t> site, const Bdd& on, const Bdd& off) {
+        if (off.is_false()) return true;
+        const std::vector<BddLiteral>& literals = seen_[player].literals();
+        std::vector<std::uint32_t> variables;
+        for (const BddLiteral& literal : literals) variables.push_back(literal.variable);
+        std::ranges::reverse(variables);
+        const std::optional<Cover> found = cover(space_, on, off, variables, most_products);
+        if (!found) return false;
+        Supervisor::Condition condition{.controller = player, .permission = index, .site = site};
+        condition.all = found->negated;
+        for (const std::vector<BddLiteral>& product : found->products) {
+            std::vector<Supervisor::Literal>& term = condition.terms.emplace_back();
+            for (const BddLiteral& literal : product) {
+                const auto at = std::ranges::find(literals, literal.variable, &BddLiteral::variable);
+                const bool value = (literal.value == at->value) != found->negated;
+                term.push_back({static_cast<std::size_t>(at - literals.begin()), value});
+            }
+        }
+        result_.conditions.push_back(std::move(condition));
+        return true;
+    }
+
+    /// Compares what was chosen with all that is allowed; what does not matter counts as permitted.
+    void claim(std::size_t player, const Bdd& chosen, const std::vector<Bdd>& matters, Bdd allowed) {
+        const std::vector<Bdd>& may = game_->may(player);
+        std::vector<Bdd> permitted;  // states in which it is, or does not matter
+        Bdd above = Bdd::constant(true);
+        for (std::size_t index = 0; index < may.size(); ++index) {
+            allowed &= may[index] | matters[index];  // what does not matter is permitted
+            permitted.push_back(game_->states(chosen & (may[index] | ~matters[index])));
+            above &= implies(permitted.back(), may[index]);
+        }
+        for (std::size_t index = 0; index < may.size(); ++index) {
+            const Bdd more = allowed & may[index] & ~permitted[index] & game_->states(chosen);
+            if (!(more & above).is_false()) result_.hidden.push_back({player, index});
+            else if (!more.is_false()) result_.traded.push_back({player, index});
+        }
+    }
+
+    // -- where nothing helps --------------------------------------------------------------------------------------------
+
+    Supervisor nothing(const Lost& lost) {
+        result_.outcome = Supervisor::Outcome::None;
+        symbolic::Path path;
+        symbolic::State state = model_->pick(lost.all & model_->initial(), {});
+        for (;;) {
+            path.states.push_back(state);
+            const auto stage = std::ranges::find_if(
+                lost.stages, [&](const Lost::Stage& each) { return evaluate(each.states, state); });
+            result_.blocked = stage->blocked;
+            if (stage->blocked || evaluate(bad_, state)) break;
+            step(path, state, lost, static_cast<std::size_t>(stage - lost.stages.begin()));
+        }
+        result_.run = run_of(*model_, path);
+        result_.flat = flat_;
+        return std::move(result_);
+    }
+
+    /// One step to the first stage that can be reached, before `stage`: a move, or an evolution that nobody holds back.
+    void step(symbolic::Path& path, symbolic::State& state, const Lost& lost, std::size_t stage) const {
+        const Bdd only = model_->only(state);
+        const auto go = [&](const Bdd& to, const Bdd& how) {
+            for (std::size_t before = 0; before < stage; ++before) {
+                const Bdd next = to & lost.stages[before].states;
+                if (next.is_false()) continue;
+                path.steps.push_back(how);
+                state = model_->pick(next, state);
+                return true;
+            }
+            return false;
+        };
+        if (go(game_->moved(only), game_->is_move())) return;
+        Bdd earlier;
+        for (std::size_t before = 0; before < stage; ++before) earlier |= lost.stages[before].states;
+        for (std::size_t player = 0; player < game_->players(); ++player) {
+            const Bdd free = lenient(player).obeyed;
+            if ((only & game_->helpless(player, earlier)).is_false()) continue;
+            if (go(game_->evolved(player, only & free), game_->is_evolution(player) & free)) return;
+        }
+    }
+
+    const Supervision& asked_;
+    FlatSystem flat_;
+    BddSpace space_;
+    std::vector<Terms> terms_ = {};
+    std::vector<Id<Expr>> bad_terms_ = {};
+    Id<Expr> marked_term_ = {};
+    std::optional<StateSpace> model_ = {};
+    std::optional<Game> game_ = {};
+    std::vector<Seen> seen_ = {};                 ///< per player
+    std::vector<std::vector<Bdd>> effects_ = {};  ///< per player and permission
+    Bdd bad_ = {}, marked_ = {};
+    std::vector<Policy> policies_ = {};  ///< per player
+    Bdd under_ = {};                     ///< what is reached under them
+    Supervisor result_ = {};
+};
+
+}  // namespace
+
+}  // namespace supervise
+
+Supervisor supervisor_of(const TransitionSystem& system, const Supervision& asked, const SuperviseOptions& options) {
+    Supervisor unknown;
+    try {
+        return supervise::Synthesis(system, asked, options).run();
+    } catch (const BddExhausted& exhausted) {
+        const bool stopped = exhausted.cause() == BddExhausted::Cause::Stopped;
+        unknown.reason = stopped
+                             ? "stopped"
+                             : "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up";
+    } catch (const std::bad_alloc&) {
+        unknown.reason = "the memory of the machine is used up";
+    }
+    return unknown;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/supervise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+#include "pipeline/supervise_model.hpp"
+#include "pipeline/supervise_text.hpp"
+#include "report/tell.hpp"
+#include "run/project.hpp"
+#include "support/unique_names.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using System = TransitionSystem;
+
+/// Of the second proof: where the timed engine finds more, another one is asked.
+constexpr std::uint64_t most_timed_states = 2'000'000;
+
+/// The game on one loop, and what came of it.
+class Supervising {
+public:
+    Supervising(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources, const SuperviseAsk& ask,
+                Diagnostics& diagnostics)
+        : model_(model), loop_(loop), main_(main), sources_(sources), ask_(ask), diagnostics_(diagnostics) {
+        made_.loop = model.loops[loop].name;
+        made_.marked = ask.marked;
+        UniqueNames fresh;
+        for (const Property& property : model.loops[loop].properties) fresh.take(property.name);
+        marked_ = fresh.fresh("marked_situation");
+    }
+
+    std::optional<Supervised> run() {
+        std::optional<Model> marked = with_marked_situation();
+        if (!marked) return {};
+        const Model plain = *marked;
+        if (!held_back(*marked)) return std::move(made_);
+        ClosedLoop& loop = marked->loops[loop_];
+        auto system = transition_system_of(*marked, loop_, untimed(ask_), diagnostics_);
+        if (!system) return {};
+        const auto properties = kept(*system, ask_, marked_, diagnostics_);
+        if (!properties) return {};
+        for (const Id<Property> id : *properties) made_.kept.push_back(system->properties[id].name);
+        if (made_.kept.empty()) {
+            made_.reason = "every property about states is expected violated; name those to be kept by `--property`";
+            return std::move(made_);
+        }
+        const Supervision asked = supervision(*system, *marked, loop, *properties);
+        SuperviseOptions options;
+        set_limits(options, ask_.limits);
+        const Supervisor found = supervisor_of(*system, asked, options);
+        made_.outcome = found.outcome;
+        made_.reason = found.reason;
+        made_.claim = found.claim;
+        made_.blocked = found.blocked;
+        for (const Supervisor::Which& which : found.hidden) made_.hidden.push_back(subject(which));
+        for (const Supervisor::Which& which : found.traded) made_.traded.push_back(subject(which));
+        if (found.run) tell_run(plain, found);
+        if (found.outcome == Supervisor::Outcome::Found) write(found);
+        return std::move(made_);
+    }
+
+private:
+    const std::string& subject(const Supervisor::Which& which) const {
+        return held_[which.controller][which.permission].subject;
+    }
+
+    /// The model with the marked situation as a property, if one was asked for.
+    std::optional<Model> with_marked_situation() {
+        if (ask_.marked.empty()) return model_;
+        const Id<Source> file = model_.loops[loop_].origin.source;
+        auto text = with_marked(file, sources_, made_.loop, marked_, ask_.marked, diagnostics_);
+        if (!text) return {};
+        return read_again(main_, {{sources_[file].name, std::move(*text)}}, Sources(sources_), sources_, ask_.lossy,
+                          ask_.include_folders, diagnostics_);
+    }
+
+    /// False: nobody can hold these charts back.
+    bool held_back(Model& model) {
+        ClosedLoop& loop = model.loops[loop_];
+        UniqueNames names;
+        for (const ClosedLoop::Shared& shared : loop.shared) names.take(shared.name);
+        for (const ClosedLoop::Controller& controller : loop.controllers)
+            for (const Chart::Variable& variable : model.charts[controller.chart].variables) names.take(variable.name);
+        std::vector<bool> known(model.charts.size());
+        for (const ClosedLoop::Controller& controller : loop.controllers) {
+            if (known[controller.chart.index]) {
+                made_.reason =
+                    fmt::format("two controllers run `{}`, which can have one set of conditions only", controller.name);
+                return false;
+            }
+            known[controller.chart.index] = true;
+        }
+        for (const Id<ClosedLoop::Controller> id : loop.controllers.ids())
+            held_.push_back(add_permissions(model, loop, id, model_.charts[model_.loops[loop_].controllers[id].chart],
+                                            ask_, names));
+        return true;
+    }
+
+    Supervision supervision(System& system, const Model& model, const ClosedLoop& loop,
+                            const std::vector<Id<Property>>& properties) {
+        Supervision asked;
+        Table<System::Symbol>& symbols = system.modules[system.main].symbols;
+        for (std::size_t index = 0; index < system.controllers.size(); ++index) {
+            const System::Controller& controller = system.controllers[index];
+            const Id<ClosedLoop::Controller> id{static_cast<std::uint32_t>(index)};
+            const auto symbol = [](const auto& list, const std::string& name) {
+                return std::ranges::find(list, name, [](const auto& each) { return each.name; })->variable;
+            };
+            for (const Held& held : held_[index])
+                symbols[symbol(controller.words.inputs, held.permission)].kind = System::ChoiceSymbol{};
+            Supervision::Controller& player = asked.controllers.emplace_back();
+            std::vector<Id<Expr>> steps{controller.evolves};
+            if (controller.starts.valid()) steps.push_back(controller.starts);
+            player.evolves = system.exprs.disjunction(steps);
+            const Sight& sight = sights_.emplace_back(sight_of(system, controller, loop, id));
+            player.seen = sight.terms;
+            for (const Held& held : held_[index]) {
+                Supervision::Permission& permission = player.permissions.emplace_back();
+                permission.symbol = symbol(controller.words.inputs, held.permission);
+                permission.output = held.output;
+                const auto& effects = held.output ? controller.words.outputs : controller.words.transitions;
+                permission.effect = system.exprs.leaf(Op::Variable, symbol(effects, held.subject).index);
+                const Chart& chart = model.charts[loop.controllers[id].chart];
+                for (const Id<Chart::Step> step : held.steps) {
+                    const auto seen = std::ranges::find(sight.names, step_variable(chart, step));
+                    permission.sites.push_back(static_cast<std::size_t>(seen - sight.names.begin()));
+                }
+            }
+        }
+        for (const Id<Property> id : properties) asked.bad.push_back(violation(system, system.properties[id]));
+        const auto marked = std::ranges::find(system.properties, marked_, &Property::name);
+        asked.marked = marked != system.properties.end() ? marked->operands[0] : initial_situation(system, model, loop);
+        return asked;
+    }
+
+    /// The run without forbidding is one of the loop as it is.
+    void tell_run(const Model& plain, const Supervisor& found) {
+        const auto system = transition_system_of(plain, loop_, untimed(ask_), diagnostics_);
+        if (!system) return;
+        const FlatSystem flat = flattened(*system);
+        FlatRun run;
+        for (const std::vector<std::int64_t>& state : found.run->states) {
+            std::vector<std::int64_t>& values = run.states.emplace_back();
+            for (const FlatSystem::Variable& variable : flat.variables) {
+                const auto same = std::ranges::find(found.flat.variables, variable.name, &FlatSystem::Variable::name);
+                values.push_back(state[static_cast<std::size_t>(same - found.flat.variables.begin())]);
+            }
+        }
+        ChartRun told = project(*system, system_run(flat, run));
+        if (const auto wrong = disagreement(told, charts_of(plain, plain.loops[loop_])))
+            made_.failures.push_back(replay_failure("the run that nobody prevents", *wrong));
+        else made_.run = tell(std::move(told));
+    }
+
+    void write(const Supervisor& found) {
+        std::map<Id<Source>, std::map<std::uint32_t, NamedTerm>> edits;
+        const ClosedLoop& loop = model_.loops[loop_];
+        for (const Supervisor::Condition& condition : found.conditions) {
+            const Held& held = held_[condition.controller][condition.permission];
+            const Chart& chart =
+                model_.charts[loop.controllers[{static_cast<std::uint32_t>(condition.controller)}].chart];
+            NamedTerm term{.all = condition.all};
+            for (const auto& group : condition.terms) {
+                auto& names = term.terms.emplace_back();
+                for (const Supervisor::Literal& literal : group)
+                    names.emplace_back(sights_[condition.controller].names[literal.seen], literal.value);
+            }
+            const std::size_t site = condition.site.value_or(0);
+            const Span place = held.places[site];
+            const std::string step = held.output ? step_variable(chart, held.steps[site]) : std::string();
+            const bool sum = term.all ? term.terms.size() == 1 && term.terms[0].size() > 1 : term.terms.size() > 1;
+            made_.conditions.push_back({chart.name, held.subject, step, text_of(term), sum, place});
+            edits[place.source].emplace(place.begin, std::move(term));
+        }
+        std::map<std::string, std::string> texts;
+        for (const auto& [file, terms] : edits) {
+            texts[sources_[file].name] = with_conditions(file, sources_, terms);
+            made_.file = file;
+        }
+        if (edits.empty()) {
+            made_.file = loop.origin.source;
+            texts[sources_[*made_.file].name] = with_conditions(*made_.file, sources_, {});
+        }
+        made_.text = texts.begin()->second;
+        if (edits.size() > 1) made_.file.reset();
+        prove(std::move(texts));
+    }
+
+    /// Adds the marked situation to the loop in `texts`, if one was asked for.
+    void add_marked(std::map<std::string, std::string>& texts, Diagnostics& diagnostics) const {
+        if (ask_.marked.empty()) return;
+        const std::string& file = sources_[model_.loops[loop_].origin.source].name;
+        const auto changed = texts.find(file);
+        Sources sources;
+        const Id<Source> source = sources.add(
+            {file, changed == texts.end() ? sources_[model_.loops[loop_].origin.source].text : changed->second});
+        if (auto text = with_marked(source, sources, made_.loop, marked_, ask_.marked, diagnostics))
+            texts[file] = std::move(*text);
+    }
+
+    /// Reads the texts and proves them by two engines.
+    void prove(std::map<std::string, std::string> texts) {
+        Sources sources;
+        Diagnostics diagnostics;
+        const auto fail = [&](const std::string& why) {
+            made_.failures.push_back("the chart with conditions: " + why);
+        };
+        add_marked(texts, diagnostics);
+        const auto model = read_again(main_, texts, sources_, sources, ask_.lossy, ask_.include_folders, diagnostics);
+        const auto loop = model ? find_loop(*model, made_.loop) : std::nullopt;
+        auto system = loop ? transition_system_of(*model, *loop, untimed(ask_), diagnostics) : std::nullopt;
+        if (!system) return fail("it is not read");
+        if (ask_.marked.empty()) {
+            Property marked{.name = marked_, .pattern = Pattern::AlwaysPossible};
+            marked.operands = {initial_situation(*system, *model, model->loops[*loop])};
+            system->properties.add(std::move(marked));
+        }
+        const SystemToCheck check{*system, charts_of(*model, model->loops[*loop]),
+                                  abstraction_of(untimed(ask_), &model->loops[*loop])};
+        std::vector<std::string> names = made_.kept;
+        names.push_back(marked_);
+        const std::vector<std::string> unproved = left_unproved(grafverif::check(check, options(names)), names);
+        if (unproved.empty()) prove_again(*model, *loop, check);
+    }
+
+    CheckOptions options(const std::vector<std::string>& names) const {
+        CheckOptions made;
+        made.properties = names;
+        made.witnesses = false;
+        made.limits = ask_.limits;
+        return made;
+    }
+
+    /// By the timed engine, which knows other models; what it does not take or gets done with, by PDR.
+    void prove_again(const Model& model, Id<ClosedLoop> loop, const SystemToCheck& check) {
+        Diagnostics diagnostics;
+        std::vector<std::string> names = made_.kept;
+        if (const auto network = network_of(model, loop, untimed(ask_), diagnostics)) {
+            const std::vector<std::string> known = property_names(*network);
+            CheckOptions timed = options({});
+            for (const Property& property : network->properties)
+                if (property.pattern == Pattern::NoTimelock) timed.properties = {property.name};
+            if (timed.properties.empty()) timed.properties = {"no_timelock"};
+            for (const std::string& name : names)
+                if (std::ranges::find(known, name) != known.end()) timed.properties.push_back(name);
+            timed.limits.states = std::min(timed.limits.states.value_or(most_timed_states), most_timed_states);
+            const Report report = grafverif::check(loop_to_check(model, loop, *network), timed);
+            for (const Answer& answer : report.answers)
+                if (answer.verdict.pattern == Pattern::NoTimelock) made_.timelock = answer.verdict.outcome;
+            Report judged = report;
+            std::erase_if(judged.answers, [](const Answer& answer) {
+                return answer.verdict.pattern == Pattern::NoTimelock || answer.verdict.outcome == Outcome::Unknown;
+            });
+            names = unanswered(judged, names);
+            (void)left_unproved(judged, {});
+        }
+        if (!names.empty()) (void)left_unproved(check_states(check, options(names)), names);
+    }
+
+    static std::vector<std::string> unanswered(const Report& report, std::vector<std::string> names) {
+        for (const Answer& answer : report.answers) std::erase(names, answer.verdict.property);
+        return names;
+    }
+
+    /// What of `names` the report does not prove: the outcome is unknown then; what is violated is a failure of ours.
+    std::vector<std::string> left_unproved(const Report& report, const std::vector<std::string>& names) {
+        made_.failures.insert(made_.failures.end(), report.failures.begin(), report.failures.end());
+        for (const Breakdown& breakdown : report.breakdowns) made_.failures.push_back(breakdown.message);
+        std::vector<std::string> left = unanswered(report, names);
+        std::string why = "it is not asked";
+        for (const Answer& answer : report.answers) {
+            const Verdict& verdict = answer.verdict;
+            if (verdict.outcome == Outcome::Holds) continue;
+            left.push_back(verdict.property);
+            why = verdict.reason;
+            if (verdict.outcome == Outcome::Violated)
+                made_.failures.push_back(fmt::format("with the conditions the engine {} finds `{}` violated",
+                                                     report.basis.engine, verdict.property));
+        }
+        if (!left.empty()) {
+            made_.outcome = Supervisor::Outcome::Unknown;
+            made_.reason = fmt::format("conditions were found, and the engine {} does not prove `{}` of them: {}",
+                                       report.basis.engine, left.front(), why);
+        }
+        return left;
+    }
+
+    const Model& model_;
+    Id<ClosedLoop> loop_ = {};
+    Id<Source> main_ = {};
+    Sources& sources_;
+    const SuperviseAsk& ask_;
+    Diagnostics& diagnostics_;
+    std::string marked_ = {};                   ///< the name of the property that asks for marked situations
+    std::vector<std::vector<Held>> held_ = {};  ///< per controller
+    std::vector<Sight> sights_ = {};            ///< likewise
+    Supervised made_ = {};
+};
+
+}  // namespace
+
+std::optional<Supervised> supervised(const Model& model, Id<ClosedLoop> loop, Id<Source> main, Sources& sources,
+                                     const SuperviseAsk& ask, Diagnostics& diagnostics) {
+    return Supervising(model, loop, main, sources, ask, diagnostics).run();
+}
+
+}  // namespace grafverif

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/supervise_model.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "support/messages_choice.hpp"
+#include "syntax/resolve/nearest_of.hpp"
+
+namespace grafverif {
+
+using System = TransitionSystem;
+
+ModelOptions untimed(const SuperviseAsk& ask) {
+    ModelOptions how;
+    how.mode = ask.mode;
+    how.grain = Grain::Atomic;
+    how.untimed.plant = PlantApproach::Automata;
+    how.untimed.schedule = Schedule::Interleaved;
+    return how;
+}
+
+namespace {
+
+bool is_kept_by(Pattern pattern) {
+    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
+}
+
+/// The outputs that the chart reads itself: what they are now is what they were told by its last conditions.
+std::vector<bool> read_outputs(const Chart& chart) {
+    std::vector<bool> read(chart.variables.size());
+    for (std::uint32_t index = 0; index < chart.exprs.size(); ++index) {
+        const Expr& node = chart.exprs[Id<Expr>{index}];
+        if (node.op == Op::Variable) read[static_cast<std::size_t>(node.value)] = true;
+    }
+    return read;
+}
+
+}  // namespace
+
+std::vector<Held> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop::Controller> controller,
+                                  const Chart& written, const SuperviseAsk& ask, UniqueNames& names) {
+    Chart& chart = model.charts[loop.controllers[controller].chart];
+    const std::vector<bool> read = read_outputs(written);
+    std::vector<Held> held;
+    const auto permission = [&](const std::string& subject, bool output) {
+        Held& made = held.emplace_back(Held{names.fresh("may_" + subject), subject, output});
+        const Id<Chart::Variable> variable =
+            chart.variables.add({.name = made.permission, .kind = Chart::VariableKind::Input});
+        loop.shared.add({.name = made.permission, .reader = controller, .variable = variable});
+        return chart.exprs.leaf(Op::Variable, variable.index);
+    };
+    for (const Id<Chart::Transition> id : chart.transitions.ids()) {
+        if (!ask.transitions) break;
+        Chart::Transition& transition = chart.transitions[id];
+        const Id<Expr> may = permission(transition.name, false);
+        transition.condition = chart.exprs.conjunction(transition.condition, may);
+        held.back().places = {written.transitions[id].origin};
+    }
+    std::map<std::uint32_t, Id<Expr>> of_output;
+    for (const Chart::ContinuousAction& action : chart.continuous)
+        if (ask.outputs && !read[action.output.index]) of_output.try_emplace(action.output.index);
+    for (auto& [output, may] : of_output) {
+        may = permission(chart.variables[{output}].name, true);
+        for (const Id<Chart::ContinuousAction> id : chart.continuous.ids()) {
+            Chart::ContinuousAction& action = chart.continuous[id];
+            if (action.output.index != output) continue;
+            action.condition = chart.exprs.conjunction(action.condition, may);
+            held.back().places.push_back(written.continuous[id].origin);
+            held.back().steps.push_back(action.step);
+        }
+    }
+    return held;
+}
+
+Sight sight_of(System& system, const System::Controller& controller, const ClosedLoop& loop,
+               Id<ClosedLoop::Controller> id) {
+    Sight sight;
+    const auto add = [&](const std::string& name, Id<System::Symbol> symbol) {
+        if (!system.modules[system.main].symbols[symbol].type.boolean) return;
+        sight.names.push_back(name);
+        sight.terms.push_back(system.exprs.leaf(Op::Variable, symbol.index));
+    };
+    for (const auto& input : controller.words.inputs) {
+        const auto shared = std::ranges::find(loop.shared, input.name, &ClosedLoop::Shared::name);
+        if (shared != loop.shared.end() && shared->writer == id) continue;
+        if (!std::holds_alternative<System::ChoiceSymbol>(system.modules[system.main].symbols[input.variable].kind))
+            add(input.name, input.variable);
+    }
+    for (const auto& internal : controller.words.internals) add(internal.name, internal.variable);
+    for (const auto& step : controller.words.steps) add(step.name.variable(), step.variable);
+    return sight;
+}
+
+Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop) {
+    std::vector<Id<Expr>> terms;
+    for (std::size_t index = 0; index < system.controllers.size(); ++index) {
+        Diagnostics none;  // the system was made of these equations
+        const auto equations =
+            equations_of(model, loop.controllers[{static_cast<std::uint32_t>(index)}].chart, none).value();
+        for (std::size_t step = 0; step < equations.steps.size(); ++step) {
+            const auto& words = system.controllers[index].words.steps[step];
+            const Id<Expr> active = system.exprs.leaf(Op::Variable, words.variable.index);
+            const bool initial = equations.variables[equations.steps[step].variable].initial != 0;
+            terms.push_back(initial ? active : system.exprs.negation(active));
+        }
+    }
+    return system.exprs.conjunction(terms);
+}
+
+std::optional<std::vector<Id<Property>>> kept(const System& system, const SuperviseAsk& ask, const std::string& marked,
+                                              Diagnostics& diagnostics) {
+    std::vector<Id<Property>> found;
+    std::vector<std::string> known;
+    for (const Id<Property> id : system.properties.ids()) {
+        const Property& property = system.properties[id];
+        if (!is_kept_by(property.pattern) || property.name == marked) continue;
+        known.push_back(property.name);
+        const bool asked = ask.properties.empty()
+                               ? !property.expected_violated
+                               : std::ranges::find(ask.properties, property.name) != ask.properties.end();
+        if (asked || !property.origin.source.valid()) found.push_back(id);
+    }
+    for (const std::string& name : ask.properties)
+        if (std::ranges::find(known, name) == known.end()) {
+            diagnostics.add(messages::no_such_choice("property about states", name, known, nearest_of(name, known)));
+            return {};
+        }
+    if (known.empty()) {
+        diagnostics.add(messages::no_such_choice("property about states", "", known, {}));
+        return {};
+    }
+    return found;
+}
+
+Id<Expr> violation(System& system, const Property& property) {
+    Exprs& exprs = system.exprs;
+    Id<Expr> bad = property.operands[0];
+    if (property.pattern == Pattern::Always) bad = exprs.negation(bad);
+    if (property.pattern == Pattern::ExactlyOneOf) {
+        std::vector<Id<Expr>> ones;
+        for (std::size_t i = 0; i < property.operands.size(); ++i) {
+            std::vector<Id<Expr>> one;
+            for (std::size_t j = 0; j < property.operands.size(); ++j)
+                one.push_back(i == j ? property.operands[j] : exprs.negation(property.operands[j]));
+            ones.push_back(exprs.conjunction(one));
+        }
+        bad = exprs.negation(exprs.disjunction(ones));
+    }
+    return property.at_stable ? exprs.conjunction(system.settled, bad) : bad;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A closed loop whose charts can be held back: the parts of which `supervised` makes the question that it asks.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/supervise.hpp"
+#include "support/unique_names.hpp"
+
+namespace grafverif {
+
+/// The model that is played on, and proved: untimed, plant automata interleaved, grain atomic.
+ModelOptions untimed(const SuperviseAsk& ask);
+
+/// A transition or output of a chart with a permission.
+struct Held {
+    std::string permission = {};  ///< an input of the chart
+    std::string subject = {};     ///< the name of the transition or output
+    bool output = false;
+    std::vector<Span> places = {};            ///< of the transition, of its actions
+    std::vector<Id<Chart::Step>> steps = {};  ///< of an output: those of its actions
+};
+
+/// Gives the chart of a controller an input for each of its transitions and continuous outputs, without which nothing is
+/// cleared, nothing set. `written`: the chart as it stands in the files.
+std::vector<Held> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop::Controller> controller,
+                                  const Chart& written, const SuperviseAsk& ask, UniqueNames& names);
+
+/// What a controller can see, under the names that conditions of its chart give it.
+struct Sight {
+    std::vector<std::string> names = {};
+    std::vector<Id<Expr>> terms = {};
+};
+
+Sight sight_of(TransitionSystem& system, const TransitionSystem::Controller& controller, const ClosedLoop& loop,
+               Id<ClosedLoop::Controller> id);
+
+/// Exactly the initial steps of every chart are active.
+Id<Expr> initial_situation(TransitionSystem& system, const Model& model, const ClosedLoop& loop);
+
+/// The properties of the system to be kept; nothing after an error.
+std::optional<std::vector<Id<Property>>> kept(const TransitionSystem& system, const SuperviseAsk& ask,
+                                              const std::string& marked, Diagnostics& diagnostics);
+
+/// The states that break the property, one about states.
+Id<Expr> violation(TransitionSystem& system, const Property& property);
+
+}  // namespace grafverif

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/supervise_text.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "pipeline/components.hpp"
+#include "pipeline/files.hpp"
+#include "read/formats.hpp"
+#include "read/text.hpp"
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/language/format.hpp"
+#include "syntax/language/parse.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// Builds terms in the tables of a file.
+class TreeTerms {
+public:
+    TreeTerms(tree::File& file, Span where) : file_(file), where_(where) {}
+
+    Id<tree::Expr> operator()(const NamedTerm& term) {
+        std::vector<Id<tree::Expr>> groups;
+        for (const auto& group : term.terms) {
+            std::vector<Id<tree::Expr>> literals;
+            for (const auto& [name, value] : group) literals.push_back(value ? leaf(name) : negated(leaf(name)));
+            groups.push_back(joined(term.all ? tree::Op::Or : tree::Op::And, literals));
+        }
+        return joined(term.all ? tree::Op::And : tree::Op::Or, groups);
+    }
+
+    /// `old`, which may be missing, and `added`.
+    Id<tree::Expr> both(Id<tree::Expr> old, Id<tree::Expr> added) {
+        if (!old.valid() || file_.exprs[old].op == tree::Op::True) return added;
+        std::vector<Id<tree::Expr>> operands = operands_of(old);
+        std::ranges::copy(operands_of(added), std::back_inserter(operands));
+        return joined(tree::Op::And, operands);
+    }
+
+private:
+    Id<tree::Expr> add(tree::Op op) { return file_.exprs.add({.op = op, .where = where_}); }
+    Id<tree::Word> word(std::string_view text) { return file_.words.add({std::string(text)}); }
+
+    Id<tree::Expr> leaf(const std::string& name) {
+        const std::size_t dot = name.find('.');
+        const Id<tree::Expr> first = add(tree::Op::Name);
+        file_.exprs[first].word = word(name.substr(0, dot));
+        if (dot == std::string::npos) return first;
+        const Id<tree::Expr> member = add(tree::Op::Member);
+        file_.exprs[member].word = word(name.substr(dot + 1));
+        append(file_.exprs, member, first);
+        return member;
+    }
+    Id<tree::Expr> negated(Id<tree::Expr> operand) {
+        const Id<tree::Expr> made = add(tree::Op::Not);
+        append(file_.exprs, made, operand);
+        return made;
+    }
+    /// Operands are taken from where they are.
+    Id<tree::Expr> joined(tree::Op op, const std::vector<Id<tree::Expr>>& operands) {
+        if (operands.empty()) return add(op == tree::Op::And ? tree::Op::True : tree::Op::False);
+        if (operands.size() == 1) return operands.front();
+        const Id<tree::Expr> made = add(op);
+        for (const Id<tree::Expr> operand : operands) {
+            file_.exprs[operand].next = {};
+            append(file_.exprs, made, operand);
+        }
+        return made;
+    }
+    std::vector<Id<tree::Expr>> operands_of(Id<tree::Expr> term) const {
+        if (file_.exprs[term].op != tree::Op::And) return {term};
+        std::vector<Id<tree::Expr>> found;
+        for (Id<tree::Expr> operand = file_.exprs[term].first; operand.valid(); operand = file_.exprs[operand].next)
+            found.push_back(operand);
+        return found;
+    }
+
+    tree::File& file_;
+    Span where_ = {};
+};
+
+void put(tree::File& file, std::vector<tree::ChartItem>& items, const std::map<std::uint32_t, NamedTerm>& terms) {
+    const auto add = [&](Span where, Id<tree::Expr>& condition) {
+        const auto found = terms.find(where.begin);
+        if (found == terms.end()) return;
+        TreeTerms build(file, where);
+        condition = build.both(condition, build(found->second));
+    };
+    for (tree::ChartItem& item : items)
+        std::visit(overloaded{
+                       [&](tree::Transition& transition) { add(transition.where, transition.condition); },
+                       [&](tree::Step& step) {
+                           for (tree::Action& action : step.actions)
+                               if (auto* continuous = std::get_if<tree::ContinuousAction>(&action))
+                                   add(continuous->where, continuous->condition);
+                       },
+                       [&](tree::Partial& partial) { put(file, partial.items, terms); },
+                       [](auto&) {},
+                   },
+                   item);
+}
+
+tree::File tree_of(Id<Source> source, const Sources& sources) {
+    Sources copy = sources;
+    Diagnostics known;
+    return read_any(source, copy, {true}, known);
+}
+
+bool is_ours(Id<Source> source, const Sources& sources) {
+    return format_of(sources[source].text) == FileFormat::Grafcet;
+}
+
+}  // namespace
+
+std::string text_of(const NamedTerm& term) {
+    tree::File file;
+    return formatted(file, TreeTerms(file, {})(term));
+}
+
+std::string with_conditions(Id<Source> source, const Sources& sources,
+                            const std::map<std::uint32_t, NamedTerm>& terms) {
+    tree::File file = tree_of(source, sources);
+    for (tree::Declaration& declaration : file.declarations)
+        if (auto* chart = std::get_if<tree::Chart>(&declaration)) put(file, chart->items, terms);
+    return formatted(is_ours(source, sources) ? file : laid_out(std::move(file)));
+}
+
+std::optional<std::string> with_marked(Id<Source> source, Sources& sources, const std::string& loop,
+                                       const std::string& name, const std::string& term, Diagnostics& diagnostics) {
+    const std::string question = "property " + name + ": always possible " + term + ";\n";
+    const Id<Source> asked = sources.add({"--marked", "closed_loop marked {\n" + question + "}\n"});
+    const tree::File parsed = parse_file(asked, sources, diagnostics);
+    if (diagnostics.has_errors()) return {};
+    const auto* one =
+        parsed.declarations.size() == 1 ? std::get_if<tree::ClosedLoop>(&parsed.declarations[0]) : nullptr;
+    if (one == nullptr || one->items.size() != 1) {
+        diagnostics.add(messages::unexpected({asked, 0, 0}, "more than a term", "one term"));
+        return {};
+    }
+    const tree::File file = tree_of(source, sources);
+    for (const tree::Declaration& declaration : file.declarations) {
+        const auto* found = std::get_if<tree::ClosedLoop>(&declaration);
+        if (found == nullptr || file.text(found->name) != loop) continue;
+        std::string text = sources[source].text;
+        return text.insert(text.rfind('}', found->where.end - 1), question);
+    }
+    return {};
+}
+
+std::optional<Model> read_again(Id<Source> main, const std::map<std::string, std::string>& texts, const Sources& from,
+                                Sources& to, bool lossy, const std::vector<std::string>& folders,
+                                Diagnostics& diagnostics) {
+    std::map<std::string, std::string> known;
+    for (const Source& source : from) known.emplace(source.name, source.text);
+    for (const auto& [name, text] : texts) known[name] = text;
+    const Id<Source> file = to.add({from[main].name, known[from[main].name]});
+    const auto load = [&](const std::string& path, std::string& why) -> std::optional<std::string> {
+        if (const auto found = known.find(path); found != known.end()) return found->second;
+        return why = "it was not read before", std::nullopt;
+    };
+    const ReadContext context{load, library(), lossy, identity_of_existing, folders};
+    return read_text(file, to, context, diagnostics);
+}
+
+}  // namespace grafverif
