@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "check/supervise/supervise.hpp"
-#include "pipeline/supervise.hpp"
+#include "pipeline/variants/supervise.hpp"
 #include "support/law_size.hpp"
 #include "support/print_model.hpp"
 #include "support/random_chart.hpp"

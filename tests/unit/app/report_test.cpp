@@ -146,9 +146,9 @@ TEST(Report, DrawsEveryElementThatItsPlayerLights) {
 }
 
 TEST(Report, PlaysTheSequencesOfATest) {
-    const std::string tanks = (root / "samples/tanks/tanks.grafcet").string();
+    const std::string chart = (root / "samples/tanks/tanks.grafcet").string();
     const std::string table = (root / "samples/tanks/table2.csv").string();
-    const Result result = grafverif({"report", tanks, "--mode", "every-cycle", "--sequence", table});
+    const Result result = grafverif({"report", chart, "--mode", "every-cycle", "--sequence", table});
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     const nlohmann::json data = player_data(result.out);
     const auto run = std::ranges::find_if(data["runs"], [](const auto& one) { return one["name"] == "test-1"; });
@@ -163,7 +163,7 @@ TEST(Report, PlaysTheSequencesOfATest) {
 
     const Folder folder;
     const std::string wrong = folder.write("wrong.csv", "s,h1\n0,1\n");
-    const Result refused = grafverif({"report", tanks, "--sequence", wrong, "-o", folder.file("page.html")});
+    const Result refused = grafverif({"report", chart, "--sequence", wrong, "-o", folder.file("page.html")});
     EXPECT_EQ(refused.code, ExitCode::Input);
     EXPECT_NE(refused.err.find("[bad-sequence]"), std::string::npos) << refused.err;
     EXPECT_FALSE(fs::exists(folder.file("page.html")));

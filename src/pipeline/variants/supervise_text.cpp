@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pipeline/supervise_text.hpp"
+#include "pipeline/variants/supervise_text.hpp"
 
 #include <algorithm>
 #include <string_view>

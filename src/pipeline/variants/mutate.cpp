@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pipeline/mutate.hpp"
+#include "pipeline/variants/mutate.hpp"
 
 #include <algorithm>
 #include <utility>

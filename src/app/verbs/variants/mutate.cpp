@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `mutate`: plausible mistakes in a chart, one at a time: which are none, which the properties notice, which the test sequence
 // catches. Several threads judge; what is known is kept in a file, so that a run that was stopped goes on.
-#include "pipeline/mutate.hpp"
+#include "pipeline/variants/mutate.hpp"
 
 #include <fmt/format.h>
 

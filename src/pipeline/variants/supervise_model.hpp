@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/supervise.hpp"
+#include "pipeline/variants/supervise.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif {

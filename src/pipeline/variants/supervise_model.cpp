@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pipeline/supervise_model.hpp"
+#include "pipeline/variants/supervise_model.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pipeline/supervise.hpp"
+#include "pipeline/variants/supervise.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
-#include "pipeline/supervise_model.hpp"
-#include "pipeline/supervise_text.hpp"
+#include "pipeline/variants/supervise_model.hpp"
+#include "pipeline/variants/supervise_text.hpp"
 #include "report/tell.hpp"
 #include "run/project.hpp"
 #include "support/unique_names.hpp"

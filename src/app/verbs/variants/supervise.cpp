@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `supervise`: conditions on a chart under which the properties of its loop hold.
-#include "pipeline/supervise.hpp"
+#include "pipeline/variants/supervise.hpp"
 
 #include <fmt/format.h>
 
