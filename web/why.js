@@ -97,7 +97,7 @@ export function whyProperty(claims, moment, decisive, go) {
         return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader, {faulty: !mayBeFalse(property.pattern, k)}))];
     });
     return make("div", {}, ...(decisive === null ? [] : [standing(property, moment, decisive, link, run)]),
-                ...causes(run, moment, link), ...parts.flat());
+                ...parts.flat(), ...causes(run, moment, link));
 }
 
 // The values that make it fail, each with a way to where it begins, and the moves that could have been left out.

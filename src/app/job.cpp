@@ -13,6 +13,7 @@
 #include "app/outputs.hpp"
 #include "pipeline/files.hpp"
 #include "pipeline/models.hpp"
+#include "pipeline/watch.hpp"
 #include "read/test_csv.hpp"
 #include "read/text.hpp"
 #include "support/messages.hpp"
@@ -33,6 +34,7 @@ std::optional<std::string> read_named(const std::string& path, const Job& job, s
 
 std::optional<Id<Source>> read_source(const std::string& path, Job& job) {
     std::string why;
+    if (job.watch != nullptr) job.watch->note(path);
     auto text = read_named(path, job, why);
     if (!text) {
         job.diagnostics.add(messages::cannot_read(path, why));
@@ -53,6 +55,7 @@ std::optional<Model> read_model(const std::string& path, Job& job) {
     const Reach reach(path == "-" ? "./-" : path,
                       job.options.include_folders);  // standard input stands in the current folder
     const auto load = [&](const std::string& included, std::string& why) -> std::optional<std::string> {
+        if (job.watch != nullptr) job.watch->note(included);
         auto text = reach.read(included, why);
         if (text && !note_input(included, job)) return why = "it is also an output", std::nullopt;
         return text;

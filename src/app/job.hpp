@@ -17,6 +17,10 @@
 #include "emit/structured_text/structured_text.hpp"
 #include "grafverif/grafverif.hpp"
 
+namespace grafverif {
+class Watch;
+}
+
 namespace grafverif::app {
 
 /// A file that was read, and what tells it from others (see file_identity).
@@ -42,6 +46,7 @@ struct Job {
     std::vector<InputFile> inputs = {};  ///< of all files of the call
     std::vector<Product> products = {};  ///< of a verb that writes what it made of all its files at once
     bool depfile_written = false;
+    Watch* watch = nullptr;      ///< is told of every file before it is read
     Reports* reports = nullptr;  ///< of all files of the call; never null while a verb runs
 };
 

@@ -419,7 +419,7 @@ std::string unknown_option(const std::string& given, const std::vector<Option>& 
 bool accepts(const Verb& verb, Accepts what) {
     if (what == Accepts::File) return verb.operand.starts_with("FILE");
     if (what == Accepts::Timeout) {
-        const auto has_another = {Accepts::Bench, Accepts::Serve, Accepts::Lsp};
+        const auto has_another = {Accepts::Bench, Accepts::Serve, Accepts::Lsp, Accepts::Command};
         return std::ranges::none_of(has_another, [&](Accepts other) { return accepts(verb, other); });
     }
     if (what == Accepts::Writes)
@@ -434,10 +434,14 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     po::positional_options_description positional;
     positional.add("operand", -1);
 
+    const auto own =
+        accepts(verb, Accepts::Command)
+            ? std::ranges::find_if_not(arguments, [](const std::string& word) { return word.starts_with('-'); })
+            : arguments.end();
     po::variables_map values;
     try {
         const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-        po::store(po::command_line_parser(std::vector<std::string>(arguments.begin(), arguments.end()))
+        po::store(po::command_line_parser(std::vector<std::string>(arguments.begin(), own))
                       .options(all)
                       .positional(positional)
                       .style(style)
@@ -460,6 +464,7 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (complaint.empty()) complaint = settle_limits(options);
     if (!complaint.empty()) return {{}, complaint};
     if (options.help) return {options, {}};
+    options.operands.insert(options.operands.end(), own, arguments.end());
     if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
     if (options.events.from > options.events.to) return {{}, "`--from` is behind `--to`"};
     if (options.go_on && options.stop_on_failure) return {{}, "`--stop-on-failure` and `--go-on` exclude each other"};

@@ -119,7 +119,8 @@ struct Options {
 };
 
 /// The groups of options a verb may take besides those that all take; File: those of verbs that read one; Timeout: of those
-/// that have no other; Writes: of those that may write files.
+/// that have no other; Writes: of those that may write files; Command: of one that takes another verb, to which all that
+/// stands behind it belongs.
 enum class Accepts {
     Always,
     File,
@@ -162,7 +163,8 @@ enum class Accepts {
     Compare,
     Mutants,
     Serve,
-    Lsp
+    Lsp,
+    Command
 };
 
 /// Of a verb that takes one file after the other.

@@ -32,6 +32,7 @@ struct Entry {
 };
 
 constexpr std::array entries = {
+    Entry{init_usage, init},
     Entry{build_usage, build, list_products},
     Entry{uppaal_usage, uppaal},
     Entry{nusmv_usage, nusmv},
@@ -47,6 +48,7 @@ constexpr std::array entries = {
     Entry{report_usage, report},
     Entry{simulate_usage, simulate},
     Entry{serve_usage, serve},
+    Entry{watch_usage, watch},
     Entry{lsp_usage, lsp},
     Entry{analyse_usage, analyse},
     Entry{compare_usage, compare},

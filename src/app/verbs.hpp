@@ -8,6 +8,7 @@
 
 namespace grafverif::app {
 
+ExitCode init(Job& job, const Streams& streams);
 ExitCode build(Job& job, const Streams& streams);
 ExitCode uppaal(Job& job, const Streams& streams);
 ExitCode nusmv(Job& job, const Streams& streams);
@@ -23,6 +24,7 @@ ExitCode check(Job& job, const Streams& streams);
 ExitCode report(Job& job, const Streams& streams);
 ExitCode simulate(Job& job, const Streams& streams);
 ExitCode serve(Job& job, const Streams& streams);
+ExitCode watch(Job& job, const Streams& streams);
 ExitCode lsp(Job& job, const Streams& streams);
 ExitCode analyse(Job& job, const Streams& streams);
 ExitCode compare(Job& job, const Streams& streams);
@@ -37,6 +39,7 @@ ExitCode test(Job& job, const Streams& streams);
 ExitCode manual(Job& job, const Streams& streams);
 ExitCode completion(Job& job, const Streams& streams);
 
+Verb init_usage();
 Verb build_usage();
 Verb uppaal_usage();
 Verb nusmv_usage();
@@ -52,6 +55,7 @@ Verb check_usage();
 Verb report_usage();
 Verb simulate_usage();
 Verb serve_usage();
+Verb watch_usage();
 Verb lsp_usage();
 Verb analyse_usage();
 Verb compare_usage();

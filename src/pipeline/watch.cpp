@@ -50,4 +50,15 @@ bool Watch::changed() const {
     return std::ranges::any_of(seen_, [](const auto& seen) { return stamp(seen.first) != seen.second; });
 }
 
+bool Watch::missing() const {
+    return std::ranges::any_of(seen_, [](const auto& seen) { return seen.second.there && !stamp(seen.first).there; });
+}
+
+std::vector<std::string> Watch::changes() const {
+    std::vector<std::string> changed;
+    for (const auto& [path, seen] : seen_)
+        if (stamp(path) != seen) changed.push_back(path);
+    return changed;
+}
+
 }  // namespace grafverif

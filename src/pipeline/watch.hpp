@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace grafverif {
 
@@ -20,6 +21,11 @@ public:
     void clear() { seen_.clear(); }
     /// Whether a noted file is not what it was.
     bool changed() const;
+    /// Whether one that was there is gone.
+    bool missing() const;
+    /// Those that are not what they were.
+    std::vector<std::string> changes() const;
+    std::size_t size() const { return seen_.size(); }
 
 private:
     struct Stamp {

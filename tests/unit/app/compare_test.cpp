@@ -49,8 +49,8 @@ TEST(Compare, ADifferenceIsTheShortestSequenceWithBothOutputs) {
     EXPECT_EQ(result.out,
               "`lamp` (a) and `lamp` (b): different\n"
               "  told apart by 1 scan, replayed on the rules of IEC 60848:\n"
-              "  time  inputs   a writes                    b writes\n"
-              "  0 s   on, off  stops: total instability:   L  in {1}\n"
+              "  time  inputs   a writes                       b writes\n"
+              "  0 s   on, off  stops: total instability:      L  in {1}\n"
               "                 with these inputs the\n"
               "                 situation never becomes\n"
               "                 stable: {0}, {1}, and so on\n"

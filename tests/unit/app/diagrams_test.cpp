@@ -81,7 +81,7 @@ TEST(Diagrams, AChartWithoutInputsHasATest) {
 TEST(Diagrams, MemoryThatTheSystemRefusesEndsInUnknown) {
     const Folder folder;
     const std::string program = GRAFVERIF_PROGRAM, file = folder.write("ring.grafcet", long_ring(3000));
-    const std::string command = "ulimit -v 51200 && exec '" + program + "' check '" + file +
+    const std::string command = "ulimit -v 81920 && exec '" + program + "' check '" + file +
                                 "' --untimed --timeout 5s > '" + folder.file("out") + "' 2>&1";
     const int status = std::system(command.c_str());
     ASSERT_TRUE(WIFEXITED(status)) << folder.read("out");

@@ -29,7 +29,7 @@ TEST(FirstUse, ImportSaysOfWhatItIsNotForWhatItIs) {
                "error: the file begins with no chart that is known here; read are AGRAFE GRAFCET"},
           Case{"", "error: the file begins with no chart that is known here"},
           Case{std::string("\x01\x02\x03\xFF\x00\x01", 6), "error: the file begins with no chart that is known here"},
-          Case{std::string("g\0r\0a\0f\0", 8), "error: this text is UTF-16; save the file as UTF-8 text"},
+          Case{std::string("g\0r\0a\0f\0", 8), "error: the file begins with no chart that is known here"},
           Case{"<?xml version=\"1.0\"?>\n<html/>\n", "error: `html` begins no chart that is known here"},
           Case{lone, "error: the file is in our own language, which every verb reads; `grafverif fmt` prints it"}}) {
         SCOPED_TRACE(c.text);

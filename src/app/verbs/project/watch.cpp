@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// `watch`: another verb, and again with every change of what it reads. Each run is a process of its own, so that it may
+// end as it likes; what it reads is read here first, and looked at from then on.
+#include "pipeline/watch.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <ostream>
+#include <system_error>
+#include <thread>
+
+#include "app/system/child.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/verbs.hpp"
+#include "pipeline/descriptor.hpp"
+#include "support/printable.hpp"
+
+namespace grafverif::app {
+
+namespace {
+
+using namespace std::chrono_literals;
+using std::chrono::steady_clock;
+
+constexpr auto look_every = 50ms;
+constexpr auto patience_with_runs = 1s;   ///< that are told to end
+constexpr auto patience_with_saves = 1s;  ///< that take a file away before they put the new one there
+constexpr int closed_pipe = 128 + SIGPIPE;
+
+/// The verb that is watched, with what it was given.
+struct Command {
+    Verb verb = {};
+    std::vector<std::string> words = {};
+    Options options = {};
+    std::string complaint = {};
+};
+
+Command command_of(const std::vector<std::string>& words) {
+    constexpr std::array endless = {"watch", "serve", "lsp", "simulate"};
+    Command command{{}, words, {}, {}};
+    const std::vector<Verb> verbs = all_verbs();
+    const auto found = std::ranges::find(verbs, words[0], &Verb::name);
+    if (found == verbs.end()) return command.complaint = fmt::format("there is no verb `{}`", words[0]), command;
+    command.verb = *found;
+    if (!accepts(command.verb, Accepts::File) || std::ranges::find(endless, words[0]) != endless.end())
+        return command.complaint = fmt::format("`watch` takes a verb that reads a file and ends; not `{}`", words[0]),
+               command;
+    const ParsedOptions parsed = parse_options(command.verb, std::span(words).subspan(1));
+    command.complaint = parsed.complaint;
+    if (!parsed.options) return command;
+    command.options = *parsed.options;
+    for (const std::string& file : command.options.operands)
+        if (file == "-") command.complaint = "standard input cannot be watched: name a file";
+    return command;
+}
+
+/// Notes all that the command is going to read. What is wrong with it the command itself will tell.
+void note(const Command& command, Watch& seen) {
+    Job job{.options = command.options};
+    job.watch = &seen;
+    job.options.output = job.options.junit = job.options.sarif = {};  // nothing is written
+    for (const auto* file : {&command.options.sequence, &command.options.exclusions})
+        if (*file) seen.note(**file);
+    for (const std::string& file : command.options.operands) {
+        try {
+            read_model(file, job);
+        } catch (const std::bad_alloc&) {
+        } catch (const std::system_error&) {
+        }
+    }
+}
+
+/// How the run ended; nothing: it was ended, by a change or by Ctrl-C.
+std::optional<ChildEnd> run_once(const Command& command, const Watch& seen, const std::atomic<bool>& asked_to_end) {
+    const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    std::vector<std::string> words = {"/proc/self/exe"};
+    words.insert(words.end(), command.words.begin(), command.words.end());
+    Child child(words, {nothing.number(), STDOUT_FILENO, STDERR_FILENO});
+    auto looked = steady_clock::now();
+    while (!child.ended() && !asked_to_end) {
+        std::this_thread::sleep_for(5ms);
+        if (steady_clock::now() - looked < look_every) continue;
+        looked = steady_clock::now();
+        if (seen.changed()) break;
+    }
+    if (child.ended()) return child.ended();
+    child.send(SIGTERM);
+    for (const auto end = steady_clock::now() + patience_with_runs; !child.ended() && steady_clock::now() < end;)
+        std::this_thread::sleep_for(5ms);
+    return {};
+}
+
+/// Waits for a change, and then until a file that an editor has put aside is there again.
+void wait_for_change(const Watch& seen, const std::atomic<bool>& asked_to_end) {
+    while (!asked_to_end && !seen.changed()) std::this_thread::sleep_for(look_every);
+    for (const auto end = steady_clock::now() + patience_with_saves;
+         !asked_to_end && seen.missing() && steady_clock::now() < end;)
+        std::this_thread::sleep_for(look_every);
+}
+
+}  // namespace
+
+ExitCode watch(Job& job, const Streams& streams) {
+    const Command command = command_of(job.options.operands);
+    if (!command.complaint.empty()) {
+        streams.err << fmt::format("grafverif: error: {}; see `grafverif watch --help`\n",
+                                   printable(command.complaint));
+        return ExitCode::Input;
+    }
+    if (command.options.help) return print_help(command.verb, streams.out), ExitCode::Done;
+    const Interrupt interrupt;
+    const auto tell = [&](const std::string& words) {
+        if (!job.options.quiet) streams.err << "watch: " << printable(words) << '\n' << std::flush;
+    };
+    for (;;) {
+        Watch seen;
+        note(command, seen);
+        const auto end = run_once(command, seen, interrupt.asked());
+        if (end && !end->by_signal && end->status == closed_pipe) return ExitCode::Done;  // nobody reads what it says
+        if (end)
+            tell(fmt::format("{} {}; looking at {} file{}, Ctrl-C ends",
+                             end->by_signal ? "ended by signal" : "exit code", end->status, seen.size(),
+                             seen.size() == 1 ? "" : "s"));
+        wait_for_change(seen, interrupt.asked());
+        if (interrupt.asked()) return ExitCode::Done;
+        const std::vector<std::string> changes = seen.changes();
+        tell((changes.empty() ? "a file" : changes.front()) + " has changed");
+    }
+}
+
+Verb watch_usage() {
+    return {
+        "watch",
+        "VERB ARGUMENT...",
+        2,
+        any_number - 1,
+        "run a verb again with every change of what it reads",
+        "Runs `grafverif VERB ARGUMENT...`, and again whenever a file changes that it reads: FILE, what it includes, "
+        "tables. A run\nthat a change overtakes is ended. VERB is one that ends by itself, so not `serve`, `lsp` or "
+        "`simulate`. Options of\n`watch` stand before VERB; `-q` leaves out its own lines, which go to standard error. "
+        "Ctrl-C ends it, with exit code 0.",
+        {"grafverif watch check station.grafcet", "grafverif watch check station.grafcet --property safe --junit r.xml",
+         "grafverif watch -q draw station.grafcet -o station.svg"},
+        {Accepts::Command}};
+}
+
+}  // namespace grafverif::app
