@@ -17,6 +17,7 @@ namespace grafverif {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
 std::string listed(const Names& names, std::string_view last = ", ") {
@@ -77,7 +78,6 @@ void print_why(const Why& why, std::ostream& out) {
 }
 
 nlohmann::ordered_json why_json(const Why& why) {
-    using Json = nlohmann::ordered_json;
     Json grounds = Json::array();
     for (const Why::Ground& ground : why.grounds)
         grounds.push_back({{"property", ground.property},

@@ -9,7 +9,11 @@
 
 namespace grafverif {
 
+namespace {
+
 using System = TransitionSystem;
+
+}  // namespace
 
 ModelOptions untimed(const SuperviseAsk& ask) {
     ModelOptions how;
