@@ -42,14 +42,6 @@ std::vector<std::string> tokens(std::string_view text) {
     return list;
 }
 
-std::optional<std::int64_t> value_of(std::string_view text) {
-    if (text == "true" || text == "false") return text == "true" ? 1 : 0;
-    std::int64_t value = 0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc{} || end != text.data() + text.size()) return {};
-    return value;
-}
-
 bool compare(std::int64_t now, Relation relation, std::int64_t value) {
     switch (relation) {
     case Relation::Equal: return now == value;
@@ -104,6 +96,18 @@ std::string is_so(std::string_view name, const Now& now) {
 }
 
 }  // namespace
+
+std::optional<std::int64_t> number_of(std::string_view text) {
+    std::int64_t value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc{} || end != text.data() + text.size()) return {};
+    return value;
+}
+
+std::optional<std::int64_t> value_of(std::string_view text) {
+    if (text == "true" || text == "false") return text == "true" ? 1 : 0;
+    return number_of(text);
+}
 
 std::variant<Claim, std::string> claim_of(std::string_view text) {
     const std::vector<std::string> list = tokens(text);

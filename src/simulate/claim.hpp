@@ -35,6 +35,11 @@ struct Claim {
     bool operator==(const Claim&) const = default;
 };
 
+/// A whole number; empty: the text is none.
+std::optional<std::int64_t> number_of(std::string_view text);
+/// `true`, `false` or a whole number, as commands and claims give values.
+std::optional<std::int64_t> value_of(std::string_view text);
+
 /// Or what is wrong with the text.
 std::variant<Claim, std::string> claim_of(std::string_view text);
 

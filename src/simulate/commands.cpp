@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <vector>
 
 #include "syntax/print/dialect.hpp"
@@ -30,13 +29,6 @@ std::vector<std::string> words(std::string_view line) {
     return list;
 }
 
-std::optional<std::int64_t> number(std::string_view text) {
-    std::int64_t value = 0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc{} || end != text.data() + text.size()) return {};
-    return value;
-}
-
 Command wait_of(const std::vector<std::string>& list) {
     if (list.size() == 1) return WaitCommand{};
     const auto milliseconds = duration_ms(list.size() == 2 ? list[1] : list[1] + " " + list[2]);
@@ -50,8 +42,7 @@ Command set_of(const std::vector<std::string>& list) {
         const bool whole = k + 2 < list.size() && list[k + 1] == "=" && (k + 3 == list.size() || list[k + 3] == ",");
         if (!whole || k + 4 == list.size()) return BadCommand{"write `NAME = VALUE`"};
         const std::string& value = list[k + 2];
-        const std::optional<std::int64_t> counted =
-            value == "true" || value == "false" ? value == "true" : number(value);
+        const std::optional<std::int64_t> counted = value_of(value);
         if (!counted)
             return BadCommand{fmt::format("`{}` is no value; write `true`, `false` or a whole number", value)};
         set.settings.push_back({list[k], *counted});
@@ -84,7 +75,7 @@ Command expect_of(std::string_view line, const std::vector<std::string>& list) {
 }
 
 Command repeat_of(const std::vector<std::string>& list) {
-    const auto times = list.size() == 3 && list[2] == "{" ? number(list[1]) : std::nullopt;
+    const auto times = list.size() == 3 && list[2] == "{" ? number_of(list[1]) : std::nullopt;
     if (!times || *times < 1)
         return BadCommand{"write `repeat 3 {`, and `}` on a line of its own behind what is repeated"};
     return RepeatCommand{static_cast<std::uint64_t>(*times)};
@@ -114,7 +105,7 @@ Command command_of(std::string_view line) {
         if (first == "back" || first == "b" || first == "undo") return BackCommand{};
         if (first == "quit" || first == "q") return QuitCommand{};
         if (first == "help" || first == "?") return HelpCommand{};
-        if (const auto choice = number(first); choice && *choice > 0)
+        if (const auto choice = number_of(first); choice && *choice > 0)
             return ChooseCommand{static_cast<std::size_t>(*choice)};
     }
     return BadCommand{fmt::format("`{}` is no command; `help` lists them", first)};
