@@ -10,7 +10,7 @@ foreach(property IN LISTS PROPERTIES)
 endforeach()
 execute_process(
     COMMAND "${PROGRAM}" check "${CHART}" --list --format json ${asked} ${OPTIONS}
-            --depfile "${BASE}.d" --depfile-target "${BASE}.cmake"
+            --depfile "${BASE}.d" --depfile-form cmake --depfile-target "${BASE}.cmake"
     RESULT_VARIABLE result OUTPUT_VARIABLE listed)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "grafverif takes no chart from ${CHART}, for the reason above")

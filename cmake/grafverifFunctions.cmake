@@ -63,7 +63,7 @@ function(grafverif_models)
         add_custom_command(
             OUTPUT ${outputs}
             COMMAND "${GRAFVERIF_PROGRAM}" build "${file}" -o "${folder}" --name "${name}" --create
-                    --depfile "${folder}/${name}.d" ${options}
+                    --depfile "${folder}/${name}.d" --depfile-form cmake ${options}
             DEPENDS "${file}" "${GRAFVERIF_PROGRAM}"
             DEPFILE "${folder}/${name}.d"
             COMMENT "Models of ${chart}"

@@ -2,32 +2,73 @@
 #include "app/depfile.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "pipeline/files.hpp"
 #include "support/messages.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif::app {
 
-std::string make_name(std::string_view name) {
+namespace {
+
+/// What a reader asks of names: characters behind a backslash, those of them that backslashes before are doubled for;
+/// characters that are in no name, that none begins with, that none ends with.
+struct Rules {
+    std::string_view escaped, doubling, never, never_first, never_last;
+};
+
+constexpr Rules rules_of(DepfileSide side, DepfileReader reader) {
+    const bool result = side == DepfileSide::Result;
+    switch (reader) {
+    case DepfileReader::
+        Make:  // patterns, order-only files; wildcards, which no backslash is taken from; groups, archives
+        return result ? Rules{" #:%", " #:%", "*?[\t;=", "~", "&)"} : Rules{" \t#:|", " \t#:|", "*?[;=", "~", " \t\\)"};
+    case DepfileReader::Ninja: return {" #:", " ", "\t\"&'*;<>?^`|", "", ":\\"};
+    case DepfileReader::CMake: return {" #", "", "\t\\", "~", ":"};
+    }
+    unreachable();
+}
+
+constexpr std::string_view word(DepfileReader reader) {
+    return reader == DepfileReader::Make ? "Make" : reader == DepfileReader::Ninja ? "Ninja" : "CMake";
+}
+
+bool can_say(std::string_view name, const Rules& rules) {
+    const auto control = [](unsigned char c) { return (c < ' ' && c != '\t') || c == 0x7f; };
+    return !name.empty() && std::ranges::none_of(name, control) && name.find_first_of(rules.never) == name.npos &&
+           rules.never_first.find(name.front()) == name.npos && rules.never_last.find(name.back()) == name.npos;
+}
+
+}  // namespace
+
+std::optional<std::string> depfile_name(std::string_view name, DepfileSide side, DepfileReader reader) {
+    const Rules rules = rules_of(side, reader);
+    if (!can_say(name, rules)) return {};
     std::string text;
     std::size_t backslashes = 0;  // just before
     for (const char c : name) {
-        if (c == ' ' || c == '\t' || c == '#' || c == ':') text.append(backslashes + 1, '\\');
-        if (c == '$') text += '$';
+        if (rules.escaped.find(c) != rules.escaped.npos)
+            text.append(rules.doubling.find(c) != rules.doubling.npos ? backslashes + 1 : 1, '\\');
+        if (c == '$' && !(reader == DepfileReader::Ninja && backslashes > 0))
+            text += '$';  // there `\$` is what it says
         text += c;
         backslashes = c == '\\' ? backslashes + 1 : 0;
     }
     return text.append(backslashes, '\\');
 }
 
-std::string depfile_text(const std::vector<std::string>& results, const std::vector<std::string>& files) {
+std::string depfile_text(const std::vector<std::string>& results, const std::vector<std::string>& files,
+                         DepfileReader reader) {
     std::string text;
-    for (const std::string& result : results) text += (text.empty() ? "" : " ") + make_name(result);
+    for (const std::string& result : results)
+        text += (text.empty() ? "" : " ") + depfile_name(result, DepfileSide::Result, reader).value();
     text += ':';
-    for (const std::string& file : files) text += " \\\n  " + make_name(file);
+    for (const std::string& file : files) text += " \\\n  " + depfile_name(file, DepfileSide::File, reader).value();
     text += '\n';
     for (const std::string& file : files)
-        if (std::ranges::find(results, file) == results.end()) text += '\n' + make_name(file) + ":\n";
+        if (std::ranges::find(results, file) == results.end())
+            if (const auto rule = depfile_name(file, DepfileSide::Result, reader)) text += '\n' + *rule + ":\n";
     return text;
 }
 
@@ -41,14 +82,15 @@ std::optional<OutputFile> depfile_of(const std::vector<OutputFile>& made, Job& j
     for (const InputFile& input : job.inputs)
         if (input.path != "-" && !own_descriptor(input.path) && std::ranges::find(files, input.path) == files.end())
             files.push_back(input.path);
-    for (const std::vector<std::string>* names : {&results, &files})
+    const DepfileReader reader = job.options.depfile_reader.value_or(DepfileReader::Make);
+    for (const auto& [names, side] : {std::pair{&results, DepfileSide::Result}, std::pair{&files, DepfileSide::File}})
         for (const std::string& name : *names) {
-            if (name.find_first_of("\n\r") == std::string::npos) continue;
-            job.diagnostics.add(messages::not_in_depfile(name));
+            if (depfile_name(name, side, reader)) continue;
+            job.diagnostics.add(messages::not_in_depfile(name, word(reader)));
             return {};
         }
     job.depfile_written = true;
-    return OutputFile{*job.options.depfile, depfile_text(results, files)};
+    return OutputFile{*job.options.depfile, depfile_text(results, files, reader)};
 }
 
 }  // namespace grafverif::app

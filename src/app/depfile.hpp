@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Depfile: which files a result was made from, as Make and Ninja read it: `RESULT...: FILE...`, and for each file a rule
+// Depfile: which files a result was made from, as Make, Ninja and CMake read it: `RESULT...: FILE...`, and for each file a rule
 // of its own with nothing behind it, so that one which is gone makes the result anew instead of stopping the build.
 #pragma once
 
@@ -9,16 +9,21 @@
 #include <vector>
 
 #include "app/job.hpp"
+#include "app/options.hpp"
 #include "app/system/write_files.hpp"
 
 namespace grafverif::app {
 
-/// `name` as GNU make reads it in a rule: blanks, `#` and `:` behind a backslash, `$` twice, backslashes before one of
-/// these and at the end doubled.
-std::string make_name(std::string_view name);
+/// Where a name stands in a depfile: left or right of the colon.
+enum class DepfileSide { Result, File };
 
-/// The text of a depfile. Both hold no line breaks.
-std::string depfile_text(const std::vector<std::string>& results, const std::vector<std::string>& files);
+/// `name` as `reader` (GNU make 4.3, Ninja 1.11, CMake 3.25, and later ones) takes it on that side; nothing: it has no
+/// way to say that name.
+std::optional<std::string> depfile_name(std::string_view name, DepfileSide side, DepfileReader reader);
+
+/// The text of a depfile, of names that `reader` can say.
+std::string depfile_text(const std::vector<std::string>& results, const std::vector<std::string>& files,
+                         DepfileReader reader);
 
 /// The depfile that the options ask for, of the files read so far, once in a job; nothing: none is asked for, there is
 /// nothing that it could be about, or an error.

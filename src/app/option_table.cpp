@@ -302,7 +302,11 @@ std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& ti
                "leave out what cannot be taken over from another format, with a warning"),
         toggle(Accepts::Writes, "create", &Options::create, "make missing folders of outputs"),
         text(Accepts::Writes, "depfile", "FILE", &Options::depfile,
-             "write to FILE, for Make or Ninja, which files the outputs were made from, included ones too"),
+             "write to FILE which files the outputs were made from, included ones too"),
+        choice<DepfileReader>(
+            Accepts::Writes, "depfile-form",
+            {{"make", DepfileReader::Make}, {"ninja", DepfileReader::Ninja}, {"cmake", DepfileReader::CMake}},
+            &Options::depfile_reader, "who reads the depfile (default: make)"),
         text(Accepts::Writes, "depfile-target", "NAME", &Options::depfile_target,
              "what --depfile calls the result (default: the outputs, as named here)"),
         number(Accepts::Always, "max-memory", "SIZE", {{"M", mega}, {"K", mega >> 10U}, {"G", mega << 10U}},

@@ -39,6 +39,8 @@ enum class Engine {
 };  ///< Embedded: Timed, of untimed models Symbolic; Auto: Timed, of untimed models several beside each other
 /// What `supervise` may hold back.
 enum class Held { Both, Transitions, Outputs };
+/// Who reads a depfile.
+enum class DepfileReader { Make, Ninja, CMake };
 /// How time passes for a controller that runs line by line: by `wait` lines, or by itself.
 enum class Clock { Simulated, Real };
 
@@ -48,7 +50,8 @@ struct Options {
     std::optional<std::string> name = {};    ///< of the files of `build`
     bool create = false;                     ///< missing folders of outputs are made
     std::optional<std::string> depfile = {}, depfile_target = {};
-    bool all = false;  ///< every loop, or chart, of a file
+    std::optional<DepfileReader> depfile_reader = {};  ///< Make, if not said
+    bool all = false;                                  ///< every loop, or chart, of a file
     std::optional<std::string> loop = {};
     std::optional<std::string> chart = {};
     std::optional<std::string> other_chart = {};      ///< of `compare`

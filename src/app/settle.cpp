@@ -21,6 +21,7 @@ std::string settle_outputs(const Verb& verb, const Options& options) {
         return fmt::format("`--name` takes the name of a file without its folder; not `{}`", *options.name);
     if (options.all && (options.loop || options.chart)) return "`--all` and `--loop` or `--chart` exclude each other";
     if (options.depfile_target && !options.depfile) return "`--depfile-target` needs `--depfile`";
+    if (options.depfile_reader && !options.depfile) return "`--depfile-form` needs `--depfile`";
     const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||
                           (options.output && !accepts(verb, Accepts::OutputDirectory));
     if (several && one_form && !options.list && !accepts(verb, Accepts::OutputDirectory))

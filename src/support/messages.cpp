@@ -61,9 +61,11 @@ Diagnostic missing_folder(std::string_view output, std::string_view folder) {
                                    output, folder));
 }
 
-Diagnostic not_in_depfile(std::string_view name) {
+Diagnostic not_in_depfile(std::string_view name, std::string_view reader) {
     return error("not-in-depfile", {},
-                 fmt::format("`{}` has a line break in its name, which no depfile can say; rename it", name));
+                 fmt::format("no depfile that {} reads can say the name `{}`; rename it, or say who else reads the "
+                             "depfile (`--depfile-form`)",
+                             reader, name));
 }
 
 Diagnostic cure_left_out(std::string_view cure) {

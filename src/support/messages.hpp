@@ -22,7 +22,7 @@ Diagnostic output_twice(std::string_view one, std::string_view other);
 Diagnostic no_closed_loop();
 /// The model checked is not that of the file: a cure of the method is left out on purpose.
 Diagnostic missing_folder(std::string_view output, std::string_view folder);
-Diagnostic not_in_depfile(std::string_view name);
+Diagnostic not_in_depfile(std::string_view name, std::string_view reader);
 Diagnostic cure_left_out(std::string_view cure);
 /// An external engine that is asked for and not installed; `instead`: the options that choose an embedded one.
 Diagnostic missing_program(std::string_view program, std::string_view instead);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -104,20 +105,96 @@ TEST(Depfile, IsRefusedWhereItWouldSayNothing) {
     EXPECT_FALSE(fs::exists(folder.file("d")));
 }
 
-/// Names that Make and Ninja read alike, and what else Make can say.
-const std::vector<std::string> alike = {"plain", "a b", "a$b", "a#b", "a\\b", "a\\ b", "a:b", "$(x) y", "a\\\\ # $$b"};
+/// Names with every character of ASCII in the middle, at the beginning and at the end, and with backslashes before some,
+/// as far as `reader` can be told them on that side.
+std::vector<std::string> hostile_names(DepfileSide side, DepfileReader reader) {
+    std::vector<std::string> names = {"plain",   "$(x) y",   "a\\ b",  "a\\#b",    "a\\\\#b",     "a\\:b",
+                                      "a\\$b",   "a\\\\$b",  "a\\*b",  "a\\%b",    "a\\|b",       "a\\\\ # $$b",
+                                      "a[b]*?c", "(x86) %~", "a(b).c", "a = b%%c", "l'eau & co.", "\u00e9\u00e8 %"};
+    for (char c = 1; c > 0; ++c)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '/' && c != '.')
+            for (const std::string& name : {std::string("a") + c + "b", c + std::string("b"), std::string("a") + c})
+                names.push_back(name);
+    std::erase_if(names, [&](const std::string& name) { return !depfile_name(name, side, reader); });
+    return names;
+}
 
-TEST(Depfile, IsReadByMakeAsItIsMeant) {
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+    return text;
+}
+
+TEST(Depfile, RefusesNamesThatItsReaderHasNoWayToSay) {
+    using enum DepfileReader;
+    const auto refused = [](DepfileSide side, DepfileReader reader) {
+        std::string text;
+        for (char c = 1; c > 0; ++c)
+            if (c >= ' ' && !depfile_name(std::string("a") + c + "b", side, reader)) text += c;
+        EXPECT_FALSE(depfile_name("a\nb", side, reader) || depfile_name("a\rb", side, reader) ||
+                     depfile_name("", side, reader));
+        return text;
+    };
+    EXPECT_EQ(refused(DepfileSide::File, Make), "*;=?[\x7f");
+    EXPECT_EQ(refused(DepfileSide::Result, Make), "*;=?[\x7f");
+    EXPECT_EQ(refused(DepfileSide::File, Ninja), "\"&'*;<>?^`|\x7f");
+    EXPECT_EQ(refused(DepfileSide::File, CMake), "\\\x7f");
+    EXPECT_EQ(depfile_name("a\tb%", DepfileSide::File, Make), "a\\\tb%");
+    EXPECT_FALSE(depfile_name("a\tb", DepfileSide::Result, Make));
+    EXPECT_EQ(depfile_name("100%", DepfileSide::Result, Make), "100\\%");
+    EXPECT_FALSE(depfile_name("a\tb", DepfileSide::File, Ninja) || depfile_name("a\tb", DepfileSide::File, CMake));
+    const Folder folder;
+    const std::string main = folder.write("a;b.grafcet", chart("c") + loop("l", "c"));
+    const Result result = grafverif({"equations", main, "-o", folder.file("out"), "--depfile", folder.file("out.d")});
+    EXPECT_EQ(result.code, ExitCode::Input);
+    EXPECT_NE(result.err.find("no depfile that Make reads can say the name `" + main + "`"), std::string::npos);
+    EXPECT_EQ(folder.entries(), 1u) << "nothing is written";
+    EXPECT_EQ(grafverif({"equations", main, "-o", folder.file("out"), "--depfile", folder.file("out.d"),
+                         "--depfile-form", "cmake"})
+                  .code,
+              ExitCode::Done);
+}
+
+TEST(Depfile, TellsMakeTheNamesThemselves) {
     if (printed("command -v make").empty()) GTEST_SKIP() << "there is no make";
-    std::vector<std::string> names = alike;
-    names.insert(names.end(), {"end\\", "a\\#b", "a\\\\#b", "a\\:b"});
-    for (const std::string result : {"result", "the $result #1\\2"}) {
+    const Folder folder;
+    const std::vector<std::string> files = hostile_names(DepfileSide::File, DepfileReader::Make);
+    for (const std::string& name : files) folder.write(name, "");
+    folder.write("Makefile",
+                 depfile_text({"read"}, files, DepfileReader::Make) + "read: ; @: $(info $^)\n.PHONY: read\n");
+    EXPECT_EQ(printed("make -rs -C '" + folder.file("") + "' read"), joined(files) + "\n");
+
+    const Folder another;
+    const std::vector<std::string> results = hostile_names(DepfileSide::Result, DepfileReader::Make);
+    std::string made, text = "all:";
+    std::vector<std::string> wanted;
+    for (const std::string& name : results) {
+        const auto file = depfile_name(name, DepfileSide::File, DepfileReader::Make);
+        if (!file) continue;
+        text += " \\\n  " + *file;
+        wanted.push_back(name);
+        made += name + "\n";
+    }
+    for (const std::string& name : wanted)
+        text += "\n" + *depfile_name(name, DepfileSide::Result, DepfileReader::Make) + ": ; @: $(info $@)\n";
+    another.write("Makefile", text);
+    EXPECT_EQ(printed("make -rs -C '" + another.file("") + "' all"), made);
+}
+
+TEST(Depfile, IsActedOnByMake) {
+    if (printed("command -v make").empty()) GTEST_SKIP() << "there is no make";
+    const std::vector<std::string> names = {"plain", "a b", "a$b", "a#b", "a\\b", "a:b", "a%b", "100%", "a\\#b", "a|b"};
+    const auto reader = DepfileReader::Make;
+    for (const std::string result : {"result", "the $result #1\\2 of 3%"}) {
         for (const std::string& touched : names) {
             SCOPED_TRACE(touched);
             const Folder folder;
             for (const std::string& name : names) folder.write(name, "");
             folder.write(result, "");
-            folder.write("Makefile", depfile_text({result}, names) + make_name(result) + ": ; @false\n");
+            folder.write("all", "");
+            folder.write("Makefile", "all: " + *depfile_name(result, DepfileSide::File, reader) + "\n" +
+                                         depfile_text({result}, names, reader) +
+                                         *depfile_name(result, DepfileSide::Result, reader) + ": ; @false\n");
             const auto old = fs::file_time_type::clock::now() - std::chrono::hours(2);
             for (const std::string& name : names) fs::last_write_time(folder.file(name), old);
             fs::last_write_time(folder.file(result), old + std::chrono::hours(1));
@@ -131,21 +208,46 @@ TEST(Depfile, IsReadByMakeAsItIsMeant) {
     }
 }
 
-TEST(Depfile, IsReadByNinjaAsItIsMeant) {
+TEST(Depfile, TellsNinjaTheNamesThemselves) {
     if (printed("command -v ninja").empty()) GTEST_SKIP() << "there is no ninja";
     const Folder folder;
-    for (const std::string& name : alike) folder.write(name, "");
-    folder.write("result.d.in", depfile_text({"result"}, alike));
+    const std::vector<std::string> files = hostile_names(DepfileSide::File, DepfileReader::Ninja);
+    for (const std::string& name : files) folder.write(name, "");
+    folder.write("result.d.in", depfile_text({"result"}, files, DepfileReader::Ninja));
+    folder.write("plain.d.in", depfile_text({"the $result #1\\2 of 3%"}, files, DepfileReader::Ninja));
     folder.write("build.ninja",
                  "rule r\n  command = cp result.d.in result.d && touch result\n  depfile = result.d\n  deps = gcc\n"
-                 "build result: r\ndefault result\n");
+                 "rule p\n  command = cp plain.d.in plain.d && touch 'the $$result #1\\2 of 3%'\n  depfile = plain.d\n"
+                 "build result: r\nbuild the$ $$result$ #1\\2$ of$ 3%: p\n");
     const std::string ninja = "ninja -C '" + folder.file("") + "' ";
     ASSERT_EQ(std::system((ninja + ">/dev/null").c_str()), 0);
     std::string expected;
-    for (const std::string& name : alike) expected += "    " + name + "\n";
+    for (const std::string& name : files) expected += "    " + name + "\n";
     const std::string deps = printed(ninja + "-t deps result 2>/dev/null");
     EXPECT_NE(deps.find(expected), std::string::npos) << deps;
     EXPECT_NE(printed(ninja).find("no work to do"), std::string::npos);
+}
+
+TEST(Depfile, TellsCMakeTheNamesThemselves) {
+    if (printed("command -v cmake").empty()) GTEST_SKIP() << "there is no cmake";
+    const Folder folder;
+    const std::vector<std::string> files = hostile_names(DepfileSide::File, DepfileReader::CMake);
+    folder.write("in.d", depfile_text({"result"}, files, DepfileReader::CMake));
+    const std::string here = "'" + folder.file("") + "' ";
+    ASSERT_EQ(std::system(("cd " + here + "&& cmake -E cmake_transform_depfile Ninja gccdepfile " + here + here + here +
+                           here + "in.d out.d")
+                              .c_str()),
+              0);
+    std::string expected = "result:";
+    for (const std::string& name : files) expected += " \\\n  " + name;
+    const auto plain = [](std::string text) {  // what it writes is escaped as the version at hand does it
+        for (const auto& [written, meant] : {std::pair{"\\ ", " "}, {"\\#", "#"}, {"$$", "$"}})
+            for (std::size_t at = 0; (at = text.find(written, at)) != std::string::npos;) text.replace(at, 2, meant);
+        return text;
+    };
+    const std::string read = plain(folder.read("out.d"));
+    expected = plain(expected);
+    EXPECT_EQ(read.substr(0, expected.size()), expected);
 }
 
 TEST(Build, TakesSeveralFilesAndAllTheirLoopsAtOnce) {
