@@ -151,6 +151,12 @@ struct How {
     throw py::error_already_set();
 }
 
+/// A report, and what the model was read from.
+struct Checked {
+    Report report;
+    Sources sources;
+};
+
 /// A simulator, which other threads of Python may use too: the lock of the interpreter is kept.
 struct Moved {
     Simulator simulator;
@@ -188,25 +194,27 @@ public:
         return names(model().loops[loop_of(loop)].properties);
     }
 
-    Report check(const std::string& loop, const How& how, const CheckOptions& asked, const Bounds& bounds,
-                 bool untimed) const {
+    Checked check(const std::string& loop, const How& how, const CheckOptions& asked, const Bounds& bounds,
+                  bool untimed) const {
         const ModelOptions options = how.options();
         const Id<ClosedLoop> id = loop_of(loop);
-        return made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
+        Report report = made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
             CheckOptions check = asked;
             check.limits = bounds.limits(stop);
             return untimed ? check_untimed(model(), id, options, check, diagnostics)
                            : grafverif::check(model(), id, options, check, diagnostics);
         });
+        return {std::move(report), reading_.sources};
     }
-    Report check_chart(const std::string& chart, const How& how, const Bounds& bounds) const {
+    Checked check_chart(const std::string& chart, const How& how, const Bounds& bounds) const {
         const ModelOptions options = how.options();
         const Id<Chart> id = chart_of(chart);
-        return made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
+        Report report = made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
             CheckOptions check;
             check.limits = bounds.limits(stop);
             return check_untimed(model(), id, options, check, diagnostics);
         });
+        return {std::move(report), reading_.sources};
     }
     std::pair<std::string, std::string> analyse(const std::string& chart, const How& how, const Bounds& bounds) const {
         const auto mode = mode_of(how.mode);
@@ -328,8 +336,8 @@ private:
     }
 };
 
-const ChartRun& run_of(const Report& report, std::size_t answer) {
-    const auto& trace = report.answers.at(answer).trace;
+const ChartRun& run_of(const Checked& checked, std::size_t answer) {
+    const auto& trace = checked.report.answers.at(answer).trace;
     if (!trace) throw py::key_error("the verdict has no trace");
     return *trace;
 }
@@ -357,13 +365,18 @@ PYBIND11_MODULE(_core, module) {
              }),
              py::kw_only(), py::arg("timeout") = py::none(), py::arg("memory") = py::none(),
              py::arg("states") = py::none());
-    py::class_<Report>(module, "Report")
-        .def("text", [](const Report& report) { return text_of(report); })
-        .def("json", [](const Report& report) { return json_of(report); })
-        .def("trace_text", [](const Report& report, std::size_t answer) { return text_of(run_of(report, answer)); })
-        .def("trace_svg", [](const Report& report, std::size_t answer) {
-            return svg_of(run_of(report, answer), report.answers.at(answer).verdict.property);
-        });
+    py::class_<Checked>(module, "Report")
+        .def("text", [](const Checked& checked) { return text_of(checked.report, checked.sources); })
+        .def("json", [](const Checked& checked) { return json_of(checked.report, checked.sources); })
+        .def(
+            "trace_text", [](const Checked& checked, std::size_t answer) { return text_of(run_of(checked, answer)); },
+            py::arg("answer"))
+        .def(
+            "trace_svg",
+            [](const Checked& checked, std::size_t answer) {
+                return svg_of(run_of(checked, answer), checked.report.answers.at(answer).verdict.property);
+            },
+            py::arg("answer"));
     py::class_<Moved>(module, "Simulator")
         .def("obey", [](Moved& moved, const std::string& command) { return moved.simulator.obey(command); })
         .def("problem", [](const Moved& moved) { return moved.simulator.problem(); })

@@ -195,6 +195,9 @@ std::optional<TestSequence> test_of(const Model& model, Id<Chart> chart, const C
 /// As the program prints it (text_of), and in its form for programs (json_of, docs/trace.md).
 std::string text_of(const Report& report);
 std::string json_of(const Report& report);
+/// The same with file, line and column of each property; `sources`: what the model was read from.
+std::string text_of(const Report& report, const Sources& sources);
+std::string json_of(const Report& report, const Sources& sources);
 std::string text_of(const ChartRun& run);
 std::string json_of(const ChartRun& run);
 std::string text_of(const Analysis& analysis, const Sources& sources);

@@ -12,10 +12,11 @@ ends with KeyboardInterrupt at Ctrl-C. Times are in seconds where they are asked
 
 from __future__ import annotations
 
+import importlib
 import json
 import os
 from dataclasses import dataclass, field
-from typing import Any, Iterable, Iterator, NamedTuple
+from typing import Any, Iterable, Iterator, NamedTuple, TypeVar
 
 from . import _core
 
@@ -49,7 +50,7 @@ class SimulationError(Exception):
 
 def _frame(rows: list[dict[str, Any]]) -> Any:
     try:
-        import pandas
+        pandas: Any = importlib.import_module("pandas")
     except ImportError as error:
         raise ImportError("tables are made by pandas, which is not installed (Debian: python3-pandas)") from error
     return pandas.DataFrame(rows)
@@ -130,6 +131,10 @@ class Verdict:
         self.reason: str | None = document["reason"]  #: of an unknown one
         self.vacuous: bool = document["vacuous"]
         self.notes: list[str] = document["notes"]
+        #: where the property stands, of an undeclared one the loop; line and column from 1, in bytes
+        self.file: str | None = document["file"]
+        self.line: int | None = document["line"]
+        self.column: int | None = document["column"]
         self.document = document  #: all of it, as `check --format json` writes it
         self._report, self._index = report, index
 
@@ -261,11 +266,13 @@ class Automaton(_Machine):
 
     @property
     def locations(self) -> list[dict[str, Any]]:
-        return self.document["location_table"]
+        table: list[dict[str, Any]] = self.document["location_table"]
+        return table
 
     @property
     def evolutions(self) -> list[dict[str, Any]]:
-        return self.document["evolution_table"]
+        table: list[dict[str, Any]] = self.document["evolution_table"]
+        return table
 
     def __repr__(self) -> str:
         return f"<Automaton of {len(self.locations)} locations, {len(self.evolutions)} evolutions>"
@@ -491,6 +498,9 @@ class Loop:
                                                      fairness=fairness))
 
 
+_Thing = TypeVar("_Thing")
+
+
 def _lines(commands: str | Iterable[str]) -> list[str]:
     return commands.splitlines() if isinstance(commands, str) else list(commands)
 
@@ -513,7 +523,7 @@ class File:
         return self._one(self.loops, "closed loop", name)
 
     @staticmethod
-    def _one(things: dict[str, Any], what: str, name: str | None) -> Any:
+    def _one(things: dict[str, _Thing], what: str, name: str | None) -> _Thing:
         if name is not None and name in things:
             return things[name]
         if name is None and len(things) == 1:

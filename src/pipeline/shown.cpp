@@ -8,6 +8,7 @@
 #include "report/findings.hpp"
 #include "report/json.hpp"
 #include "report/json_trace.hpp"
+#include "report/report.hpp"
 #include "report/svg.hpp"
 #include "report/terminal.hpp"
 #include "support/json_text.hpp"
@@ -36,8 +37,14 @@ std::string graph_of(const Machine& machine) {
 std::string text_of(const Report& report) {
     return shown([&](std::ostream& out) { print_report(report, {}, out); });
 }
-std::string json_of(const Report& report) {
-    return shown([&](std::ostream& out) { print_json(report, Sources{}, out); });
+std::string text_of(const Report& report, const Sources& sources) {
+    Report placed = report;
+    name_places(placed, sources);
+    return text_of(placed);
+}
+std::string json_of(const Report& report) { return json_of(report, Sources{}); }
+std::string json_of(const Report& report, const Sources& sources) {
+    return shown([&](std::ostream& out) { print_json(report, sources, out); });
 }
 
 std::string text_of(const ChartRun& run) {
