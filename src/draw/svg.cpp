@@ -48,6 +48,7 @@ private:
         out_ << "<g";
         if (!element.id.empty()) out_ << fmt::format(" id=\"{}\"", element.id);
         out_ << fmt::format(" class=\"{}\"", element.classes);
+        if (element.classes.ends_with(" changed")) out_ << " color=\"#c00000\" stroke=\"currentColor\"";
         for (const auto& [name, value] : element.data)
             out_ << fmt::format(" data-{}=\"{}\"", name, attribute_xml(value));
         out_ << '>';

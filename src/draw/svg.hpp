@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A drawing as SVG. Colours are `currentColor` and `none`, given by attributes, so that the style of a page wins over
+// A drawing as SVG. Colours are `currentColor` and `none`, and of what is `changed` a red for it, given by attributes, so that the style of a page wins over
 // them (docs/drawing.md); it has no style sheet, no script and no ids but those of its elements.
 #pragma once
 

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Law: charts that `compare` calls equal answer random scans alike on the rules of IEC 60848, and what tells different ones
 // apart does so on the rules, in the last scan and not before; no random scans do it in fewer where it says that none do. Charts
-// and their mutants, in both modes, timed ones too.
+// and their mutants, in both modes, timed ones too. And: a mistake of `mutate` reads back as it is written, and its chart is
+// another in one place, which `compare` knows.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <set>
 #include <sstream>
 
 #include "compare/difference.hpp"
+#include "compare/mutants.hpp"
 #include "derive/derive.hpp"
 #include "grafverif/grafverif.hpp"
 #include "run/interpreter.hpp"
 #include "support/law_size.hpp"
 #include "support/random_chart.hpp"
+#include "syntax/language/format.hpp"
+#include "syntax/language/parse.hpp"
 
 namespace grafverif {
 namespace {
@@ -199,6 +204,62 @@ TEST(CompareLaw, AChartWithOtherNamesForItsStepsIsTheSame) {
             ASSERT_TRUE(change.kind == ChartChange::Kind::Renamed || !change.before.empty() || !change.after.empty());
     }
     EXPECT_GT(met.equal, 0);
+}
+
+/// What is wrong with the place of a mistake; nothing: the charts differ there, and nowhere else.
+std::string misplaced(const Mutant& mutant, const Chart& a, const Chart& b) {
+    std::set<std::string> subjects;
+    for (const ChartChange& change : difference(a, b)) {
+        std::string subject = change.subject;
+        if (subject.starts_with("action of ")) subject.erase(0, std::string("action of ").size());
+        const std::size_t partial = subject.rfind('.');  // `step G1.11` is `step 11` where it is written
+        if (subject.starts_with("step ") && partial != subject.npos) subject = "step " + subject.substr(partial + 1);
+        subjects.insert(subject);
+    }
+    const std::size_t places = mutant.kind == "and-divergence" || mutant.kind == "or-divergence" ? 2 : 1;
+    if (subjects.contains(mutant.subject) && subjects.size() <= places) return {};
+    return mutant.kind + " of " + mutant.subject + " is seen in " + ::testing::PrintToString(subjects);
+}
+
+TEST(CompareLaw, AMistakeIsInOnePlaceAndOneThatIsProvedToBeNoneIsSeenByNobody) {
+    Met met;
+    constexpr std::size_t most = 4;  // that are compared
+    int read = 0, refused = 0;
+    std::set<std::string> kinds;
+    for (int seed = 1; seed <= law_size(8); ++seed) {
+        Random random(static_cast<std::uint64_t>(seed) + 2000);
+        const Chart drawn = tidied(random_chart(random, TimedTerms::Steps));
+        if (drawn.steps.size() > most_steps) continue;
+        Sources sources;
+        Diagnostics diagnostics;
+        const tree::File file = parse_file(sources.add({"law", chart_text(drawn)}), sources, diagnostics);
+        const Reading original = read_string(formatted(file), "law", {});
+        if (!original.model) continue;
+        const Chart& chart = *original.model->charts.begin();
+        std::vector<Mutant> all = mutants(file, chart.name);
+        std::shuffle(all.begin(), all.end(), random);
+        for (std::size_t k = 0; k < std::min<std::size_t>(all.size(), 40); ++k) {
+            SCOPED_TRACE(all[k].text);
+            const tree::File back = parse_file(sources.add({"mutant", all[k].text}), sources, diagnostics);
+            ASSERT_FALSE(back.broken) << "seed " << seed;
+            ASSERT_EQ(formatted(back), all[k].text) << "seed " << seed;
+            const Reading reading = read_string(all[k].text, "law", {});
+            if (!reading.model && ++refused) continue;
+            ++read;
+            kinds.insert(all[k].kind);
+            const Chart& mutated = *reading.model->charts.begin();
+            ASSERT_EQ(misplaced(all[k], chart, mutated), "") << "seed " << seed << '\n' << formatted(file);
+            if (k >= most) continue;
+            const ExecutionMode mode = chance(random, 50) ? ExecutionMode::StabilitySearch : ExecutionMode::EveryCycle;
+            ASSERT_EQ(violation(chart, mutated, mode, random, met), "") << "seed " << seed << ", " << word(mode);
+        }
+    }
+    if (std::getenv("GRAFVERIF_LAWS") != nullptr)
+        std::cout << read << " mutants of " << kinds.size() << " kinds, " << refused << " refused for what they mean; "
+                  << met.equal << " equal, " << met.different << " different, " << met.unknown << " unknown\n";
+    EXPECT_GT(read, refused);
+    EXPECT_GT(kinds.size(), 5U);
+    EXPECT_GT(met.equal + met.different, met.unknown);
 }
 
 }  // namespace

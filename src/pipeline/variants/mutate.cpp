@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "run/replay_test.hpp"
+#include "syntax/language/format.hpp"
+#include "syntax/language/parse.hpp"
 
 namespace grafverif {
 
@@ -19,6 +21,14 @@ std::string first_code(const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics.all())
         if (each.severity == Severity::Error) return each.code;
     return "error";
+}
+
+/// Whether `text` is what its reading is written as.
+bool reads_back(const std::string& text) {
+    Sources sources;
+    Diagnostics diagnostics;
+    const tree::File file = parse_file(sources.add({"", text}), sources, diagnostics);
+    return !file.broken && formatted(file) == text;
 }
 
 }  // namespace
@@ -79,6 +89,8 @@ void MutantBench::ask(const Model& mutated, const Asked& asked, const Limits& li
 
 MutantFate MutantBench::fate_of(const Mutant& mutant, const Limits& limits) const {
     MutantFate fate;
+    if (!reads_back(mutant.text))
+        fate.failures.push_back("a mutant is not the text that was made of it: " + mutant.kind + ", " + mutant.subject);
     Reading reading = read_string(mutant.text, path_, read_);
     const auto chart = reading.model ? find_chart(*reading.model, model_.charts[chart_].name) : std::nullopt;
     if (!chart || !equations_of(*reading.model, *chart, reading.diagnostics))

@@ -92,6 +92,45 @@ TEST(Mutate, ASampleIsThatOfItsSeedAndARunGoesOnFromItsStateFile) {
     EXPECT_EQ(std::count(later.begin(), later.end(), '{'), 3) << later;
 }
 
+TEST(Mutate, AStateFileServesTheSameQuestionOnly) {
+    const Folder folder;
+    const std::string part = "component quiet(output OUT) {\n    initial location there;\n}\n";
+    folder.write("part.grafcet", part);
+    std::string text = "include \"part.grafcet\";\n\n" + gate;
+    text.replace(text.find("T = free("), 9, "T = quiet(");
+    const std::string file = folder.write("gate.grafcet", text), state = folder.file("state");
+    const auto lines = [&] {
+        const std::string known = folder.read("state");
+        return std::count(known.begin(), known.end(), '{');
+    };
+    std::vector<std::string> arguments = {"mutate", file, "--limit", "2", "--state", state};
+    const Result first = grafverif(arguments);
+    ASSERT_NE(first.code, ExitCode::Input) << first.err;
+    EXPECT_EQ(lines(), 2);
+    folder.write("part.grafcet", part + "// another file\n");
+    grafverif(arguments);
+    EXPECT_EQ(lines(), 4) << "what the file includes belongs to the question";
+    arguments.insert(arguments.end(), {"--mode", "every-cycle"});
+    grafverif(arguments);
+    EXPECT_EQ(lines(), 6) << "and how it is asked";
+    arguments.insert(arguments.end(), {"--each", "30s"});
+    grafverif(arguments);
+    EXPECT_EQ(lines(), 6) << "a verdict does not depend on the time there was";
+}
+
+TEST(Mutate, WhatTimeDidNotSufficeForIsAskedAgainWhereThereIsMore) {
+    const Folder folder;
+    const std::string file = folder.write("gate.grafcet", gate), state = folder.file("state");
+    const auto counts = [&](const std::string& each) {
+        const Result result =
+            grafverif({"mutate", file, "--limit", "2", "--state", state, "--each", each, "--format", "json"});
+        return nlohmann::json::parse(result.out)["counts"];
+    };
+    EXPECT_EQ(counts("0ms")["unknown"], 2);
+    EXPECT_EQ(counts("60s")["unknown"], 0);
+    EXPECT_EQ(counts("0ms")["unknown"], 0) << "what is decided stays so";
+}
+
 TEST(Mutate, SurvivorsAreWrittenAsTextAndDrawing) {
     const Folder folder;
     const Result result = grafverif({"mutate", folder.write("gate.grafcet", gate), "--survivors", folder.file("left")});
@@ -102,7 +141,20 @@ TEST(Mutate, SurvivorsAreWrittenAsTextAndDrawing) {
     for (const auto& entry : fs::directory_iterator(folder.file("left"))) {
         if (entry.path().extension() != ".grafcet") continue;
         ++texts;
-        EXPECT_TRUE(fs::exists(fs::path(entry.path()).replace_extension(".svg"))) << entry.path();
+        const std::string name = entry.path().stem().string();
+        const auto marks = [&](const std::string& ending) {
+            const std::string drawn = folder.read("left/" + name + ending);
+            EXPECT_NE(drawn.find("<svg"), std::string::npos) << name << ending;
+            return drawn.find(" changed\" color=") != std::string::npos;
+        };
+        if (name == "original") EXPECT_FALSE(marks(".svg"));
+        else EXPECT_TRUE(marks(".before.svg") || marks(".svg")) << name;
+        if (name.ends_with("action-missing")) {
+            EXPECT_TRUE(marks(".before.svg") && !marks(".svg"));
+        }
+        if (name.ends_with("wrong-successor")) {
+            EXPECT_TRUE(marks(".before.svg") && marks(".svg"));
+        }
         EXPECT_EQ(grafverif({"fmt", "--check", entry.path().string()}).code, ExitCode::Done) << entry.path();
     }
     EXPECT_GT(texts, 1U);

@@ -23,6 +23,7 @@
 #include "app/system/guard.hpp"
 #include "app/verbs.hpp"
 #include "compare/mutants.hpp"
+#include "draw/changes.hpp"
 #include "read/formats.hpp"
 #include "report/charts/mutation.hpp"
 #include "support/json_text.hpp"
@@ -36,17 +37,26 @@ using Kind = MutantFate::Kind;
 
 // -- what is known from a run before -------------------------------------------------------------------------------------
 
-/// A name for what is asked: FNV-1a of the mutant and of what its fate depends on besides.
-std::string key_of(const std::string& original, const Mutant& mutant, const Options& options) {
-    std::uint64_t hash = 14695981039346656037U;
-    const std::string mode(options.mode ? word(*options.mode) : "");
-    for (const std::string& part : {original, mutant.text, mode, options.chart.value_or("")})
-        for (const char byte : part + '\0') hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
-    return fmt::format("{:016x}", hash);
+std::uint64_t hashed(std::uint64_t hash, const std::string& text) {
+    for (const char byte : text + '\0') hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
+    return hash;
 }
 
-nlohmann::ordered_json stored(const std::string& key, const MutantFate& fate) {
+/// FNV-1a of all that fates depend on besides the mutant: the program, every file that was read, components of the library too,
+/// and what was asked. Bounds are not among it: see StateFile.
+std::uint64_t hash_of_question(const Job& job) {
+    std::uint64_t hash = hashed(14695981039346656037U, GRAFVERIF_VERSION);
+    for (const Source& source : job.sources) hash = hashed(hash, source.text);
+    const std::string mode(job.options.mode ? word(*job.options.mode) : "");
+    for (const std::string& part :
+         {mode, job.options.chart.value_or(""), std::string(job.options.lossy ? "lossy" : "")})
+        hash = hashed(hash, part);
+    return hash;
+}
+
+nlohmann::ordered_json stored(const std::string& key, const std::string& bounds, const MutantFate& fate) {
     return {{"key", key},
+            {"bounds", bounds},
             {"fate", word(fate.kind)},
             {"reason", fate.reason},
             {"noticed_by", fate.noticed_by},
@@ -55,8 +65,11 @@ nlohmann::ordered_json stored(const std::string& key, const MutantFate& fate) {
             {"scans", fate.scans}};
 }
 
-/// Nothing where the line is none of ours.
-std::optional<std::pair<std::string, MutantFate>> restored(const std::string& line) {
+/// Whether other bounds may lead to another fate.
+bool depends_on_bounds(const MutantFate& fate) { return fate.kind == Kind::Unknown || !fate.undecided.empty(); }
+
+/// Nothing where the line is none of ours, or was found under bounds that it depends on and that are not `bounds`.
+std::optional<std::pair<std::string, MutantFate>> restored(const std::string& line, const std::string& bounds) {
     const auto json = nlohmann::json::parse(line, nullptr, false);
     if (!json.is_object()) return {};
     try {
@@ -71,20 +84,27 @@ std::optional<std::pair<std::string, MutantFate>> restored(const std::string& li
         fate.undecided = json.at("undecided");
         if (!json.at("caught").is_null()) fate.caught = json.at("caught").get<bool>();
         fate.scans = json.at("scans");
+        if (depends_on_bounds(fate) && json.at("bounds") != bounds) return {};
         return std::pair(json.at("key").get<std::string>(), std::move(fate));
     } catch (const nlohmann::json::exception&) {
         return {};
     }
 }
 
+std::chrono::milliseconds each_of(const Options& options) {
+    return std::chrono::milliseconds(options.each_ms.value_or(60'000));
+}
+
 /// The fates of a run before, and a file that each new one is added to.
 class StateFile {
 public:
-    explicit StateFile(const std::optional<std::string>& path) {
+    explicit StateFile(const Options& options)
+        : bounds_(fmt::format("{} ms, {} bytes", each_of(options).count(), options.max_memory.value_or(0))) {
+        const std::optional<std::string>& path = options.state_file;
         if (!path) return;
         std::ifstream in(*path);
         for (std::string line; std::getline(in, line);)
-            if (auto known = restored(line)) known_.insert(std::move(*known));
+            if (auto known = restored(line, bounds_)) known_.insert_or_assign(known->first, std::move(known->second));
         in.close();
         out_.open(*path, std::ios::app);
         if (!out_) throw std::system_error(errno, std::generic_category(), *path);
@@ -95,10 +115,11 @@ public:
         return found == known_.end() ? std::nullopt : std::optional(found->second);
     }
     void add(const std::string& key, const MutantFate& fate) {
-        if (out_.is_open()) out_ << json_text(stored(key, fate), -1) << std::endl;
+        if (out_.is_open()) out_ << json_text(stored(key, bounds_, fate), -1) << std::endl;
     }
 
 private:
+    std::string bounds_;  ///< of the work on each
     std::map<std::string, MutantFate> known_ = {};
     std::ofstream out_ = {};
 };
@@ -121,14 +142,13 @@ void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
 /// Judges all, several at once. A fate stays empty where the run was stopped before.
 class Judging {
 public:
-    Judging(const MutantBench& bench, Mutation& mutation, const std::string& original, const Options& options,
-            const Limits& limits)
+    Judging(const MutantBench& bench, Mutation& mutation, const Job& job, const Limits& limits)
         : bench_(bench),
           mutation_(mutation),
-          original_(original),
-          options_(options),
+          question_(hash_of_question(job)),
+          options_(job.options),
           limits_(limits),
-          state_(options.state_file) {}
+          state_(job.options) {}
 
     void run() {
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
@@ -158,18 +178,17 @@ private:
     }
 
     void judge(std::size_t index) {
-        const std::string key = key_of(original_, mutation_.mutants[index], options_);
+        const std::string key = fmt::format("{:016x}", hashed(question_, mutation_.mutants[index].text));
         std::optional<MutantFate> fate = state_.known(key);
         if (!fate) {
             Limits limits = limits_;
             limits.progress = {};
-            const auto end =
-                std::chrono::steady_clock::now() + std::chrono::milliseconds(options_.each_ms.value_or(60'000));
+            const auto end = std::chrono::steady_clock::now() + each_of(options_);
             limits.deadline = limits.deadline ? std::min(*limits.deadline, end) : end;
             fate = bench_.fate_of(mutation_.mutants[index], limits);
             if (fate->kind == Kind::Unknown && stopped()) return;
             const std::lock_guard lock(mutex_);
-            state_.add(key, *fate);
+            if (fate->failures.empty()) state_.add(key, *fate);
         }
         const std::lock_guard lock(mutex_);
         mutation_.fates[index] = std::move(*fate);
@@ -181,7 +200,7 @@ private:
 
     const MutantBench& bench_;
     Mutation& mutation_;
-    const std::string& original_;
+    std::uint64_t question_;
     const Options& options_;
     const Limits& limits_;
     StateFile state_;
@@ -191,20 +210,26 @@ private:
     std::size_t done_ = 0;
 };
 
-/// Text and drawing of the original and of each mutant that no property notices.
+/// Text and drawing of the original and of each mutant that no property notices; in the drawings of both what the other does
+/// not have is marked.
 bool write_survivors(const Mutation& mutation, const Model& model, Id<Chart> chart, const std::string& original,
                      const ReadOptions& read, Job& job, const Streams& streams) {
     if (!job.options.survivors) return true;
     const std::string folder = *job.options.survivors + "/";
-    std::vector<OutputFile> files{{folder + "original.grafcet", original},
-                                  {folder + "original.svg", svg_of(drawing_of(model, chart))}};
+    const Drawing drawn = drawing_of(model, chart);
+    std::vector<OutputFile> files{{folder + "original.grafcet", original}, {folder + "original.svg", svg_of(drawn)}};
     for (std::size_t k = 0; k < mutation.mutants.size(); ++k) {
         if (!mutation.fates[k] || mutation.fates[k]->kind != Kind::Unnoticed) continue;
         const std::string name = fmt::format("{}{:03}-{}", folder, k + 1, mutation.mutants[k].kind);
         const Reading reading = read_string(mutation.mutants[k].text, job.options.operands[0], read);
         const auto mutated = reading.model ? find_chart(*reading.model, mutation.chart) : std::nullopt;
         files.push_back({name + ".grafcet", mutation.mutants[k].text});
-        if (mutated) files.push_back({name + ".svg", svg_of(drawing_of(*reading.model, *mutated))});
+        if (!mutated) continue;
+        Drawing before = drawn, after = drawing_of(*reading.model, *mutated);
+        draw::mark_changes(before, after);
+        draw::mark_changes(after, drawn);
+        files.push_back({name + ".before.svg", svg_of(before)});
+        files.push_back({name + ".svg", svg_of(after)});
     }
     return write_outputs(files, job, streams);
 }
@@ -241,7 +266,7 @@ ExitCode mutate(Job& job, const Streams& streams) {
     MutantBench bench(*model, *chart, path, read, job.options.mode);
     const Bounds bounds(job.options, streams);
     bool stopped = !bench.prepare(bounds.limits());
-    if (!stopped) Judging(bench, mutation, original, job.options, bounds.limits()).run();
+    if (!stopped) Judging(bench, mutation, job, bounds.limits()).run();
     stopped = stopped || bounds.interrupted();
     mutation.properties = bench.properties();
     mutation.test_steps = bench.test_steps();

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "draw/changes.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace grafverif::draw {
+
+namespace {
+
+/// What an element says, wherever it stands; of a link, what it joins, upward or not; empty: it says nothing of the chart.
+std::string content(const Drawing::Element& element) {
+    if (!element.id.empty()) return element.classes + '\n' + element.title;
+    if (!element.classes.starts_with("link")) return {};
+    std::string text = "link";
+    for (const auto& [name, value] : element.data) text += '\n' + name + ' ' + value;
+    return text;
+}
+
+}  // namespace
+
+void mark_changes(Drawing& drawing, const Drawing& other) {
+    std::map<std::string, int> there;  // how often the other says it, less what was found here
+    std::map<std::string, std::string> by_id;
+    for (const Drawing::Element& element : other.elements) {
+        ++there[content(element)];
+        if (!element.id.empty()) by_id.emplace(element.id, content(element));
+    }
+    std::vector<Drawing::Element*> moved;
+    for (Drawing::Element& element : drawing.elements) {
+        const std::string said = content(element);
+        if (said.empty()) continue;
+        const auto found = by_id.find(element.id);
+        if (found != by_id.end() && found->second == said) --there[said];
+        else moved.push_back(&element);
+    }
+    for (Drawing::Element* element : moved)
+        if (there[content(*element)]-- <= 0) element->classes += " changed";
+}
+
+}  // namespace grafverif::draw
