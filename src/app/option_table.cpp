@@ -261,6 +261,7 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
             "the last event of the timing diagram (default: that of the trace)"),
         text(Accepts::Compare, "other-chart", "NAME", &Options::other_chart,
              "the chart of OTHER (default: as --chart)"),
+        toggle(Accepts::Compare, "each-mode", &Options::each_mode, "ask in each mode, one after the other"),
         text(Accepts::Compare, "from-situation", "STEPS", &Options::from_situation,
              "begin with these steps: `3,5`; `3,5:W3,W5` where b calls them otherwise"),
         number(Accepts::Compare, "resolution", "TIME", times, &Options::resolution_ms,

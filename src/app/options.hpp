@@ -55,6 +55,7 @@ struct Options {
     std::optional<std::string> loop = {};
     std::optional<std::string> chart = {};
     std::optional<std::string> other_chart = {};      ///< of `compare`
+    bool each_mode = false;                           ///< of `compare`
     std::optional<std::string> from_situation = {};   ///< of `compare`: names of steps, with commas
     std::optional<std::uint64_t> resolution_ms = {};  ///< of `compare`
     std::optional<ExecutionMode> mode = {};

@@ -20,6 +20,7 @@ std::string settle_outputs(const Verb& verb, const Options& options) {
     if (options.name && (options.name->empty() || options.name->find('/') != std::string::npos))
         return fmt::format("`--name` takes the name of a file without its folder; not `{}`", *options.name);
     if (options.all && (options.loop || options.chart)) return "`--all` and `--loop` or `--chart` exclude each other";
+    if (options.each_mode && options.mode) return "`--each-mode` and `--mode` exclude each other";
     if (options.depfile_target && !options.depfile) return "`--depfile-target` needs `--depfile`";
     if (options.depfile_reader && !options.depfile) return "`--depfile-form` needs `--depfile`";
     const bool one_form = options.format == Format::Json || options.trace_vcd || options.trace_svg ||

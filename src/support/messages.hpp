@@ -172,6 +172,7 @@ Diagnostic explicit_priority(Span where, std::string_view step, std::size_t bran
 Diagnostic differs_from_sfc(Span where, std::string_view what);
 Diagnostic ours_already(Span where);
 Diagnostic nothing_to_import(Span where, std::string_view what);
+Diagnostic program_is_no_chart(Span where, std::string_view name);
 // (src/support/messages_findings.cpp)
 Diagnostic bad_exclusion_header(Span where);
 Diagnostic bad_exclusion(Span where, std::size_t fields);

@@ -106,4 +106,13 @@ Diagnostic nothing_to_import(Span where, std::string_view what) {
     return error("nothing-to-import", where, fmt::format("the file has no {}; nothing can be taken over", what));
 }
 
+Diagnostic program_is_no_chart(Span where, std::string_view name) {
+    return error(
+        "nothing-to-import", where,
+        fmt::format("`{}` is a program without a Sequential Function Chart, and no steps can be read back from "
+                    "its statements; take the chart that it was written from, and ask `grafverif test` whether "
+                    "a controller that runs it does what the chart says",
+                    name));
+}
+
 }  // namespace grafverif::messages

@@ -108,9 +108,11 @@ st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
     PlcopenReader reader{xml, sources, draft};
     reader.file.source = xml.source();
     std::vector<pugi::xml_node> pous;
+    pugi::xml_node program;  // in Structured Text, which is told where there is no chart
     for (pugi::xml_node node = xml.root().first_child(); node;) {
         if (is(node, "globalVars")) read_variables(reader, node, reader.file.globals);
         if (is(node, "pou") && child(child(node, "body"), "SFC")) pous.push_back(node);
+        if (is(node, "pou") && child(child(node, "body"), "ST") && !program) program = node;
         const bool enter = node.first_child() && !is(node, "pou");
         if (enter) {
             node = node.first_child();
@@ -130,6 +132,12 @@ st::File read_plcopen(const Xml& xml, const Sources& sources, Draft& draft) {
                 read_variables(reader, list, unit.variables);
         read_actions(reader, pou, unit);
         read_network(reader, unit, child(child(pou, "body"), "SFC"), {});
+        reader.file.units.push_back(std::move(unit));
+    }
+    if (pous.empty() && program) {
+        st::Unit unit;
+        unit.name = reader.name(value(program, "name"), xml.where(program, "name"));
+        unit.where = xml.where(program);
         reader.file.units.push_back(std::move(unit));
     }
     return std::move(reader.file);

@@ -259,7 +259,12 @@ void convert_charts(const st::File& file, Draft& draft) {
         any = true;
         convert(file, unit, charts, draft);
     }
-    if (!any) draft.diagnostics().add(messages::nothing_to_import({file.source, 0, 0}, "Sequential Function Chart"));
+    if (any) return;
+    if (file.units.empty())
+        draft.diagnostics().add(messages::nothing_to_import({file.source, 0, 0}, "Sequential Function Chart"));
+    else
+        draft.diagnostics().add(
+            messages::program_is_no_chart(file.units.front().where, file.text(file.units.front().name)));
 }
 
 }  // namespace grafverif

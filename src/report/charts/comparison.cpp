@@ -154,12 +154,16 @@ void print_changes(const std::vector<ChartChange>& changes, std::ostream& out) {
     }
 }
 
-void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out) {
+void print_answer(const Comparison& comparison, Colour colour, std::ostream& out) {
     out << fmt::format("`{}` (a) and `{}` (b): {}\n", printable(comparison.charts[0]), printable(comparison.charts[1]),
                        outcome_text(comparison, colour));
     print_sentence(comparison, out);
     if (!comparison.scans.empty()) print_scans(comparison, out);
     print_basis(comparison, out);
+}
+
+void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out) {
+    print_answer(comparison, colour, out);
     out << (comparison.changes.empty() ? "the texts say the same, but for order and layout\n"
                                        : "what the texts say, from a to b:\n");
     print_changes(comparison.changes, out);

@@ -16,6 +16,8 @@
 
 namespace grafverif {
 
+/// Without what the texts say.
+void print_answer(const Comparison& comparison, Colour colour, std::ostream& out);
 void print_comparison(const Comparison& comparison, Colour colour, std::ostream& out);
 std::string comparison_json(const Comparison& comparison);
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "run_program.hpp"
+#include "unit/read/fixtures.hpp"
 
 namespace grafverif::app {
 namespace {
@@ -32,6 +33,52 @@ TEST(Compare, AChartIsEqualToItselfInEachMode) {
         EXPECT_EQ(result.code, ExitCode::Done) << result.err;
         EXPECT_NE(result.out.find(": equal\n"), std::string::npos) << result.out;
         EXPECT_NE(result.out.find("the texts say the same"), std::string::npos) << result.out;
+    }
+}
+
+TEST(Compare, EachModeIsAskedInOneRun) {
+    const Result result = grafverif({"compare", tanks, tanks, "--each-mode"});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    const std::size_t first = result.out.find("mode stability-search"), second = result.out.find("mode every-cycle");
+    EXPECT_LT(first, second) << result.out;
+    EXPECT_EQ(result.out.find("the texts say"), result.out.rfind("the texts say")) << "once";
+    // A step more on the way is seen in every cycle only.
+    const std::string longer = with(with(lamp, "step 1 {", "step 9;\n    step 1 {"), "0 -> 1 when on;",
+                                    "0 -> 9 when on && !off;\n    transition t9: 9 -> 1 when true;");
+    const std::string plain = with(lamp, "when on;", "when on && !off;");
+    const Result apart = compared(plain, longer, {"--each-mode", "--format", "json"});
+    EXPECT_EQ(apart.code, ExitCode::Verdict) << apart.err;
+    const auto json = nlohmann::json::parse(apart.out, nullptr, false);
+    ASSERT_EQ(json.size(), 2U) << apart.out;
+    EXPECT_EQ(json[0]["outcome"], "equal");
+    EXPECT_EQ(json[1]["outcome"], "different");
+    EXPECT_EQ(compared(lamp, lamp, {"--each-mode", "--mode", "every-cycle"}).code, ExitCode::Input);
+}
+
+TEST(Compare, WhatIsTakenOverFromAnotherFormatIsEqualToItsFile) {
+    const Folder folder;
+    for (const auto& [name, text] : {std::pair{"agrafe.xml", &fixtures::agrafe},
+                                     {"plcopen.xml", &fixtures::plcopen},
+                                     {"sfc.st", &fixtures::sfc}}) {
+        SCOPED_TRACE(name);
+        const std::string file = folder.write(name, *text), taken = folder.file("taken.grafcet");
+        ASSERT_EQ(grafverif({"import", file, "--lossy", "-o", taken}).code, ExitCode::Done);
+        const Result result = grafverif({"compare", file, taken, "--lossy", "--each-mode", "--timeout", "60s"});
+        EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
+        EXPECT_NE(result.out.find("the texts say the same"), std::string::npos) << result.out;
+    }
+}
+
+TEST(Compare, AProgramIsNoChartAndIsToldSo) {
+    const Folder folder;
+    for (const std::string form : {"text", "xml"}) {
+        const std::string program = folder.file("program");
+        ASSERT_EQ(grafverif({"st", tanks, "--format", form, "-o", program}).code, ExitCode::Done) << form;
+        const Result result = grafverif({"compare", tanks, program});
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find("`tanks` is a program without a Sequential Function Chart"), std::string::npos)
+            << result.err;
+        EXPECT_NE(result.err.find("`grafverif test`"), std::string::npos);
     }
 }
 
@@ -159,16 +206,7 @@ TEST(Compare, WhatIsStoppedIsUnknown) {
     const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
     const Result result = grafverif({"compare", station, station, "--chart", "testing_station", "--timeout", "1ms"});
     EXPECT_EQ(result.code, ExitCode::Unknown) << result.out;
-    EXPECT_NE(result.out.find("stopped at the time limit of 0.001 s"), std::string::npos) << result.out;
-}
-
-TEST(Compare, StructuredTextIsNotReadAsAChart) {
-    const Folder folder;
-    const Result text = grafverif({"st", tanks, "--format", "text", "-o", folder.file("tanks.st")});
-    ASSERT_EQ(text.code, ExitCode::Done) << text.err;
-    const Result result = grafverif({"compare", tanks, folder.file("tanks.st")});
-    EXPECT_EQ(result.code, ExitCode::Input);
-    EXPECT_NE(result.err.find("has no Sequential Function Chart"), std::string::npos) << result.err;
+    EXPECT_NE(result.out.find("stopped at the time limit of 0"), std::string::npos) << result.out;
 }
 
 }  // namespace

@@ -32,6 +32,25 @@ ExitCode exit_code(const Comparison& comparison) {
     return ExitCode::Failure;
 }
 
+/// Nothing: as the loop of FILE has it.
+std::vector<std::optional<ExecutionMode>> asked_modes(const Options& options) {
+    if (!options.each_mode) return {options.mode};
+    return {ExecutionMode::StabilitySearch, ExecutionMode::EveryCycle};
+}
+
+/// One object, or with `--each-mode` a list; as text what the charts say once, in the end.
+void print(const std::vector<Comparison>& all, const Options& options, Colour colour, std::ostream& out) {
+    const bool json = options.format == Format::Json, list = options.each_mode;
+    if (json && list) out << "[\n";
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const bool last = k + 1 == all.size();
+        if (json) out << comparison_json(all[k]) << (last ? "\n" : ",\n");
+        else if (last) print_comparison(all[k], colour, out);
+        else print_answer(all[k], colour, out);
+    }
+    if (json && list) out << "]\n";
+}
+
 }  // namespace
 
 ExitCode compare(Job& job, const Streams& streams) {
@@ -47,19 +66,28 @@ ExitCode compare(Job& job, const Streams& streams) {
                            .resolution_ms = job.options.resolution_ms,
                            .from = beginnings(a->charts[*of_a], b->charts[*of_b], job),
                            .limits = bounds.limits()};
-    auto found = job.diagnostics.has_errors() ? std::nullopt : compare(*a, *of_a, *b, *of_b, options, job.diagnostics);
-    if (!found) return ExitCode::Input;
-    found->reason = with_who_stopped(std::move(found->reason), bounds.interrupted(), job.options);
+    if (job.diagnostics.has_errors()) return ExitCode::Input;
+    std::vector<Comparison> all;
+    for (const std::optional<ExecutionMode> mode : asked_modes(job.options)) {
+        options.mode = mode;
+        auto found = compare(*a, *of_a, *b, *of_b, options, job.diagnostics);
+        if (!found) return ExitCode::Input;
+        found->reason = with_who_stopped(std::move(found->reason), bounds.interrupted(), job.options);
+        all.push_back(std::move(*found));
+    }
     std::ostringstream out;
     const bool to_file = job.options.output && *job.options.output != "-";
-    if (job.options.format == Format::Json) out << comparison_json(*found) << '\n';
-    else print_comparison(*found, colour_on(to_file ? Screen{} : streams.out_screen, job.options), out);
+    print(all, job.options, colour_on(to_file ? Screen{} : streams.out_screen, job.options), out);
     work_is_done();
     if (job.options.output) deliver(std::move(out).str(), job, streams);
     else streams.out << std::move(out).str();  // clean, but for our colours
-    for (const std::string& failure : found->failures)
-        streams.err << "grafverif: internal failure: " << failure << '\n';
-    return exit_code(*found);
+    ExitCode code = ExitCode::Done;
+    for (const Comparison& found : all) {
+        for (const std::string& failure : found.failures)
+            streams.err << "grafverif: internal failure: " << failure << '\n';
+        code = worse(code, exit_code(found));
+    }
+    return code;
 }
 
 Verb compare_usage() {
