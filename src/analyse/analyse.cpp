@@ -60,6 +60,9 @@ std::string obstacle_text(const BddExhausted& exhausted, const AnalyseOptions& o
     return "the memory allowed, " + std::to_string(options.max_memory >> 20U) + " MiB, is used up";
 }
 
+/// Where ways back alone are left to look for, the work on a part is at most so many first slices.
+constexpr std::uint64_t most_for_ways = 16;
+
 /// The parts of a chart, each searched in turns until nothing is open or no part can go on.
 class Course {
 public:
@@ -77,8 +80,11 @@ public:
     }
 
     void run() {
-        for (auto slice = options_.first_slice; questions_.any_open() && turns(slice); slice *= 4) {
-        }
+        for (auto slice = options_.first_slice; questions_.any_open() && turns(slice); slice *= 4)
+            if (slice >= most_for_ways * options_.first_slice && questions_.only_traps_open()) {
+                obstacle_ = "looking for ways back takes more work than is spent on it";
+                break;
+            }
         result_.questions = questions_.all().size();
         for (const Question& question : questions_.all())
             if (!question.decided)
@@ -96,6 +102,7 @@ private:
         AnalyseOptions options = {};
         bool loosely = false;  ///< it was looked at with inputs that change before every evolution
         bool complete = false, given_up = false, doubtful = false;
+        bool ways_known = false;  ///< what never comes again in it was looked for
     };
 
     bool counts_on() const {
@@ -111,7 +118,7 @@ private:
         bool any = false;
         for (std::size_t k = 0; k < parts_.size() && questions_.any_open(); ++k) {
             Part& part = parts_[k];
-            if (part.complete || part.given_up) continue;
+            if (part.given_up || (part.complete && (part.ways_known || !questions_.any_trap_open()))) continue;
             if (is_last(part) && !parts_[k - 1].complete && !parts_[k - 1].given_up) continue;
             if (stopped_) return false;
             any = true;
@@ -166,7 +173,7 @@ private:
             if (stopped_ || contradictory_ || !questions_.any_open()) return;
             part.given_up = false;
         }
-        part.complete = spend(part, slice, [&](BddSpace& space) { look_at(k, space); });
+        spend(part, slice, [&](BddSpace& space) { look_at(k, space); });
     }
 
     /// Whether `look` came to its end.
@@ -238,9 +245,12 @@ private:
             analyst.leave();
             throw;
         }
+        part.complete = true;
         part.doubtful = analyst.doubtful();
         if (whole(part) && !part.doubtful) questions_.decide("total-instability");
         analyst.leave();
+        analyst.look_for_traps();
+        part.ways_known = true;
     }
 
     void show_progress(std::size_t part, std::size_t instant) const {
@@ -280,6 +290,9 @@ void add_notes(const Equations& equations, const AnalyseOptions& options, Analys
     result.notes.emplace_back(options.mode == ExecutionMode::StabilitySearch
                                   ? "inputs change between stable situations only (IEC 60848); cycle time is zero"
                                   : "one evolution per cycle, inputs sampled in each");
+    if (!equations.timers.empty() && !options.instability_only)
+        result.notes.emplace_back(
+            "a way back may rest on an order in which timers end; a trap that durations alone make is not seen");
     if (std::ranges::any_of(result.findings, is_break, &Finding::code))
         result.notes.emplace_back(
             "nothing is looked at beyond a race, orders that exclude each other or a value that does not fit; what is "

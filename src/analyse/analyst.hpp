@@ -18,6 +18,7 @@
 #include "analyse/evidence.hpp"
 #include "analyse/machine.hpp"
 #include "analyse/search.hpp"
+#include "analyse/ways.hpp"
 
 namespace grafverif::analysis {
 
@@ -43,6 +44,9 @@ public:
     /// The question where it is asked and still open, else nothing.
     Question* open(std::string_view code, std::size_t index);
     bool any_open() const;
+    /// Whether one of them is open that is about ways back.
+    bool any_trap_open() const;
+    bool only_traps_open() const;
     const std::vector<Question>& all() const { return all_; }
     /// Nothing is asked any more.
     void drop() { all_.clear(), places_.clear(); }
@@ -67,6 +71,8 @@ public:
     void look();
     /// Tells what never happens. Requires that the search is done and every instant was looked at.
     void conclude();
+    /// Tells what never comes again from some points on. Requires what conclude() does.
+    void look_for_traps();
     /// Tells what never happens even where inputs change before every evolution. Requires that the search was of that kind, though
     /// the chart is executed with stability search: what was seen in it means nothing.
     void conclude_loosely();
@@ -126,6 +132,32 @@ private:
     void immediate_transitions();
     void transient_steps();
     void silent_outputs();
+
+    // What never comes again (analyst_traps.cpp).
+
+    /// Something that comes about: a step is active, a transition is cleared, a stored value changes.
+    struct Passing {
+        enum class Kind { Step, Transition, Value } kind = Kind::Step;
+        Question* question = nullptr;
+        Span origin = {};
+        Bdd comes = {};                  ///< the points in which it does
+        Bdd gone = {};                   ///< the points from which it never does again, whatever the inputs are
+        bool again = false;              ///< it can come about, cease and come about again
+        std::vector<bool> lost_in = {};  ///< per region: it never comes about there
+    };
+    std::vector<Passing> passing();
+    bool find_gone(Passing& each, const Ways& ways, const Bdd& sound, const std::vector<Bdd>& regions) const;
+    void not_lost(Question& question) const;
+    void tell_lost(const std::vector<Passing>& lost, const Ways& ways, const std::vector<Bdd>& regions);
+    void tell_trap(const std::vector<const Passing*>& lost, const Bdd& within, const Ways& ways,
+                   std::set<const Passing*>& told);
+    void tell_group(const std::vector<const Passing*>& group, const Ways& ways, const Bdd& goal);
+    void tell_once(const std::vector<const Passing*>& once, const Ways& ways);
+    void tell_regions(const std::vector<Passing>& lost, const Ways& ways, const Bdd& sound, const Bdd& known,
+                      std::size_t regions);
+    /// Tells it by a shortest way to `goal`; else the questions stay open.
+    void keep_trap(Finding made, const std::vector<const Passing*>& of, const Ways& ways, const Bdd& goal);
+    std::string stays_active(const std::vector<const Passing*>& lost, const Bdd& goal);
 
     bool searching() const { return options_.mode == ExecutionMode::StabilitySearch; }
     bool seen(const Bdd& points) const { return !(search_.reached() & points).is_false(); }

@@ -105,12 +105,14 @@ private:
         }
         fired.push_back(shown.fired);
         tell_rest(at_start, shown, fired);
+        if (demand.settles && !settles_) fail(instant, "the instant does not end, or breaks off");
     }
 
     /// The whole instant, or, where it never ends or breaks off later, as far as the path goes.
     void tell_rest(const State& at_start, const Evolution& shown, const Fired& fired) {
         Cycle done = cycle(chart_, at_start, inputs_, mode_);
         const bool ends = problem(done).empty();
+        settles_ = ends;
         state_ = ends ? std::move(done.state) : shown.state;
         ends ? add_row("", done.fired) : add_row("in this instant", fired);
     }
@@ -165,6 +167,7 @@ private:
     std::int64_t time_ = 0;
     std::vector<std::int64_t> inputs_ = {};
     Evidence result_ = {};
+    bool settles_ = false;
 };
 
 }  // namespace

@@ -18,6 +18,7 @@ struct Demand {
     Id<Chart::Variable> race = {};  ///< two actions store different values in it
     bool fault = false;             ///< a value does not exist or does not fit
     bool endless = false;           ///< the instant never ends
+    bool settles = false;           ///< the instant ends, and nothing breaks it off
     bool ends = true;               ///< tell the instant to its end; else to the end of the path
 };
 

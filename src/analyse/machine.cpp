@@ -397,6 +397,19 @@ Bdd Machine::sampled(const Bdd& rest) const {
     return allowed_ends(result) & possible_;
 }
 
+Bdd Machine::before_time(const Bdd& points) const {
+    Bdd result = rest(points & possible_);
+    for (const Equations::Timer& clock : clocks_) {
+        if (!matters_[clock.end.index]) continue;
+        const std::uint32_t bit = words_[clock.end.index].bits.front();
+        const Bdd end = space_.variable(bit), level = word_term(clock.watched).bits.front();
+        const Bdd to_false = cofactor(result, ~end), to_true = cofactor(result, end);
+        const Bdd may_end = clock.fall_ms == 0 ? falsehood() : clock.rise_ms == 0 ? ~level : Bdd::constant(true);
+        result = ite(end, to_true | (to_false & may_end), to_false | (to_true & level));
+    }
+    return result;
+}
+
 Bdd Machine::without_ends(const Bdd& points) const {
     std::vector<std::uint32_t> ends;
     for (const Equations::Timer& clock : clocks_)
@@ -429,6 +442,16 @@ Bdd Machine::holds(Id<Expr> term) {
 Bdd Machine::differs(Id<Expr> term, std::int64_t value) { return unequal((*terms_)(term), value); }
 
 Bdd Machine::differs_at_first(Id<Expr> term, std::int64_t value) { return unequal((*first_terms_)(term), value); }
+
+Bdd Machine::changes(Id<Variable> variable) const {
+    Bdd result;
+    const std::vector<std::uint32_t>& bits = words_[variable.index].bits;
+    for (const KeptBit& bit : kept_)
+        if (std::ranges::find(bits, bit.before) != bits.end()) result |= bit.next ^ space_.variable(bit.before);
+    for (const Break& each : all_breaks_)
+        if (each.variable == variable) result |= each.beyond;
+    return result;
+}
 
 // -- single points -----------------------------------------------------------------------------------------------------
 

@@ -65,11 +65,15 @@ public:
     Bdd evolved_rest(const Bdd& points) const;
     /// The points of `points` whose evolution leads to what `next` keeps.
     Bdd origins(const Bdd& points, const Point& next) const;
+    /// All points whose evolution leads to one of `points`, inputs kept; where `points` is a rest, to what it keeps.
+    Bdd origins(const Bdd& points) const { return relation_->preimage(points); }
     Bdd with_inputs_of(const Bdd& points, const Point& other) const;
     /// `points` without their inputs.
     Bdd rest(const Bdd& points) const { return exists(points, inputs_); }
     /// What a rest can be after some time, inputs sampled anew.
     Bdd sampled(const Bdd& rest) const;
+    /// The rests that can be one of `points` after some time, inputs sampled anew.
+    Bdd before_time(const Bdd& points) const;
     /// The states of `rest` that can be `next` after some time.
     Bdd origins_in_time(const Bdd& rest, const Point& next) const;
 
@@ -90,6 +94,8 @@ public:
     const std::vector<Bdd>& conflicts() const { return conflicts_; }
     /// `points`, whatever the ends of timers are.
     Bdd without_ends(const Bdd& points) const;
+    /// Where the evolution gives the variable another value, one above what is kept of a counter included.
+    Bdd changes(Id<Equations::Variable> variable) const;
     /// Whether the variable is part of points.
     bool matters(Id<Equations::Variable> variable) const { return matters_[variable.index]; }
     /// Where a term over the variables after an evolution has another value than `value`; in a set of points after it.

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "analyse/analyst.hpp"
+#include "analyse/order.hpp"
 #include "analyse/structure.hpp"
 
 namespace grafverif::analysis {
@@ -48,6 +49,15 @@ Questions::Questions(const Chart& chart, const Equations& equations, const Analy
     for (const Id<Chart::Transition> id : chart.transitions.ids())
         for (const char* code : {"transition-never-fired", "transition-always-fired"})
             add(code, id.index, chart.transitions[id].name);
+    for (const Id<Chart::Step> step : chart.steps.ids())
+        add("step-never-again", step.index, step_variable(chart, step));
+    for (const Id<Chart::Transition> id : chart.transitions.ids())
+        add("transition-never-again", id.index, chart.transitions[id].name);
+    const std::vector<bool> matters = variables_that_matter(equations);
+    for (const Equations::Stored& stored : equations.stored)
+        if (matters[stored.variable.index])
+            add("value-sticks", stored.variable.index, equations.variables[stored.variable].name);
+    add("region-never-left", 0, "");
     for (std::size_t k = 0; k < equations.conflicts.size(); ++k)
         add("forced-twice", k, conflict_subject(chart, equations.conflicts[k]));
     const auto governed = orders_on_enclosed(chart);
@@ -72,6 +82,16 @@ void Questions::trust_parts() {
 
 bool Questions::any_open() const {
     return std::ranges::any_of(all_, [](const Question& question) { return !question.decided; });
+}
+
+bool Questions::any_trap_open() const {
+    return std::ranges::any_of(all_,
+                               [](const Question& question) { return !question.decided && is_trap(question.code); });
+}
+
+bool Questions::only_traps_open() const {
+    return std::ranges::all_of(all_,
+                               [](const Question& question) { return question.decided || is_trap(question.code); });
 }
 
 void Questions::decide(std::string_view code, std::size_t index) {

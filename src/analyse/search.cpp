@@ -8,15 +8,10 @@
 
 namespace grafverif::analysis {
 
-namespace {
-
-/// `fresh`, and as many of `known` as make its diagram small: what follows from those is known as well.
 Bdd widened(const Bdd& fresh, const Bdd& known) {
     const Bdd care = fresh | ~known;
     return care.is_false() ? fresh : simplify(fresh, care);
 }
-
-}  // namespace
 
 void Search::next() {
     if (instants_.empty()) return first_instant();
@@ -57,6 +52,12 @@ void Search::make_instant(Bdd points) {
     instants_.push_back(std::move(made));
 }
 
+Bdd Search::first() const {
+    Bdd all;
+    for (std::size_t ring = 0; ring < instants_.front().end; ++ring) all |= rings_.each[ring];
+    return all;
+}
+
 /// Evolutions with constant inputs are a function, and a function on finitely many points leads each that has endless
 /// histories round a cycle. The points of a cycle are reached in one instant.
 Bdd Search::endless(const Bdd& within) const {
@@ -90,6 +91,11 @@ std::optional<std::pair<std::size_t, Point>> Search::end_of(const Instant& insta
         if (!found.is_false()) return std::pair{ring, machine_.pick(found)};
     }
     return {};
+}
+
+Bdd Search::nearest(const Bdd& goal) const {
+    const std::optional<std::size_t> ring = rings_.nearest(goal);
+    return ring ? rings_.each[*ring] & goal : Bdd();
 }
 
 std::optional<Path> Search::path_to(const Bdd& goal) const {

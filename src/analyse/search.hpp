@@ -21,6 +21,9 @@ struct Instant {
     Bdd rest = {};
 };
 
+/// `fresh`, and as many of `known` as make its diagram small: for steps that do not matter from those known.
+Bdd widened(const Bdd& fresh, const Bdd& known);
+
 /// A run to a point.
 struct Path {
     /// Per instant the points it goes through, each about to make an evolution; the last is the end of the path. In the
@@ -52,6 +55,12 @@ public:
     /// All points, and in every_cycle mode all points right after an evolution, inputs kept.
     const Bdd& reached() const { return rings_.reached; }
     const Bdd& landings() const { return landings_; }
+    /// All points, the nearest first.
+    const std::vector<Bdd>& rings() const { return rings_.each; }
+    /// The points of the first instant.
+    Bdd first() const;
+    /// Those of `goal` that are nearest: a shortest path leads to one of them.
+    Bdd nearest(const Bdd& goal) const;
     /// A shortest path to a point of `goal`; empty: there is none.
     std::optional<Path> path_to(const Bdd& goal) const;
 

@@ -33,6 +33,16 @@ constexpr std::array kinds = {
     FindingKind{"step-never-active", Level::Warning, "A step is active in no situation that can be reached."},
     FindingKind{"transition-never-fired", Level::Warning, "A transition is never cleared."},
     FindingKind{"output-never-set", Level::Warning, "An output always has its initial value."},
+    FindingKind{"step-never-again", Level::Warning,
+                "A step that can be active again and again is never active again from some situation on."},
+    FindingKind{"transition-never-again", Level::Warning,
+                "A transition that can be cleared again and again is never cleared again from some situation on."},
+    FindingKind{"value-sticks", Level::Warning,
+                "A stored value that can change again and again never changes again from some situation on."},
+    FindingKind{"region-never-left", Level::Warning,
+                "Some situations are never left for the others, though every step can become active in them."},
+    FindingKind{"comes-once", Level::Note,
+                "A step is active, or a transition cleared, once in a run and never again: a start-up or an end."},
     FindingKind{"step-never-stable", Level::Note,
                 "A step is active in transient situations only, so that its continuous actions give no output."},
     FindingKind{"transition-always-fired", Level::Note,
@@ -43,6 +53,11 @@ constexpr std::array kinds = {
 }  // namespace
 
 std::span<const FindingKind> finding_kinds() { return kinds; }
+
+bool is_trap(std::string_view code) {
+    return code == "step-never-again" || code == "transition-never-again" || code == "value-sticks" ||
+           code == "region-never-left";
+}
 
 std::string_view word(Finding::Level level) {
     switch (level) {

@@ -108,6 +108,7 @@ void print_findings(const Analysis& analysis, const Sources& sources, Colour col
 }
 
 std::string open_text(const OpenQuestion& question) {
+    if (is_trap(question.code)) return "ways back are known when all situations are";
     const bool never =
         question.code.find("-never-") != std::string::npos || question.code.find("-always-") != std::string::npos;
     const std::string least = question.evolutions == 0 ? "" : fmt::format("none in {} evolutions", question.evolutions);

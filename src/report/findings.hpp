@@ -5,7 +5,8 @@
 // not decided, and how far it was looked into.
 // JSON: `{"chart","mode","complete","obstacle","instants","seconds","questions","open":[{"code","subject","instants",
 // "evolutions"}],"notes","findings":[{"code","level","subject",
-// "message","file","line","column","related":[{"message","file","line","column"}],"timing","accepted","shows","trace"}]}`,
+// "message","file","line","column","related":[{"message","file","line","column"}],"lost" (of traps),"timing",
+// "accepted","shows","trace"}]}`,
 // a trace as in report/json.hpp; what there is not is null.
 // SARIF: report/sarif.hpp.
 #pragma once

@@ -12,6 +12,8 @@
 #include <set>
 
 #include "analyse/analyse.hpp"
+#include "analyse/cones.hpp"
+#include "analyse/order.hpp"
 #include "derive/derive.hpp"
 #include "run/interpreter.hpp"
 #include "support/law_size.hpp"
@@ -36,6 +38,75 @@ struct RestOrder {
     bool operator()(const Rest& left, const Rest& right) const { return key(left) < key(right); }
 };
 
+/// What comes about at the points of a chart and at the rests between its instants, and where they lead.
+struct Ways {
+    struct Node {
+        std::set<std::string> comes = {};
+        std::vector<std::size_t> next = {};
+        bool unknown = false;                  ///< it breaks off, or its instant does not end
+        std::optional<std::size_t> ends = {};  ///< a rest: the first instant that ends in it
+    };
+    std::vector<Node> nodes = {};
+
+    template <class Is>
+    std::vector<bool> leading_to(const Is& is) const {
+        std::vector<std::vector<std::size_t>> before(nodes.size());
+        std::vector<bool> found(nodes.size());
+        std::vector<std::size_t> open;
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            for (const std::size_t next : nodes[k].next) before[next].push_back(k);
+            if (is(k)) found[k] = true, open.push_back(k);
+        }
+        while (!open.empty()) {
+            const std::size_t k = open.back();
+            open.pop_back();
+            for (const std::size_t each : before[k])
+                if (!found[each]) found[each] = true, open.push_back(each);
+        }
+        return found;
+    }
+    std::vector<bool> leading_to(const std::string& what) const {
+        return leading_to([&](std::size_t k) { return nodes[k].comes.contains(what); });
+    }
+    /// Per rest from which it never comes again. `broken`: what nobody looks at may lead back.
+    std::vector<bool> gone(const std::string& what, bool broken) const {
+        std::vector<bool> found =
+            leading_to([&](std::size_t k) { return nodes[k].comes.contains(what) || (broken && nodes[k].unknown); });
+        for (std::size_t k = 0; k < nodes.size(); ++k) found[k] = nodes[k].ends && !found[k];
+        return found;
+    }
+    bool comes_again(const std::string& what, bool step) const {
+        const std::vector<bool> back = leading_to(what);
+        for (const Node& node : nodes)
+            for (const std::size_t next : node.next)
+                if (node.comes.contains(what) && back[next] && !(step && nodes[next].comes.contains(what))) return true;
+        return false;
+    }
+    /// Sets of nodes that nothing leaves, each with its rests; those from which something breaks off are none.
+    std::vector<std::vector<bool>> regions() const {
+        std::vector<bool> done = leading_to([&](std::size_t k) { return nodes[k].unknown; });
+        std::vector<std::vector<bool>> found;
+        for (std::size_t start = 0; start < nodes.size(); ++start) {
+            if (done[start] || !nodes[start].ends) continue;
+            std::vector<bool> onward(nodes.size());
+            std::vector<std::size_t> open{start};
+            onward[start] = true;
+            while (!open.empty()) {
+                const std::size_t k = open.back();
+                open.pop_back();
+                for (const std::size_t next : nodes[k].next)
+                    if (!onward[next]) onward[next] = true, open.push_back(next);
+            }
+            const std::vector<bool> back = leading_to([&](std::size_t k) { return k == start; });
+            bool closed = true;
+            for (std::size_t k = 0; k < nodes.size(); ++k) closed = closed && (!onward[k] || back[k]);
+            if (closed) found.push_back(onward);
+            for (std::size_t k = 0; k < nodes.size(); ++k) done[k] = done[k] || (closed ? back[k] : k == start);
+        }
+        return found;
+    }
+};
+
 class ExplicitSearch {
 public:
     ExplicitSearch(const Chart& chart, ExecutionMode mode) : chart_(chart), mode_(mode) {
@@ -44,17 +115,24 @@ public:
         for (const Id<Chart::Transition> id : chart.transitions.ids()) always_.insert(name(id));
     }
 
+    const Ways& ways() const { return ways_; }
+
     /// Empty: there are too many points, or a condition has no value somewhere.
     std::optional<Facts> facts() {
         for_each_input([&](const std::vector<std::int64_t>& inputs) {
-            begin({power_on(chart_), std::vector<bool>(elements_.size())}, inputs);
+            begin({power_on(chart_), std::vector<bool>(elements_.size())}, inputs, add_node());
         });
         while (!open_.empty() && points_ < most_points && !lost_) {
             const Rest rest = std::move(open_.front().first);
             instant_ = open_.front().second + 1;
             open_.pop_front();
+            const std::size_t node = known_.at(rest);
             for_each_end(rest, 0, [&](const Rest& later) {
-                for_each_input([&](const std::vector<std::int64_t>& inputs) { begin(later, inputs); });
+                for_each_input([&](const std::vector<std::int64_t>& inputs) {
+                    const std::size_t next = add_node();
+                    ways_.nodes[node].next.push_back(next);
+                    begin(later, inputs, next);
+                });
             });
         }
         if (!open_.empty() || lost_) return {};
@@ -124,21 +202,42 @@ private:
         for_each_end(rest, k + 1, visit);
     }
 
-    /// One instant.
-    void begin(Rest at, const std::vector<std::int64_t>& inputs) {
+    std::size_t add_node() {
+        ways_.nodes.emplace_back();
+        return ways_.nodes.size() - 1;
+    }
+
+    void note_ways(std::size_t node, const State& before, const Evolution* made) {
+        std::set<std::string>& comes = ways_.nodes[node].comes;
+        for (const Id<Chart::Step> id : chart_.steps.ids())
+            if (before.situation[id.index]) comes.insert(step_variable(chart_, id));
+        if (made == nullptr) return;
+        for (const auto fired : made->fired) comes.insert(name(fired));
+        for (const Id<Chart::Variable> id : chart_.variables.ids())
+            if (chart_.variables[id].kind != Chart::VariableKind::Input &&
+                made->state.values[id.index] != before.values[id.index])
+                comes.insert(chart_.variables[id].name);
+    }
+
+    /// One instant, from a node on.
+    void begin(Rest at, const std::vector<std::int64_t>& inputs, std::size_t node) {
         std::set<Rest, RestOrder> seen;
-        while (!lost_) {
+        for (std::size_t next = node; !lost_; node = next) {
             ++points_;
             note_situation(at.first);
             const bool first = !at.first.started;
             const Evolution made = evolve(chart_, at.first, inputs, at.second);
             if (!first) note_evolution(at.first, made);
+            const bool breaks = made.race || made.fault;
+            note_ways(node, at.first, first || breaks ? nullptr : &made);
+            ways_.nodes[node].unknown = breaks;
             if (made.race) note("action-race " + chart_.variables[made.race->variable].name);
             if (made.fault) return note_fault(*made.fault);
             if (made.race) return;
             const bool ends = !first && made.stable && mode_ == ExecutionMode::StabilitySearch;
             if (!ends && !first && !seen.insert(at).second) {
                 note("total-instability");
+                ways_.nodes[node].unknown = true;
                 return;
             }
             at.first = made.state;
@@ -147,12 +246,20 @@ private:
                 if (elements_[k].rise_ms == 0) at.second[k] = at.second[k] || level(at.first, k);
             }
             // A stable evolution changes levels that timers watch.
-            if (ends || mode_ == ExecutionMode::EveryCycle) return rest(at);
+            if (ends || mode_ == ExecutionMode::EveryCycle) return rest(at, node);
+            next = add_node();
+            ways_.nodes[node].next.push_back(next);
         }
     }
 
-    void rest(const Rest& at) {
-        if (known_.insert(at).second) open_.emplace_back(at, instant_);
+    void rest(const Rest& at, std::size_t node) {
+        const auto [place, fresh] = known_.try_emplace(at, ways_.nodes.size());
+        if (fresh) {
+            open_.emplace_back(at, instant_);
+            note_ways(add_node(), at.first, nullptr);
+            ways_.nodes.back().ends = instant_;
+        }
+        ways_.nodes[node].next.push_back(place->second);
     }
 
     void note_fault(const RunFault& fault) {
@@ -193,7 +300,8 @@ private:
     std::vector<Id<Chart::Variable>> inputs_ = {};
     std::set<std::uint32_t> active_ = {};
     std::set<std::string> fired_ = {}, always_ = {};
-    std::set<Rest, RestOrder> known_ = {};
+    std::map<Rest, std::size_t, RestOrder> known_ = {};  ///< with their nodes
+    Ways ways_ = {};
     std::deque<std::pair<Rest, std::size_t>> open_ = {};  ///< with their instant: the nearest first
     std::size_t instant_ = 1;
     std::size_t points_ = 0;
@@ -203,7 +311,7 @@ private:
 
 bool is_compared(const std::string& code) {
     return code != "input-never-read" && code != "output-never-set" && code != "step-never-stable" &&
-           code != "action-conflict" && !code.starts_with("forc");
+           code != "action-conflict" && code != "comes-once" && !is_trap(code) && !code.starts_with("forc");
 }
 
 /// The interpreter names one race, and one value that does not fit, of an evolution that may have several.
@@ -238,10 +346,105 @@ std::string wrongly_open(const Analysis& analysis, const Facts& expected, const 
     return text;
 }
 
+/// The instants of the first rests from which none of `lost` ever comes again; per region, of those that lead to it.
+std::set<std::size_t> first_without(const Ways& ways, const std::vector<std::string>& lost, bool broken) {
+    std::vector<bool> all(ways.nodes.size(), true);
+    for (const std::string& each : lost) {
+        const std::vector<bool> gone = ways.gone(each, broken);
+        for (std::size_t k = 0; k < all.size(); ++k) all[k] = all[k] && gone[k];
+    }
+    std::set<std::size_t> result;
+    const auto add = [&](const auto& of) {
+        std::optional<std::size_t> first;
+        for (std::size_t k = 0; k < all.size(); ++k)
+            if (all[k] && of(k)) first = std::min(first.value_or(*ways.nodes[k].ends), *ways.nodes[k].ends);
+        if (first) result.insert(*first);
+    };
+    add([](std::size_t) { return true; });
+    for (const std::vector<bool>& region : ways.regions()) {
+        const std::vector<bool> to = ways.leading_to([&](std::size_t k) -> bool { return region[k]; });
+        add([&](std::size_t k) -> bool { return to[k]; });
+    }
+    return result;
+}
+
+/// What the two routes do not agree on about what never comes again.
+std::string disagreement_on_ways(const Chart& chart, const Equations& equations, const Ways& ways,
+                                 const Analysis& analysis, const Bounds& bounds) {
+    std::string text;
+    // What a counter's range or another part breaks off is not seen, so that it does not lead back.
+    const bool one_part = analysis::cones(equations).size() == 1;
+    const bool cut = bounds.longest_count < 256 || !one_part;
+    std::map<std::string, Finding::Level> found;
+    std::set<std::string> unconfirmed;
+    bool region = false, sure = true;
+    for (const Finding& finding : analysis.findings) {
+        if (!is_trap(finding.code) && finding.code != "comes-once") continue;
+        region = region || finding.code == "region-never-left";
+        sure = sure && finding.timing != Finding::Timing::Unconfirmed;
+        for (const std::string& each : finding.lost) {
+            found[each] = finding.level;
+            if (finding.timing == Finding::Timing::Unconfirmed) unconfirmed.insert(each);  // it may be none
+        }
+        if (finding.lost.empty() || finding.timing == Finding::Timing::Unconfirmed) continue;
+        const bool once = finding.code == "comes-once";  // its way is one to where the first of them is lost
+        const auto first = first_without(ways, once ? std::vector{finding.lost.front()} : finding.lost, !cut);
+        const std::size_t way = finding.evidence ? finding.evidence->rows.size() - 1 : 0;
+        const bool cyclic = analysis.mode == ExecutionMode::EveryCycle;  // lost when an instant begins, or when it ends
+        if (first.empty()) text += "not lost: " + finding.message + '\n';
+        else if (!first.contains(way) && !(cyclic && first.contains(way - 1)) && one_part)
+            text += "not shortest: " + finding.message + ", " + std::to_string(way) + " instants\n";
+    }
+    std::set<std::string> open, steps;
+    for (const OpenQuestion& question : analysis.open)
+        if (is_trap(question.code)) open.insert(question.subject);
+    for (const Id<Chart::Step> id : chart.steps.ids()) steps.insert(step_variable(chart, id));
+    std::set<std::string> asked = steps;
+    for (const Id<Chart::Transition> id : chart.transitions.ids()) asked.insert(chart.transitions[id].name);
+    const std::vector<bool> matters = analysis::variables_that_matter(equations);
+    for (const Equations::Stored& stored : equations.stored)
+        if (matters[stored.variable.index]) asked.insert(equations.variables[stored.variable].name);
+    for (const std::string& each : asked) {
+        const bool ever =
+            std::ranges::any_of(ways.nodes, [&](const Ways::Node& one) { return one.comes.contains(each); });
+        const bool lost = ever && !first_without(ways, {each}, true).empty();
+        if (lost && !found.contains(each) && !open.contains(each)) text += "can be lost: " + each + '\n';
+        if (unconfirmed.contains(each)) continue;
+        if (found.contains(each) && !(ever && !first_without(ways, {each}, !cut).empty()))
+            text += "never lost: " + each + '\n';
+        if (found.contains(each) && found[each] == Finding::Level::Note && ways.comes_again(each, steps.contains(each)))
+            text += "more than once: " + each + '\n';
+    }
+    const auto regions = ways.regions();
+    if (region && regions.size() < 2) {
+        std::vector<bool> inside = regions.empty() ? std::vector<bool>(ways.nodes.size()) : regions.front();
+        bool any = false;  // of what is outside of the only region, whether a transition comes again and again
+        for (const Id<Chart::Transition> id : chart.transitions.ids()) {
+            const std::string& fired = chart.transitions[id].name;
+            for (std::size_t k = 0; k < inside.size(); ++k) {
+                if (inside[k] || !ways.nodes[k].comes.contains(fired)) continue;
+                const std::vector<bool> back = ways.leading_to([k](std::size_t other) { return other == k; });
+                for (const std::size_t next : ways.nodes[k].next) any = any || back[next];
+            }
+        }
+        if (!any || regions.empty()) text += "no region that is never left\n";
+    }
+    for (const std::vector<bool>& each : regions)
+        if (one_part && sure && regions.size() > 1 && !region && analysis.open.empty() &&
+            std::ranges::none_of(found, [&](const auto& lost) {
+                for (std::size_t k = 0; k < each.size(); ++k)
+                    if (each[k] && ways.nodes[k].comes.contains(lost.first)) return false;
+                return true;
+            }))
+            text += "a region is not found\n";
+    return text;
+}
+
 /// What the two routes do not agree on; empty: nothing. Empty optional: the chart is too large for this.
 std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, const Bounds& bounds = {}) {
     if (chart.steps.empty()) return {};
-    const std::optional<Facts> expected = ExplicitSearch(chart, mode).facts();
+    ExplicitSearch search(chart, mode);
+    const std::optional<Facts> expected = search.facts();
     Diagnostics diagnostics;
     const auto equations = derive(chart, diagnostics);
     if (!expected || !equations) return {};
@@ -270,6 +473,7 @@ std::optional<std::string> disagreement(const Chart& chart, ExecutionMode mode, 
     for (const std::string& fact : found)
         if (!expected->contains(fact) && !masked(fact, *expected)) text += "not true: " + fact + '\n';
     if (unconfirmed.empty()) text += wrongly_open(analysis, *expected, found);
+    text += disagreement_on_ways(chart, *equations, search.ways(), analysis, bounds);
     return text;
 }
 

@@ -6,7 +6,7 @@
 // never happens, and then its evidence, where there is any, is a run that comes as near as can be. A run is short in
 // changes of the inputs first, in evolutions then. What can happen is found where the ends of timers are known by their
 // order only; a run is then given concrete times, and Timing says whether that was possible. What never happens does not
-// happen at any times.
+// happen at any times. So is it with what never comes again from some situation on: its evidence is a shortest run there.
 //
 // Invariants (see verify): every code is one of finding_codes(); an accepted finding has a reason.
 #pragma once
@@ -45,6 +45,7 @@ struct Finding {
     std::string message = {};  ///< worded as a diagnostic
     Span origin = {};
     std::vector<Related> related = {};
+    std::vector<std::string> lost = {};  ///< steps, transitions and variables that never come again, in this order
     std::optional<ChartRun> evidence = {};
     std::string evidence_shows = {};  ///< what happens at the end of the evidence
     Timing timing = Timing::Untimed;
@@ -99,6 +100,9 @@ struct FindingKind {
 
 /// Every code there is, in the order of reports.
 std::span<const FindingKind> finding_kinds();
+
+/// Whether a code is about what never comes again: a question that is decided only when every situation is known.
+bool is_trap(std::string_view code);
 
 /// `error`, `warning`, `note`.
 std::string_view word(Finding::Level level);

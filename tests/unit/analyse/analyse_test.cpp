@@ -524,6 +524,89 @@ TEST(Analyse, ARunOfAPartThatNoTimesMakeIsNotTakenForOneOfTheChart) {
     EXPECT_NE(find(found, "transition-never-fired", "t"), nullptr);
 }
 
+// -- what never comes again --------------------------------------------------------------------------------------------
+
+constexpr std::string_view press = R"(
+    input a, b;
+    output O;
+    internal n: int 0..3 = 0;
+    initial step 10;
+    step 0;
+    step 1 { n := n + 1 on activation; }
+    step 9 { O; }
+    transition t10: 10 -> 0 when a;
+    transition t0: 0 -> 1 when !a && n < 2;
+    transition t1: 1 -> 0 when a && !b;
+    transition t9: 1 -> 9 when a && b;
+)";
+
+TEST(Analyse, EachTrapIsToldWithAWayToWhereNothingLeadsBackFrom) {
+    const Analysis found = analysed(press);
+    EXPECT_EQ(codes(found), (Codes{"step-never-again X0", "step-never-again X1", "comes-once X10"}));
+    const Finding &stopped = found.findings[0], &counted = found.findings[1], &once = found.findings[2];
+    EXPECT_EQ(stopped.level, Finding::Level::Warning);
+    EXPECT_EQ(stopped.lost, (std::vector<std::string>{"X0", "X1", "t0", "t1", "t9", "n"}));
+    EXPECT_EQ(stopped.message,
+              "the chart can come to where `X0` and `X1` are never active again, `t0`, `t1` and `t9` are never "
+              "cleared again, `n` is never changed again; `X9` stays active");
+    EXPECT_EQ(cleared(*stopped.evidence), (std::vector<std::vector<std::string>>{{"t9"}}));
+    EXPECT_EQ(stopped.evidence->rows.size(), 4U) << "power-on, t10, t0, t9";
+    EXPECT_EQ(counted.lost, (std::vector<std::string>{"X1", "X9", "t0", "t1", "t9", "n"}));
+    EXPECT_TRUE(counted.message.ends_with("; `X0` stays active")) << counted.message;
+    EXPECT_EQ(once.level, Finding::Level::Note);
+    EXPECT_EQ(once.lost, (std::vector<std::string>{"X10", "t10"}));
+}
+
+TEST(Analyse, ACounterThatIsNeverSetBackSticksWhereStepsGoOn) {
+    const Analysis found = analysed(R"(
+        input a, b;
+        internal n: int 0..3 = 0;
+        initial step 0 { n := n + 1 on event rise(b) && n < 3; }
+        step 1;
+        transition t0: 0 -> 1 when a;
+        transition t1: 1 -> 0 when !a || n == 3;
+    )",
+                                    {.mode = ExecutionMode::EveryCycle});
+    ASSERT_EQ(codes(found), Codes{"value-sticks n"});
+    EXPECT_EQ(found.findings[0].lost, std::vector<std::string>{"n"});
+}
+
+TEST(Analyse, TwoPartsThatFallOutOfStepAreARegionThatIsNeverLeft) {
+    const Analysis found = analysed(R"(
+        input a, b;
+        initial step 0;
+        step 1;
+        transition t0: 0 -> 1 when rise(a);
+        transition t1: 1 -> 0 when rise(a);
+        partial other {
+            initial step 10;
+            step 11;
+            transition u0: 10 -> 11 when rise(a) || (rise(b) && X0);
+            transition u1: 11 -> 10 when rise(a);
+        }
+    )");
+    ASSERT_EQ(codes(found), Codes{"region-never-left"});
+    EXPECT_EQ(found.findings[0].evidence->rows.size(), 2U + 1U) << "power-on, and a rise of `b` alone";
+}
+
+TEST(Analyse, AWayBackThroughARaceIsNotDenied) {
+    // What comes after the race is not looked at: it may lead back to 0.
+    const Analysis found = analysed(R"(
+        input a, b;
+        internal m: bool = false;
+        initial step 0;
+        step 1;
+        step 2 { m := true on activation; }
+        step 3 { m := false on activation; }
+        transition t0: 0 -> 1 when a;
+        transition t1: 1 -> 2, 3 when b;
+        transition t2: 2, 3 -> 0 when m;
+    )");
+    EXPECT_NE(find(found, "action-race"), nullptr);
+    EXPECT_EQ(find(found, "step-never-again"), nullptr);
+    EXPECT_EQ(find(found, "comes-once"), nullptr);
+}
+
 TEST(Analyse, AnExhaustedSearchClaimsNothingThatNeverHappens) {
     std::atomic<bool> stop{true};
     const std::string text(sound);

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+// What never comes again: traps. All points are known here, so what no way leads back to never comes again; the graph of the
+// points has every run of the chart (ends of timers may come in orders that no times have), so that this holds at any times. A
+// trap that durations alone make is not seen.
+//
+// What is never looked at, what would come after an evolution that breaks off or an instant that does not end, may lead back:
+// from where that can come about nothing is said to be lost.
+//
+// A step, transition or value is lost in the regions that runs end in without it. A region, or those in which the same is lost, is
+// a trap, told by a way to where nothing of that comes again; what is lost there for reasons of its own (neither of two is
+// always lost with the other) has a way of its own. What comes about once in a run anyway is a start-up or an end:
+// a note.
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "analyse/analyst.hpp"
+
+namespace grafverif::analysis {
+
+namespace {
+
+constexpr std::size_t most_regions = 16;
+constexpr std::size_t most_named = 8;
+
+/// `` `X1`, `X2` and `X3` ``; what is beyond eight is counted.
+std::string listed(const std::vector<std::string>& names) {
+    const std::size_t told = std::min(names.size(), most_named);
+    std::string text;
+    for (std::size_t k = 0; k < told; ++k) {
+        if (k > 0) text += k + 1 == names.size() ? " and " : ", ";
+        text += "`" + names[k] + "`";
+    }
+    return names.size() > told ? text + " and " + std::to_string(names.size() - told) + " more" : text;
+}
+
+}  // namespace
+
+std::vector<Analyst::Passing> Analyst::passing() {
+    std::vector<Passing> all;
+    const auto add = [&](Passing::Kind kind, std::string_view code, std::size_t index, Span origin, const auto& comes) {
+        if (Question* const question = questions_.open(code, index)) all.push_back({kind, question, origin, comes()});
+    };
+    for (const Step step : chart_.steps.ids())
+        if (machine_.covers_step(step.index))
+            add(Passing::Kind::Step, "step-never-again", step.index, chart_.steps[step].origin,
+                [&] { return machine_.active(step.index); });
+    for (const Transition id : chart_.transitions.ids())
+        if (machine_.covers_firing(id.index))
+            add(Passing::Kind::Transition, "transition-never-again", id.index, chart_.transitions[id].origin,
+                [&] { return machine_.unbroken(machine_.fires(id.index)); });
+    for (const Equations::Stored& stored : equations_.stored)
+        if (machine_.covers(stored.variable) && machine_.matters(stored.variable))
+            add(Passing::Kind::Value, "value-sticks", stored.variable.index,
+                equations_.variables[stored.variable].origin,
+                [&] { return machine_.unbroken(machine_.changes(stored.variable)); });
+    return all;
+}
+
+void Analyst::look_for_traps() {
+    std::vector<Passing> all = passing();
+    Question* const region = questions_.open("region-never-left", 0);
+    if (all.empty() && region == nullptr) return;
+    const Ways ways(machine_, options_.mode, search_);
+    Bdd unknown = ways.reached() & ~machine_.unbroken(ways.reached());
+    if (searching()) unknown |= search_.endless(machine_.going_on(ways.reached()));
+    const Bdd sound = ways.reached() & ~ways.to(unknown);
+    const std::vector<Bdd> regions = ways.regions(sound, most_regions);
+    std::erase_if(all, [&](Passing& each) {
+        if (find_gone(each, ways, sound, regions)) return false;
+        not_lost(*each.question);
+        return true;
+    });
+    tell_lost(all, ways, regions);
+    if (region != nullptr) tell_regions(all, ways, sound, ways.reached() & ~unknown, regions.size());
+}
+
+/// A part that is not lost in may have runs that the chart has not: the whole decides, or that there are none.
+void Analyst::not_lost(Question& question) const {
+    (machine_.whole() ? question.decided : question.seen_in_part) = true;
+}
+
+/// Whether there is a point from which it never comes about again, though it does somewhere.
+bool Analyst::find_gone(Passing& each, const Ways& ways, const Bdd& sound, const std::vector<Bdd>& regions) const {
+    each.comes &= ways.reached();
+    if (each.comes.is_false()) return false;
+    for (const Bdd& region : regions) each.lost_in.push_back((region & each.comes).is_false());
+    const bool in_all = std::ranges::find(each.lost_in, true) == each.lost_in.end();
+    if (in_all && regions.size() < most_regions) return false;
+    const Bdd back = ways.to(each.comes);
+    each.gone = sound & ~back;
+    const Bdd next = ways.after(each.comes) & back;
+    each.again = !(each.kind == Passing::Kind::Step ? next & ~each.comes : next).is_false();
+    return !each.gone.is_false();
+}
+
+/// Regions in which the same is lost are one trap.
+void Analyst::tell_lost(const std::vector<Passing>& lost, const Ways& ways, const std::vector<Bdd>& regions) {
+    std::map<std::vector<const Passing*>, Bdd> traps;
+    std::set<const Passing*> told;
+    for (std::size_t region = 0; region < regions.size(); ++region) {
+        std::vector<const Passing*> here;
+        for (const Passing& each : lost)
+            if (each.lost_in[region]) here.push_back(&each);
+        traps[std::move(here)] |= regions[region];
+    }
+    for (const auto& [here, region] : traps)
+        if (std::ranges::any_of(here, &Passing::again))
+            tell_trap(here, traps.size() > 1 ? ways.to(region) : ways.reached(), ways, told);
+    std::vector<const Passing*> left;
+    for (const Passing& each : lost)
+        if (!told.contains(&each)) left.push_back(&each);
+    if (std::ranges::any_of(left, &Passing::again)) tell_trap(left, ways.reached(), ways, told);
+    std::erase_if(left, [&](const Passing* each) { return told.contains(each); });
+    if (!left.empty()) tell_once(left, ways);
+}
+
+/// What is lost `within` a trap: what is lost with the other or after it is told with it, and what is lost where that is shown.
+void Analyst::tell_trap(const std::vector<const Passing*>& lost, const Bdd& within, const Ways& ways,
+                        std::set<const Passing*>& told) {
+    std::vector<const Passing*> left = lost;
+    while (true) {
+        const auto leader = std::ranges::find_if(left, &Passing::again);
+        if (leader == left.end()) return;
+        const Bdd first = (*leader)->gone & within;
+        Bdd goal = first & ways.ends();
+        std::set<const Passing*> group;
+        for (const bool shown : {false, true}) {
+            if (shown) goal = search_.nearest(goal);
+            for (const Passing* each : left) {
+                const Bdd both = first & each->gone;
+                const bool nested = both == first || both == (each->gone & within);
+                if (shown ? (goal & each->gone).is_false() : !nested) continue;
+                goal &= each->gone;
+                group.insert(each);
+            }
+        }
+        told.insert(group.begin(), group.end());
+        std::vector<const Passing*> of;
+        std::ranges::copy_if(left, std::back_inserter(of), [&](const Passing* each) { return group.contains(each); });
+        std::erase_if(left, [&](const Passing* each) { return group.contains(each); });
+        tell_group(of, ways, goal);
+    }
+}
+
+void Analyst::tell_group(const std::vector<const Passing*>& group, const Ways& ways, const Bdd& goal) {
+    std::array<std::vector<std::string>, 3> names;
+    for (const Passing* each : group) {
+        names[static_cast<std::size_t>(each->kind)].push_back(each->question->subject);
+    }
+    std::string lost;
+    for (const auto& [which, never] : {std::pair(names[0], "active"), {names[1], "cleared"}, {names[2], "changed"}})
+        if (!which.empty())
+            lost += (lost.empty() ? "" : ", ") + listed(which) + (which.size() == 1 ? " is" : " are") + " never " +
+                    never + " again";
+    Finding made = finding(group.front()->question->code, group.front()->question->subject,
+                           "the chart can come to where " + lost + stays_active(group, goal), group.front()->origin);
+    keep_trap(std::move(made), group, ways, goal);
+}
+
+/// `; X99 stays active`: of the steps that are active where `goal` is, those that nothing leaves from there on.
+std::string Analyst::stays_active(const std::vector<const Passing*>& lost, const Bdd& goal) {
+    const auto is_governed = [](const Chart::PartialChart& partial) { return partial.owner.valid(); };
+    if (!chart_.forcing.empty() || std::ranges::any_of(chart_.partial_charts, is_governed)) return {};
+    const auto never = [&](Transition id) {
+        if (!machine_.covers_firing(id.index)) return false;
+        return !seen(machine_.fires(id.index)) || std::ranges::any_of(lost, [&](const Passing* each) {
+            return each->kind == Passing::Kind::Transition && each->question->index == id.index;
+        });
+    };
+    std::set<Step> left;
+    for (const Transition id : chart_.transitions.ids())
+        if (!never(id)) left.insert(chart_.transitions[id].from.begin(), chart_.transitions[id].from.end());
+    std::vector<std::string> names;
+    for (const Step step : chart_.steps.ids()) {
+        if (left.contains(step) || !machine_.covers_step(step.index)) continue;
+        const Bdd idle = ~machine_.active(step.index);
+        if ((goal & idle).is_false() && seen(idle)) names.push_back(step_name(step));
+    }
+    return names.empty() ? "" : "; " + listed(names) + (names.size() == 1 ? " stays active" : " stay active");
+}
+
+void Analyst::tell_once(const std::vector<const Passing*>& once, const Ways& ways) {
+    std::vector<std::string> names;
+    for (const Passing* each : once) names.push_back(each->question->subject);
+    Finding made = finding("comes-once", names.front(),
+                           listed(names) + (names.size() == 1 ? " comes" : " come") +
+                               " about once at most in a run and then never again; a start-up or an end",
+                           once.front()->origin);
+    keep_trap(std::move(made), once, ways, once.front()->gone & ways.ends());
+}
+
+void Analyst::keep_trap(Finding made, const std::vector<const Passing*>& of, const Ways& ways, const Bdd& goal) {
+    for (const Passing* each : of) made.lost.push_back(each->question->subject);
+    const bool several = made.code == "comes-once" && of.size() > 1;
+    const std::string shows =
+        several ? "from here on `" + made.lost.front() + "` never comes again" : "from here on there is no way back";
+    const bool shown = show(made, search_.path_to(goal & ways.ends()), {.settles = true}, shows, certain());
+    for (const Passing* each : of) {
+        if (shown) each->question->decided = true;
+        else uncertain_.push_back(each->question);
+    }
+    if (shown) keep(std::move(made));
+}
+
+/// Of regions in which nothing is lost: several, or one beside which the chart can go on for ever.
+void Analyst::tell_regions(const std::vector<Passing>& lost, const Ways& ways, const Bdd& sound, const Bdd& known,
+                           std::size_t regions) {
+    Question& question = *questions_.open("region-never-left", 0);
+    Bdd gone;
+    for (const Passing& each : lost) gone |= each.gone;
+    const std::vector<Bdd> quiet = ways.regions(sound & ~ways.to(gone), most_regions);
+    if (quiet.empty()) return not_lost(question);
+    if (regions == 1) {
+        Bdd cleared;
+        for (const Transition id : chart_.transitions.ids())
+            if (machine_.covers_firing(id.index)) cleared |= machine_.fires(id.index);
+        if (ways.recurring(known & ~quiet.front(), cleared).is_false()) return not_lost(question);
+    }
+    Finding made =
+        finding("region-never-left", "",
+                "the chart can come to situations that it never leaves for the others, though each step that "
+                "can be active can become active again",
+                chart_.origin);
+    Bdd all;
+    for (const Bdd& region : quiet) all |= region;
+    if (show(made, search_.path_to(all & ways.ends()), {.settles = true}, "from here on there is no way back",
+             certain()))
+        question.decided = keep(std::move(made));
+    else uncertain_.push_back(&question);
+}
+
+}  // namespace grafverif::analysis
