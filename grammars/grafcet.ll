@@ -57,6 +57,7 @@ COMMENT     "/*"([^*]|\*+[^*/])*
 "inevitable"    return lexer.word(Kind::INEVITABLE);
 "possible"      return lexer.word(Kind::POSSIBLE);
 "constraint"    return lexer.word(Kind::CONSTRAINT);
+"constant"      return lexer.word(Kind::CONSTANT);
 "initial"       return lexer.word(Kind::INITIAL_WORD);
 "linked"        return lexer.word(Kind::LINKED);
 "entry"         return lexer.word(Kind::ENTRY);

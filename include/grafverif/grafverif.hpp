@@ -23,6 +23,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +53,9 @@ namespace grafverif {
 struct ReadOptions {
     std::vector<std::string> include_folders = {};  ///< looked in for includes, after the folder of the including file
     bool lossy = false;  ///< what a file of another format says and a chart cannot is left out, with a warning
+    /// Values of constants of closed loops, as they are written: wherever a loop has one of that name, in the place of its
+    /// own. The error `no-such-choice` where none has.
+    std::map<std::string, std::string> constants = {};
     /// Where included files come from. Without it they are read from the disk, within the folder of the file, that of
     /// its project (see docs/files.md) and `include_folders`; a string includes from the current folder.
     std::function<std::optional<std::string>(const std::string& path, std::string& why)> load = {};

@@ -62,6 +62,7 @@ std::optional<Model> read_model(const std::string& path, Job& job) {
     };
     ReadContext context = context_of(reach, job.options.include_folders, job.options.lossy);
     context.load = load;
+    context.constants.insert(job.options.constants.begin(), job.options.constants.end());
     return read_text(*file, job.sources, context, job.diagnostics);
 }
 
@@ -84,6 +85,23 @@ std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::stri
 
 }  // namespace
 
+namespace {
+
+/// Whether the loop has all constants that are set; with `--all` it is enough that some loop has one (see read_text).
+bool has_constants_set(const ClosedLoop& loop, Job& job) {
+    if (job.options.all) return true;
+    std::vector<std::string> known;
+    for (const NamedConstant& constant : loop.constants) known.push_back(constant.name);
+    for (const auto& [name, value] : job.options.constants)
+        if (std::ranges::find(known, name) == known.end()) {
+            job.diagnostics.add(messages::no_such_constant(loop.origin, loop.name, name, nearest_of(name, known)));
+            return false;
+        }
+    return true;
+}
+
+}  // namespace
+
 bool is_of_a_chart(const Model& model, const Options& options) {
     return options.chart || (!options.loop && model.loops.empty());
 }
@@ -93,7 +111,8 @@ std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, Job& job) {
         job.diagnostics.add(messages::no_closed_loop());
         return {};
     }
-    return chosen(model.loops, job.options.loop, "closed loop", "--loop", job);
+    const auto loop = chosen(model.loops, job.options.loop, "closed loop", "--loop", job);
+    return loop && has_constants_set(model.loops[*loop], job) ? loop : std::nullopt;
 }
 
 std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job) {

@@ -117,6 +117,8 @@ std::vector<Option> options_for_models() {
         choice<Target>(Accepts::Target, "target", {{"uppaal", Target::Uppaal}, {"nusmv", Target::Nusmv}},
                        &Options::target, "write one target only (default: both)"),
         text(Accepts::Loop, "loop", "NAME", &Options::loop, "the closed loop, where the file has several"),
+        {Accepts::Constants, "set", "NAME=VALUE", "give a constant of the closed loop a value; may be repeated",
+         take_constants, true},
         text(Accepts::Chart, "chart", "NAME", &Options::chart, "the chart, where the file has several"),
         choice<ExecutionMode>(Accepts::Mode, "mode", {{word(search), search}, {word(every), every}}, &Options::mode,
                               "when outputs are written; wins over what the file says"),

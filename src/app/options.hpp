@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -75,8 +76,9 @@ struct Options {
     bool in_place = false;
     bool check = false;
     bool quiet = false;
-    bool lossy = false;                             ///< leave out what cannot be taken over from another format
-    std::vector<std::string> include_folders = {};  ///< -I
+    bool lossy = false;                                 ///< leave out what cannot be taken over from another format
+    std::vector<std::string> include_folders = {};      ///< -I
+    std::map<std::string, std::string> constants = {};  ///< --set: values of constants of loops
     bool verbose = false;
     bool stats = false;
     bool why = false;  ///< of `check`
@@ -134,6 +136,7 @@ enum class Accepts {
     Output,
     OutputDirectory,
     Loop,
+    Constants,
     Chart,
     Mode,
     Grain,

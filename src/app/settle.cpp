@@ -82,6 +82,17 @@ std::string leave_out_cures(const std::vector<std::string>& cures, Options& opti
     return {};
 }
 
+std::string take_constants(const std::vector<std::string>& given, Options& options) {
+    for (const std::string& one : given) {
+        const std::size_t sign = one.find('=');
+        if (sign == 0 || sign == std::string::npos || sign + 1 == one.size())
+            return fmt::format("`--set` takes a constant and its value, as in `--set N=4`; not `{}`", one);
+        if (!options.constants.emplace(one.substr(0, sign), one.substr(sign + 1)).second)
+            return fmt::format("`--set` gives `{}` two values", one.substr(0, sign));
+    }
+    return {};
+}
+
 std::string take_jobs(const std::vector<std::string>& given, Options& options) {
     const char* const stop = given.front().data() + given.front().size();
     const auto [end, failure] = std::from_chars(given.front().data(), stop, options.jobs);

@@ -18,6 +18,8 @@ std::string settle_limits(Options& options);
 /// Likewise of the untimed model.
 std::string settle_untimed(Options& options);
 
+/// `NAME=VALUE` each, no name twice; what is wrong, or nothing.
+std::string take_constants(const std::vector<std::string>& given, Options& options);
 /// `--without CURE`: models with a failure that the method cures, for the page that shows them.
 std::string leave_out_cures(const std::vector<std::string>& cures, Options& options);
 std::string take_jobs(const std::vector<std::string>& given, Options& options);

@@ -45,12 +45,29 @@ void check_shared(Checker& checker) {
     }
 }
 
+void check_term(Checker& checker, const ClosedLoop::Instance& instance, Id<Expr> term, std::vector<bool>& read) {
+    const ClosedLoop& loop = checker.loop;
+    checker.check(loop.exprs.contains(term), "an argument of " + instance.name + " is in no table");
+    if (!loop.exprs.contains(term)) return;
+    for (const Id<Expr> leaf : leaves(loop.exprs, term)) {
+        const Id<ClosedLoop::Symbol> symbol{static_cast<std::uint32_t>(loop.exprs[leaf].value)};
+        const auto* of =
+            loop.symbols.contains(symbol) ? std::get_if<ClosedLoop::SharedSymbol>(&loop.symbols[symbol]) : nullptr;
+        const bool known = of != nullptr && loop.shared.contains(of->shared);
+        checker.check(known, "an argument of " + instance.name + " reads what is no shared variable");
+        if (known) read[of->shared.index] = true;
+    }
+}
+
 void check_argument(Checker& checker, const ClosedLoop::Instance& instance, const Component::Parameter& parameter,
-                    const ClosedLoop::Argument& argument, std::vector<int>& writers) {
+                    const ClosedLoop::Argument& argument, std::vector<int>& writers, std::vector<bool>& read) {
     const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&argument);
+    const auto* term = std::get_if<Id<Expr>>(&argument);
     const bool variable = parameter.kind != Component::ParameterKind::Constant;
-    checker.check((shared != nullptr) == variable,
+    const bool input = parameter.kind == Component::ParameterKind::Input;
+    checker.check(term != nullptr ? input : (shared != nullptr) == variable,
                   "an argument of " + instance.name + " does not fit parameter " + parameter.name);
+    if (term != nullptr) return check_term(checker, instance, *term, read);
     if (shared == nullptr) return;
     checker.check(checker.loop.shared.contains(*shared), "an argument of " + instance.name + " is no shared variable");
     if (!checker.loop.shared.contains(*shared)) return;
@@ -58,6 +75,7 @@ void check_argument(Checker& checker, const ClosedLoop::Instance& instance, cons
     checker.check(checker.loop.shared[*shared].type.boolean == boolean,
                   "an argument of " + instance.name + " has another type than " + parameter.name);
     if (parameter.kind == Component::ParameterKind::Output) ++writers[shared->index];
+    if (input) read[shared->index] = true;
 }
 
 void check_instances(Checker& checker) {
@@ -75,10 +93,7 @@ void check_instances(Checker& checker) {
                       "instance " + instance.name + " lacks arguments");
         if (instance.arguments.size() != component.parameters.size()) continue;
         for (const auto id : component.parameters.ids()) {
-            check_argument(checker, instance, component.parameters[id], instance.arguments[id.index], writers);
-            const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&instance.arguments[id.index]);
-            if (shared != nullptr && component.parameters[id].kind == Component::ParameterKind::Input)
-                read[shared->index] = true;
+            check_argument(checker, instance, component.parameters[id], instance.arguments[id.index], writers, read);
         }
     }
     for (const auto id : loop.shared.ids()) {
@@ -161,8 +176,22 @@ std::vector<std::string> verify(const ClosedLoop& loop, const Model& model) {
     return checker.faults;
 }
 
+std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const ClosedLoop::Argument& argument) {
+    if (const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&argument)) return {*shared};
+    std::vector<Id<ClosedLoop::Shared>> found;
+    if (const auto* term = std::get_if<Id<Expr>>(&argument))
+        for (const Id<Expr> leaf : leaves(loop.exprs, *term)) {
+            const Id<ClosedLoop::Symbol> symbol{static_cast<std::uint32_t>(loop.exprs[leaf].value)};
+            found.push_back(std::get<ClosedLoop::SharedSymbol>(loop.symbols[symbol]).shared);
+        }
+    return found;
+}
+
 std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol) {
-    return loop.instances[symbol.instance].arguments.size() + symbol.variable.index;
+    const std::vector<ClosedLoop::Argument>& arguments = loop.instances[symbol.instance].arguments;
+    const auto is_term = [](const ClosedLoop::Argument& each) { return std::holds_alternative<Id<Expr>>(each); };
+    const auto terms = std::ranges::count_if(arguments, is_term);
+    return arguments.size() - static_cast<std::size_t>(terms) + symbol.variable.index;
 }
 
 bool reads_observer(const ClosedLoop& loop, const Property& property) {

@@ -187,14 +187,16 @@ private:
     void in_loop() {
         const Words& words = half_.words;
         if (words.empty())
-            return keywords({"controller", "plant", "environment", "property", "constraint", "grain", "time unit",
-                             "schedule", "observer"});
+            return keywords({"controller", "plant", "environment", "property", "constraint", "constant", "grain",
+                             "time unit", "schedule", "observer"});
         const std::string& first = words[0];
         if (first == "controller") {
             if (has("with")) return keywords({"stability_search", "every_cycle"});
             if (words.size() > 1) return keywords({"with"});
             for (const Thing* const chart : names_.all(Kind::Chart)) thing(*chart);
         }
+        if (first == "constant" && last() == ":") keywords({"bool", "int", "duration"});
+        if (first == "constant" && has("=") && last() != ",") constant();
         if (first == "grain") keywords({"phased", "atomic"});
         if (first == "schedule") keywords({"interleaved", "synchronous", "sequenced"});
         if (first == "time") keywords({"unit"});
@@ -221,9 +223,22 @@ private:
         if (last() == "(" || last() == ",") return parameters(where, key);
         if (last() == "=") {
             const Thing* const parameter = where.thing(key + "/v " + words[words.size() - 2]);
-            if (parameter != nullptr && parameter->kind == Kind::Constant) keywords({"true", "false"});
-            else shared();
+            if (parameter != nullptr && parameter->kind == Kind::Constant) return constant();
+            shared();
+            if (parameter != nullptr && parameter->kind == Kind::InputParameter) parts(owner_, {Kind::Constant});
+        } else if (is_operator(last())) {  // within the term of an input
+            shared();
+            parts(owner_, {Kind::Constant});
         }
+    }
+
+    /// What a constant is made of.
+    void constant() {
+        parts(owner_, {Kind::Constant});
+        keywords({"true", "false"});
+    }
+    static bool is_operator(std::string_view word) {
+        return contains_word({"and", "or", "not", "&&", "||", "!", "=>", "implies", "=="}, word);
     }
 
     void parameters(const Names& where, const std::string& component) {
@@ -297,7 +312,7 @@ private:
                 parts(chart, {Kind::Internal});
                 steps(chart, nullptr, "X");
             }
-            parts(owner_, {Kind::Instance, Kind::Observer});
+            parts(owner_, {Kind::Instance, Kind::Observer, Kind::Constant});
         } else {
             parts(owner_, {Kind::InputParameter, Kind::OutputParameter, Kind::Constant, Kind::Own, Kind::Clock});
         }

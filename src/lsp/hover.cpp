@@ -46,7 +46,7 @@ std::string equation_of(const Thing& thing, const Model& model) {
 std::string documentation_of(const Names& names, const Thing& thing) {
     const bool parameter =
         thing.kind == Kind::InputParameter || thing.kind == Kind::OutputParameter || thing.kind == Kind::Constant;
-    if (parameter)
+    if (parameter && !thing.owner.starts_with("loop "))
         if (const Thing* const component = names.thing(thing.owner))
             return parameter_comment(*component->file, component->whole, thing.name);
     if (thing.kind == Kind::Instance) {

@@ -53,6 +53,7 @@ public:
                                const std::string own = part(Kind::Instance, key, "i ", instance.name, instance.where);
                                names_.components_[own] = "component " + text(instance.component);
                            },
+                           [&](const tree::Variables& group) { variables(key, group, Kind::Constant); },
                            [&](const tree::Property& property) {
                                part(Kind::Property, key, "q ", property.name, property.where);
                            },
@@ -392,7 +393,10 @@ private:
                            [&](const tree::Property& property) {
                                declared(key + "/q " + text(property.name), property.name.where);
                                for (const Id<tree::Expr> operand : property.operands) term(*owner, "", operand);
+                               term(*owner, "", property.duration);
                            },
+                           [&](const tree::Variables& group) { variables(*owner, group); },
+                           [&](const tree::TimeUnit& unit) { term(*owner, "", unit.duration); },
                            [&](const tree::Constraint& constraint) { term(*owner, "", constraint.condition); },
                            [&](const tree::Observer& observer) { this->observer(*owner, observer); },
                            [](const auto&) {},

@@ -9,6 +9,7 @@
 #include "page/terms.hpp"
 #include "page/words.hpp"
 #include "report/report.hpp"
+#include "syntax/print/constants.hpp"
 
 namespace grafverif {
 
@@ -91,6 +92,7 @@ std::vector<std::string> assumptions(const PageContent& content) {
         said.push_back(fmt::format(
             "No time: what is decided, the {} engine decided on the untimed model ({}){}.", basis.engine, basis.untimed,
             content.loop.valid() ? "; what that says of the timed loop stands with each verdict" : ""));
+    if (!basis.constants.empty()) said.push_back("Constants of the loop: " + constants_text(basis.constants) + ".");
     if (basis.mode == word(ExecutionMode::StabilitySearch))
         said.push_back(
             "The PLC searches for stability: it reads its inputs, evolves until nothing changes any more, "

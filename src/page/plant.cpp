@@ -6,6 +6,7 @@
 
 #include "page/data.hpp"
 #include "page/parts.hpp"
+#include "page/terms.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/component.hpp"
 #include "syntax/print/dialect.hpp"
@@ -23,12 +24,13 @@ std::string value_text(Component::ValueKind kind, std::int64_t value) {
     unreachable();
 }
 
-std::string argument_text(const ClosedLoop& loop, const Component::Parameter& parameter,
+std::string argument_text(const Model& model, const ClosedLoop& loop, const Component::Parameter& parameter,
                           const ClosedLoop::Argument& argument) {
     const std::string value =
         std::visit(overloaded{
                        [&](Id<ClosedLoop::Shared> shared) { return loop.shared[shared].name; },
                        [&](std::int64_t constant) { return value_text(parameter.value, constant); },
+                       [&](Id<Expr> term) { return term_text(model, loop, term); },
                    },
                    argument);
     return parameter.name + " = " + value;
@@ -97,7 +99,7 @@ void add_plant(const PageContent& content, Html& html) {
         const Component& component = content.model.components[instance.component];
         std::string bound;
         for (const Id<Component::Parameter> id : component.parameters.ids())
-            join(bound, argument_text(loop, component.parameters[id], instance.arguments[id.index]));
+            join(bound, argument_text(content.model, loop, component.parameters[id], instance.arguments[id.index]));
         add_row(html, {instance.name, instance.environment ? "environment" : "plant", component.name,
                        component.locations[instance.initial].name, bound});
     }

@@ -89,6 +89,7 @@ std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Clos
                                                      const ModelOptions& options, Diagnostics& diagnostics) {
     auto system = scheduled(model, model.loops[loop], options, diagnostics);
     if (system) *system = nusmv::sayable(std::move(*system));
+    if (system) system->constants = model.loops[loop].constants;
     return system;
 }
 

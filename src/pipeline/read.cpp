@@ -24,6 +24,7 @@ Reading read(const std::string& path, std::optional<std::string> text, const std
     const Id<Source> file = reading.sources.add({path, std::move(*text)});
     const Reach reach(path, options.include_folders);
     ReadContext context = context_of(reach, options.include_folders, options.lossy);
+    context.constants.insert(options.constants.begin(), options.constants.end());
     if (options.load) context.load = options.load, context.identity = {};
     reading.model = read_text(file, reading.sources, context, reading.diagnostics);
     return reading;
@@ -33,7 +34,7 @@ Reading read(const std::string& path, std::optional<std::string> text, const std
 
 ReadContext context_of(const Reach& reach, const std::vector<std::string>& folders, bool lossy) {
     const auto load = [&reach](const std::string& included, std::string& why) { return reach.read(included, why); };
-    return {load, library(), lossy, identity_of_existing, folders};
+    return {load, library(), lossy, identity_of_existing, folders, {}};
 }
 
 Reading read_file(const std::string& path, const ReadOptions& options) {

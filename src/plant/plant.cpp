@@ -16,6 +16,7 @@
 #include "plant/variables.hpp"
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
+#include "support/unique_names.hpp"
 
 namespace grafverif {
 
@@ -73,15 +74,41 @@ void unify_ranges(Network& network) {
     }
 }
 
-/// Copies the terms of one component into the network: durations become time units, own variables parameters.
+/// What stands in a template for the parameters of a component, then for its own variables, in order: parameters. An
+/// input of an instance that is a term is none: the template reads the term in its place, so the port is a wire. What is
+/// read is exact at every moment, between the moves of one instant too, where an automaton that computed the term would
+/// have it late.
+std::vector<Id<Expr>> read_as(const ClosedLoop& loop, const Component& component,
+                              const std::vector<ClosedLoop::Argument>& arguments, Exprs& to) {
+    TermCopier term(loop.exprs, to, [&](const Expr& leaf) {
+        const ClosedLoop::Symbol& symbol = loop.symbols[{static_cast<std::uint32_t>(leaf.value)}];
+        return to.leaf(Op::Variable, std::get<ClosedLoop::SharedSymbol>(symbol).shared.index);
+    });
+    std::vector<Id<Expr>> list;
+    std::uint32_t next = 0;
+    for (const ClosedLoop::Argument& argument : arguments) {
+        const auto* bound = std::get_if<Id<Expr>>(&argument);
+        list.push_back(bound != nullptr ? term(*bound) : to.leaf(Op::Parameter, next++));
+    }
+    for (std::size_t k = 0; k < component.variables.size(); ++k) list.push_back(to.leaf(Op::Parameter, next++));
+    return list;
+}
+
+bool has_terms(const ClosedLoop::Instance& instance) {
+    return std::ranges::any_of(instance.arguments,
+                               [](const auto& each) { return std::holds_alternative<Id<Expr>>(each); });
+}
+
+/// Copies the terms of one component into the network: durations become time units, names what stands for them.
 class Terms {
 public:
-    Terms(const Component& component, std::int64_t unit, Exprs& to)
-        : copy_(component.exprs, to, [unit, &to, own = component.parameters.size()](const Expr& node) {
-              if (node.op == Op::Duration) return to.integer(node.value / unit);
-              const auto index = static_cast<std::uint32_t>(node.value);
-              return to.leaf(Op::Parameter, node.op == Op::Parameter ? index : static_cast<std::uint32_t>(own) + index);
-          }) {}
+    Terms(const Component& component, std::int64_t unit, std::vector<Id<Expr>> names, Exprs& to)
+        : copy_(component.exprs, to,
+                [unit, &to, own = component.parameters.size(), names = std::move(names)](const Expr& node) {
+                    if (node.op == Op::Duration) return to.integer(node.value / unit);
+                    const auto index = static_cast<std::size_t>(node.value);
+                    return names[node.op == Op::Parameter ? index : own + index];
+                }) {}
 
     Id<Expr> operator()(Id<Expr> root) { return copy_(root); }
 
@@ -96,7 +123,7 @@ private:
     TermCopier copy_;
 };
 
-Table<Network::Parameter> parameters(const Component& component) {
+Table<Network::Parameter> parameters(const Component& component, const std::vector<ClosedLoop::Argument>& arguments) {
     const auto type = [](Component::ValueKind value) {
         return value == Component::ValueKind::Boolean ? Type{} : integer_type(least_integer, greatest_integer);
     };
@@ -109,8 +136,11 @@ Table<Network::Parameter> parameters(const Component& component) {
         unreachable();
     };
     Table<Network::Parameter> list;
-    for (const Component::Parameter& parameter : component.parameters)
+    for (const Id<Component::Parameter> id : component.parameters.ids()) {
+        if (std::holds_alternative<Id<Expr>>(arguments[id.index])) continue;
+        const Component::Parameter& parameter = component.parameters[id];
         list.add({parameter.name, kind(parameter.kind), type(parameter.value)});
+    }
     for (const Component::Variable& variable : component.variables)
         list.add({variable.name, Network::ParameterKind::Written, type(variable.value)});
     return list;
@@ -127,11 +157,12 @@ Network::Edge edge_of(const Component::Edge& from, Terms& terms) {
     return edge;
 }
 
-Network::Template template_of(const Component& component, std::int64_t unit, Exprs& exprs) {
-    Terms terms(component, unit, exprs);
+Network::Template template_of(const ClosedLoop& loop, const Component& component,
+                              const std::vector<ClosedLoop::Argument>& arguments, std::int64_t unit, Exprs& exprs) {
+    Terms terms(component, unit, read_as(loop, component, arguments, exprs), exprs);
     Network::Template automaton;
     automaton.name = component.name;
-    automaton.parameters = parameters(component);
+    automaton.parameters = parameters(component, arguments);
     for (const Component::Clock& clock : component.clocks) automaton.clocks.add({clock.name});
     for (const Component::Location& location : component.locations)
         automaton.locations.add({location.name, terms.constraints(location.invariant), location.origin});
@@ -141,17 +172,19 @@ Network::Template template_of(const Component& component, std::int64_t unit, Exp
     return automaton;
 }
 
-/// One argument per parameter, then the instance's own variables.
+/// One argument per parameter that is no term, then the instance's own variables.
 Network::Process process_of(const ClosedLoop::Instance& instance, const Component& component, std::int64_t unit,
                             const std::vector<Id<Network::Variable>>& own) {
     Network::Process process{.name = instance.name, .initial = {instance.initial.index}, .origin = instance.origin};
     process.kind = instance.environment ? Network::ProcessKind::Environment : Network::ProcessKind::Plant;
     for (const Id<Component::Parameter> id : component.parameters.ids()) {
+        if (std::holds_alternative<Id<Expr>>(instance.arguments[id.index])) continue;
         const bool duration = component.parameters[id].value == Component::ValueKind::Duration;
         process.arguments.push_back(std::visit(
             overloaded{
                 [](Id<ClosedLoop::Shared> shared) -> Network::Argument { return Id<Network::Variable>{shared.index}; },
                 [&](std::int64_t constant) -> Network::Argument { return duration ? constant / unit : constant; },
+                [](Id<Expr>) -> Network::Argument { unreachable(); },
             },
             instance.arguments[id.index]));
     }
@@ -183,13 +216,20 @@ std::optional<Network> plant(const Model& model, const ClosedLoop& loop, Diagnos
     network.name = loop.name;
     network.grain = loop.grain;
     network.time_unit_ms = *unit;
+    network.constants = loop.constants;
     network.variables = std::move(variables->variables);
     std::vector<Id<Network::Template>> templates(model.components.size());
+    UniqueNames names;  // of templates
+    for (const Component& component : model.components) names.fresh(component.name);
     for (const Id<ClosedLoop::Instance> id : loop.instances.ids()) {
         const ClosedLoop::Instance& instance = loop.instances[id];
         const Component& component = model.components[instance.component];
-        Id<Network::Template>& automaton = templates[instance.component.index];
-        if (!automaton.valid()) automaton = network.templates.add(template_of(component, *unit, network.exprs));
+        const bool alone = has_terms(instance);
+        Id<Network::Template> automaton = alone ? Id<Network::Template>{} : templates[instance.component.index];
+        if (!automaton.valid())
+            automaton = network.templates.add(template_of(loop, component, instance.arguments, *unit, network.exprs));
+        if (alone) network.templates[automaton].name = names.fresh(component.name + "_" + instance.name);
+        else templates[instance.component.index] = automaton;
         Network::Process process = process_of(instance, component, *unit, variables->own[id.index]);
         process.automaton = automaton;
         network.processes.add(std::move(process));

@@ -29,6 +29,7 @@ public:
                 overloaded{
                     [&](Id<ClosedLoop::Shared> shared) { return plant_.variables[{shared.index}].initial; },
                     [](std::int64_t constant) { return constant; },
+                    [](Id<Expr>) -> std::int64_t { unreachable(); },  // what is declared reads no input
                 },
                 instance_.arguments[index]);
         });

@@ -11,9 +11,11 @@
 
 #include "read/formats.hpp"
 #include "support/messages.hpp"
+#include "support/messages_choice.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/language/parse.hpp"
 #include "syntax/language/tree.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 #include "syntax/resolve/resolve.hpp"
 
 namespace grafverif {
@@ -167,8 +169,20 @@ void take_components(Reading& reading, const tree::File& file) {
     }
 }
 
+/// Every constant that is set from outside is one of some loop.
+void check_settings(Reading& reading) {
+    std::vector<std::string> known;
+    for (const ClosedLoop& loop : reading.model.loops)
+        for (const NamedConstant& constant : loop.constants) known.push_back(constant.name);
+    for (const auto& [name, value] : reading.context.constants)
+        if (std::ranges::find(known, name) == known.end())
+            reading.diagnostics.add(
+                messages::no_such_choice("constant of a closed loop", name, known, nearest_of(name, known)));
+}
+
 LoopContext loop_context(const Reading& reading) {
-    LoopContext context{reading.model, reading.charts_in_error, reading.components_in_error, {}};
+    LoopContext context{
+        reading.model, reading.charts_in_error, reading.components_in_error, {}, reading.context.constants};
     for (const auto& [name, where] : reading.components) context.component_names.push_back(name);
     for (const LibraryEntry& entry : reading.context.library) context.component_names.emplace_back(entry.name);
     std::ranges::sort(context.component_names);
@@ -220,6 +234,8 @@ std::optional<Model> model_of(std::span<const tree::File> files, bool files_miss
     if (!hidden)
         for (const tree::File& parsed : files) read_loops(reading, parsed, loops);
     if (diagnostics.errors() != errors || std::ranges::any_of(files, &tree::File::broken)) return {};
+    check_settings(reading);
+    if (diagnostics.errors() != errors) return {};
     assert(verify(reading.model).empty());
     return std::move(reading.model);
 }

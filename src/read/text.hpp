@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,7 @@ struct ReadContext {
     /// function every path is a file of its own.
     std::function<std::string(const std::string& path)> identity = {};
     std::span<const std::string> folders = {};  ///< looked in for includes, after the folder of the including file
+    std::map<std::string, std::string, std::less<>> constants = {};  ///< of closed loops, set from outside: name, value
 };
 
 /// The file that `written` means in the file named `from`: the first that is there, or else the first looked for.

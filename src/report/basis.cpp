@@ -9,6 +9,7 @@
 #include <set>
 
 #include "grafverif/ir/chart_run.hpp"
+#include "syntax/print/constants.hpp"
 
 namespace grafverif {
 
@@ -39,11 +40,12 @@ std::string scope_words(const Scope& scope) {
 
 /// What every verdict of a report rests on.
 std::string common_words(const Basis& basis) {
+    const std::string constants = basis.constants.empty() ? "" : "; " + constants_text(basis.constants);
     if (basis.untimed.empty())
-        return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero", basis.engine, basis.mode,
-                           basis.grain, seconds_text(basis.time_unit_ms));
+        return fmt::format("{} engine; {}, {} grain; time unit {}, cycle time taken as zero{}", basis.engine,
+                           basis.mode, basis.grain, seconds_text(basis.time_unit_ms), constants);
     const std::string grain = basis.grain.empty() ? "" : ", " + basis.grain + " grain";
-    return fmt::format("{}, untimed: {}; {}{}", basis.engine, basis.untimed, basis.mode, grain);
+    return fmt::format("{}, untimed: {}; {}{}{}", basis.engine, basis.untimed, basis.mode, grain, constants);
 }
 
 /// What a verdict rests on beside that: states, sub-loops, what it says of the timed loop; empty: nothing.

@@ -11,6 +11,7 @@
 #include "report/terminal.hpp"
 #include "report/why.hpp"
 #include "support/json_text.hpp"
+#include "syntax/print/constants.hpp"
 
 namespace grafverif {
 
@@ -25,6 +26,19 @@ Json number(const std::string& decimal) {
     const char* const end = decimal.data() + decimal.size();
     const std::from_chars_result read = std::from_chars(decimal.data(), end, value);
     return read.ec == std::errc() && read.ptr == end ? Json(value) : Json(decimal);
+}
+
+/// The constants of the loop with the values in force, where it has any.
+void add_constants(Json& object, const Basis& basis) {
+    if (basis.constants.empty()) return;
+    Json list = Json::array();
+    for (const NamedConstant& each : basis.constants) {
+        Json value = value_text(each);
+        if (each.kind == NamedConstant::Kind::Boolean) value = each.value != 0;
+        if (each.kind == NamedConstant::Kind::Integer) value = each.value;
+        list.push_back({{"name", each.name}, {"value", std::move(value)}, {"set", each.set}});
+    }
+    object["constants"] = std::move(list);
 }
 
 void add_place(Json& object, const std::optional<FilePlace>& where) {
@@ -63,7 +77,9 @@ Json property(const Report& report, const Answer& answer, const Sources& sources
 void print_json(const Report& report, const Sources& sources, std::ostream& out, const Why* why) {
     Json properties = Json::array();
     for (const Answer& answer : report.answers) properties.push_back(property(report, answer, sources));
-    Json document = {{"model", report.model}, {"properties", std::move(properties)}};
+    Json document = {{"model", report.model}};
+    add_constants(document, report.basis);
+    document["properties"] = std::move(properties);
     if (!report.breakdowns.empty()) {
         Json errors = Json::array();
         for (const Breakdown& breakdown : report.breakdowns)
@@ -130,6 +146,7 @@ void print_json_lines(const Report& report, const Written& written, std::ostream
                             {"notes", verdict.notes},
                             {"story", shown ? story(*answer.trace, end_of(verdict)) : Json(nullptr)}};
         line.update(found);
+        add_constants(line, report.basis);
         print_line(line, out);
     }
 }

@@ -26,14 +26,15 @@ Basis basis_of(const Network& network, std::string engine) {
     for (const Network::Controller& controller : network.controllers)
         (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
     const std::string mode = mode_words(searches, cycles);
-    return {std::move(engine), mode, network.grain == Grain::Atomic ? "atomic" : "phased", network.time_unit_ms, {}};
+    return {std::move(engine),    mode, network.grain == Grain::Atomic ? "atomic" : "phased",
+            network.time_unit_ms, {},   network.constants};
 }
 
 Basis basis_of(const TransitionSystem& system, std::string engine, std::string untimed) {
     bool searches = false, cycles = false;
     for (const TransitionSystem::Controller& controller : system.controllers)
         (controller.words.mode == ExecutionMode::EveryCycle ? cycles : searches) = true;
-    return {std::move(engine), mode_words(searches, cycles), {}, 0, std::move(untimed)};
+    return {std::move(engine), mode_words(searches, cycles), {}, 0, std::move(untimed), system.constants};
 }
 
 namespace {

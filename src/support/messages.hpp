@@ -127,7 +127,15 @@ Diagnostic edge_outside_chart(Span where);
 // (src/support/messages_loop.cpp)
 Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter,
                             std::string_view example);
-Diagnostic argument_not_a_name(Span where, std::string_view parameter, std::string_view kind);
+Diagnostic output_not_a_name(Span where, std::string_view parameter);
+/// In the term of an input: something that the loop knows and that no instance is wired to; `what`: `a step`.
+Diagnostic no_signal(Span where, std::string_view name, std::string_view what);
+Diagnostic constant_without_value(Span where, std::string_view constant);
+Diagnostic constant_below(Span where, std::string_view constant);
+/// `kind`: what its value is, as in `an integer`.
+Diagnostic bad_setting(Span where, std::string_view constant, std::string_view value, std::string_view kind);
+Diagnostic setting_out_of_range(Span where, std::string_view constant, std::string_view value, std::int64_t low,
+                                std::int64_t high);
 Diagnostic missing_initially(Span where, std::string_view component, std::string_view locations);
 /// `loop`: the whole of it, its last brace included.
 Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean, Span loop);

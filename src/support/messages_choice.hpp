@@ -14,6 +14,9 @@ namespace grafverif::messages {
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known,
                           std::string_view nearest);
 
+/// `--set` of a constant that the closed loop at hand does not have; `nearest`: the one that may be meant.
+Diagnostic no_such_constant(Span loop, std::string_view loop_name, std::string_view name, std::string_view nearest);
+
 /// Of two charts to be compared: a `kind` (input, output) that only the chart `owner` has.
 Diagnostic not_in_both(Span where, std::string_view kind, std::string_view name, std::string_view owner);
 /// Likewise one with two ranges, in words.

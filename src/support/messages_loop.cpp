@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "support/messages.hpp"
+#include "support/messages_choice.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
@@ -14,9 +15,51 @@ Diagnostic missing_argument(Span where, std::string_view component, std::string_
                              clipped(parameter), example));
 }
 
-Diagnostic argument_not_a_name(Span where, std::string_view parameter, std::string_view kind) {
-    return error("argument-not-a-name", where,
-                 fmt::format("`{}` is an {}; bind it to the name of a variable", clipped(parameter), kind));
+Diagnostic output_not_a_name(Span where, std::string_view parameter) {
+    return error(
+        "argument-not-a-name", where,
+        fmt::format("`{}` is an output, which writes one variable; bind it to the name of a variable, and write "
+                    "the term where that is read",
+                    clipped(parameter)));
+}
+
+Diagnostic no_signal(Span where, std::string_view name, std::string_view what) {
+    return error("no-signal", where,
+                 fmt::format("`{}` is {}, no signal; an input reads inputs and outputs of controllers and what "
+                             "instances write: let the chart put it out",
+                             clipped(name), what));
+}
+
+Diagnostic constant_without_value(Span where, std::string_view constant) {
+    return error("constant-without-value", where,
+                 fmt::format("the constant `{0}` has no value; write `{0} = VALUE`", clipped(constant)));
+}
+
+Diagnostic constant_below(Span where, std::string_view constant) {
+    return error("constant-below", where,
+                 fmt::format("`{}` is declared further down; a constant reads those above it", clipped(constant)));
+}
+
+Diagnostic no_such_constant(Span loop, std::string_view loop_name, std::string_view name, std::string_view nearest) {
+    const std::string advice = nearest.empty() ? fmt::format("declare it: `constant {} = VALUE;`", clipped(name))
+                                               : fmt::format("did you mean `{}`?", clipped(nearest));
+    return error(
+        "no-such-choice", loop,
+        fmt::format("the closed loop `{}` has no constant `{}`; {}", clipped(loop_name), clipped(name), advice));
+}
+
+Diagnostic bad_setting(Span where, std::string_view constant, std::string_view value, std::string_view kind) {
+    const std::string_view example = kind == "a duration" ? "3s" : kind == "an integer" ? "4" : "true";
+    return error("bad-setting", where,
+                 fmt::format("the constant `{0}` is {1}, and cannot be set to `{2}`; write `--set {0}={3}`",
+                             clipped(constant), kind, clipped(value), example));
+}
+
+Diagnostic setting_out_of_range(Span where, std::string_view constant, std::string_view value, std::int64_t low,
+                                std::int64_t high) {
+    return error("bad-setting", where,
+                 fmt::format("the constant `{}` has the range {}..{}, and cannot be set to `{}`", clipped(constant),
+                             low, high, clipped(value)));
 }
 
 Diagnostic missing_initially(Span where, std::string_view component, std::string_view locations) {

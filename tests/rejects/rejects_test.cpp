@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -108,6 +110,16 @@ void exclude(const std::string& name, const std::optional<Model>& model, Sources
     read_exclusions(id, sources, *model->charts.begin(), diagnostics);
 }
 
+/// What `--set` gives where the first line of the file says `// --set N=4 T=3s`.
+std::map<std::string, std::string, std::less<>> constants_of(const std::string& text) {
+    std::istringstream words(text.substr(0, text.find('\n')));
+    std::map<std::string, std::string, std::less<>> constants;
+    std::string word;
+    if (words >> word && word == "//" && words >> word && word == "--set")
+        while (words >> word) constants[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
+    return constants;
+}
+
 struct Said {
     Sources sources = {};
     Diagnostics diagnostics = {};
@@ -116,12 +128,13 @@ struct Said {
 Said said_about(const std::string& name, const std::string& text) {
     std::vector<LibraryEntry> library;
     for (const LibraryFile& file : library_files()) library.push_back({file.name, file.text, file.path});
-    const ReadContext context{[](const std::string& path, std::string& why) {
-                                  auto found = content(root / "tests/rejects" / path);
-                                  if (!found) why = "there is no such file";
-                                  return found;
-                              },
-                              library};
+    ReadContext context{[](const std::string& path, std::string& why) {
+                            auto found = content(root / "tests/rejects" / path);
+                            if (!found) why = "there is no such file";
+                            return found;
+                        },
+                        library};
+    context.constants = constants_of(text);
     Said said;
     auto& [sources, diagnostics] = said;
     const auto model = read_text(sources.add({name, text}), sources, context, diagnostics);

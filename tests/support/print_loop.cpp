@@ -34,6 +34,7 @@ public:
             printed.items.emplace_back(tree::Controller{
                 trees_.name(controller.name), {trees_.name(search ? "stability_search" : "every_cycle")}, where});
         }
+        for (const NamedConstant& each : loop_.constants) printed.items.emplace_back(constant(each));
         if (loop_.grain == Grain::Atomic) printed.items.emplace_back(tree::Grain{trees_.name("atomic"), trees_.next()});
         if (loop_.schedule)
             printed.items.emplace_back(tree::Schedule{trees_.name(word(*loop_.schedule)), trees_.next()});
@@ -89,6 +90,18 @@ private:
         return written;
     }
 
+    tree::Variables constant(const NamedConstant& declared) {
+        using Kind = Component::ValueKind;
+        const Span where = trees_.next();
+        const Kind kind = declared.kind == NamedConstant::Kind::Boolean   ? Kind::Boolean
+                          : declared.kind == NamedConstant::Kind::Integer ? Kind::Integer
+                                                                          : Kind::Duration;
+        const Id<tree::Expr> value = constant(kind, declared.value);
+        return {tree::VariableKind::Constant,
+                {{trees_.name(declared.name), tree::TypeWord::None, {}, value, where}},
+                where};
+    }
+
     Id<tree::Expr> constant(Component::ValueKind kind, std::int64_t value) {
         switch (kind) {
         case Component::ValueKind::Boolean: return trees_.node(value != 0 ? tree::Op::True : tree::Op::False, {});
@@ -111,6 +124,7 @@ private:
                 std::visit(overloaded{
                                [&](Id<ClosedLoop::Shared> shared) { return trees_.path(loop_.shared[shared].name); },
                                [&](std::int64_t number) { return constant(parameter.value, number); },
+                               [&](Id<Expr> term) { return expression(term); },
                            },
                            declared.arguments[id.index]);
             written.arguments.push_back({trees_.name(parameter.name), value, {}});

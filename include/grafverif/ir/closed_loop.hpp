@@ -15,6 +15,7 @@
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/component.hpp"
 #include "grafverif/ir/execution.hpp"
+#include "grafverif/ir/named_constant.hpp"
 #include "grafverif/ir/property.hpp"
 
 namespace grafverif {
@@ -40,8 +41,9 @@ struct ClosedLoop {
         bool operator==(const Shared&) const = default;
     };
 
-    /// What a parameter of the component is bound to: a shared variable, or a constant (Booleans 0 and 1, durations in ms).
-    using Argument = std::variant<Id<Shared>, std::int64_t>;
+    /// What a parameter of the component is bound to: a shared variable, a constant (Booleans 0 and 1, durations in ms),
+    /// or, of an input, a term over shared variables in `exprs`: wherever the component reads the input, it reads the term.
+    using Argument = std::variant<Id<Shared>, std::int64_t, Id<Expr>>;
 
     struct Instance {
         std::string name = {};
@@ -124,6 +126,7 @@ struct ClosedLoop {
     std::string name = {};
     Grain grain = Grain::Phased;
     std::optional<std::int64_t> time_unit_ms = {};  ///< as written; else the greatest common divisor is taken
+    std::vector<NamedConstant> constants = {};
     Table<Controller> controllers = {};
     Table<Shared> shared = {};
     Table<Instance> instances = {};
@@ -149,7 +152,11 @@ struct Model {
 
 std::vector<std::string> verify(const ClosedLoop& loop, const Model& model);
 
-/// Where the variable stands among the arguments of its process in a Network: behind those of the parameters.
+/// The shared variables that an argument reads or writes, each once.
+std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const ClosedLoop::Argument& argument);
+
+/// Where the variable stands among the arguments of its process in a Network: behind those of the parameters, inputs that
+/// are terms apart.
 std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol);
 
 /// Whether an operand of `property` asks where an observer is: untimed models alone have observers.

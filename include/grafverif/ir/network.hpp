@@ -25,6 +25,7 @@
 #include "grafverif/ir/controller_words.hpp"
 #include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/named_constant.hpp"
 #include "grafverif/ir/property.hpp"
 #include "grafverif/ir/type.hpp"
 #include "grafverif/support/source.hpp"
@@ -156,6 +157,7 @@ struct Network {
     std::string name = {};
     Grain grain = Grain::Phased;
     std::int64_t time_unit_ms = 1000;
+    std::vector<NamedConstant> constants = {};  ///< of the loop, for headers
     Exprs exprs = {};
     Table<Variable> variables = {};
     Table<Template> templates = {};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "grafverif/ir/chart_run.hpp"
+#include "grafverif/ir/named_constant.hpp"
 #include "grafverif/ir/state_profile.hpp"
 #include "grafverif/ir/verdict.hpp"
 
@@ -22,6 +23,7 @@ struct Basis {
     std::int64_t time_unit_ms = 1000;
     /// What an untimed model is made of: `no plant`, `plant automata, interleaved`; empty: the check is timed.
     std::string untimed = {};
+    std::vector<NamedConstant> constants = {};  ///< of the loop, with the values in force
 
     bool operator==(const Basis&) const = default;
 };

@@ -27,6 +27,7 @@
 #include "grafverif/ir/controller_words.hpp"
 #include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/expr.hpp"
+#include "grafverif/ir/named_constant.hpp"
 #include "grafverif/ir/property.hpp"
 #include "grafverif/ir/type.hpp"
 #include "grafverif/support/source.hpp"
@@ -141,6 +142,7 @@ struct TransitionSystem {
     };
 
     std::string name = {};
+    std::vector<NamedConstant> constants = {};  ///< of the loop, for headers
     std::string scope = {};  ///< what verdicts about this system say of the timed plant; one paragraph for headers
     Exprs exprs = {};
     Table<Module> modules = {};

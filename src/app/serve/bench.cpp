@@ -171,6 +171,7 @@ private:
         const Id<Source> file = reading.sources.add({path, std::move(text)});
         const Reach reach(path, options_.include_folders);
         ReadContext context = context_of(reach, options_.include_folders, false);
+        context.constants.insert(options_.constants.begin(), options_.constants.end());
         context.identity = [this](const std::string& included) {
             watch_.note(included);  // where there is nothing, there may be something soon
             return identity_of_existing(included);

@@ -87,8 +87,8 @@ Verb build_usage() {
              "grafverif build station.grafcet -o models --create --grain atomic --target uppaal",
              "grafverif build station.grafcet -o models --name station --depfile models/station.d",
              "grafverif build press.grafcet oven.grafcet --all -o models"},
-            {Accepts::OutputDirectory, Accepts::All, Accepts::Target, Accepts::Loop, Accepts::Mode, Accepts::Grain,
-             Accepts::Untimed, Accepts::Format}};
+            {Accepts::OutputDirectory, Accepts::All, Accepts::Target, Accepts::Loop, Accepts::Constants,
+              Accepts::Mode, Accepts::Grain, Accepts::Untimed, Accepts::Format}};
 }
 
 }  // namespace grafverif::app

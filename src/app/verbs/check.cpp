@@ -138,8 +138,9 @@ Verb check_usage() {
          "grafverif check station.grafcet --list", "grafverif check samples/oven_door/oven_door.grafcet --why",
          "grafverif check samples/tanks/tanks.grafcet --untimed --engine NuSMV",
          "grafverif check samples/assembly_station/assembly_station.grafcet --untimed --plant automata"},
-        {Accepts::Search, Accepts::Verdicts, Accepts::All, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain,
-         Accepts::Untimed, Accepts::Format, Accepts::Traces, Accepts::Verbose, Accepts::Stats, Accepts::Ablations}};
+        {Accepts::Search, Accepts::Verdicts, Accepts::All, Accepts::Loop, Accepts::Constants, Accepts::Chart,
+         Accepts::Mode, Accepts::Grain, Accepts::Untimed, Accepts::Format, Accepts::Traces, Accepts::Verbose,
+         Accepts::Stats, Accepts::Ablations}};
 }
 
 }  // namespace grafverif::app

@@ -95,7 +95,7 @@ Verb uppaal_usage() {
         "its timers, and the properties as queries.",
         {"grafverif uppaal samples/oven_door/oven_door.grafcet -o oven_door.xml",
          "grafverif uppaal station.grafcet --mode every-cycle --grain atomic"},
-        {Accepts::Output, Accepts::Loop, Accepts::Mode, Accepts::Grain}};
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Mode, Accepts::Grain}};
 }
 
 Verb pins_usage() {
@@ -111,7 +111,7 @@ Verb pins_usage() {
         "shown). How to build and search it stands in the file.",
         {"grafverif pins samples/oven_door/oven_door.grafcet -o oven_door.c",
          "grafverif pins station.grafcet --grain atomic"},
-        {Accepts::Output, Accepts::Loop, Accepts::Mode, Accepts::Grain}};
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Mode, Accepts::Grain}};
 }
 
 Verb nusmv_usage() {
@@ -129,7 +129,8 @@ Verb nusmv_usage() {
         {"grafverif nusmv samples/tanks/tanks.grafcet -o tanks.smv",
          "grafverif nusmv samples/oven_door/oven_door.grafcet --plant automata --grain atomic",
          "grafverif nusmv station.grafcet --chart testing_station --mode every-cycle"},
-        {Accepts::Output, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed}};
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode,
+         Accepts::Grain, Accepts::Untimed}};
 }
 
 Verb aiger_usage() {
@@ -146,8 +147,8 @@ Verb aiger_usage() {
         "the charts. A name that ends in .aig asks for the binary form, as `--format aig` does.",
         {"grafverif aiger samples/tanks/tanks.grafcet -o tanks.aig",
          "grafverif aiger samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
-        {Accepts::Output, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed,
-         Accepts::FormatAiger}};
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode,
+         Accepts::Grain, Accepts::Untimed, Accepts::FormatAiger}};
 }
 
 Verb btor2_usage() {
@@ -163,7 +164,8 @@ Verb btor2_usage() {
         "warning; `aiger` says it.",
         {"grafverif btor2 samples/tanks/tanks.grafcet -o tanks.btor2",
          "grafverif btor2 samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
-        {Accepts::Output, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Untimed}};
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode,
+         Accepts::Grain, Accepts::Untimed}};
 }
 
 }  // namespace grafverif::app

@@ -131,8 +131,8 @@ Verb report_usage() {
         "`check`.",
         {"grafverif report samples/testing_station/faulty.grafcet -o report.html",
          "grafverif report station.grafcet --property P15 --date \"$(date -I)\" -o P15.html"},
-        {Accepts::Output, Accepts::Search, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain,
-         Accepts::Untimed, Accepts::Sequence, Accepts::Date}};
+        {Accepts::Output, Accepts::Search, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode,
+         Accepts::Grain, Accepts::Untimed, Accepts::Sequence, Accepts::Date}};
 }
 
 }  // namespace grafverif::app

@@ -88,7 +88,7 @@ Verb serve_usage() {
         "Nothing is\n"
         "written. Ctrl-C ends it.",
         {"grafverif serve samples/oven_door/oven_door.grafcet", "grafverif serve station.grafcet --port 8060 --open"},
-        {Accepts::Serve, Accepts::Mode, Accepts::Grain}};
+        {Accepts::Serve, Accepts::Constants, Accepts::Mode, Accepts::Grain}};
 }
 
 }  // namespace grafverif::app

@@ -303,8 +303,8 @@ Verb simulate_usage() {
              "grafverif simulate station.grafcet --script press_start.txt",
              "grafverif simulate samples/oven_door/oven_door.grafcet --chart oven_door",
              "grafverif simulate station.grafcet --random 7 --steps 500 --trace-svg walk.svg"},
-            {Accepts::Walk, Accepts::Loop, Accepts::Chart, Accepts::Mode, Accepts::Grain, Accepts::Traces,
-             Accepts::Verbose}};
+            {Accepts::Walk, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode, Accepts::Grain,
+             Accepts::Traces, Accepts::Verbose}};
 }
 
 }  // namespace grafverif::app

@@ -2,6 +2,7 @@
 #include "emit/aiger/aiger.hpp"
 #include "support/json_text.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/print/constants.hpp"
 
 namespace grafverif::aiger {
 
@@ -21,6 +22,7 @@ public:
 
     Json json() const {
         Json map = {{"version", 1}, {"model", system_.name}, {"scope", system_.scope}};
+        if (!system_.constants.empty()) map["constants"] = constants_text(system_.constants);
         map["value"] =
             "base plus the number whose bits are these literals, the least significant first; where "
             "`sign`, the last one counts negatively";

@@ -12,6 +12,7 @@
 
 #include "ir/flat_system.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/print/constants.hpp"
 
 namespace grafverif::btor2 {
 
@@ -239,7 +240,8 @@ public:
         add_next_values();
         for (const Id<Property> id : system_.properties.ids()) ask(id);
         for (const auto& [name, condition] : leaks_) bad(condition, name);
-        result_.text = std::move(lines_).text();
+        if (!system_.constants.empty()) result_.text = "; constants: " + constants_text(system_.constants) + "\n";
+        result_.text += std::move(lines_).text();
         return std::move(result_);
     }
 

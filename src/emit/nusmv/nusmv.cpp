@@ -11,6 +11,7 @@
 
 #include "emit/nusmv/text.hpp"
 #include "emit/wrapped_text.hpp"
+#include "syntax/print/constants.hpp"
 
 namespace grafverif::nusmv {
 
@@ -216,6 +217,7 @@ void print_module(const ModulePrinter& printer) {
 void print_header(std::ostream& out, const System& system, const Names& names) {
     out << "-- " << system.name << ": NuSMV model written by grafverif\n"
         << "-- to check it: NuSMV -dynamic FILE (which orders the variables as it goes: far faster on large models)\n";
+    if (!system.constants.empty()) print_comment(out, "constants: " + constants_text(system.constants));
     if (!system.scope.empty()) {
         out << "--\n";
         print_comment(out, system.scope);

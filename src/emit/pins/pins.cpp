@@ -11,6 +11,7 @@
 #include "emit/pins/slots.hpp"
 #include "support/printable.hpp"
 #include "support/unique_names.hpp"
+#include "syntax/print/constants.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif::pins {
@@ -168,6 +169,7 @@ void Writer::write_head() {
  * such a move leads nowhere here, and what holds then says nothing of the model.
 )",
                harmless(network_.name), network_.time_unit_ms);
+    if (!network_.constants.empty()) fmt::print(out_, " * Constants: {}.\n *\n", constants_text(network_.constants));
     for (const Label& label : labels_) fmt::print(out_, " *     {}: {}\n", label.name, harmless(label.of->name));
     out_ << " */\n"
             "#include <limits.h>\n#include <stdbool.h>\n#include <stdint.h>\n#include <stdlib.h>\n#include "

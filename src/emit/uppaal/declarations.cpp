@@ -8,6 +8,7 @@
 #include "emit/uppaal/text.hpp"
 #include "emit/uppaal/uppaal.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/print/constants.hpp"
 
 namespace grafverif::uppaal {
 namespace {
@@ -92,6 +93,7 @@ void write_header(std::ostream& out, const Network& network, const Names& names)
     }
     out << "// Grain: " << grain_text(network.grain) << ".\n"
         << "// Time unit: " << duration_text(network.time_unit_ms) << ".\n"
+        << (network.constants.empty() ? "" : "// Constants: " + constants_text(network.constants) + ".\n")
         << "// Assumed: a PLC cycle takes no time; no time passes while the guard of an edge with `" << names.channel
         << "!` holds.\n";
     for (const auto& [property, reason] : inexpressible(network))

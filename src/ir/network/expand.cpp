@@ -26,6 +26,7 @@ Network expand(const Network& network) {
     flat.name = network.name;
     flat.grain = network.grain;
     flat.time_unit_ms = network.time_unit_ms;
+    flat.constants = network.constants;
     flat.variables = network.variables;
     flat.processes = network.processes;
     flat.controllers = network.controllers;

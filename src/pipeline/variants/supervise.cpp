@@ -78,8 +78,8 @@ private:
         const Id<Source> file = model_.loops[loop_].origin.source;
         auto text = with_marked(file, sources_, made_.loop, marked_, ask_.marked, diagnostics_);
         if (!text) return {};
-        return read_again(main_, {{sources_[file].name, std::move(*text)}}, Sources(sources_), sources_, ask_.lossy,
-                          ask_.include_folders, diagnostics_);
+        return read_again(main_, {{sources_[file].name, std::move(*text)}}, Sources(sources_), sources_, ask_.read,
+                          diagnostics_);
     }
 
     /// False: nobody can hold these charts back.
@@ -214,7 +214,7 @@ private:
             made_.failures.push_back("the chart with conditions: " + why);
         };
         add_marked(texts, diagnostics);
-        const auto model = read_again(main_, texts, sources_, sources, ask_.lossy, ask_.include_folders, diagnostics);
+        const auto model = read_again(main_, texts, sources_, sources, ask_.read, diagnostics);
         const auto loop = model ? find_loop(*model, made_.loop) : std::nullopt;
         auto system = loop ? transition_system_of(*model, *loop, untimed(ask_), diagnostics) : std::nullopt;
         if (!system) return fail("it is not read");

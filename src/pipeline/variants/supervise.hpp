@@ -18,8 +18,7 @@ struct SuperviseAsk {
     std::string marked = {};                   ///< a term of the loop; empty: the initial situation
     bool transitions = true, outputs = true;   ///< which of them may get conditions
     std::optional<ExecutionMode> mode = {};
-    bool lossy = false;
-    std::vector<std::string> include_folders = {};
+    ReadOptions read = {};  ///< how the model was read
     Limits limits = {};
 };
 

@@ -151,8 +151,7 @@ std::optional<std::string> with_marked(Id<Source> source, Sources& sources, cons
 }
 
 std::optional<Model> read_again(Id<Source> main, const std::map<std::string, std::string>& texts, const Sources& from,
-                                Sources& to, bool lossy, const std::vector<std::string>& folders,
-                                Diagnostics& diagnostics) {
+                                Sources& to, const ReadOptions& read, Diagnostics& diagnostics) {
     std::map<std::string, std::string> known;
     for (const Source& source : from) known.emplace(source.name, source.text);
     for (const auto& [name, text] : texts) known[name] = text;
@@ -161,7 +160,8 @@ std::optional<Model> read_again(Id<Source> main, const std::map<std::string, std
         if (const auto found = known.find(path); found != known.end()) return found->second;
         return why = "it was not read before", std::nullopt;
     };
-    const ReadContext context{load, library(), lossy, identity_of_existing, folders};
+    ReadContext context{load, library(), read.lossy, identity_of_existing, read.include_folders, {}};
+    context.constants.insert(read.constants.begin(), read.constants.end());
     return read_text(file, to, context, diagnostics);
 }
 

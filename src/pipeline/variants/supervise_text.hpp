@@ -31,7 +31,6 @@ std::optional<std::string> with_marked(Id<Source> file, Sources& sources, const 
 
 /// `main` with its includes, other texts standing for those of some files. Sources are added to `to`.
 std::optional<Model> read_again(Id<Source> main, const std::map<std::string, std::string>& texts, const Sources& from,
-                                Sources& to, bool lossy, const std::vector<std::string>& folders,
-                                Diagnostics& diagnostics);
+                                Sources& to, const ReadOptions& read, Diagnostics& diagnostics);
 
 }  // namespace grafverif

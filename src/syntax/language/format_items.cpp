@@ -102,7 +102,7 @@ Lines item_lines(const tree::File& file, const tree::Variables& written, std::si
     case tree::VariableKind::Output: word = "output "; break;
     case tree::VariableKind::Internal: word = "internal "; break;
     case tree::VariableKind::Own: word = "variable "; break;
-    case tree::VariableKind::Constant: break;  // in the head of a component only
+    case tree::VariableKind::Constant: word = "constant "; break;  // of a loop: heads of components have no word for it
     }
     return filled(word, variables(file, written), ";", column);
 }

@@ -42,6 +42,7 @@ bool declares_in_chart(Symbol kind) {
 bool declares_in_block(Symbol kind) {
     switch (kind) {
     case Symbols::S_CONSTRAINT:
+    case Symbols::S_CONSTANT:
     case Symbols::S_INITIAL_WORD:
     case Symbols::S_LINKED:
     case Symbols::S_ENTRY:

@@ -269,7 +269,8 @@ struct Observer {
     Span where = {};
 };
 
-using LoopItem = std::variant<Controller, Grain, TimeUnit, Schedule, Instance, Property, Constraint, Observer, Accept>;
+using LoopItem =
+    std::variant<Controller, Variables, Grain, TimeUnit, Schedule, Instance, Property, Constraint, Observer, Accept>;
 
 struct ClosedLoop {
     Name name = {};

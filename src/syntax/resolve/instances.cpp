@@ -103,11 +103,7 @@ std::optional<std::int64_t> value_of(LoopScope& scope, Binding& binding, Id<Expr
 
 void bind_given_constant(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const Parameter& parameter = binding.component->parameters[id];
-    Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
-    terms.name = [&](const tree::Expr& node) {
-        scope.diagnostics.add(messages::not_constant(node.where, '`' + parameter.name + '`'));
-        return Term{};
-    };
+    Terms terms = constant_terms(scope, '`' + parameter.name + '`');
     const Kind kind = parameter.value == Component::ValueKind::Boolean   ? Kind::Boolean
                       : parameter.value == Component::ValueKind::Integer ? Kind::Integer
                                                                          : Kind::Duration;
@@ -145,13 +141,11 @@ void bind_defaults(LoopScope& scope, Binding& binding) {
 
 // -- variables --------------------------------------------------------------------------------------------------------
 
-/// The name that an input or output is bound to; reports anything but a name.
+/// The name that an output is bound to; reports anything but a name.
 std::optional<std::string_view> bound_name(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     const tree::Expr& value = scope.file.exprs[binding.given[id.index]->value];
     if (value.op == tree::Op::Name) return scope.file.text(value.word);
-    const Parameter& parameter = binding.component->parameters[id];
-    const bool input = parameter.kind == Component::ParameterKind::Input;
-    fail(scope, binding, messages::argument_not_a_name(value.where, parameter.name, input ? "input" : "output"));
+    fail(scope, binding, messages::output_not_a_name(value.where, binding.component->parameters[id].name));
     return {};
 }
 
@@ -192,24 +186,27 @@ void bind_output(LoopScope& scope, Binding& binding, Id<Parameter> id) {
     binding.instance.arguments[id.index] = shared;
 }
 
+/// A variable, where one is named, or a term over variables.
 void bind_input(LoopScope& scope, Binding& binding, Id<Parameter> id) {
-    const auto name = bound_name(scope, binding, id);
-    if (!name) return;
-    const Span where = scope.file.exprs[binding.given[id.index]->value].where;
-    const auto found = scope.shared.find(std::string(*name));
-    if (found == scope.shared.end()) {
-        binding.wrong = true;
-        if (scope.incomplete || scope.excused.contains(*name) || scope.diagnostics.full()) return;
-        Nearest nearest(*name);
-        for (const ClosedLoop::Shared& shared : scope.loop.shared) nearest.offer(shared.name);
-        return fail(scope, binding, messages::undriven_variable(where, *name, nearest.best()));
+    const Id<tree::Expr> written = binding.given[id.index]->value;
+    const tree::Expr& value = scope.file.exprs[written];
+    const Parameter& parameter = binding.component->parameters[id];
+    const bool boolean = parameter.value == Component::ValueKind::Boolean;
+    const auto named =
+        value.op == tree::Op::Name ? scope.shared.find(std::string(scope.file.text(value.word))) : scope.shared.end();
+    if (named == scope.shared.end()) {
+        const Kind kind = boolean ? Kind::Boolean : Kind::Integer;
+        const Id<Expr> term = port_terms(scope).resolve(written, kind, "the input `" + parameter.name + '`');
+        binding.wrong = binding.wrong || !term.valid();
+        if (term.valid()) binding.instance.arguments[id.index] = term;
+        return;
     }
-    const ClosedLoop::Shared& shared = scope.loop.shared[found->second];
-    const bool boolean = binding.component->parameters[id].value == Component::ValueKind::Boolean;
+    const ClosedLoop::Shared& shared = scope.loop.shared[named->second];
     if (shared.type.boolean != boolean)
-        return fail(scope, binding,
-                    messages::argument_type(where, shared.name, described(shared.type.boolean), described(boolean)));
-    binding.instance.arguments[id.index] = found->second;
+        return fail(
+            scope, binding,
+            messages::argument_type(value.where, shared.name, described(shared.type.boolean), described(boolean)));
+    binding.instance.arguments[id.index] = named->second;
 }
 
 void choose_location(LoopScope& scope, Binding& binding) {

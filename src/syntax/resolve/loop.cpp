@@ -136,12 +136,7 @@ void look_inside(LoopScope& scope) {
 
 void resolve_time_unit(LoopScope& scope, const tree::TimeUnit& written) {
     if (scope.loop.time_unit_ms) scope.diagnostics.add(messages::declared_twice(written.where, "time unit"));
-    Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
-    terms.name = [&scope](const tree::Expr& node) {
-        scope.diagnostics.add(messages::not_constant(node.where, "a time unit"));
-        return Term{};
-    };
-    const auto unit = terms.constant(written.duration, Kind::Duration, "a time unit");
+    const auto unit = constant_terms(scope, "a time unit").constant(written.duration, Kind::Duration, "a time unit");
     if (!unit) return;
     if (*unit == 0) scope.diagnostics.add(messages::zero_duration(scope.file.exprs[written.duration].where));
     scope.loop.time_unit_ms = *unit;
@@ -176,16 +171,6 @@ void check_formula(LoopScope& scope, const tree::Property& written) {
     const Span there{where.source, inner + static_cast<std::uint32_t>(fault->begin),
                      inner + static_cast<std::uint32_t>(fault->end)};
     scope.diagnostics.add(messages::bad_formula(there, word(*language), fault->what));
-}
-
-/// What durations are not: something that changes.
-Terms constant_terms(LoopScope& scope, std::string_view user) {
-    Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
-    terms.name = [&scope, user](const tree::Expr& node) {
-        scope.diagnostics.add(messages::not_constant(node.where, user));
-        return Term{};
-    };
-    return terms;
 }
 
 std::int64_t duration_of(LoopScope& scope, Id<tree::Expr> written) {
@@ -227,6 +212,7 @@ void resolve_questions(LoopScope& scope, const tree::ClosedLoop& written) {
     for (const tree::LoopItem& item : written.items) {
         std::visit(overloaded{
                        [](const tree::Controller&) {},
+                       [](const tree::Variables&) {},
                        [](const tree::Instance&) {},
                        [&](const tree::Grain& chosen) { resolve_grain(scope, chosen, grain); },
                        [&](const tree::TimeUnit& unit) { resolve_time_unit(scope, unit); },
@@ -280,7 +266,9 @@ std::optional<ClosedLoop> resolve_loop(const tree::File& file, const tree::Close
     if (!controlled) diagnostics.add(messages::no_controller(written.name.where, scope.loop.name));
     share_variables(scope);
     look_inside(scope);
+    resolve_constants(scope, written);
     resolve_instances(scope, written);
+    check_constant_names(scope);
     resolve_questions(scope, written);
     if (!scope.incomplete) check_driven(scope, written.where);
     if (scope.incomplete || diagnostics.errors() != errors) return {};

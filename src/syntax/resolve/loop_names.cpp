@@ -54,6 +54,7 @@ Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
     if (scope.diagnostics.full()) return {};
     Nearest nearest(name);
     for (const ClosedLoop::Shared& shared : scope.loop.shared) nearest.offer(shared.name);
+    for (const NamedConstant& constant : scope.loop.constants) nearest.offer(constant.name);
     for (const Id<Controller> controller : scope.loop.controllers.ids()) {
         const Chart& chart = scope.chart(controller);
         for (const Chart::Variable& variable : chart.variables)
@@ -105,6 +106,7 @@ std::optional<Term> told_name(LoopScope& scope, std::string_view name) {
 }
 
 Term simple_name(LoopScope& scope, Span where, std::string_view name) {
+    if (const auto constant = constant_named(scope, name)) return *constant;
     const auto shared = scope.shared.find(std::string(name));
     if (shared != scope.shared.end())
         return symbol_term(scope, ClosedLoop::SharedSymbol{shared->second},
@@ -141,6 +143,9 @@ std::optional<Term> variable_of(LoopScope& scope, Id<ClosedLoop::Instance> insta
         const auto& argument = scope.loop.instances[instance].arguments[id.index];
         if (const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&argument))
             return symbol_term(scope, ClosedLoop::SharedSymbol{*shared}, scope.loop.shared[*shared].type.boolean);
+        const bool boolean = component.parameters[id].value == Component::ValueKind::Boolean;
+        if (const auto* term = std::get_if<Id<Expr>>(&argument))
+            return Term{*term, boolean ? Kind::Boolean : Kind::Integer};
     }
     return {};
 }
@@ -264,7 +269,44 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
     return inside_or_unknown(scope, controller->second, name, partial->second, node.where);
 }
 
+/// In the term of an input: what is inside a controller or an instance, or nowhere.
+Term no_signal(LoopScope& scope, const tree::Expr& node, std::string_view name) {
+    if (node.op != tree::Op::Name) {
+        const std::string_view owner = scope.file.text(scope.file.exprs[node.first].word);
+        const bool instance = scope.instances.contains(owner);
+        scope.diagnostics.add(messages::no_signal(node.where, name, instance ? "of an instance" : "of a chart"));
+        return {};
+    }
+    for (const LoopScope::Inside& inside : scope.inside) {
+        const bool step = name.size() > 1 && name[0] == 'X' && inside.steps.contains(name.substr(1));
+        if (!step && !inside.internals.contains(name)) continue;
+        scope.diagnostics.add(messages::no_signal(node.where, name, step ? "a step" : "an internal variable"));
+        return {};
+    }
+    if (scope.incomplete || scope.excused.contains(name) || scope.diagnostics.full()) return {};
+    Nearest nearest(name);
+    for (const ClosedLoop::Shared& shared : scope.loop.shared) nearest.offer(shared.name);
+    for (const NamedConstant& constant : scope.loop.constants) nearest.offer(constant.name);
+    scope.diagnostics.add(messages::undriven_variable(node.where, name, nearest.best()));
+    return {};
+}
+
 }  // namespace
+
+Terms port_terms(LoopScope& scope) {
+    Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
+    terms.name = [&scope](const tree::Expr& node) {
+        const std::string_view name = scope.file.text(node.word);
+        if (node.op == tree::Op::Name) {
+            if (const auto constant = constant_named(scope, name)) return *constant;
+            if (const auto shared = scope.shared.find(std::string(name)); shared != scope.shared.end())
+                return symbol_term(scope, ClosedLoop::SharedSymbol{shared->second},
+                                   scope.loop.shared[shared->second].type.boolean);
+        }
+        return no_signal(scope, node, name);
+    };
+    return terms;
+}
 
 Terms property_terms(LoopScope& scope) {
     Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);

@@ -32,7 +32,9 @@ struct LoopScope {
     std::unordered_map<std::string_view, Id<ClosedLoop::Observer>> observers = {};
     std::vector<std::string> instance_writers = {};     ///< by shared variable: the instance that writes it, or empty
     std::unordered_set<std::string_view> excused = {};  ///< names bound in instances with errors: perhaps driven there
-    bool incomplete = false;                            ///< something the loop names is in error itself
+    std::unordered_set<std::string_view> below = {};    ///< constants not declared yet
+    std::unordered_set<std::string_view> valueless = {};  ///< constants with an error
+    bool incomplete = false;                              ///< something the loop names is in error itself
 
     /// Of each controller: its steps by name, its internal variables.
     struct Inside {
@@ -49,6 +51,14 @@ struct LoopScope {
     }
 };
 
+// -- constants.cpp
+/// Before anything that reads them; then, once all other names are known, that none is one of them.
+void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written);
+void check_constant_names(LoopScope& scope);
+/// The value of the constant of that name, as a term; empty: there is none.
+std::optional<Term> constant_named(LoopScope& scope, std::string_view name);
+/// Terms that read constants alone, for `user`.
+Terms constant_terms(LoopScope& scope, std::string_view user);
 // -- resolve_instances.cpp
 void resolve_instances(LoopScope& scope, const tree::ClosedLoop& written);
 // -- resolve_observers.cpp
@@ -58,6 +68,8 @@ void resolve_observers(LoopScope& scope, const tree::ClosedLoop& written);
 void resolve_constraints(LoopScope& scope, const tree::ClosedLoop& written);
 // -- loop_names.cpp: what names mean in properties and constraints
 Terms property_terms(LoopScope& scope);
+/// The same in what an input of an instance is bound to: shared variables and constants.
+Terms port_terms(LoopScope& scope);
 /// The leaf of an expression of the loop that stands for `symbol`.
 Id<Expr> symbol_leaf(LoopScope& scope, const ClosedLoop::Symbol& symbol);
 // -- resolve_loop.cpp

@@ -6,6 +6,8 @@
 // it names by strings, so that they may come from other files.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -31,6 +33,8 @@ struct LoopContext {
     std::unordered_set<std::string> charts_in_error = {};
     std::unordered_set<std::string> components_in_error = {};
     std::vector<std::string> component_names = {};  ///< all that could be written, for hints
+    /// Values of constants, from outside: in the place of what the loop says.
+    std::map<std::string, std::string, std::less<>> constants = {};
 };
 
 /// Empty after at least one error, which may be one of a chart or component that the loop names.

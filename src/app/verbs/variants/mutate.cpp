@@ -51,6 +51,7 @@ std::uint64_t hash_of_question(const Job& job) {
     for (const std::string& part :
          {mode, job.options.chart.value_or(""), std::string(job.options.lossy ? "lossy" : "")})
         hash = hashed(hash, part);
+    for (const auto& [name, value] : job.options.constants) hash = hashed(hash, name + '=' + value);
     return hash;
 }
 
@@ -262,7 +263,8 @@ ExitCode mutate(Job& job, const Streams& streams) {
     mutation.possible = mutation.mutants.size();
     sample(mutation.mutants, job.options.limit.value_or(mutation.possible), job.options.seed);
     mutation.fates.resize(mutation.mutants.size());
-    const ReadOptions read{.include_folders = job.options.include_folders, .lossy = job.options.lossy};
+    const ReadOptions read{
+        .include_folders = job.options.include_folders, .lossy = job.options.lossy, .constants = job.options.constants};
     MutantBench bench(*model, *chart, path, read, job.options.mode);
     const Bounds bounds(job.options, streams);
     bool stopped = !bench.prepare(bounds.limits());
@@ -306,7 +308,7 @@ Verb mutate_usage() {
         {"grafverif mutate samples/oven_door/oven_door.grafcet",
          "grafverif mutate station.grafcet --chart press --limit 50 --seed 7 --state press.mutants --survivors press",
          "grafverif mutate station.grafcet --each 10s --format json -o mutants.json"},
-        {Accepts::Output, Accepts::Chart, Accepts::Mutants, Accepts::Mode, Accepts::Format}};
+        {Accepts::Output, Accepts::Chart, Accepts::Constants, Accepts::Mutants, Accepts::Mode, Accepts::Format}};
 }
 
 }  // namespace grafverif::app

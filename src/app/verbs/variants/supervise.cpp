@@ -168,14 +168,14 @@ ExitCode supervise(Job& job, const Streams& streams) {
     if (!loop) return ExitCode::Input;
     const Bounds bounds(job.options, streams);
     const Options& options = job.options;
-    const SuperviseAsk ask{.properties = options.properties,
-                           .marked = options.marked,
-                           .transitions = options.held != Held::Outputs,
-                           .outputs = options.held != Held::Transitions,
-                           .mode = options.mode,
-                           .lossy = options.lossy,
-                           .include_folders = options.include_folders,
-                           .limits = bounds.limits()};
+    const SuperviseAsk ask{
+        .properties = options.properties,
+        .marked = options.marked,
+        .transitions = options.held != Held::Outputs,
+        .outputs = options.held != Held::Transitions,
+        .mode = options.mode,
+        .read = {.include_folders = options.include_folders, .lossy = options.lossy, .constants = options.constants},
+        .limits = bounds.limits()};
     const auto found = supervised(*model, *loop, *job.sources.ids().begin(), job.sources, ask, job.diagnostics);
     if (!found) return ExitCode::Input;
     for (const std::string& failure : found->failures)
@@ -207,7 +207,7 @@ Verb supervise_usage() {
         "are none, a run shows what no controller prevents. docs/supervise.md says what is guaranteed.",
         {"grafverif supervise station.grafcet", "grafverif supervise station.grafcet --property P15 -o safe.grafcet",
          "grafverif supervise station.grafcet --marked 'X0 && V_IN' --format json"},
-        {Accepts::Output, Accepts::Loop, Accepts::Mode, Accepts::Supervision, Accepts::Format}};
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Mode, Accepts::Supervision, Accepts::Format}};
 }
 
 }  // namespace grafverif::app

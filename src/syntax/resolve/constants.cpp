@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// The named constants of a closed loop. Each has a value, which may read those above it and which may be set from outside;
+// terms get the value in the place of the name, so that nothing behind knows of constants.
+#include <charconv>
+#include <string>
+#include <vector>
+
+#include "support/messages.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/dialect.hpp"
+#include "syntax/resolve/loop_scope.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using Named = NamedConstant;
+
+Kind kind_of(Named::Kind kind) {
+    switch (kind) {
+    case Named::Kind::Boolean: return Kind::Boolean;
+    case Named::Kind::Integer: return Kind::Integer;
+    case Named::Kind::Duration: return Kind::Duration;
+    }
+    unreachable();
+}
+
+/// The value that `text` is on a command line; empty: none of that kind.
+std::optional<std::int64_t> value_of(Named::Kind kind, const std::string& text) {
+    if (kind == Named::Kind::Boolean) {
+        if (text == "true" || text == "false") return text == "true";
+        return {};
+    }
+    std::int64_t number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, failure] = std::from_chars(text.data(), end, number);
+    const bool whole = failure == std::errc() && stop == end;
+    if (kind == Named::Kind::Integer) return whole ? std::optional(number) : std::nullopt;
+    return duration_ms(text);
+}
+
+/// What is written, or the kind of the value where no type is; empty after an error.
+std::optional<Named::Kind> written_kind(const tree::Variable& written, Kind value) {
+    switch (written.type) {
+    case tree::TypeWord::Bool: return Named::Kind::Boolean;
+    case tree::TypeWord::Int: return Named::Kind::Integer;
+    case tree::TypeWord::Duration: return Named::Kind::Duration;
+    case tree::TypeWord::None: break;
+    }
+    if (value == Kind::Boolean) return Named::Kind::Boolean;
+    if (value == Kind::Integer) return Named::Kind::Integer;
+    if (value == Kind::Duration) return Named::Kind::Duration;
+    return {};
+}
+
+struct Bounds {
+    std::int64_t low = 0, high = 0;
+    bool contain(std::int64_t value) const { return low <= value && value <= high; }
+};
+
+/// The range that is written; empty: none, or an error.
+std::optional<Bounds> bounds_of(LoopScope& scope, const tree::Variable& written) {
+    if (!written.range) return {};
+    Terms terms = constant_terms(scope, "a range");
+    const auto low = terms.constant(written.range->low, Kind::Integer, "a range");
+    const auto high = terms.constant(written.range->high, Kind::Integer, "a range");
+    if (!low || !high) return {};
+    if (*low <= *high) return Bounds{*low, *high};
+    scope.diagnostics.add(messages::bad_range(written.where, scope.text(written.name), *low, *high));
+    return {};
+}
+
+/// The value given from outside in the place of the one written.
+void set_from_outside(LoopScope& scope, const std::optional<Bounds>& bounds, Named& constant) {
+    const auto given = scope.context.constants.find(constant.name);
+    if (given == scope.context.constants.end()) return;
+    constant.set = true;
+    const auto value = value_of(constant.kind, given->second);
+    if (!value) {
+        scope.diagnostics.add(
+            messages::bad_setting(constant.origin, constant.name, given->second, described(kind_of(constant.kind))));
+        return;
+    }
+    constant.value = *value;
+    if (bounds && !bounds->contain(*value))
+        scope.diagnostics.add(
+            messages::setting_out_of_range(constant.origin, constant.name, given->second, bounds->low, bounds->high));
+}
+
+void declare_constant(LoopScope& scope, const tree::Variable& written) {
+    Named constant{.name = std::string(scope.text(written.name)), .origin = written.name.where};
+    if (!written.value.valid()) {
+        scope.diagnostics.add(messages::constant_without_value(written.where, constant.name));
+        return;
+    }
+    const std::size_t errors = scope.diagnostics.errors();
+    const std::string user = '`' + constant.name + '`';
+    const Term term = constant_terms(scope, user).resolve(written.value);
+    const auto kind = written_kind(written, term.kind);
+    const auto bounds = bounds_of(scope, written);
+    if (!kind || scope.diagnostics.errors() != errors) return;
+    constant.kind = *kind;
+    const auto value = constant_terms(scope, user).constant(written.value, kind_of(*kind), user);
+    if (!value) return;
+    constant.value = *value;
+    if (bounds && !bounds->contain(*value))
+        scope.diagnostics.add(messages::initial_out_of_range(scope.file.exprs[written.value].where, constant.name,
+                                                             *value, bounds->low, bounds->high));
+    set_from_outside(scope, bounds, constant);
+    for (const Named& known : scope.loop.constants)
+        if (known.name == constant.name)
+            scope.diagnostics.add(
+                messages::duplicate_name(written.name.where, "constant", constant.name, known.origin));
+    scope.loop.constants.push_back(std::move(constant));
+}
+
+}  // namespace
+
+void resolve_constants(LoopScope& scope, const tree::ClosedLoop& written) {
+    std::vector<const tree::Variable*> all;
+    for (const tree::LoopItem& item : written.items)
+        if (const auto* group = std::get_if<tree::Variables>(&item))
+            for (const tree::Variable& variable : group->variables) {
+                all.push_back(&variable);
+                scope.below.insert(scope.text(variable.name));
+            }
+    for (const tree::Variable* variable : all) {
+        const std::size_t errors = scope.diagnostics.errors();
+        declare_constant(scope, *variable);
+        scope.below.erase(scope.text(variable->name));
+        if (scope.diagnostics.errors() == errors) continue;
+        scope.excused.insert(scope.text(variable->name));
+        scope.valueless.insert(scope.text(variable->name));
+    }
+}
+
+void check_constant_names(LoopScope& scope) {
+    for (const Named& constant : scope.loop.constants) {
+        const std::string_view name = constant.name;
+        const auto clash = [&](Span first) {
+            scope.diagnostics.add(messages::duplicate_name(constant.origin, "name", name, first));
+        };
+        if (const auto shared = scope.shared.find(constant.name); shared != scope.shared.end())
+            clash(scope.loop.shared[shared->second].origin);
+        for (const Id<ClosedLoop::Controller> id : scope.loop.controllers.ids()) {
+            const LoopScope::Inside& inside = scope.inside[id.index];
+            const auto internal = inside.internals.find(name);
+            if (internal != inside.internals.end()) clash(scope.chart(id).variables[internal->second].origin);
+            const auto steps =
+                name.size() > 1 && name[0] == 'X' ? inside.steps.find(name.substr(1)) : inside.steps.end();
+            if (steps != inside.steps.end()) clash(scope.chart(id).steps[steps->second.front()].origin);
+        }
+    }
+}
+
+std::optional<Term> constant_named(LoopScope& scope, std::string_view name) {
+    for (const Named& constant : scope.loop.constants) {
+        if (constant.name != name) continue;
+        Exprs& exprs = scope.loop.exprs;
+        switch (constant.kind) {
+        case Named::Kind::Boolean: return Term{exprs.constant(constant.value != 0), Kind::Boolean};
+        case Named::Kind::Integer: return Term{exprs.integer(constant.value), Kind::Integer};
+        case Named::Kind::Duration: return Term{exprs.duration(constant.value), Kind::Duration};
+        }
+    }
+    return {};
+}
+
+Terms constant_terms(LoopScope& scope, std::string_view user) {
+    Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
+    terms.name = [&scope, user](const tree::Expr& node) {
+        const bool simple = node.op == tree::Op::Name;
+        const std::string_view name = scope.file.text(node.word);
+        if (simple)
+            if (const auto constant = constant_named(scope, name)) return *constant;
+        if (simple && scope.valueless.contains(name)) return Term{};
+        if (simple && scope.below.contains(name)) scope.diagnostics.add(messages::constant_below(node.where, name));
+        else scope.diagnostics.add(messages::not_constant(node.where, user));
+        return Term{};
+    };
+    return terms;
+}
+
+}  // namespace grafverif
