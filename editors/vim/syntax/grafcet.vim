@@ -11,6 +11,7 @@ set cpo&vim
 
 syn case match
 syn sync minlines=200
+syn iskeyword @,48-57,_,192-255
 
 " Reserved words.
 syn keyword grafcetDeclaration grafcet component closed_loop nextgroup=grafcetTypeName skipwhite
@@ -23,16 +24,16 @@ syn keyword grafcetConstant true false
 syn keyword grafcetPattern always never inevitable possible
 syn keyword grafcetPattern reachable nextgroup=grafcetAllSteps skipwhite
 
-" Any other name: what follows decides otherwise, and stands behind it for that.
-syn match grafcetName /\<[A-Za-z_][A-Za-z0-9_]*/
+" Any other name, of letters of any script (`\K\k*`): what follows decides otherwise, and stands behind it for that.
+syn match grafcetName /\<\K\k*/
 
 " Words before the beginning of a term, a label, a text: no name is followed by these.
 let s:free = '\.\@1<!\<\%('
 let s:operand = '\%(\%(and\|or\|when\|do\)\>\)\@!'
 let s:follows = '\%(\%(implies\|in\|leads\s\+to\|at\s\+\%(stable\|most\|least\)\|on\s\+\%(activation\|deactivation\|event\)\|holds\s\+\%(for\|at\)\|precedes\|within\|before\|after\|between\|until\|since\)\>\)\@!'
-let s:named = '\)\>\%(\s*\%($\|\/\/\|\/\*\|(\)\|\s\+' . s:operand . '\%([A-Za-z0-9_↑↓]\|!=\@!\|-[>[:space:]]\@!\)\)\@='
-let s:term = '\)\>\%(\s*\%($\|\/\/\|\/\*\|(\)\|\s\+' . s:operand . s:follows . '\%([A-Za-z0-9_↑↓]\|!=\@!\|-[>[:space:]]\@!\)\)\@='
-exe 'syn match grafcetDeclaration /' . s:free . 'variable\|clock\|constraint\|accept\|grain\|schedule\|plant\|environment' . s:term . '/'
+let s:named = '\)\>\%(\s*\%($\|\/\/\|\/\*\|(\)\|\s\+' . s:operand . '\%(\k\|[↑↓]\|!=\@!\|-[>[:space:]]\@!\)\)\@='
+let s:term = '\)\>\%(\s*\%($\|\/\/\|\/\*\|(\)\|\s\+' . s:operand . s:follows . '\%(\k\|[↑↓]\|!=\@!\|-[>[:space:]]\@!\)\)\@='
+exe 'syn match grafcetDeclaration /' . s:free . 'variable\|clock\|constraint\|constant\|accept\|grain\|schedule\|plant\|environment' . s:term . '/'
 exe 'syn match grafcetDeclaration /' . s:free . 'partial\|expansion\|observer' . s:term . '/ nextgroup=grafcetBlockName skipwhite'
 exe 'syn match grafcetDeclaration /' . s:free . 'controller' . s:term . '/ nextgroup=grafcetTypeName skipwhite'
 exe 'syn match grafcetDeclaration /' . s:free . 'location' . s:named . '/ nextgroup=grafcetStepName skipwhite'
@@ -40,7 +41,7 @@ exe 'syn match grafcetDeclaration /' . s:free . 'property' . s:term . '/ nextgro
 exe 'syn match grafcetControl /' . s:free . 'if\|after\|for\|with\|invariant\|initially\|expands\|encloses' . s:term . '/'
 exe 'syn match grafcetLogic /' . s:free . 'implies\|in' . s:term . '/'
 exe 'syn match grafcetPattern /' . s:free . 'precedes\|within\|before\|between\|until\|since' . s:term . '/'
-exe 'syn match grafcetModifier /' . s:free . 'urgent\|timed\)\>\%(\s*$\|\s\+' . s:operand . '[A-Za-z0-9_]\)\@=/'
+exe 'syn match grafcetModifier /' . s:free . 'urgent\|timed\)\>\%(\s*$\|\s\+' . s:operand . '\k\)\@=/'
 exe 'syn match grafcetModifier /' . s:free . 'initial\|linked\|entry\|exit\|macro\|enclosing\)\>' .
             \ '\%(\s*$\|\s\+\%(initial\|linked\|entry\|exit\|macro\|enclosing\|step\|location\)\>\)\@=/'
 exe 'syn match grafcetPattern /' . s:free . 'uppaal\|ctl\|ltl\)\>\%(\s*\%($\|"\)\)\@=/'
@@ -64,22 +65,22 @@ syn match grafcetAllSteps /\<all\s\+steps\>/ contained
 syn match grafcetType /\%(:\s*\)\@<=\%(bool\|int\|duration\)\>\%(\s*\%(->\|\%(leads\|implies\|in\|precedes\|holds\|at\)\>\)\)\@!/
 
 " Names where they are declared.
-syn match grafcetTypeName /\<\%(\%(and\|or\|when\|do\)\>\)\@![A-Za-z_][A-Za-z0-9_]*/ contained
-syn match grafcetTypeName /\%([:=!<>]\@1<!=\s*\)\@<=\%(\%(not\|rise\|fall\)\>\)\@!\<[A-Za-z_][A-Za-z0-9_]*\%(\s*(\)\@=/
-syn match grafcetBlockName /\<[A-Za-z_][A-Za-z0-9_]*\%(\s*\%({\|$\)\)\@=/ contained
-syn match grafcetStepName /\<\%(\%(and\|or\|when\|do\|step\|transition\|input\|output\|internal\)\>\)\@![A-Za-z0-9_]\+/ contained
-syn match grafcetLabel /\<[A-Za-z0-9_]\+\%(\s*:\)\@=/ contained
-syn match grafcetPropertyName /\<[A-Za-z_][A-Za-z0-9_]*/ contained
+syn match grafcetTypeName /\<\%(\%(and\|or\|when\|do\)\>\)\@!\K\k*/ contained
+syn match grafcetTypeName /\%([:=!<>]\@1<!=\s*\)\@<=\%(\%(not\|rise\|fall\)\>\)\@!\<\K\k*\%(\s*(\)\@=/
+syn match grafcetBlockName /\<\K\k*\%(\s*\%({\|$\)\)\@=/ contained
+syn match grafcetStepName /\<\%(\%(and\|or\|when\|do\|step\|transition\|input\|output\|internal\)\>\)\@!\k\+/ contained
+syn match grafcetLabel /\<\k\+\%(\s*:\)\@=/ contained
+syn match grafcetPropertyName /\<\K\k*/ contained
 
 " Values, signs, texts, comments.
-syn match grafcetStepVariable /\<X[0-9][A-Za-z0-9_]*\>/
+syn match grafcetStepVariable /\<X[0-9]\k*\>/
 syn match grafcetNumber /\<[0-9]\+\>/
-syn match grafcetInvalid /\<[0-9]\+\%(\.[0-9]\+[A-Za-z0-9_]*\|[A-Za-z_][A-Za-z0-9_]*\)/
+syn match grafcetInvalid /\<[0-9]\+\%(\.[0-9]\+\k*\|\K\k*\)/
 syn match grafcetDuration /\<[0-9]\+\%(\.[0-9]\+\)\?\%(ms\|s\|min\)\>/
 syn match grafcetOperator /[-!<>+*\/%=]/
 syn match grafcetInvalid /<>\|&\||/
 syn match grafcetOperator /:=\|->\|=>\|&&\|||\|==\|!=\|<=\|>=\|\.\./
-syn match grafcetAccept /\.\@1<!\<accept\s\+\%(\%(when\|do\)\>\)\@![A-Za-z_][A-Za-z0-9_]*\%(-[A-Za-z_][A-Za-z0-9_]*\)*/ contains=grafcetAcceptWord
+syn match grafcetAccept /\.\@1<!\<accept\s\+\%(\%(when\|do\)\>\)\@!\K\k*\%(-\K\k*\)*/ contains=grafcetAcceptWord
 syn match grafcetAcceptWord /\<accept\%(\s\)\@=/ contained nextgroup=grafcetFinding skipwhite
 syn match grafcetFinding /[A-Za-z0-9_-]\+/ contained
 syn match grafcetInvalid /"[^"]*$/
