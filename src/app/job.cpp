@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/outputs.hpp"
+#include "pipeline/check.hpp"
 #include "pipeline/files.hpp"
 #include "pipeline/models.hpp"
 #include "pipeline/watch.hpp"
@@ -113,6 +114,19 @@ std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, Job& job) {
     }
     const auto loop = chosen(model.loops, job.options.loop, "closed loop", "--loop", job);
     return loop && has_constants_set(model.loops[*loop], job) ? loop : std::nullopt;
+}
+
+bool keep_asked(ClosedLoop& loop, Job& job) {
+    const std::vector<std::string>& asked = job.options.properties;
+    if (asked.empty()) return true;
+    std::vector<std::string> known;
+    Table<Property> kept;
+    for (const Property& property : loop.properties) {
+        known.push_back(property.name);
+        if (std::ranges::find(asked, property.name) != asked.end()) kept.add(property);
+    }
+    loop.properties = std::move(kept);
+    return all_known(asked, known, job.diagnostics);
 }
 
 std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job) {

@@ -80,6 +80,8 @@ std::optional<Model> read_model(const std::string& path, Job& job);
 bool is_of_a_chart(const Model& model, const Options& options);
 /// The loop or chart that the options name, or the only one there is.
 std::optional<Id<ClosedLoop>> chosen_loop(const Model& model, Job& job);
+/// Leaves the properties that `--property` names, if it names any; false after an error: the loop has no such property.
+bool keep_asked(ClosedLoop& loop, Job& job);
 std::optional<Id<Chart>> chosen_chart(const Model& model, Job& job);
 
 /// The steps of a list such as `3,X5,G1.3`, the value of `option`; one that is not there, or could be several, is an error.

@@ -195,6 +195,8 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
     using F = Format;
     return {
         list(Accepts::Search, "property", "NAME", &Options::properties, "check this property only; may be repeated"),
+        list(Accepts::Questions, "property", "NAME", &Options::properties,
+             "write this property only, with its observer if it has one; may be repeated"),
         list(Accepts::Supervision, "property", "NAME", &Options::properties, "keep this one only; may be repeated"),
         text(Accepts::Supervision, "marked", "TERM", &Options::marked, "what stays within reach (default: the start)"),
         choice<Held>(Accepts::Supervision, "conditions",

@@ -142,6 +142,7 @@ enum class Accepts {
     Grain,
     Untimed,
     Target,
+    Questions,
     Format,
     FormatLatex,
     FormatAiger,

@@ -52,12 +52,14 @@ std::string listed(const std::vector<Product>& made, Format format) {
 }  // namespace
 
 ExitCode build(Job& job, const Streams&) {
-    const auto model = read_model(job.options.operands[0], job);
+    auto model = read_model(job.options.operands[0], job);
     if (!model) return ExitCode::Input;
     std::vector<Id<ClosedLoop>> loops;
     if (job.options.all) loops.assign(model->loops.ids().begin(), model->loops.ids().end());
     if (loops.empty())  // of no loop `--all` has nothing to write
         if (const auto loop = chosen_loop(*model, job)) loops = {*loop};
+    for (const Id<ClosedLoop> loop : loops)
+        if (!keep_asked(model->loops[loop], job)) return ExitCode::Input;
     for (const Id<ClosedLoop> loop : loops)
         for (Product& product : products(*model, loop, job)) job.products.push_back(std::move(product));
     return ExitCode::Done;
@@ -88,7 +90,7 @@ Verb build_usage() {
              "grafverif build station.grafcet -o models --name station --depfile models/station.d",
              "grafverif build press.grafcet oven.grafcet --all -o models"},
             {Accepts::OutputDirectory, Accepts::All, Accepts::Target, Accepts::Loop, Accepts::Constants,
-              Accepts::Mode, Accepts::Grain, Accepts::Untimed, Accepts::Format}};
+             Accepts::Questions, Accepts::Mode, Accepts::Grain, Accepts::Untimed, Accepts::Format}};
 }
 
 }  // namespace grafverif::app

@@ -14,9 +14,9 @@ namespace {
 
 /// The timed model of the loop that the options choose.
 std::optional<Network> timed_model(Job& job) {
-    const auto model = read_model(job.options.operands[0], job);
+    auto model = read_model(job.options.operands[0], job);
     const auto loop = model ? chosen_loop(*model, job) : std::nullopt;
-    return loop ? network_of(*model, *loop, job) : std::nullopt;
+    return loop && keep_asked(model->loops[*loop], job) ? network_of(*model, *loop, job) : std::nullopt;
 }
 
 }  // namespace
@@ -41,15 +41,16 @@ namespace {
 
 /// The untimed model of the loop or the chart that the options choose.
 std::optional<TransitionSystem> untimed_model(Job& job) {
-    const auto model = read_model(job.options.operands[0], job);
+    auto model = read_model(job.options.operands[0], job);
     if (!model) return {};
     if (is_of_a_chart(*model, job.options)) {
         const auto chart = chosen_chart(*model, job);
-        if (!chart) return {};
+        ClosedLoop none;  // a chart alone has no properties
+        if (!chart || !keep_asked(none, job)) return {};
         return grafverif::transition_system_of(*model, *chart, model_options(job.options), job.diagnostics);
     }
     const auto loop = chosen_loop(*model, job);
-    return loop ? transition_system_of(*model, *loop, job) : std::nullopt;
+    return loop && keep_asked(model->loops[*loop], job) ? transition_system_of(*model, *loop, job) : std::nullopt;
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ Verb uppaal_usage() {
         "its timers, and the properties as queries.",
         {"grafverif uppaal samples/oven_door/oven_door.grafcet -o oven_door.xml",
          "grafverif uppaal station.grafcet --mode every-cycle --grain atomic"},
-        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Mode, Accepts::Grain}};
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Mode, Accepts::Grain}};
 }
 
 Verb pins_usage() {
@@ -111,7 +112,7 @@ Verb pins_usage() {
         "shown). How to build and search it stands in the file.",
         {"grafverif pins samples/oven_door/oven_door.grafcet -o oven_door.c",
          "grafverif pins station.grafcet --grain atomic"},
-        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Mode, Accepts::Grain}};
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Mode, Accepts::Grain}};
 }
 
 Verb nusmv_usage() {
@@ -129,7 +130,7 @@ Verb nusmv_usage() {
         {"grafverif nusmv samples/tanks/tanks.grafcet -o tanks.smv",
          "grafverif nusmv samples/oven_door/oven_door.grafcet --plant automata --grain atomic",
          "grafverif nusmv station.grafcet --chart testing_station --mode every-cycle"},
-        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode,
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Chart, Accepts::Mode,
          Accepts::Grain, Accepts::Untimed}};
 }
 
@@ -147,7 +148,7 @@ Verb aiger_usage() {
         "the charts. A name that ends in .aig asks for the binary form, as `--format aig` does.",
         {"grafverif aiger samples/tanks/tanks.grafcet -o tanks.aig",
          "grafverif aiger samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
-        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode,
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Chart, Accepts::Mode,
          Accepts::Grain, Accepts::Untimed, Accepts::FormatAiger}};
 }
 
@@ -164,7 +165,7 @@ Verb btor2_usage() {
         "warning; `aiger` says it.",
         {"grafverif btor2 samples/tanks/tanks.grafcet -o tanks.btor2",
          "grafverif btor2 samples/oven_door/oven_door.grafcet --plant automata --grain atomic"},
-        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Chart, Accepts::Mode,
+        {Accepts::Output, Accepts::Loop, Accepts::Constants, Accepts::Questions, Accepts::Chart, Accepts::Mode,
          Accepts::Grain, Accepts::Untimed}};
 }
 
