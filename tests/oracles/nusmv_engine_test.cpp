@@ -14,6 +14,7 @@
 #include "check/external/nusmv.hpp"
 #include "check/symbolic/symbolic.hpp"
 #include "emit/nusmv/nusmv.hpp"
+#include "grafverif/grafverif.hpp"
 #include "run/project.hpp"
 #include "run/replay.hpp"
 #include "support/explicit_search.hpp"
@@ -243,6 +244,77 @@ TEST(NusmvAsAUserRunsIt, AgreesWithTheSymbolicEngineOnTheSamples) {
         }
     std::cout << agreement.verdicts << " verdicts, " << agreement.given_up << " models given up\n";
     EXPECT_GT(agreement.verdicts, 50u);
+}
+
+/// A lamp for two seconds, and sentences about it that observers judge, some of them false.
+std::string watched_lamp(const std::string& sentence) {
+    return "grafcet light {\n    input BUTTON;\n    output LAMP;\n    initial step 0;\n    step 1 { LAMP; }\n    step "
+           "2;\n"
+           "    transition t0: 0 -> 1 when BUTTON;\n    transition t1: 1 -> 2 when 2s/X1;\n"
+           "    transition t2: 2 -> 0 when 1s/X2 && !BUTTON;\n}\n"
+           "closed_loop stairs {\n    controller light;\n    environment Button = push_button(OUT = BUTTON, GAP = "
+           "3s);\n"
+           "    property S: " +
+           sentence + ";\n}\n";
+}
+
+TEST(NusmvEngine, FindsOfSentencesInDiscreteTimeWhatTheTimedEngineDoes) {
+    const auto program = app::find_program("NuSMV");
+    if (!program) GTEST_SKIP() << "NuSMV is not on the PATH";
+    std::size_t compared = 0, violated = 0;
+    for (const char* sentence : {"LAMP leads to !LAMP within 2s",
+                                 "LAMP leads to !LAMP within 1s",
+                                 "LAMP holds for 2s",
+                                 "LAMP holds for 3s",
+                                 "LAMP holds at most 2s",
+                                 "LAMP holds at most 1s",
+                                 "X2 at most 2s since BUTTON",
+                                 "LAMP at most 1s since X0",
+                                 "X0 at least every 4s",
+                                 "BUTTON precedes LAMP",
+                                 "X2 precedes LAMP",
+                                 "BUTTON precedes LAMP before X2",
+                                 "X1 precedes X2 after X0",
+                                 "BUTTON precedes X0 after X2",
+                                 "X1 precedes X2 between X0 and X2",
+                                 "X2 precedes LAMP after X0 until X2",
+                                 "never LAMP before BUTTON",
+                                 "never LAMP after X2",
+                                 "never LAMP between X2 and X1 at stable",
+                                 "never X0 after X1 until X2",
+                                 "always X0 before BUTTON",
+                                 "always !X2 after LAMP",
+                                 "inevitable BUTTON before LAMP",
+                                 "inevitable LAMP after BUTTON",
+                                 "inevitable LAMP between X1 and X2",
+                                 "inevitable X2 after X0 until X1",
+                                 "X1 leads to LAMP before X2",
+                                 "X1 leads to X0 after BUTTON",
+                                 "X1 leads to LAMP between X0 and X2",
+                                 "X0 leads to BUTTON after X0 until LAMP"}) {
+        SCOPED_TRACE(sentence);
+        const Model model = read_loop(watched_lamp(sentence)).model;
+        Diagnostics diagnostics;
+        const auto ours = check(model, Id<ClosedLoop>{0}, {.grain = Grain::Atomic}, {.properties = {"S"}}, diagnostics);
+        ASSERT_TRUE(ours);
+        const auto system = transition_system_of(
+            model, Id<ClosedLoop>{0},
+            {.grain = Grain::Atomic, .untimed = {.plant = PlantApproach::Automata, .time = TimeModel::Discrete}},
+            diagnostics);
+        ASSERT_TRUE(system);
+        const auto [theirs, conversation] = asked_nusmv(*system, program->string());
+        if (conversation.empty()) continue;  // it takes minutes
+        const auto here = std::ranges::find(ours->answers, "S", [](const Answer& one) { return one.verdict.property; });
+        const auto there = std::ranges::find(theirs.verdicts, "S", &Verdict::property);
+        ASSERT_NE(here, ours->answers.end());
+        ASSERT_NE(there, theirs.verdicts.end());
+        ASSERT_EQ(there->outcome, here->verdict.outcome) << conversation;
+        ++compared;
+        if (there->outcome == Outcome::Violated) ++violated;
+    }
+    std::cout << compared << " sentences compared, " << violated << " of them violated\n";
+    EXPECT_GT(compared, 15U);
+    EXPECT_GT(violated, 3U);
 }
 
 TEST(NusmvEngine, AProgramThatSaysNothingGivesNoVerdict) {
