@@ -52,10 +52,10 @@ void Limits::explain(Graph& graph) {
 
 namespace {
 
-constexpr std::uint32_t slices_each = 32;      // per thread, in a block
+constexpr std::uint32_t slices_each = 64;      // per thread, in a block
 constexpr std::size_t many_words = 1U << 21U;  // of states computed in a block, after which no slice is begun
 constexpr std::size_t kept_bytes = 1U << 21U;  // of a slice, for the next one
-constexpr std::size_t worth_sharing = 256;     // states or strangers; fewer are done by one thread
+constexpr std::size_t worth_sharing = 16;      // slices of states or strangers; fewer are done by one thread
 constexpr std::size_t link_bytes = 24;         // per state; above it links are dropped
 constexpr std::size_t link_grace = 1U << 18U;  // but not before they take so many in all
 
@@ -68,7 +68,7 @@ public:
         now_.words = packed_initial(graph_.machine.network(), graph_.machine.layout());
         strangers_.begin(1, 1);
         find_or_discover(0);
-        graph_.store.roots().index(0, {});
+        strangers_.index(0, graph_.store.roots());
         while (graph_.looked_at < graph_.states()) {
             if (const Obstacle obstacle = limits_.judge(graph_, graph_.looked_at, held()); obstacle != Obstacle::None)
                 return obstacle;
@@ -102,8 +102,9 @@ private:
         } catch (const std::bad_alloc&) {
             obstacle = Obstacle::Memory;
         }
-        Pairs& roots = graph_.store.roots();
-        share(graph_.states() - first, [&](unsigned member) { roots.index(first, {member, team_.size()}); });
+        share(graph_.states() - first, [&](unsigned member) {
+            if (member < strangers_.parts()) strangers_.index(member, graph_.store.roots());
+        });
         for (std::size_t i = 0; i < filled_; ++i) {
             note(slices_[i]);
             if (slices_[i].bytes() > kept_bytes) slices_[i] = {};
@@ -153,19 +154,19 @@ private:
         share(count, [&](unsigned member) {
             for (std::size_t i = 0; i < filled_ && member < parts; ++i)
                 for (std::size_t k = 0; k < slices_[i].strangers.size(); ++k)
-                    if (strangers_.part_of(slices_[i].strangers[k].root) % team_.size() == member)
-                        meet(slices_[i], k, slicers_[member]);
+                    if (strangers_.part_of(graph_.store.roots(), slices_[i].strangers[k].root) == member)
+                        meet(slices_[i], k, member);
         });
         share(count, [&](unsigned member) {
             graph_.store.roots().make_room(strangers_.size(), {member, team_.size()});
         });
     }
 
-    void meet(Slice& slice, std::size_t index, Slicer& slicer) {
+    void meet(Slice& slice, std::size_t index, unsigned member) {
         Slice::Stranger& stranger = slice.strangers[index];
-        const Strangers::Met met = strangers_.meet(stranger.root);
+        const Strangers::Met met = strangers_.meet(member, stranger.root);
         stranger.entry = met.entry;
-        if (met.fresh) strangers_[met.entry].wanted = slicer.wanted(watch_, words_of(slice, index));
+        if (met.fresh) strangers_[met.entry].wanted = slicers_[member].wanted(watch_, words_of(slice, index));
     }
 
     const Word* words_of(const Slice& slice, std::size_t stranger) const {
@@ -236,7 +237,8 @@ private:
     std::uint32_t find_or_discover(std::uint32_t parent) {
         const Word root = graph_.store.fold(now_.words.data(), {}, next_);
         if (const std::uint32_t known = graph_.store.roots().find(root); known != Store::none) return known;
-        Strangers::Entry& entry = strangers_[strangers_.meet(root).entry];
+        Strangers::Entry& entry =
+            strangers_[strangers_.meet(strangers_.part_of(graph_.store.roots(), root), root).entry];
         if (entry.number != Store::none) return entry.number;
         entry.number = discover(root, parent);
         if (watch_.wants(graph_.machine, now_.words.data(), registers_))

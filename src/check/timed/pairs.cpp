@@ -110,14 +110,9 @@ void Pairs::make_room(std::size_t more, Share share) {
     }
 }
 
-void Pairs::index(std::uint32_t first, Share share) {
-    for (std::size_t at = first; at < size_; ++at) {
-        const auto number = static_cast<std::uint32_t>(at);
-        if (at + fetched_ahead < size_) prefetch((*this)[number + fetched_ahead]);
-        const std::uint64_t hash = Pairs::hash((*this)[number]);
-        if (const std::size_t shard = shard_of(hash); shard % share.members == share.member)
-            put(shards_[shard], hash, number);
-    }
+void Pairs::index(Word pair, std::uint32_t number) {
+    const std::uint64_t hash = Pairs::hash(pair);
+    put(shards_[shard_of(hash)], hash, number);
 }
 
 /// The open chunk is full.

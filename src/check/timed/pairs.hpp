@@ -44,8 +44,12 @@ public:
     };
     /// Room for as many more pairs, unless chance has it that more of them fall into one shard.
     void make_room(std::size_t more, Share share);
-    /// The pairs appended from `first` on are found from here on.
-    void index(std::uint32_t first, Share share);
+    /// Who of so many members has the shard of the pair.
+    unsigned member_of(Word pair, unsigned members) const {
+        return static_cast<unsigned>(shard_of(hash(pair)) % members);
+    }
+    /// A pair that was appended is found from here on.
+    void index(Word pair, std::uint32_t number);
 
     /// The number of the pair, or none.
     std::uint32_t find(Word pair) const;

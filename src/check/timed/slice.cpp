@@ -11,6 +11,7 @@ namespace grafverif::timed {
 namespace {
 
 constexpr std::size_t slice_words = 1U << 17U;  // in a slice; then it ends
+constexpr std::size_t fetched_ahead = 16;       // entries whose places in the index are fetched ahead
 
 }  // namespace
 
@@ -99,9 +100,8 @@ void Strangers::begin(unsigned parts, std::size_t strangers) {
     }
 }
 
-Strangers::Met Strangers::meet(Word root) {
+Strangers::Met Strangers::meet(unsigned index, Word root) {
     const std::uint64_t hash = Pairs::hash(root);
-    const auto index = static_cast<std::uint32_t>(hash % parts_.size());
     Part& part = parts_[index];
     if (2 * (part.entries.size() + 1) > part.slots.size()) widen(part, 2 * part.slots.size());
     std::size_t place = hash >> 24U & (part.slots.size() - 1);
@@ -112,7 +112,15 @@ Strangers::Met Strangers::meet(Word root) {
         part.entries.push_back({root});
         part.slots[place] = static_cast<std::uint32_t>(part.entries.size());
     }
-    return {(part.slots[place] - 1) * static_cast<std::uint32_t>(parts_.size()) + index, fresh};
+    return {(part.slots[place] - 1) * parts() + index, fresh};
+}
+
+void Strangers::index(unsigned part, Pairs& roots) const {
+    const std::vector<Entry>& entries = parts_[part].entries;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (i + fetched_ahead < entries.size()) roots.prefetch(entries[i + fetched_ahead].root);
+        if (entries[i].number != Store::none) roots.index(entries[i].root, entries[i].number);
+    }
 }
 
 void Strangers::widen(Part& part, std::size_t slots) {

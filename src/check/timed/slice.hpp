@@ -64,7 +64,8 @@ private:
     std::vector<Word> later_ = {};
 };
 
-/// The strangers of several slices, each once; in parts by hash, so that threads can take a part each.
+/// The strangers of several slices, each once; in parts by the shards of their roots, so that threads can take a part
+/// each, and index it.
 class Strangers {
 public:
     struct Entry {
@@ -75,17 +76,22 @@ public:
 
     /// Empties all, for so many parts and about so many strangers.
     void begin(unsigned parts, std::size_t strangers);
-    unsigned part_of(Word root) const { return static_cast<unsigned>(Pairs::hash(root) % parts_.size()); }
+    unsigned part_of(const Pairs& roots, Word root) const {
+        return roots.member_of(root, static_cast<unsigned>(parts_.size()));
+    }
     struct Met {
         std::uint32_t entry = 0;
         bool fresh = false;
     };
-    /// The entry, a new one where `root` is met for the first time.
-    Met meet(Word root);
+    /// The entry of `root` in its part, a new one where it is met for the first time.
+    Met meet(unsigned part, Word root);
+    /// Those of a part that the search has come to are found in `roots` from here on.
+    void index(unsigned part, Pairs& roots) const;
     Entry& operator[](std::uint32_t entry) {
         const auto parts = static_cast<std::uint32_t>(parts_.size());
         return parts_[entry % parts].entries[entry / parts];
     }
+    unsigned parts() const { return static_cast<unsigned>(parts_.size()); }
     std::size_t size() const;
     std::size_t bytes() const;
 
