@@ -34,8 +34,9 @@ std::string progress_text(const TimedProgress& now) {
                        grouped(now.queue), now.bytes >> 20U, now.seconds);
 }
 
-TimedOptions timed_options(const CheckOptions& options) {
+TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options) {
     TimedOptions timed;
+    timed.finest = loop.finest;
     timed.properties = options.properties;
     timed.max_states = options.limits.states.value_or(timed.max_states);
     set_limits(timed, options.limits);
@@ -49,16 +50,16 @@ TimedOptions timed_options(const CheckOptions& options) {
     return timed;
 }
 
-TimedResult search(const Network& network, const CheckOptions& options) {
-    const TimedOptions timed = timed_options(options);
-    return options.whole ? check_timed(network, timed) : check_timed_by_cells(network, timed);
+TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
+    const TimedOptions timed = timed_options(loop, options);
+    return options.whole ? check_timed(loop.network, timed) : check_timed_by_cells(loop.network, timed);
 }
 
 /// An observer looks at the whole, so there are no cells to be had; whether time can stop is asked of the loop alone.
-TimedResult search_watched(const Network& network, const CheckOptions& options) {
-    TimedOptions timed = timed_options(options);
+TimedResult search_watched(const LoopToCheck& loop, const CheckOptions& options) {
+    TimedOptions timed = timed_options(loop, options);
     timed.timelock = false;
-    return check_timed(network, timed);
+    return check_timed(loop.network, timed);
 }
 
 /// Turns what the engine found into a report; runs that do not replay are failures and are not told.
@@ -88,7 +89,6 @@ public:
         }
         if (!loop_.cures_left_out && !is_watched()) explain(network_, violations, again(result), report);
         report.profile = std::move(result.profile);
-        if (report.profile && loop_.finest) report.profile->finest = loop_.finest();
         report.failures = std::move(failures_);
         return report;
     }
@@ -101,7 +101,7 @@ private:
             CheckOptions options = options_;
             options.properties = std::move(names);
             options.profile = false;
-            return search(network, options).verdicts;
+            return search({network}, options).verdicts;
         };
     }
 
@@ -152,11 +152,12 @@ Report check_watched(const LoopToCheck& loop, Id<Property> id, const CheckOption
     CheckOptions own = options;
     own.properties = {asked.name};
     own.profile = false;
-    TimedResult found = search_watched(network, own);
+    const LoopToCheck watched_loop{network, loop.charts, loop.cures_left_out, loop.finest};
+    TimedResult found = search_watched(watched_loop, own);
     for (Verdict& verdict : found.verdicts)
         if (verdict.run && verdict.outcome == Outcome::Violated)
             verdict.notes.push_back(watched_words(loop.network, loop.network.properties[id], network, *verdict.run));
-    return Reporter({network, loop.charts, loop.cures_left_out, loop.finest}, own).report(std::move(found));
+    return Reporter(watched_loop, own).report(std::move(found));
 }
 
 void take(Report&& found, Report& report) {
@@ -183,7 +184,7 @@ void put_in_order(const Network& network, std::vector<Answer>& answers) {
 
 Report check(const LoopToCheck& loop, const CheckOptions& options) {
     const std::vector<Id<Property>> by_observers = watched(loop.network);
-    if (by_observers.empty()) return Reporter(loop, options).report(search(loop.network, options));
+    if (by_observers.empty()) return Reporter(loop, options).report(search(loop, options));
 
     const auto is_asked = [&](Id<Property> id) {
         const std::string& name = loop.network.properties[id].name;
@@ -196,7 +197,8 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
                                    [&](Id<Property> id) { return loop.network.properties[id].name == name; });
     });
     if (rest.properties.empty() && !options.properties.empty()) rest.properties = {"no_timelock"};  // in any case
-    Report report = Reporter({alone, loop.charts, loop.cures_left_out, loop.finest}, rest).report(search(alone, rest));
+    const LoopToCheck unwatched{alone, loop.charts, loop.cures_left_out, loop.finest};
+    Report report = Reporter(unwatched, rest).report(search(unwatched, rest));
     for (const Id<Property> id : by_observers)
         if (is_asked(id)) take(check_watched(loop, id, options), report);
     put_in_order(loop.network, report.answers);

@@ -127,14 +127,14 @@ std::optional<StateProfile::Finest> finest_duration(const Model& model, const Cl
     const std::vector<Duration> all = durations(model, loop);
     const std::int64_t divisor = common_divisor(all);
     if (loop.time_unit_ms && divisor > *loop.time_unit_ms)
-        return StateProfile::Finest{0, *loop.time_unit_ms, divisor, loop.time_unit_origin, {}};
+        return StateProfile::Finest{0, *loop.time_unit_ms, divisor, {}, loop.time_unit_origin, {}};
     std::optional<StateProfile::Finest> found;
     if (loop.time_unit_ms) return found;
     const std::map<std::int64_t, std::int64_t> divisors = divisors_without(all);
     for (const Duration& duration : all) {
         const std::int64_t without = divisors.at(duration.milliseconds);
         if (without > (found ? found->coarser_ms : divisor))
-            found = StateProfile::Finest{duration.milliseconds, divisor, without, duration.where, {}};
+            found = StateProfile::Finest{duration.milliseconds, divisor, without, {}, duration.where, {}};
     }
     return found;
 }

@@ -50,10 +50,11 @@ public:
             return fmt::format("the clock {} of {} alone, {} values, compared with {} at most", printable(clock.name),
                                printable(clock.process), clock.values, clock.greatest);
         });
-        if (profile_.inside_cycles != 0)
+        if (const std::uint64_t inside = profile_.inside_cycles; inside != 0)
             out_ << fmt::format(
-                "    {} % of these states lie inside a cycle; `--grain atomic` makes each cycle one step\n",
-                (100 * profile_.inside_cycles + profile_.sampled / 2) / profile_.sampled);
+                "    {} % of these states lie inside a cycle; `--grain atomic` makes each cycle one step, and keeps {} "
+                "of them at most\n",
+                (100 * inside + profile_.sampled / 2) / profile_.sampled, profile_.sampled - inside);
         if (profile_.finest) print(*profile_.finest);
     }
 
@@ -71,13 +72,18 @@ private:
 
     void print(const StateProfile::Finest& finest) {
         const std::string place = finest.place.empty() ? "" : " (" + printable(finest.place) + ")";
+        const std::string gain =
+            finest.factor.value() < least_factor
+                ? ""
+                : fmt::format(" (x {:.1f}: clocks that count in it tell so many times fewer of these states apart)",
+                              finest.factor.value());
         if (finest.duration_ms == 0)
-            out_ << fmt::format("    the time unit is written as {}{}; the durations are multiples of {}\n",
-                                seconds_text(finest.unit_ms), place, seconds_text(finest.coarser_ms));
+            out_ << fmt::format("    the time unit is written as {}{}; the durations are multiples of {}{}\n",
+                                seconds_text(finest.unit_ms), place, seconds_text(finest.coarser_ms), gain);
         else
-            out_ << fmt::format("    the duration {}{} makes the time unit {}; without it, it is {}\n",
+            out_ << fmt::format("    the duration {}{} makes the time unit {}; without it, it is {}{}\n",
                                 seconds_text(finest.duration_ms), place, seconds_text(finest.unit_ms),
-                                seconds_text(finest.coarser_ms));
+                                seconds_text(finest.coarser_ms), gain);
     }
 
     const StateProfile& profile_;
@@ -114,6 +120,7 @@ Json profile_json(const StateProfile& profile) {
         finest = Json{{"duration", profile.finest->duration_ms},
                       {"unit", profile.finest->unit_ms},
                       {"coarser", profile.finest->coarser_ms},
+                      {"factor", profile.finest->factor.value()},
                       {"place", text_or_null(profile.finest->place)}};
     return {{"states", profile.states},  {"sampled", profile.sampled},  {"inside_cycles", profile.inside_cycles},
             {"parts", std::move(parts)}, {"clocks", std::move(clocks)}, {"finest", std::move(finest)}};

@@ -48,6 +48,7 @@ struct StateProfile {
         std::int64_t duration_ms = 0;  ///< 0: it is the unit that the loop names
         std::int64_t unit_ms = 0;      ///< that there is
         std::int64_t coarser_ms = 0;   ///< that there would be
+        Factor factor = {};            ///< of the parts of clocks that a clock in the coarser unit would not tell apart
         Span origin = {};
         std::string place = {};  ///< as above
         bool operator==(const Finest&) const = default;
@@ -56,7 +57,7 @@ struct StateProfile {
     std::uint64_t states = 0;   ///< found
     std::uint64_t sampled = 0;  ///< the first of them
     std::uint64_t most_combinations = 0;
-    std::uint64_t inside_cycles = 0;  ///< of those sampled: some controller is not waiting
+    std::uint64_t inside_cycles = 0;  ///< of those sampled: some controller is neither waiting nor yet to start
     std::vector<Part> parts = {};     ///< the largest factor first
     std::vector<Clock> clocks = {};   ///< the largest factor first
     std::optional<Finest> finest = {};

@@ -47,7 +47,7 @@ Obstacle Limits::judge(const Graph& graph, std::uint32_t state, std::size_t more
 void Limits::explain(Graph& graph) {
     if (explained_ || !options_.many || graph.states() < many_states) return;
     explained_ = true;
-    options_.many(profile_of(graph));
+    options_.many(profile_of(graph, options_.finest ? options_.finest() : std::nullopt));
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include <bit>
 #include <ranges>
 #include <unordered_set>
+#include <utility>
 
 namespace grafverif::timed {
 
@@ -54,9 +55,17 @@ struct Column {
     std::size_t clock = none;
 };
 
+/// Where the process of a controller is, and is not inside a cycle.
+struct Waiting {
+    Field location = {};
+    std::uint32_t waiting = 0, initial = 0;
+};
+
 class Profiler {
 public:
-    explicit Profiler(Graph& graph) : graph_(graph), network_(graph.machine.network()) {
+    Profiler(Graph& graph, std::optional<StateProfile::Finest> finest)
+        : graph_(graph), network_(graph.machine.network()) {
+        profile_.finest = std::move(finest);
         name_parts();
         for (const Id<Network::Process> process : network_.processes.ids()) add_process(process);
         add_variables();
@@ -68,7 +77,7 @@ public:
         const std::uint64_t most = std::uint64_t{1} << (effort == Effort::Brief ? 19U : 25U);
         const std::uint64_t each = columns_.size() + 4 * things_.size() + 1;
         profile_.sampled = std::min<std::uint64_t>(graph_.states(), most / each);
-        const std::uint64_t expected = profile_.sampled * things_.size() / most_rests;
+        const std::uint64_t expected = profile_.sampled * (things_.size() + 1) / most_rests;
         classes_ = std::bit_ceil(expected + 1);
         profile_.most_combinations = std::max<std::uint64_t>(most_seen / things_.size(), 256);
         for (std::uint32_t state = 0; state < profile_.sampled; ++state) look(graph_.load(state));
@@ -81,6 +90,7 @@ public:
             profile_.clocks[i].values = thing.values.size();
             profile_.clocks[i].factor = thing.factor();
         }
+        if (profile_.finest) profile_.finest->factor = finer_.factor();
         const auto by_factor = [](const auto& thing) { return -thing.factor.value(); };
         std::ranges::stable_sort(profile_.parts, {}, by_factor);
         std::ranges::stable_sort(profile_.clocks, {}, by_factor);
@@ -99,8 +109,8 @@ private:
                 if (timer.process.valid()) part_of_[timer.process.index] = profile_.parts.size();
             add_part(controller.process, Kind::Controller);
             profile_.parts.back().name = controller.words.name;
-            waiting_.emplace_back(graph_.machine.layout().locations[controller.process.index],
-                                  controller.waiting.index);
+            waiting_.push_back({graph_.machine.layout().locations[controller.process.index], controller.waiting.index,
+                                network_.processes[controller.process].initial.index});
         }
         for (const Id<Network::Process> id : network_.processes.ids()) {
             if (part_of_[id.index] != Column::none) continue;
@@ -167,19 +177,31 @@ private:
         }
     }
 
+    /// What a clock would count in the coarser unit.
+    Word coarser(Word units) const {
+        const StateProfile::Finest& finest = *profile_.finest;
+        return units * static_cast<Word>(finest.unit_ms) / static_cast<Word>(finest.coarser_ms);
+    }
+
     void look(const Word* words) {
         for (Thing& thing : things_) thing.now = 0;
+        finer_.now = 0;
         std::uint64_t whole = 0;
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             const Column& column = columns_[i];
             const std::uint64_t value = mixed(mixed(i) ^ column.field.raw(words));
             whole += value;
             if (column.part != Column::none) things_[column.part].now += value;
-            if (column.clock != Column::none) things_[profile_.parts.size() + column.clock].now += value;
+            if (column.clock == Column::none) continue;
+            things_[profile_.parts.size() + column.clock].now += value;
+            if (profile_.finest) finer_.now += value - mixed(mixed(i) ^ coarser(column.field.raw(words)));
         }
+        if (profile_.finest) finer_.look(whole, classes_, 0);
         for (Thing& thing : things_) thing.look(whole, classes_, profile_.most_combinations);
-        const bool inside =
-            std::ranges::any_of(waiting_, [&](const auto& at) { return at.first.raw(words) != at.second; });
+        const bool inside = std::ranges::any_of(waiting_, [&](const Waiting& at) {
+            const Word now = at.location.raw(words);
+            return now != at.waiting && now != at.initial;
+        });
         profile_.inside_cycles += inside ? 1 : 0;
     }
 
@@ -187,14 +209,17 @@ private:
     const Network& network_;
     StateProfile profile_ = {};
     std::vector<std::size_t> part_of_ = {};  // per process
-    std::vector<std::pair<Field, std::uint32_t>> waiting_ = {};
+    std::vector<Waiting> waiting_ = {};
     std::vector<Column> columns_ = {};
     std::vector<Thing> things_ = {};  // parts, then clocks
+    Thing finer_ = {};                // what the coarser unit does not tell apart
     std::uint64_t classes_ = 1;
 };
 
 }  // namespace
 
-StateProfile profile_of(Graph& graph, Effort effort) { return Profiler(graph).profile(effort); }
+StateProfile profile_of(Graph& graph, std::optional<StateProfile::Finest> finest, Effort effort) {
+    return Profiler(graph, std::move(finest)).profile(effort);
+}
 
 }  // namespace grafverif::timed

@@ -2,6 +2,8 @@
 // Where the states of a search come from.
 #pragma once
 
+#include <optional>
+
 #include "check/timed/graph.hpp"
 #include "grafverif/ir/state_profile.hpp"
 
@@ -11,7 +13,7 @@ enum class Effort {
     Brief,  ///< somebody waits for the end: a tenth of a second
     Full,   ///< some seconds
 };
-/// Of the first states found, as many as the effort allows.
-StateProfile profile_of(Graph& graph, Effort effort = Effort::Full);
+/// Of the first states found, as many as the effort allows. `finest`: what makes the time unit fine, if something does.
+StateProfile profile_of(Graph& graph, std::optional<StateProfile::Finest> finest, Effort effort = Effort::Full);
 
 }  // namespace grafverif::timed

@@ -44,9 +44,9 @@ std::optional<Premises> premises(timed::Graph& graph, std::uint32_t settled, con
 }
 
 /// Nothing where memory ends.
-std::optional<StateProfile> measured(timed::Graph& graph, timed::Effort effort) {
+std::optional<StateProfile> measured(timed::Graph& graph, const TimedOptions& options, timed::Effort effort) {
     try {
-        return timed::profile_of(graph, effort);
+        return timed::profile_of(graph, options.finest ? options.finest() : std::nullopt, effort);
     } catch (const std::bad_alloc&) {
         return {};
     }
@@ -93,7 +93,8 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     if (options.premises && result.complete) result.premises = premises(graph, settled, limits);
     const bool explained = options.profile || !result.complete || result.states >= many_states;
     if (explained && result.states != 0)
-        result.profile = measured(graph, ended == Obstacle::Stopped ? timed::Effort::Brief : timed::Effort::Full);
+        result.profile =
+            measured(graph, options, ended == Obstacle::Stopped ? timed::Effort::Brief : timed::Effort::Full);
     result.seconds = limits.seconds();
     for (Verdict& verdict : result.verdicts) {
         verdict.states = std::to_string(result.states);

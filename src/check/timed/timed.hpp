@@ -53,6 +53,7 @@ struct TimedOptions {
     std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
     bool profile = false;  ///< asks for TimedResult::profile, whatever the search comes to
     std::function<void(const StateProfile&)> many = {};  ///< called once, when the search has found `many_states`
+    std::function<std::optional<StateProfile::Finest>()> finest = {};  ///< asked for a profile
 };
 
 /// What a search that came to its end says of the network as a neighbour of others (docs/engines.md, "Sub-loops").

@@ -158,7 +158,8 @@ TEST(StateProfileLaw, CountsWhatSetsOfWholeStatesCount) {
         timed::Limits limits(options);
         timed::Graph graph(machine);
         timed::explore(graph, watch, {}, limits);
-        const StateProfile found = timed::profile_of(graph);
+        constexpr std::int64_t ratio = 3;
+        const StateProfile found = timed::profile_of(graph, StateProfile::Finest{.unit_ms = 1, .coarser_ms = ratio});
         const std::vector<Place> places = places_of(network, machine.layout());
         std::vector<Values> states;
         for (std::uint32_t state = 0; state < graph.states(); ++state) {
@@ -174,6 +175,15 @@ TEST(StateProfileLaw, CountsWhatSetsOfWholeStatesCount) {
             EXPECT_EQ(part.factor.states, states.size());
             ++compared;
         }
+        std::set<Values> coarse;
+        for (Values values : states) {
+            for (std::size_t at = 0; at < places.size(); ++at)
+                if (!places[at].clock.empty()) values[at] /= ratio;
+            coarse.insert(std::move(values));
+        }
+        ASSERT_TRUE(found.finest);
+        EXPECT_EQ(found.finest->factor.merged, coarse.size());
+        EXPECT_EQ(found.finest->factor.states, states.size());
         for (const StateProfile::Clock& clock : found.clocks) {
             const std::string name = clock.process + "." + clock.name;
             EXPECT_EQ(clock.factor.merged,

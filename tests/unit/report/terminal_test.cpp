@@ -211,16 +211,19 @@ TEST(Terminal, TellsWhatMultiplies) {
     profile.parts = {{"PLC", StateProfile::Kind::Controller, 12, {30, 5}, {}, "a.grafcet:3"},
                      {"Lamp", StateProfile::Kind::Instance, 9, {30, 30}, {}, ""}};
     profile.clocks = {{"Start", "t", 12, 13, {30, 10}, {}, ""}};
-    profile.finest = StateProfile::Finest{1010, 10, 100, {}, "a.grafcet:7"};
+    profile.finest = StateProfile::Finest{1010, 10, 100, {30, 12}, {}, "a.grafcet:7"};
     report.profile = profile;
     const std::string told = text(report);
     EXPECT_NE(
-        told.find("what multiplies in the first 30 of 40 states (x N: N times fewer were left if it alone did not "
-                  "count):\n"
-                  "    x 6.0     controller PLC, 12 or more combinations of its own (a.grafcet:3)\n"
-                  "    x 3.0     the clock t of Start alone, 13 values, compared with 12 at most\n"
-                  "    33 % of these states lie inside a cycle; `--grain atomic` makes each cycle one step\n"
-                  "    the duration 1.01 s (a.grafcet:7) makes the time unit 0.01 s; without it, it is 0.1 s\n"),
+        told.find(
+            "what multiplies in the first 30 of 40 states (x N: N times fewer were left if it alone did not "
+            "count):\n"
+            "    x 6.0     controller PLC, 12 or more combinations of its own (a.grafcet:3)\n"
+            "    x 3.0     the clock t of Start alone, 13 values, compared with 12 at most\n"
+            "    33 % of these states lie inside a cycle; `--grain atomic` makes each cycle one step, and keeps 20 "
+            "of them at most\n"
+            "    the duration 1.01 s (a.grafcet:7) makes the time unit 0.01 s; without it, it is 0.1 s "
+            "(x 2.5: clocks that count in it tell so many times fewer of these states apart)\n"),
         std::string::npos)
         << told;
 }
