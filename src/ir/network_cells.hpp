@@ -41,6 +41,7 @@ struct LocalAblations {
     bool silent = false;                 ///< what is left out writes nothing that is kept
     bool steady = false;                 ///< free values stay what they are at first
     bool break_off = false;              ///< that a search breaks off says nothing of it, nor that another does
+    bool unproven = false;               ///< what is asked of other cells is known before it is found to hold
 };
 
 /// Some cells of a network, and the PLCs that they have a part of, as a network of its own that can do whatever the whole
@@ -52,12 +53,15 @@ struct LocalNetwork {
     Network network = {};
     std::vector<std::uint32_t> borders = {};  ///< other cells that kept processes read, but for flags of a PLC
     std::vector<std::uint32_t> tied = {};     ///< all other cells that are read
+    std::vector<std::size_t> known = {};      ///< the invariants that keep some free values away
 };
 
 /// Requires: `network` is expanded, and each of its terms has a value in every state; `chosen` are cells, in order, and
-/// `properties` read nothing but these (cells_read).
+/// `properties` read nothing but these (cells_read); `invariants` are true in each state of the whole. An edge chooses no
+/// values that break one of these.
 LocalNetwork localized(const Network& network, const NetworkCells& cells, const std::vector<std::uint32_t>& chosen,
-                       const std::vector<Property>& properties, const LocalAblations& ablations = {});
+                       const std::vector<Property>& properties, const std::vector<Id<Expr>>& invariants = {},
+                       const LocalAblations& ablations = {});
 
 /// The cells whose variables and locations the operands of `property` read, in order. Empty: none, or it reads what no
 /// local network tells: `race`, a scratch variable, where a PLC is in its cycle.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "check/cells/cells.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <deque>
 #include <map>
@@ -32,11 +34,30 @@ struct Task {
     std::vector<std::size_t> asked = {};
 };
 
+/// A task that its cells did not decide, and which others these read; `known`: how many invariants there were.
+struct Open {
+    Task task = {};
+    Cells borders = {}, tied = {};
+    std::size_t known = 0;
+};
+
+/// What was found to be true in every state of the whole.
+struct Invariant {
+    std::string name = {};
+    Id<Expr> term = {};
+    Cells reads = {};
+};
+
 class ByCells {
 public:
-    ByCells(const Network& network, const NetworkCells& cells, const TimedOptions& options, const CellLimits& limits,
+    ByCells(Network network, const NetworkCells& cells, const TimedOptions& options, const CellLimits& limits,
             const LocalAblations& ablations, const WholeSearch& whole)
-        : network_(network), cells_(cells), options_(options), limits_(limits), ablations_(ablations), whole_(whole) {}
+        : network_(std::move(network)),
+          cells_(cells),
+          options_(options),
+          limits_(limits),
+          ablations_(ablations),
+          whole_(whole) {}
 
     TimedResult result() {
         look_at_whole();
@@ -62,13 +83,15 @@ private:
     bool about_race(const Property& property) const;
     void search_locally();
     void search(const Task& task);
-    Scope scope(const std::set<std::uint32_t>& searched, const char* because) const;
-    void widen(const LocalNetwork& local, Task task);
+    void go_on_with(Open open);
+    void know(const Property& property);
+    std::string taken_to_do(const LocalNetwork& local) const;
+    Scope scope(const std::set<std::uint32_t>& searched, std::string because) const;
     void take_local();
     bool needs_whole();
     TimedResult search_whole();
 
-    const Network& network_;
+    Network network_;  // terms are added
     const NetworkCells& cells_;
     const TimedOptions& options_;
     const CellLimits& limits_;
@@ -78,6 +101,8 @@ private:
     bool ever_settled_ = false;
     std::vector<std::optional<Property>> questions_ = {};  // per verdict, what cells may tell of
     std::deque<Task> tasks_ = {};
+    std::vector<Open> open_ = {};
+    std::vector<Invariant> known_ = {};
     std::map<std::size_t, Verdict> found_ = {};  // by cells
     std::optional<std::size_t> race_ = {};       // the verdict that nothing races
     std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
@@ -125,6 +150,9 @@ void ByCells::ask() {
         groups[read].push_back(k);
     }
     for (auto& [read, asked] : groups) tasks_.push_back({read, std::move(asked)});
+    if (ablations_.unproven)
+        for (const std::optional<Property>& question : questions_)
+            if (question) know(*question);
 }
 
 bool ByCells::about_race(const Property& property) const {
@@ -137,9 +165,12 @@ bool ByCells::about_race(const Property& property) const {
 void ByCells::search_locally() {
     std::set<std::uint32_t> looked_at;
     const auto work = [&] {
-        for (; !tasks_.empty(); tasks_.pop_front()) {
-            looked_at.insert(tasks_.front().cells.begin(), tasks_.front().cells.end());
-            search(tasks_.front());
+        while (!tasks_.empty()) {
+            for (; !tasks_.empty(); tasks_.pop_front()) {
+                looked_at.insert(tasks_.front().cells.begin(), tasks_.front().cells.end());
+                search(tasks_.front());
+            }
+            for (Open& open : std::exchange(open_, {})) go_on_with(std::move(open));
         }
     };
     work();
@@ -153,8 +184,11 @@ void ByCells::search_locally() {
 void ByCells::search(const Task& task) {
     std::vector<Property> properties;
     for (const std::size_t k : task.asked) properties.push_back(*questions_[k]);
-    const LocalNetwork local = localized(network_, cells_, task.cells, properties, ablations_);
-    if (!local.made) return widen(local, task);
+    std::vector<Id<Expr>> invariants;
+    for (const Invariant& invariant : known_) invariants.push_back(invariant.term);
+    const LocalNetwork local = localized(network_, cells_, task.cells, properties, invariants, ablations_);
+    const auto open = [&](Task left) { open_.push_back({std::move(left), local.borders, local.tied, known_.size()}); };
+    if (!local.made) return open(task);
     TimedOptions options = options_;
     options.properties = {};
     options.timelock = false;
@@ -166,41 +200,70 @@ void ByCells::search(const Task& task) {
     result_.bytes = std::max(result_.bytes, found.bytes);
     result_.seconds += found.seconds;
     if (!found.complete) return;
-    if (!found.errors.empty() && !ablations_.break_off) return widen(local, task);
+    if (!found.errors.empty() && !ablations_.break_off) return open(task);
     faultless_.insert(task.cells.begin(), task.cells.end());
     faultless_states_ += found.states;
     faultless_transitions_ += found.transitions;
-    Task open{task.cells, {}};
+    Task left{task.cells, {}};
     for (std::size_t i = 0; i < task.asked.size(); ++i) {
         const std::size_t k = task.asked[i];
         const Verdict& verdict = found.verdicts[i];
         const Outcome carries = wanted(*questions_[k]) ? Outcome::Violated : Outcome::Holds;
         if (verdict.outcome == carries) {
-            (found_[k] = verdict).scope = scope(std::set(task.cells.begin(), task.cells.end()),
-                                                "is taken to do anything at any moment, which takes no run away");
+            (found_[k] = verdict).scope = scope(std::set(task.cells.begin(), task.cells.end()), taken_to_do(local));
+            know(*questions_[k]);
         } else {
-            open.asked.push_back(k);
+            left.asked.push_back(k);
         }
     }
-    if (!open.asked.empty()) widen(local, std::move(open));
+    if (!left.asked.empty()) open(std::move(left));
 }
 
-Scope ByCells::scope(const std::set<std::uint32_t>& searched, const char* because) const {
-    Scope made{.because = because, .cells = true};
+/// Of a property that holds by cells. Where something breaks off nothing that cells say is given, and up to there it is
+/// true in each state of a run, so in what is found with its help.
+void ByCells::know(const Property& property) {
+    if (property.at_stable || about_race(property)) return;
+    const Id<Expr> term = property.operands[0];
+    const bool is_true = property.pattern == Pattern::Always;
+    if (!is_true && property.pattern != Pattern::Never) return;
+    for (const Id<Expr> leaf : leaves(network_.exprs, term))
+        if (network_.exprs[leaf].op == Op::At) return;  // which no guard reads
+    known_.push_back(
+        {property.name, is_true ? term : network_.exprs.negation(term), cells_read(network_, cells_, property)});
+}
+
+std::string ByCells::taken_to_do(const LocalNetwork& local) const {
+    std::vector<std::string> names;
+    for (const std::size_t i : local.known) names.push_back(known_[i].name);
+    if (names.empty()) return "is taken to do anything at any moment, which takes no run away";
+    return fmt::format("is taken to do anything at any moment that breaks none of {}, which {}; that takes no run away",
+                       fmt::join(names, ", "), names.size() == 1 ? "holds" : "hold");
+}
+
+Scope ByCells::scope(const std::set<std::uint32_t>& searched, std::string because) const {
+    Scope made{.because = std::move(because), .cells = true};
     for (std::uint32_t cell = 0; cell < cells_.count; ++cell)
         (searched.contains(cell) ? made.searched : made.left_out).push_back(cells_.names[cell]);
     return made;
 }
 
-/// The same with the cells whose values it reads: those of its borders, and last those that keep its PLCs from being stable.
-void ByCells::widen(const LocalNetwork& local, Task task) {
+/// The same once more where more is known of what its cells read; else with the cells whose values these read: those of
+/// its borders, and last those that keep its PLCs from being stable.
+void ByCells::go_on_with(Open open) {
+    Task& task = open.task;
+    const auto tells = [&](const Invariant& invariant) {
+        return std::ranges::any_of(
+            open.tied, [&](std::uint32_t cell) { return std::ranges::binary_search(invariant.reads, cell); });
+    };
+    if (std::any_of(known_.begin() + static_cast<std::ptrdiff_t>(open.known), known_.end(), tells))
+        return tasks_.push_back(std::move(task));
     const auto with = [&](const Cells& more) {
         Cells all;
         std::ranges::set_union(task.cells, more, std::back_inserter(all));
         return all;
     };
-    Cells wider = with(local.borders);
-    if (wider == task.cells) wider = with(local.tied);
+    Cells wider = with(open.borders);
+    if (wider == task.cells) wider = with(open.tied);
     if (wider == task.cells || wider.size() == cells_.count) return;
     task.cells = std::move(wider);
     tasks_.push_back(std::move(task));
@@ -288,10 +351,10 @@ TimedResult check_timed_by_cells(const Network& network, const TimedOptions& opt
         return timed::asked(options, property) && about_single_states(property);
     });
     if (!asked) return with_time_told(whole(network, options));
-    const Network flat = expand(network);
+    Network flat = expand(network);
     const NetworkCells cells = cells_of(flat);
     if (cells.count < 2 || !terms_have_values(flat)) return with_time_told(whole(network, options));
-    return with_time_told(ByCells(flat, cells, options, limits, ablations, whole).result());
+    return with_time_told(ByCells(std::move(flat), cells, options, limits, ablations, whole).result());
 }
 
 }  // namespace grafverif

@@ -9,9 +9,9 @@
 #include <tuple>
 #include <utility>
 
-#include "ir/interval.hpp"
 #include "ir/junction.hpp"
 #include "ir/literal.hpp"
+#include "ir/network/choices.hpp"
 #include "ir/network_cells.hpp"
 #include "ir/slots.hpp"
 
@@ -19,18 +19,17 @@ namespace grafverif {
 
 namespace {
 
-constexpr std::int64_t most_copies = 1024;  // of one edge
-
 /// What a term reads.
 enum : std::uint8_t { Kept = 1, Free = 2 };
 
 class LocalBuilder {
 public:
     LocalBuilder(const Network& network, const NetworkCells& cells, const std::vector<std::uint32_t>& chosen,
-                 const LocalAblations& ablations)
+                 const std::vector<Id<Expr>>& invariants, const LocalAblations& ablations)
         : whole_(network),
           cells_(cells),
           chosen_(chosen),
+          invariants_(invariants),
           ablations_(ablations),
           process_(network.processes.size(), none),
           variable_(network.variables.size(), none),
@@ -53,22 +52,12 @@ public:
         add_properties(properties);
         made_.borders.assign(borders_.begin(), borders_.end());
         made_.tied.assign(tied_.begin(), tied_.end());
+        made_.known.assign(known_.begin(), known_.end());
         return std::move(made_);
     }
 
 private:
     static constexpr std::uint32_t none = NetworkCells::none;
-
-    /// A value that is free within an edge. Between two writes of what it reads, the same terms have the same value.
-    struct Choice {
-        std::vector<Id<Expr>> terms = {};  // of the whole
-        Op op = Op::And;                   // between them
-        std::size_t writes = 0;            // of the edge, the last one of what they read
-        std::int64_t low = 0, high = 1;
-        bool boolean = true;
-
-        bool is(const Choice& other) const { return terms == other.terms && op == other.op && writes == other.writes; }
-    };
 
     bool kept(Id<Network::Process> id) const { return process_[id.index] != none; }
     bool kept(Id<Network::Variable> id) const { return variable_[id.index] != none; }
@@ -93,7 +82,6 @@ private:
     void add_rest();
     void add_edge(const Slots& slots, const Network::Edge& edge, bool of_rest, Network::Template& to);
     void add_copies(const Network::Edge& free, Id<Expr> always, Network::Template& to);
-    bool as_at_first() const;
     void add_controller(const Network::Controller& controller);
     void add_properties(const std::vector<Property>& properties);
 
@@ -102,13 +90,13 @@ private:
     Id<Expr> mixed(Id<Expr> term);
     Id<Expr> choice(std::vector<Id<Expr>> terms, Op op);
     std::optional<Network::Assignment> assignment(const Network::Assignment& written);
-    bool next_values();
-    Id<Expr> chosen_value(Id<Expr> term);
-    Id<Expr> enabled_by_all(Id<Expr> guard, std::size_t choices);
+    Id<Expr> known_of_choices();
+    Id<Expr> enabled_by_all(Id<Expr> guard);
 
     const Network& whole_;
     const NetworkCells& cells_;
     const std::vector<std::uint32_t>& chosen_;
+    const std::vector<Id<Expr>>& invariants_;
     LocalAblations ablations_;
     LocalNetwork made_ = {};
     std::vector<std::uint32_t> process_ = {};       // of the whole -> here
@@ -116,11 +104,11 @@ private:
     std::vector<std::uint8_t> reads_ = {};          // per term of the whole
     std::vector<std::uint8_t> reads_resting_ = {};  // the same where time passes: what rests is no longer free
     std::set<std::uint32_t> borders_ = {}, tied_ = {};
+    std::set<std::size_t> known_ = {};
     TermCopier copy_;
 
     // of the edge at hand
-    std::vector<Choice> choices_ = {};
-    std::vector<std::int64_t> values_ = {};                      // one per choice
+    Choices choices_{whole_, made_.network.exprs};
     std::map<Id<Network::Variable>, std::size_t> written_ = {};  // free variables: by which of its writes last
     std::size_t writes_ = 0;                                     // of free variables, up to here
     bool loose_ = false;    // the term at hand is the value of a flag, or of the rest
@@ -239,35 +227,18 @@ Id<Expr> LocalBuilder::mixed(Id<Expr> term) {
 }
 
 Id<Expr> LocalBuilder::choice(std::vector<Id<Expr>> terms, Op op) {
-    Choice made{std::move(terms), op};
-    for (const Id<Expr> term : made.terms)
+    std::size_t writes = 0;
+    for (const Id<Expr> term : terms)
         for (const Id<Expr> leaf : leaves(whole_.exprs, term)) {
             const Id<Network::Variable> variable = variable_of(leaf);
             if (const auto written = written_.find(variable); written != written_.end())
-                made.writes = std::max(made.writes, written->second);
+                writes = std::max(writes, written->second);
             const std::uint32_t cell = cells_.of_variable[variable.index];
             if (cell == none || chosen(cell)) continue;
             tied_.insert(cell);
             if (!loose_) borders_.insert(cell);
         }
-    const auto known = std::ranges::find_if(choices_, [&](const Choice& other) { return other.is(made); });
-    const auto index = static_cast<std::uint32_t>(known - choices_.begin());
-    if (known == choices_.end()) {
-        Id<Expr> shape = made.terms.front();
-        while (whole_.exprs[shape].op == Op::Conditional) shape = whole_.exprs.operands(shape)[1];
-        const Expr& node = whole_.exprs[shape];
-        made.boolean = node.op == Op::Variable ? whole_.variables[variable_of(shape)].type.boolean
-                                               : !is_arithmetic(node.op) && node.op != Op::Integer;
-        if (!made.boolean) {
-            const Interval values = interval(whole_.exprs, made.terms.front(), [this](const Expr& leaf) {
-                return whole_.variables[{static_cast<std::uint32_t>(leaf.value)}].type;
-            });
-            made.low = values.low;
-            made.high = values.high;
-        }
-        choices_.push_back(std::move(made));
-    }
-    return made_.network.exprs.leaf(Op::Parameter, index);
+    return choices_.leaf(std::move(terms), op, writes);
 }
 
 /// Empty: nothing that is kept is written. A race of what is left out ends runs, so that there is none is allowed.
@@ -291,56 +262,25 @@ std::optional<Network::Assignment> LocalBuilder::assignment(const Network::Assig
     return made.value == made.target ? std::nullopt : std::optional(made);
 }
 
-/// The next values of all choices; false: these were the last.
-bool LocalBuilder::next_values() {
-    for (std::size_t k = 0; k < values_.size(); ++k) {
-        if (++values_[k] <= choices_[k].high) return true;
-        values_[k] = choices_[k].low;
-    }
-    return false;
-}
-
-/// A term over choices, with the values at hand.
-Id<Expr> LocalBuilder::chosen_value(Id<Expr> term) {
-    if (choices_.empty()) return term;
-    Exprs& exprs = made_.network.exprs;
-    return translate(exprs, term, exprs, [&](const Expr& node) {
-        const auto index = static_cast<std::uint32_t>(node.value);
-        if (node.op != Op::Parameter) return exprs.leaf(node.op, index);
-        return literal(exprs, {.boolean = choices_[index].boolean}, values_[index]);
-    });
-}
-
-/// Where the guard holds for all values of the first `choices`.
-Id<Expr> LocalBuilder::enabled_by_all(Id<Expr> guard, std::size_t choices) {
-    values_.clear();
-    for (std::size_t k = 0; k < choices; ++k) values_.push_back(choices_[k].low);
+/// Where the guard holds for all values of the choices.
+Id<Expr> LocalBuilder::enabled_by_all(Id<Expr> guard) {
     std::vector<Id<Expr>> all;
-    do all.push_back(chosen_value(guard));
-    while (next_values());
+    choices_.begin();
+    do all.push_back(choices_.chosen(guard));
+    while (choices_.next());
     Exprs& exprs = made_.network.exprs;
     return ablations_.urgent_where_possible ? exprs.disjunction(all) : exprs.conjunction(all);
 }
 
 void LocalBuilder::add_edge(const Slots& slots, const Network::Edge& edge, bool of_rest, Network::Template& to) {
-    const auto few = [this] {
-        std::int64_t copies = 1;
-        for (const Choice& choice : choices_) {
-            const std::int64_t most = most_copies / copies;
-            if (choice.low < least_integer || choice.high > greatest_integer) return false;
-            if (choice.high - choice.low >= most) return false;
-            copies *= choice.high - choice.low + 1;
-        }
-        return true;
-    };
     Id<Expr> always = made_.network.exprs.constant(false);
     if (edge.urgent && !of_rest) {
         start_edge();
         at_rest_ = true;
         const Id<Expr> guard = over_choices(edge.guard);
         at_rest_ = false;
-        if (!few()) return void(made_.made = false);
-        always = enabled_by_all(guard, choices_.size());
+        if (!choices_.few()) return void(made_.made = false);
+        always = enabled_by_all(guard);
     }
     start_edge();
     loose_ = of_rest;
@@ -348,7 +288,7 @@ void LocalBuilder::add_edge(const Slots& slots, const Network::Edge& edge, bool 
     for (const Network::Assignment& written : slots.assignments(edge))
         if (auto made = assignment(written)) free.assignments.push_back(*made);
     if (of_rest && free.assignments.empty()) return;
-    if (!few()) return void(made_.made = false);
+    if (!choices_.few()) return void(made_.made = false);
     if (!of_rest) {
         free.from = edge.from;
         free.to = edge.to;
@@ -364,12 +304,11 @@ void LocalBuilder::add_edge(const Slots& slots, const Network::Edge& edge, bool 
 
 void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Network::Template& to) {
     Exprs& exprs = made_.network.exprs;
-    values_.clear();
-    for (const Choice& choice : choices_) values_.push_back(choice.low);
+    choices_.begin();
     do {
-        if (ablations_.steady && !as_at_first()) continue;
+        if (ablations_.steady && !choices_.as_at_first()) continue;
         Network::Edge copy = free;
-        for (Network::Assignment& assignment : copy.assignments) assignment.value = chosen_value(assignment.value);
+        for (Network::Assignment& assignment : copy.assignments) assignment.value = choices_.chosen(assignment.value);
         std::erase_if(copy.assignments, [](const auto& assignment) { return assignment.target == assignment.value; });
         std::vector<Id<Expr>> effect;
         for (const Network::Assignment& assignment : copy.assignments) {
@@ -382,26 +321,33 @@ void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Networ
             copy.urgent = urgent;
             to.edges.add(copy);
         };
-        const Id<Expr> guard = chosen_value(free.guard);
+        const Id<Expr> guard = exprs.conjunction(choices_.chosen(free.guard), known_of_choices());
         add(exprs.conjunction(always, guard), true);
         if (guard != always) add(guard, false);
-    } while (next_values());
+    } while (choices_.next());
 }
 
-/// Whether the values at hand are those of the initial state.
-bool LocalBuilder::as_at_first() const {
-    for (std::size_t k = 0; k < choices_.size(); ++k) {
-        const bool any = choices_[k].op == Op::Or;
-        std::int64_t first = any ? 0 : 1;
-        for (const Id<Expr> term : choices_[k].terms) {
-            const std::int64_t value = evaluate(whole_.exprs, term, [this](const Expr& leaf) {
-                                           return whole_.variables[{static_cast<std::uint32_t>(leaf.value)}].initial;
-                                       }).value_or(0);
-            first = choices_[k].terms.size() == 1 ? value : any ? std::max(first, value) : std::min(first, value);
-        }
-        if (first != values_[k]) return false;
+/// What invariants say of what is kept, in the state that the edge leaves, where the choices have the values at hand.
+Id<Expr> LocalBuilder::known_of_choices() {
+    Exprs& exprs = made_.network.exprs;
+    std::vector<Id<Expr>> all;
+    for (std::size_t i = 0; i < invariants_.size(); ++i) {
+        std::vector<Id<Network::Variable>> free;
+        for (const Id<Expr> leaf : leaves(whole_.exprs, invariants_[i]))
+            if ((reads_[leaf.index] & Free) != 0) free.push_back(variable_of(leaf));
+        const std::optional<std::vector<Choices::Values>> possible = choices_.possible_before(free);
+        if (!possible) continue;
+        std::vector<Id<Expr>> cases;
+        for (const Choices::Values& values : *possible)
+            cases.push_back(translate(whole_.exprs, invariants_[i], exprs, [&](const Expr& node) {
+                const auto at = values.find({static_cast<std::uint32_t>(node.value)});
+                if (node.op != Op::Variable || at == values.end()) return leaf(node);
+                return literal(exprs, whole_.variables[at->first].type, at->second);
+            }));
+        all.push_back(exprs.disjunction(cases));
+        if (!is_true(exprs, all.back())) known_.insert(i);
     }
-    return true;
+    return exprs.conjunction(all);
 }
 
 void LocalBuilder::add_process(Id<Network::Process> id) {
@@ -466,8 +412,9 @@ void LocalBuilder::add_properties(const std::vector<Property>& properties) {
 }  // namespace
 
 LocalNetwork localized(const Network& network, const NetworkCells& cells, const std::vector<std::uint32_t>& chosen,
-                       const std::vector<Property>& properties, const LocalAblations& ablations) {
-    return LocalBuilder(network, cells, chosen, ablations).build(properties);
+                       const std::vector<Property>& properties, const std::vector<Id<Expr>>& invariants,
+                       const LocalAblations& ablations) {
+    return LocalBuilder(network, cells, chosen, invariants, ablations).build(properties);
 }
 
 }  // namespace grafverif

@@ -83,6 +83,24 @@ TEST(Cells, WhatHoldsByANeighbourAloneTakesTheNeighbour) {
     EXPECT_EQ(found.scope.left_out, (std::vector<std::string>{"C"}));
 }
 
+TEST(Cells, WhatHoldsOfANeighbourKeepsItFromBreakingIt) {
+    Sketch s;
+    const auto x = s.boolean("x"), y = s.boolean("y"), z = s.boolean("z");
+    const auto a = s.process("A", 1, 1), b = s.process("B", 1), c = s.process("C", 1, 1);
+    s.edge(a, {.when = {{0, Op::GreaterEqual, 1}}, .set = {{x, s.no(s.is(x))}, {y, s.is(x)}}, .reset = {0}});
+    s.edge(b, {.guard = s.op(Op::NotEqual, s.is(x), s.is(y)), .set = {{z, s.yes()}}});
+    s.edge(c, {.when = {{0, Op::Equal, 1}}, .reset = {0}});
+    s.property("as_one", Pattern::Always, {s.op(Op::Equal, s.is(x), s.is(y))});
+    s.property("never_z", Pattern::Never, {s.is(z)});
+    const TimedResult found = check_timed_by_cells(expand(s.network), {}, {.whole = 2, .local = 100}, {}, check_timed);
+    EXPECT_EQ(told(found, "as_one"), told(check_timed(s.network), "as_one"));
+    EXPECT_EQ(told(found, "never_z"), "holds");
+    const Scope scope = verdict(found, "never_z").scope;
+    EXPECT_EQ(scope.searched, std::vector<std::string>{"B"});
+    EXPECT_EQ(scope.because,
+              "is taken to do anything at any moment that breaks none of as_one, which holds; that takes no run away");
+}
+
 TEST(Cells, NoVerdictIsGivenWhereSomethingElseMayBreakOff) {
     Sketch s;
     const auto x = s.boolean("x"), wake = s.boolean("wake");
