@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "report/table.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "report/words.hpp"
+#include "support/printable.hpp"
 
 namespace grafverif {
 
@@ -77,14 +79,14 @@ Cells cells(const ChartRun& run, std::size_t index, bool complete) {
 
 std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
     std::vector<std::string> lines;
-    while (text.size() > width) {
-        std::size_t end = text.rfind(' ', width);
-        const bool at_blank = end != std::string_view::npos && end > 0;
-        if (!at_blank) end = width;
+    for (std::size_t fit = bytes_within(text, width); fit < text.size(); fit = bytes_within(text, width)) {
+        const std::size_t blank = text.rfind(' ', fit);
+        const bool at_blank = blank != std::string_view::npos && blank > 0;
+        const std::size_t end = at_blank ? blank : std::max(fit, first_glyph(text).bytes);
         lines.emplace_back(text.substr(0, end));
         text.remove_prefix(at_blank ? end + 1 : end);
     }
-    lines.emplace_back(text);
+    if (!text.empty() || lines.empty()) lines.emplace_back(text);
     return lines;
 }
 

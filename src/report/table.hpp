@@ -31,7 +31,8 @@ std::string situation_words(const ChartRun& run, const ChartRun::State& state);
 /// The signals of the role that are not 0: `X`, `N = 3`; none: `none`.
 std::string standing_words(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state);
 
-/// The lines of `text` in `width` columns, broken at blanks, or anywhere in a word that is too long.
+/// The lines of `text` in `width` columns of a terminal, broken at blanks, or between any characters of a word that is too
+/// long; a line has a character at least.
 std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
 }  // namespace grafverif

@@ -35,7 +35,7 @@ void print_cells(const Cells& cells, const std::string& bar, const TableWidths& 
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const std::string cell = line < columns[i].size() ? columns[i][line] : "";
             if (i == 0 && line > 0) std::ranges::replace(text, '*', ' ');
-            const std::string blank(widths[i] - std::min(widths[i], cell.size()), ' ');
+            const std::string blank(widths[i] - std::min(widths[i], columns_of(cell)), ' ');
             text += i == 0 ? blank + cell : cell + blank;
             text += std::string(between, ' ');
         }
@@ -50,7 +50,7 @@ TableWidths fitting(const ChartRun& run) {
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = column_titles[i].size();
     for (const std::size_t index : shown_rows(run)) {
         const Cells row = cells(run, index, index + 1 == run.rows.size());
-        for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+        for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], columns_of(row[i]));
     }
     const std::size_t room = widest_line - gutter - between * (widths.size() - 1);
     for (std::size_t sum = std::accumulate(widths.begin(), widths.end(), std::size_t{0}); sum > room;) {

@@ -82,15 +82,23 @@ std::size_t columns_of(std::string_view text) {
     return columns;
 }
 
-std::string cut_to(std::string_view text, std::size_t columns) {
-    if (columns_of(text) <= columns) return std::string(text);
+std::size_t bytes_within(std::string_view text, std::size_t columns) {
     std::size_t bytes = 0;
-    for (std::size_t used = 1;;) {
+    for (std::size_t used = 0; bytes < text.size();) {
         const Glyph glyph = first_glyph(text.substr(bytes));
         if ((used += glyph.columns) > columns) break;
         bytes += glyph.bytes;
     }
-    return std::string(text.substr(0, bytes)) + "…";
+    return bytes;
+}
+
+std::string cut_to(std::string_view text, std::size_t columns) {
+    if (bytes_within(text, columns) == text.size()) return std::string(text);
+    return std::string(text.substr(0, bytes_within(text, columns - 1))) + "…";
+}
+
+std::string padded(std::string_view text, std::size_t columns) {
+    return std::string(text) + std::string(columns - std::min(columns, columns_of(text)), ' ');
 }
 
 std::string printable(std::string_view text) { return shown(text, "\t"); }

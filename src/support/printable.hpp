@@ -27,8 +27,14 @@ Glyph first_glyph(std::string_view text);
 /// The columns that `text`, in one line, takes on a terminal; a tab counts 1.
 std::size_t columns_of(std::string_view text);
 
+/// How many bytes of `text` stand in its first `columns` columns, whole characters.
+std::size_t bytes_within(std::string_view text, std::size_t columns);
+
 /// What there is room for in so many columns: `text`, or its beginning and `…`; `columns` is 1 at least.
 std::string cut_to(std::string_view text, std::size_t columns);
+
+/// `text`, and blanks behind it up to so many columns.
+std::string padded(std::string_view text, std::size_t columns);
 
 /// `text` in one line: `?` for what a terminal obeys, but a tab.
 std::string printable(std::string_view text);

@@ -16,7 +16,7 @@ namespace grafverif::app {
 
 namespace {
 
-std::vector<ScanColumn> columns_of(const Chart& chart, const Scanner& plc) {
+std::vector<ScanColumn> scan_columns(const Chart& chart, const Scanner& plc) {
     std::vector<ScanColumn> columns;
     for (const Id<Chart::Variable> id : plc.inputs())
         columns.push_back({chart.variables[id].name, chart.variables[id].type});
@@ -38,7 +38,7 @@ bool next_line(std::istream& in, std::size_t longest, std::string& line) {
 class PlcSession {
 public:
     PlcSession(const Chart& chart, ExecutionMode mode, Clock clock, const Streams& streams)
-        : plc_(chart, mode), columns_(columns_of(chart, plc_)), clock_(clock), streams_(streams) {}
+        : plc_(chart, mode), columns_(scan_columns(chart, plc_)), clock_(clock), streams_(streams) {}
 
     ExitCode run() {
         const std::size_t longest = longest_scan_line(columns_.size());

@@ -53,7 +53,7 @@ void print_row(const std::array<std::string, 4>& cells, const std::array<std::si
     for (std::size_t line = 0; line < most; ++line) {
         std::string text = "  ";
         for (std::size_t k = 0; k < cells.size(); ++k)
-            text += fmt::format("{:<{}}  ", line < lines[k].size() ? lines[k][line] : "", widths[k]);
+            text += padded(line < lines[k].size() ? lines[k][line] : "", widths[k] + 2);
         out << text.substr(0, text.find_last_not_of(' ') + 1) << '\n';
     }
 }
@@ -70,7 +70,8 @@ void print_scans(const Comparison& comparison, std::ostream& out) {
     constexpr std::array<std::size_t, 4> most = {8, 24, 29, 29};
     std::array<std::size_t, 4> widths = {};
     for (const auto& row : rows)
-        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::min(most[k], std::max(widths[k], row[k].size()));
+        for (std::size_t k = 0; k < row.size(); ++k)
+            widths[k] = std::min(most[k], std::max(widths[k], columns_of(row[k])));
     for (const auto& row : rows) print_row(row, widths, out);
     const Comparison::Answer &a = comparison.answers[0].back(), &b = comparison.answers[1].back();
     if (!a.stop.empty() || !b.stop.empty())

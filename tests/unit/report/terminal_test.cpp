@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "report/table.hpp"
 #include "traces.hpp"
 
 namespace grafverif {
@@ -241,6 +242,23 @@ TEST(Terminal, ShowsThePlaceWhereAModelBreaksOffFirst) {
     EXPECT_TRUE(text(report).starts_with("the model breaks off: `X` would leave its range 0..20 [out-of-range]\n"))
         << text(report);
     EXPECT_NE(text(report).find("1 place where the model breaks off"), std::string::npos);
+}
+
+TEST(Terminal, CutsNoCharacterAndCountsTheColumnsThatItTakes) {
+    using Lines = std::vector<std::string>;
+    EXPECT_EQ(wrapped("Förderer läuft", 8), (Lines{"Förderer", "läuft"}));
+    EXPECT_EQ(wrapped("ÄÖÜäöü", 4), (Lines{"ÄÖÜä", "öü"}));
+    EXPECT_EQ(wrapped("字字字", 5), (Lines{"字字", "字"}));
+    EXPECT_EQ(wrapped("字字", 1), (Lines{"字", "字"})) << "a character at least";
+    EXPECT_EQ(wrapped("e\xCC\x81tage", 3), (Lines{"e\xCC\x81ta", "ge"}));
+    EXPECT_EQ(wrapped("\xFF\xFF\xFF", 2), (Lines{"\xFF\xFF", "\xFF"}));
+    ChartRun run = sample_run();
+    for (ChartRun::Signal& signal : run.signals) signal.name = "Ü" + signal.name;
+    ChartRun plain = sample_run();
+    for (ChartRun::Signal& signal : plain.signals) signal.name = "U" + signal.name;
+    std::string told = table(run);
+    for (std::size_t at = 0; (at = told.find("Ü")) != std::string::npos;) told.replace(at, 2, "U");
+    EXPECT_EQ(told, table(plain));
 }
 
 TEST(Terminal, WritesTimesInSeconds) {

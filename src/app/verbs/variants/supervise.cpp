@@ -94,10 +94,10 @@ void print_conditions(const Supervised& found, std::ostream& out) {
     for (const ChartCondition& condition : found.conditions)
         several = several || condition.chart != found.conditions.front().chart;
     for (const ChartCondition& condition : found.conditions)
-        width = std::max(width, subject_words(condition, several).size());
+        width = std::max(width, columns_of(subject_words(condition, several)));
     out << "\nAdded to the conditions of the chart:\n";
     for (const ChartCondition& condition : found.conditions)
-        out << fmt::format("  {:<{}}  && {}\n", subject_words(condition, several), width,
+        out << fmt::format("  {}  && {}\n", padded(subject_words(condition, several), width),
                            condition.sum ? "(" + condition.term + ")" : condition.term);
     out << claim_words(found) << '\n';
 }
