@@ -194,14 +194,6 @@ Id<Network::Template> template_for(Composition& composition, const Equations::Ti
     return automaton;
 }
 
-/// As conditions write it; of a longer term nothing.
-std::string watched_name(const Equations& equations, const Equations::Timer& timer) {
-    if (const auto step = watched_step(equations, timer)) return equations.steps[*step].step.variable();
-    const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
-    const Expr& term = equations.exprs[watch->value];
-    return term.op == Op::Variable ? equations.variables[{static_cast<std::uint32_t>(term.value)}].name : "";
-}
-
 }  // namespace
 
 void add_timers(Composition& composition, const ControllerParts& parts, Id<Network::Controller> controller) {

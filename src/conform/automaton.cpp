@@ -16,7 +16,9 @@
 #include <algorithm>
 
 #include "conform/moves.hpp"
+#include "ir/words_of.hpp"
 #include "support/messages.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
@@ -290,6 +292,14 @@ private:
 
 // -- declarations ------------------------------------------------------------------------------------------------------
 
+/// As conditions write it: `3s/X2`, `3s/a/2s`.
+std::string name_of(const Equations& equations, const Equations::Timer& timer) {
+    const std::string watched = watched_name(equations, timer);
+    return (timer.rise_ms > 0 ? duration_text(timer.rise_ms) + "/" : "") +
+           (watched.empty() ? equations.variables[timer.watched].name : watched) +
+           (timer.fall_ms > 0 ? "/" + duration_text(timer.fall_ms) : "");
+}
+
 /// Inputs of the chart, then the ends of its timers; per variable of the equations which input it is.
 InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
     InputOf inputs(equations.variables.size());
@@ -300,8 +310,7 @@ InputOf declare_inputs(const Equations& equations, Automaton& automaton) {
                 automaton.inputs.add({variable.name, variable.type, {}, {}, 0, 0, variable.origin}).index;
     }
     for (const Equations::Timer& timer : equations.timers) {
-        Automaton::Input input{
-            equations.variables[timer.end].name, {}, {}, {}, timer.rise_ms, timer.fall_ms, timer.origin};
+        Automaton::Input input{name_of(equations, timer), {}, {}, {}, timer.rise_ms, timer.fall_ms, timer.origin};
         const auto step = std::ranges::find(equations.steps, timer.watched, &Equations::StepActivity::variable);
         const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
         if (step != equations.steps.end()) input.timed = {static_cast<std::uint32_t>(step - equations.steps.begin())};

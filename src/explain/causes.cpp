@@ -213,18 +213,20 @@ public:
             instances_.push_back(process.kind == Network::ProcessKind::Controller
                                      ? Id<ChartRun::Instance>{}
                                      : Id<ChartRun::Instance>{instances++});
+        for (const Id<Network::Variable> id : network.variables.ids()) {
+            const auto signal = std::ranges::find_if(run.signals, [&](const ChartRun::Signal& each) {
+                return each.role != ChartRun::Role::Image && each.name == network.variables[id].told_name();
+            });
+            if (signal != run.signals.end())
+                signals_[id.index] = {static_cast<std::uint32_t>(signal - run.signals.begin())};
+        }
         for (const Id<Network::Controller> id : network.controllers.ids()) {
             const auto& words = network.controllers[id].words;
             const ChartRun::Controller& controller = run.controllers[{id.index}];
             for (std::size_t k = 0; k < words.steps.size(); ++k)
                 steps_[words.steps[k].variable.index] = controller.steps[k];
-        }
-        for (const Id<Network::Variable> id : network.variables.ids()) {
-            const auto signal = std::ranges::find_if(run.signals, [&](const ChartRun::Signal& each) {
-                return each.role != ChartRun::Role::Image && each.name == network.variables[id].name;
-            });
-            if (signal != run.signals.end())
-                signals_[id.index] = {static_cast<std::uint32_t>(signal - run.signals.begin())};
+            for (std::size_t k = 0; k < words.internals.size(); ++k)
+                signals_[words.internals[k].variable.index] = controller.internals[k];
         }
     }
 

@@ -16,6 +16,14 @@ inline std::optional<std::size_t> watched_step(const Equations& equations, const
     return static_cast<std::size_t>(step - equations.steps.begin());
 }
 
+/// What a timer watches, as conditions write it: `X2`, `a`; of a longer term empty.
+inline std::string watched_name(const Equations& equations, const Equations::Timer& timer) {
+    if (const auto step = watched_step(equations, timer)) return equations.steps[*step].step.variable();
+    const auto watch = std::ranges::find(equations.watches, timer.watched, &Equations::Watch::variable);
+    const Expr& term = equations.exprs[watch->value];
+    return term.op == Op::Variable ? equations.variables[{static_cast<std::uint32_t>(term.value)}].name : "";
+}
+
 /// `place` gives the variable of the model that stands for one of the equations.
 template <class Variable, class Place>
 ControllerWords<Variable> words_of(const Equations& equations, ExecutionMode mode, const Place& place) {

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "ir/told_name.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/sentence.hpp"
 
@@ -211,7 +212,7 @@ Named named(const Model& model, const ClosedLoop& loop, const ClosedLoop::Symbol
                 const ClosedLoop::Instance& instance = loop.instances[of.instance];
                 const Component::Variable& variable = model.components[instance.component].variables[of.variable];
                 return {{{"op", "signal"}, {"boolean", variable.value == Component::ValueKind::Boolean}},
-                        instance.name + "_" + variable.name};  // as the trace calls the signal
+                        told_name(instance.name, model.components[instance.component], variable.name)};
             },
             [&](const ClosedLoop::ObserverSymbol& at) -> Named {
                 const ClosedLoop::Observer& observer = loop.observers[at.observer];

@@ -28,7 +28,7 @@ namespace grafverif {
 /// Where the values of a model's state are what the charts and the plant know; keys are places among those values.
 class ChartView {
 public:
-    /// Names of steps are full names where the controller is `alone`.
+    /// Where the controller is not `alone`, names of steps and internal variables begin with its own.
     ChartView(ChartRun& run, std::size_t keys, bool alone) : run_(&run), alone_(alone), signals_(keys) {}
 
     /// The controller without timers and images. `add(named, role)` adds the signal of a variable.
@@ -40,7 +40,10 @@ public:
             made.transitions.push_back(run_->transitions.add({transition.name}));
         for (const auto& input : words.inputs) made.inputs.push_back(add(input, ChartRun::Role::Input));
         for (const auto& output : words.outputs) made.outputs.push_back(add(output, ChartRun::Role::Output));
-        for (const auto& internal : words.internals) made.internals.push_back(add(internal, ChartRun::Role::Internal));
+        for (auto internal : words.internals) {
+            if (!alone_) internal.name = words.name + "." + internal.name;
+            made.internals.push_back(add(internal, ChartRun::Role::Internal));
+        }
         return made;
     }
     /// What is there already keeps its role.

@@ -55,7 +55,7 @@ NetworkProjection::NetworkProjection(const Network& network, const NetworkState&
     for (const Id<Network::Variable> id : network.variables.ids()) {
         const Network::Variable& variable = network.variables[id];
         if (variable.role == Network::Role::Plant && !variable.scratch)
-            view_.add_signal(id.index, {ChartRun::Role::Plant, variable.name, variable.type});
+            view_.add_signal(id.index, {ChartRun::Role::Plant, variable.told_name(), variable.type});
     }
     ChartRun::Moment power_on;
     for (const Id<Network::Controller> id : network.controllers.ids())
@@ -89,6 +89,8 @@ Id<ChartRun::Signal> NetworkProjection::add_signal(Id<Network::Variable> id, Cha
 ChartRun::Controller NetworkProjection::controller_of(const Network::Controller& from) {
     std::vector<Id<ChartRun::Signal>> images;
     ChartRun::Controller controller = view_.controller(from.words, [&](const auto& named, ChartRun::Role role) {
+        if (role == ChartRun::Role::Internal)
+            return view_.add_signal(named.variable.index, {role, named.name, network_.variables[named.variable].type});
         const Id<ChartRun::Signal> signal = add_signal(named.variable, role);
         if (role != ChartRun::Role::Output) return signal;
         const Id<Network::Variable> image = from.images[images.size()];
@@ -104,8 +106,8 @@ void NetworkProjection::add_timers(const Network::Controller& from, ChartRun::Co
         const Network::Timer& timer = from.timers[k];
         const auto& words = from.words.timers[k];
         const bool exact = timer.restarts;  // as published they are wrong, and are meant to be
-        timer_of_[timer.process.index] = run_.timers.add(
-            {network_.processes[timer.process].name, timer.watched, words.step, words.rise_ms, words.fall_ms, exact});
+        timer_of_[timer.process.index] =
+            run_.timers.add({from.words.name, timer.watched, words.step, words.rise_ms, words.fall_ms, exact});
         controller.timers.push_back(timer_of_[timer.process.index]);
         end_of_.push_back(words.end);
     }

@@ -179,7 +179,8 @@ private:
 
     void project_component(std::uint32_t index, const Values& next) {
         const System::Component& component = system_.components[index];
-        ChartRun::Moment moment{.kind = kind_of(component.kind), .instance = {index}};
+        const bool of_model = component.kind == System::Component::Kind::Timer;  // its end is told
+        ChartRun::Moment moment{.kind = kind_of(component.kind), .internal = of_model, .instance = {index}};
         if (component.location.valid() && take(component.location, next))
             moment.location =
                 static_cast<std::size_t>(next[component.location.index] - symbols()[component.location].type.low);

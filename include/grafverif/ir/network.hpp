@@ -56,6 +56,9 @@ struct Network {
         std::int64_t initial = 0;
         bool scratch = false;
         Span origin = {};
+        std::string told = {};  ///< as properties and traces call it, `Gate.X`; empty: by its name
+
+        const std::string& told_name() const { return told.empty() ? name : told; }
         bool operator==(const Variable&) const = default;
     };
 

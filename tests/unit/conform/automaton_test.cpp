@@ -129,29 +129,29 @@ TEST(LocationAutomaton, ATimerIsAnInputThatIsFalseInANewlyActiveStep) {
         "transition t0: 1 -> 2 when a; transition t1: 2 -> 3 when 3s/X2 || !a; transition t2: 3 -> 2 when a;");
     EXPECT_EQ(told(found),
               "0  INIT {1}\n"
-              "    -> 2 {2}  when a; starts T_X2_3s_Q\n"
+              "    -> 2 {2}  when a; starts 3s/X2\n"
               "\n"
               "1  {1}\n"
-              "    -> 2 {2}  when a; starts T_X2_3s_Q\n"
+              "    -> 2 {2}  when a; starts 3s/X2\n"
               "\n"
               "2  {2}  / O\n"
               "    -> 3 {3}  when not a\n"
-              "    -> 2 {2}  when a and T_X2_3s_Q; starts T_X2_3s_Q\n"
+              "    -> 2 {2}  when a and 3s/X2; starts 3s/X2\n"
               "\n"
               "3  {3}\n"
-              "    -> 2 {2}  when a; starts T_X2_3s_Q\n");
+              "    -> 2 {2}  when a; starts 3s/X2\n");
 }
 
 TEST(LocationAutomaton, DelayedAndLimitedActionsAreOutputsThatReadTimers) {
     EXPECT_EQ(told(automaton("input a; output O, P; initial step 1; step 2 { O after 2s; P for 5s; }"
                              "transition t0: 1 -> 2 when a; transition t1: 2 -> 1 when !a;")),
               "0  INIT {1}\n"
-              "    -> 2 {2}  when a; starts T_X2_2s_Q; starts T_X2_5s_Q\n"
+              "    -> 2 {2}  when a; starts 2s/X2; starts 5s/X2\n"
               "\n"
               "1  {1}\n"
-              "    -> 2 {2}  when a; starts T_X2_2s_Q; starts T_X2_5s_Q\n"
+              "    -> 2 {2}  when a; starts 2s/X2; starts 5s/X2\n"
               "\n"
-              "2  {2}  / O if T_X2_2s_Q, P if not T_X2_5s_Q\n"
+              "2  {2}  / O if 2s/X2, P if not 5s/X2\n"
               "    -> 1 {1}  when not a\n");
 }
 
@@ -160,23 +160,23 @@ TEST(LocationAutomaton, TheLevelThatATimerWatchesIsPartOfTheLocation) {
                              "transition t1: 2 -> 1 when !a;",
                              every_cycle)),
               "0  INIT {1}  V_a = 0\n"
-              "    -> 1 {1}  when not a and not T_a_0s_2s_Q\n"
-              "    -> 2 {1}  when a and not T_a_0s_2s_Q; starts T_a_0s_2s_Q\n"
+              "    -> 1 {1}  when not a and not a/2s\n"
+              "    -> 2 {1}  when a and not a/2s; starts a/2s\n"
               "\n"
               "1  {1}  V_a = 0\n"
-              "    -> 3 {2}  when not a and T_a_0s_2s_Q\n"
-              "    -> 4 {2}  when a; starts T_a_0s_2s_Q\n"
+              "    -> 3 {2}  when not a and a/2s\n"
+              "    -> 4 {2}  when a; starts a/2s\n"
               "\n"
               "2  {1}  V_a = 1\n"
-              "    -> 3 {2}  when not a; ends T_a_0s_2s_Q\n"
+              "    -> 3 {2}  when not a; ends a/2s\n"
               "    -> 4 {2}  when a\n"
               "\n"
               "3  {2}  V_a = 0  / O\n"
-              "    -> 4 {2}  when a; starts T_a_0s_2s_Q\n"
+              "    -> 4 {2}  when a; starts a/2s\n"
               "    -> 1 {1}  when not a\n"
               "\n"
               "4  {2}  V_a = 1  / O\n"
-              "    -> 1 {1}  when not a; ends T_a_0s_2s_Q\n");
+              "    -> 1 {1}  when not a; ends a/2s\n");
 }
 
 TEST(LocationAutomaton, OfTimersOfOneStepNoneEndsBeforeAShorterOne) {
@@ -187,7 +187,7 @@ TEST(LocationAutomaton, OfTimersOfOneStepNoneEndsBeforeAShorterOne) {
         "transition t3: 3 -> 1 when !a; transition t4: 4 -> 1 when !a;");
     bool seen = false;  // 5s/X2 says it all
     for (const LocationAutomaton::Evolution& evolution : found.evolutions)
-        seen = seen || condition_text(found, evolution.condition) == "a and b and T_X2_5s_Q";
+        seen = seen || condition_text(found, evolution.condition) == "a and b and 5s/X2";
     EXPECT_TRUE(seen) << told(found);
     const MealyMachine timed = machine(found);
     std::vector<std::int64_t> waits;

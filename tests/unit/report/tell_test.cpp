@@ -96,7 +96,7 @@ TEST(Tell, TellsTheBlinkerInTheWordsOfItsChart) {
               "   1 s  Button                  BUTTON\n"
               "        blinker                         t0       1          LAMP\n"
               "        Lamp: lit\n"
-              "   3 s  T_X1_2s: 2s/X1 is true\n"
+              "   3 s  blinker: 2s/X1 is true\n"
               "        blinker                         t1       2          none\n");
 }
 
