@@ -32,8 +32,9 @@ int main(int count, char** values) {
     std::ios::sync_with_stdio(false);
     try {
         const std::vector<std::string> arguments(values + 1, values + count);
-        const ExitCode code =
-            run(arguments, {std::cin, std::cout, std::cerr, true, screen_of(STDOUT_FILENO), screen_of(STDERR_FILENO)});
+        Streams streams{std::cin, std::cout, std::cerr, true, screen_of(STDOUT_FILENO), screen_of(STDERR_FILENO)};
+        streams.typed = screen_of(STDIN_FILENO).terminal && streams.out_screen.rewrites;
+        const ExitCode code = run(arguments, streams);
         std::cout.flush();
         if (!std::cout && nobody_reads(STDOUT_FILENO)) return closed_pipe;
         if (!std::cout) {

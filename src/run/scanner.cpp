@@ -21,31 +21,31 @@ std::string situation_text(const Chart& chart, const std::vector<bool>& situatio
     return "{" + text + "}";
 }
 
-namespace {
-
 std::string instability_text(const Chart& chart, const std::vector<std::vector<bool>>& endless) {
     constexpr std::size_t shown = 8;
-    std::string text = "total instability: with these inputs the situation never becomes stable: ";
-    for (std::size_t k = 0; k < endless.size() && k < shown; ++k) text += situation_text(chart, endless[k]) + ", ";
-    return text + (endless.size() > shown ? "..." : "and so on");
+    std::string text = "with these inputs the situation never becomes stable: ";
+    for (std::size_t k = 0; k < endless.size() && k < shown; ++k) text += situation_text(chart, endless[k]) + " -> ";
+    return text + (endless.size() > shown ? "..." : situation_text(chart, endless.front())) +
+           ", for ever within one instant [total-instability]";
 }
 
-}  // namespace
+std::string race_text(std::string_view variable) {
+    if (variable.empty()) return "forcing orders contradict each other [action-race]";
+    return fmt::format("two stored actions give `{}` different values in one evolution [action-race]", variable);
+}
 
 std::string problem_in(const Chart& chart, const Cycle& cycle) {
-    if (cycle.race)
-        return fmt::format("race: two actions store different values in `{}` in one evolution [action-race]",
-                           chart.variables[cycle.race->variable].name);
-    if (cycle.fault && cycle.fault->kind == RunFault::Kind::OutOfRange)
-        return fmt::format("the value {} for `{}` is outside its range [out-of-range]", cycle.fault->value,
-                           chart.variables[cycle.fault->variable].name);
-    if (cycle.fault && cycle.fault->kind == RunFault::Kind::ForcedApart)
-        return "two forcing orders that cannot be obeyed together are active [action-race]";
+    if (cycle.race) return race_text(chart.variables[cycle.race->variable].name);
+    if (cycle.fault && cycle.fault->kind == RunFault::Kind::OutOfRange) {
+        const Chart::Variable& variable = chart.variables[cycle.fault->variable];
+        return fmt::format("`{}` would leave its range {}..{} with the value {} [out-of-range]", variable.name,
+                           variable.type.low, variable.type.high, cycle.fault->value);
+    }
+    if (cycle.fault && cycle.fault->kind == RunFault::Kind::ForcedApart) return race_text("");
     if (cycle.fault) return "a condition or a stored value cannot be computed [no-value]";
     if (cycle.gave_up)
         return fmt::format("no stable situation within {} evolutions [total-instability]", evolution_limit);
-    if (!cycle.endless.empty()) return instability_text(chart, cycle.endless) + " [total-instability]";
-    return {};
+    return cycle.endless.empty() ? "" : instability_text(chart, cycle.endless);
 }
 
 void Scanner::wait(std::int64_t milliseconds) {

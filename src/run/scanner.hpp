@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "run/interpreter.hpp"
@@ -16,6 +17,11 @@ std::vector<Id<Chart::Variable>> variables_of_kind(const Chart& chart, Chart::Va
 
 /// `{2, 5}`
 std::string situation_text(const Chart& chart, const std::vector<bool>& situation);
+
+/// What is wrong where a chart goes through the situations of `endless`, at least one, for ever; with its code.
+std::string instability_text(const Chart& chart, const std::vector<std::vector<bool>>& endless);
+/// What is wrong where stored actions give `variable` different values; empty: where forcing orders contradict each other.
+std::string race_text(std::string_view variable);
 
 /// Why `cycle` is none that a PLC can make; empty: it is one.
 std::string problem_in(const Chart& chart, const Cycle& cycle);

@@ -10,15 +10,14 @@
 #include "run/by_hand.hpp"
 #include "run/project.hpp"
 #include "run/reader.hpp"
+#include "run/scanner.hpp"
+#include "simulate/called.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
 namespace {
-
-constexpr const char* for_ever =
-    "this goes on for ever within the instant: the situation never becomes stable with these inputs";
 
 /// Where the name and the type of a timer stand in conditions: `X2`, `a`; of longer terms empty.
 std::string watched_words(const Chart& chart, const TimedElement& element) {
@@ -33,21 +32,6 @@ std::optional<std::size_t> watched_step(const Chart& chart, const TimedElement& 
     if (element.step.valid()) return element.step.index;
     const Expr& term = chart.exprs[element.watched];
     return term.op == Op::Step ? std::optional(static_cast<std::size_t>(term.value)) : std::nullopt;
-}
-
-/// What is wrong with a cycle, in words.
-std::string problem_of_cycle(const Chart& chart, const Cycle& cycle) {
-    if (cycle.race)
-        return fmt::format("two stored actions give `{}` different values in one evolution",
-                           chart.variables[cycle.race->variable].name);
-    if (cycle.fault && cycle.fault->kind == RunFault::Kind::OutOfRange)
-        return fmt::format("the value {} for `{}` is outside its range", cycle.fault->value,
-                           chart.variables[cycle.fault->variable].name);
-    if (cycle.fault && cycle.fault->kind == RunFault::Kind::ForcedApart)
-        return "two forcing orders that cannot be obeyed together are active";
-    if (cycle.fault) return "a condition or a stored value cannot be computed";
-    if (cycle.gave_up) return fmt::format("no situation is stable within {} evolutions", evolution_limit);
-    return cycle.endless.empty() ? "" : for_ever;
 }
 
 }  // namespace
@@ -184,7 +168,7 @@ void ChartSimulation::tell_evolutions(const Cycle& made) {
 
 std::string ChartSimulation::cycle() {
     const Cycle made = grafverif::cycle(chart_, state_, inputs_, mode_);
-    std::string problem = problem_of_cycle(chart_, made);
+    std::string problem = problem_in(chart_, made);
     broken_ = !problem.empty();
     if (!broken_) tell_evolutions(made);
     return problem;
@@ -193,16 +177,20 @@ std::string ChartSimulation::cycle() {
 /// Cycles until one changes nothing. Where each cycle is one evolution, Brent's search notices when that is never.
 std::string ChartSimulation::follow() {
     State kept = state_;
-    std::size_t since_kept = 0, patience = 1;
-    while (!broken_) {
+    std::vector<std::vector<bool>> since_kept;
+    for (std::size_t patience = 1; !broken_;) {
         const State before = state_;
         if (std::string problem = cycle(); !problem.empty()) return problem;
         if (state_ == before) return {};
-        broken_ = state_ == kept || told_.moments.size() > evolution_limit;
-        if (broken_) return for_ever;
-        if (++since_kept < patience) continue;
+        since_kept.push_back(state_.situation);
+        Cycle unstable{.state = {}};
+        if (state_ == kept) unstable.endless = since_kept;
+        unstable.gave_up = told_.moments.size() > evolution_limit;
+        broken_ = unstable.gave_up || state_ == kept;
+        if (broken_) return problem_in(chart_, unstable);
+        if (since_kept.size() < patience) continue;
         kept = state_;
-        since_kept = 0;
+        since_kept.clear();
         patience *= 2;
     }
     return {};
@@ -283,12 +271,13 @@ std::string ChartSimulation::wait() {
 
 std::string ChartSimulation::refusal(const Setting& setting) const {
     const auto found = std::ranges::find(chart_.variables, setting.name, &Chart::Variable::name);
-    if (found == chart_.variables.end() || found->kind != Chart::VariableKind::Input)
-        return fmt::format("there is no input `{}`", setting.name);
-    const Type& type = found->type;
-    if (setting.value < type.low || setting.value > type.high)
-        return fmt::format("`{}` goes from {} to {}", setting.name, type.low, type.high);
-    return {};
+    if (found == chart_.variables.end() || found->kind != Chart::VariableKind::Input) {
+        std::vector<std::string> inputs;
+        for (const Chart::Variable& variable : chart_.variables)
+            if (variable.kind == Chart::VariableKind::Input) inputs.push_back(variable.name);
+        return unknown_words("input", setting.name, inputs);
+    }
+    return range_words(setting.name, found->type, setting.value);
 }
 
 std::string ChartSimulation::set(const std::vector<Setting>& settings) {
@@ -307,8 +296,9 @@ std::string ChartSimulation::act(std::string_view instance, std::string_view) {
 }
 
 std::string ChartSimulation::force(std::string_view step, bool active) {
-    const std::optional<Trial> trial = trial_of(told_, step, active);
-    if (!trial) return fmt::format("there is no step `{}`", step);
+    std::string problem;
+    const std::optional<Trial> trial = trial_of(told_, step, active, problem);
+    if (!trial) return problem;
     const ByHand made = by_hand(chart_, state_.situation, {static_cast<std::uint32_t>(trial->step)}, active);
     if (!made.refusal.empty()) return made.refusal;
     if (!with_situation(chart_, state_, made.situation, inputs_)) return "a time condition would have no value then";

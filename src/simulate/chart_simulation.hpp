@@ -47,6 +47,8 @@ public:
     /// The first row that is no run of the chart any more.
     std::optional<std::size_t> trial_row() const { return trial_row_; }
     bool back();
+    /// How many there are to undo.
+    std::size_t commands() const { return commands_.size(); }
 
 private:
     using Made = std::variant<std::vector<Setting>, std::int64_t, Trial>;

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <utility>
 
-#include "syntax/resolve/nearest_of.hpp"
+#include "simulate/called.hpp"
 
 namespace grafverif {
 
@@ -53,40 +53,27 @@ bool compare(std::int64_t now, Relation relation, std::int64_t value) {
     }
 }
 
-/// `press.X3` is the step `press.3`.
-std::optional<std::string> step_of(std::string_view name) {
-    const std::size_t dot = name.rfind('.');
-    const std::size_t begin = dot == std::string_view::npos ? 0 : dot + 1;
-    if (begin + 1 >= name.size() || name[begin] != 'X') return {};
-    return std::string(name.substr(0, begin)) + std::string(name.substr(begin + 1));
-}
-
 struct Now {
     std::int64_t value = 0;
     bool is_step = false, boolean = false;
 };
 
-std::optional<Now> now_of(const ChartRun& run, std::string_view name) {
+/// The variable, step variable or location of that name now; empty: `problem` says why none is meant.
+std::optional<Now> now_of(const ChartRun& run, std::string_view name, const LocationOf& location_of,
+                          std::string& problem) {
     const ChartRun::State& state = run.moments.back().after;
-    const auto signal = std::ranges::find(run.signals, name, &ChartRun::Signal::name);
-    if (signal != run.signals.end())
-        return Now{state.values[static_cast<std::size_t>(signal - run.signals.begin())], false, signal->type.boolean};
-    const auto wanted = step_of(name);
-    if (!wanted) return {};
-    for (const Id<ChartRun::Step> id : run.steps.ids())
-        if (run.steps[id].full_name() == *wanted || run.steps[id].short_name == *wanted)
-            return Now{std::ranges::binary_search(state.situation, id) ? 1 : 0, true, true};
-    return {};
-}
-
-/// With the name that may be meant.
-std::string unknown(const ChartRun& run, std::string_view name) {
-    std::vector<std::string> names;
-    for (const ChartRun::Signal& signal : run.signals) names.push_back(signal.name);
-    for (const ChartRun::Step& step : run.steps) names.push_back("X" + step.short_name);
-    const std::string meant = nearest_of(name, names);
-    return fmt::format("there is no variable or step `{}`{}", name,
-                       meant.empty() ? "" : fmt::format("; did you mean `{}`?", meant));
+    const std::vector<Id<ChartRun::Signal>> signals = signals_called(run, name);
+    const std::vector<Id<ChartRun::Step>> steps = step_variables_called(run, name);
+    std::vector<std::string> meant;
+    for (const Id<ChartRun::Signal> id : signals) meant.push_back(run.signals[id].name);
+    for (const Id<ChartRun::Step> id : steps) meant.push_back(variable_of(run.steps[id]));
+    if (meant.size() > 1) return problem = ambiguous_words(name, meant), std::nullopt;
+    if (!signals.empty())
+        return Now{state.values[signals.front().index], false, run.signals[signals.front()].type.boolean};
+    if (!steps.empty()) return Now{std::ranges::binary_search(state.situation, steps.front()) ? 1 : 0, true, true};
+    if (const LocationOfRun place = location_called(run, name); place.instance.valid())
+        return Now{location_of(run.instances[place.instance].name) == place.location ? 1 : 0, false, true};
+    return problem = unknown_words("variable or step", name, names_of(run)), std::nullopt;
 }
 
 std::string is_so(std::string_view name, const Now& now) {
@@ -155,15 +142,17 @@ std::optional<std::string> unmet_part(const Claim& claim, const ChartRun& run, c
             const auto location = location_of(part.name);
             const auto instance = std::ranges::find(run.instances, part.name, &ChartRun::Instance::name);
             if (!location || instance == run.instances.end())
-                return problem = fmt::format("there is no instance `{}`", part.name), std::nullopt;
+                return problem = unknown_words("instance", part.name, instances_of(run)), std::nullopt;
             if (std::ranges::find(instance->locations, part.location) == instance->locations.end())
-                return problem = fmt::format("`{}` has no location `{}`", part.name, part.location), std::nullopt;
+                return problem = unknown_words(fmt::format("location of `{}`", part.name), part.location,
+                                               instance->locations),
+                       std::nullopt;
             const bool holds = (*location == part.location) == (part.relation == Relation::In);
             if (!holds && unmet.empty()) unmet = fmt::format("`{}` is in `{}`", part.name, *location);
             continue;
         }
-        const auto now = now_of(run, part.name);
-        if (!now) return problem = unknown(run, part.name), std::nullopt;
+        const auto now = now_of(run, part.name, location_of, problem);
+        if (!now) return std::nullopt;
         if (unmet.empty() && !compare(now->value, part.relation, part.value)) unmet = is_so(part.name, *now);
     }
     return unmet;

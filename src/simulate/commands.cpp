@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "syntax/print/dialect.hpp"
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif {
 
@@ -95,6 +96,12 @@ Command command_of(std::string_view line) {
     if (first == "wait" || first == "w") return wait_of(list);
     if (first == "do" && (list.size() == 2 || list.size() == 3))
         return DoCommand{list[1], list.size() == 3 ? list[2] : ""};
+    if (first == "save") {
+        const std::string_view file = behind(line, 1);
+        const std::size_t from = file.find_first_not_of(" \t"), to = file.find_last_not_of(" \t\r");
+        if (from == std::string_view::npos) return BadCommand{"write `save FILE`"};
+        return SaveCommand{std::string(file.substr(from, to + 1 - from))};
+    }
     if (first == "force") {
         if (list.size() == 3 && (list[2] == "on" || list[2] == "off")) return ForceCommand{list[1], list[2] == "on"};
         return BadCommand{"write `force STEP on` or `force STEP off`"};
@@ -108,7 +115,9 @@ Command command_of(std::string_view line) {
         if (const auto choice = number_of(first); choice && *choice > 0)
             return ChooseCommand{static_cast<std::size_t>(*choice)};
     }
-    return BadCommand{fmt::format("`{}` is no command; `help` lists them", first)};
+    const std::string meant = nearest_of(first, command_words);
+    return BadCommand{fmt::format("`{}` is no command; {}", first,
+                                  meant.empty() ? "`help` lists them" : fmt::format("did you mean `{}`?", meant))};
 }
 
 }  // namespace grafverif

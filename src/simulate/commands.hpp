@@ -12,11 +12,13 @@
 //   wait until CLAIM     let time pass until it holds
 //   show                 the values of everything now
 //   repeat 3 {           in a script: what follows, up to a line `}`, so many times
+//   save FILE            write what was done as a script
 //   quit                 end;  so does the end of the input
 //
 // Empty lines and what stands behind `//` or `#` mean nothing.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -70,6 +72,10 @@ struct RepeatCommand {
 struct EndCommand {
     bool operator==(const EndCommand&) const = default;
 };
+struct SaveCommand {
+    std::string file = {};
+    bool operator==(const SaveCommand&) const = default;
+};
 struct QuitCommand {
     bool operator==(const QuitCommand&) const = default;
 };
@@ -87,7 +93,11 @@ struct BadCommand {
 
 using Command =
     std::variant<SetCommand, WaitCommand, DoCommand, ForceCommand, ChooseCommand, BackCommand, ExpectCommand,
-                 ShowCommand, RepeatCommand, EndCommand, QuitCommand, HelpCommand, NoCommand, BadCommand>;
+                 ShowCommand, RepeatCommand, EndCommand, SaveCommand, QuitCommand, HelpCommand, NoCommand, BadCommand>;
+
+/// The words that a command can begin with.
+inline constexpr std::array<std::string_view, 12> command_words = {
+    "back", "do", "expect", "force", "help", "quit", "repeat", "save", "show", "undo", "wait", "wait until"};
 
 Command command_of(std::string_view line);
 

@@ -7,8 +7,12 @@
 #include <utility>
 
 #include "report/report.hpp"
+#include "run/by_hand.hpp"
 #include "run/interpreter.hpp"
 #include "run/network_walk.hpp"
+#include "run/replay.hpp"
+#include "run/scanner.hpp"
+#include "simulate/called.hpp"
 
 namespace grafverif {
 
@@ -22,6 +26,42 @@ bool of_plant(const Network& network, const Fire& fire) {
 const Network::Edge& edge_of(const Network& network, const Fire& fire) {
     return network.templates[network.processes[fire.process].automaton].edges[fire.edge];
 }
+
+/// The situations that controllers go through.
+class Course {
+public:
+    Course(const Network& network, const std::vector<const Chart*>& charts) : network_(network), charts_(charts) {}
+
+    void begin(const NetworkState& state) {
+        others_moved_ = false;
+        situations_.assign(charts_.size(), {});
+        note(state);
+    }
+    void add(const Fire& fire, const NetworkState& state) {
+        others_moved_ = others_moved_ || of_plant(network_, fire);
+        note(state);
+    }
+    /// Of one that has come back to its beginning.
+    std::string endless_text() const {
+        const auto moved = std::ranges::find_if(situations_, [](const auto& each) { return each.size() > 1; });
+        if (others_moved_ || moved == situations_.end()) return "this goes on for ever within the instant";
+        const std::vector<std::vector<bool>> course(moved->begin() + 1, moved->end());
+        return instability_text(*charts_[static_cast<std::size_t>(moved - situations_.begin())], course);
+    }
+
+private:
+    void note(const NetworkState& state) {
+        for (std::uint32_t k = 0; k < charts_.size(); ++k) {
+            std::vector<bool> now = situation_of(network_, state, {k});
+            if (situations_[k].empty() || situations_[k].back() != now) situations_[k].push_back(std::move(now));
+        }
+    }
+
+    const Network& network_;
+    const std::vector<const Chart*>& charts_;
+    std::vector<std::vector<std::vector<bool>>> situations_ = {};  ///< per controller
+    bool others_moved_ = false;
+};
 
 std::string listed(const std::vector<std::string>& words) {
     std::string text;
@@ -106,7 +146,8 @@ bool LoopSimulation::move(const Move& move, std::string& problem) {
     teller_->catch_up();
     if (!network_.race.valid() || state_.variables[network_.race.index] == 0) return true;
     broken_ = true;
-    problem = "two stored actions give one variable different values in one evolution";
+    const std::optional<Clash> found = clash(told_, charts_);
+    problem = race_text(found ? found->variable : "");
     return false;
 }
 
@@ -136,17 +177,19 @@ std::string LoopSimulation::follow() {
     if (detail_ == Detail::Everything) return {};
     NetworkState kept = state_;
     std::size_t since_kept = 0, patience = 1;
+    Course course(network_, charts_);
+    course.begin(state_);
     std::string problem;
     while (!broken_) {
         const std::optional<Fire> next = next_by_itself();
         if (!next) return {};
         if (!move(*next, problem)) return problem;
-        if (state_ == kept) {
-            broken_ = true;
-            return "this goes on for ever within the instant: the situation never becomes stable with these inputs";
-        }
+        course.add(*next, state_);
+        broken_ = state_ == kept;
+        if (broken_) return course.endless_text();
         if (++since_kept < patience) continue;
         kept = state_;
+        course.begin(state_);
         since_kept = 0;
         patience *= 2;
     }
@@ -211,10 +254,19 @@ std::string LoopSimulation::wait() {
 std::string LoopSimulation::set(const std::vector<Setting>& settings) {
     if (settings.size() > 1) return "where there is a plant, set one input at a time";
     const auto& [name, value] = settings.front();
-    const auto found = std::ranges::find(network_.variables, name, &Network::Variable::name);
-    const bool known = found != network_.variables.end() &&
-                       (found->role == Network::Role::Input || found->role == Network::Role::Plant);
-    if (!known) return fmt::format("there is no input `{}`", name);
+    const auto settable = [](const Network::Variable& variable) {
+        return (variable.role == Network::Role::Input || variable.role == Network::Role::Plant) && !variable.scratch;
+    };
+    const auto found = std::ranges::find_if(network_.variables, [&, wanted = name](const Network::Variable& variable) {
+        return settable(variable) && (variable.name == wanted || variable.told_name() == wanted);
+    });
+    if (found == network_.variables.end()) {
+        std::vector<std::string> known;
+        for (const Network::Variable& variable : network_.variables)
+            if (settable(variable)) known.push_back(variable.told_name());
+        return unknown_words("input", name, known);
+    }
+    if (std::string problem = range_words(name, found->type, value); !problem.empty()) return problem;
     const auto index = static_cast<std::size_t>(found - network_.variables.begin());
     const std::string wish = !found->type.boolean ? std::to_string(value) : value != 0 ? "true" : "false";
     if (state_.variables[index] == value) return fmt::format("`{}` is {} already", name, wish);
@@ -232,6 +284,12 @@ std::string LoopSimulation::act(std::string_view instance, std::string_view loca
         const Network::Location& target = network_.templates[process.automaton].locations[edge_of(network_, fire).to];
         if (process.name == instance && (location.empty() || target.name == location)) return choose(fire);
     }
+    const auto named = std::ranges::find(told_.instances, instance, &ChartRun::Instance::name);
+    const std::vector<std::string> known = instances_of(told_);
+    if (named == told_.instances.end() && detail_ == Detail::Chart) return unknown_words("instance", instance, known);
+    if (named != told_.instances.end() && !location.empty() &&
+        std::ranges::find(named->locations, location) == named->locations.end())
+        return unknown_words(fmt::format("location of `{}`", instance), location, named->locations);
     return fmt::format("`{}`{} cannot happen now", instance, location.empty() ? "" : fmt::format(" to `{}`", location));
 }
 
@@ -273,8 +331,9 @@ bool LoopSimulation::back() {
 
 std::string LoopSimulation::force(std::string_view step, bool active) {
     if (broken_) return "nothing more can happen; `back` undoes the last command";
-    const std::optional<Trial> trial = trial_of(told_, step, active);
-    if (!trial) return fmt::format("there is no step `{}`", step);
+    std::string problem;
+    const std::optional<Trial> trial = trial_of(told_, step, active, problem);
+    if (!trial) return problem;
     const Network::Controller& controller = network_.controllers[{trial->controller.index}];
     if (state_.locations[controller.process.index] != controller.waiting)
         return "the PLC is in the midst of a cycle; a step can be forced between two cycles";

@@ -66,6 +66,8 @@ public:
     std::optional<std::string> location_of(std::string_view instance) const;
     /// Undoes the last command; false: there is none.
     bool back();
+    /// How many there are to undo.
+    std::size_t commands() const { return commands_.size(); }
 
 private:
     /// A trial, before the move of that number.

@@ -15,6 +15,8 @@ Script script_of(std::string_view text) {
         const bool ends = std::holds_alternative<EndCommand>(next.command);
         if (auto* const bad = std::get_if<BadCommand>(&next.command))
             script.complaints.emplace_back(number, bad->complaint);
+        if (std::holds_alternative<SaveCommand>(next.command))
+            script.complaints.emplace_back(number, "`save` is for who types; a script is saved already");
         if (ends && open.empty()) script.complaints.emplace_back(number, "this `}` ends no `repeat`");
         if (std::holds_alternative<RepeatCommand>(next.command)) open.push_back(script.lines.size());
         else if (ends && !open.empty()) open.pop_back();

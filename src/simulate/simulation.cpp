@@ -13,8 +13,30 @@ std::string Simulation::begin() {
     return std::visit([](auto& of) { return of.settle(); }, of_);
 }
 
+/// A command may be several moves: time passes by and by until a claim holds. What moved nothing there is nothing to undo of.
 std::string Simulation::obey(const Command& command) {
     unmet_ = false;
+    if (std::holds_alternative<BackCommand>(command)) return undo();
+    const std::size_t before = moves(), moments = told().moments.size();
+    std::string problem = made(command);
+    if (moves() > before) commands_.push_back(before);
+    if (!problem.empty() && moves() > before && told().moments.size() == moments) undo();
+    return problem;
+}
+
+std::size_t Simulation::moves() const {
+    return std::visit([](const auto& of) { return of.commands(); }, of_);
+}
+
+std::string Simulation::undo() {
+    if (commands_.empty()) return "there is nothing to undo";
+    while (moves() > commands_.back() && std::visit([](auto& of) { return of.back(); }, of_)) {
+    }
+    commands_.pop_back();
+    return {};
+}
+
+std::string Simulation::made(const Command& command) {
     return std::visit(
         [&](auto& of) {
             return std::visit(overloaded{
@@ -25,7 +47,6 @@ std::string Simulation::obey(const Command& command) {
                                   [&](const DoCommand& act) { return of.act(act.instance, act.location); },
                                   [&](const ForceCommand& force) { return of.force(force.step, force.active); },
                                   [&](const ChooseCommand& choice) { return choose(choice.number); },
-                                  [&](BackCommand) { return std::string(of.back() ? "" : "there is nothing to undo"); },
                                   [&](const ExpectCommand& wish) { return expect(wish); },
                                   [](const BadCommand& bad) { return bad.complaint; },
                                   [](const auto&) { return std::string(); },

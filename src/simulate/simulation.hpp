@@ -34,6 +34,9 @@ public:
     /// went wrong, and the simulation can go on.
     bool unmet() const { return unmet_; }
 
+    /// How many commands there are that `undo` would undo.
+    std::size_t undoable() const { return commands_.size(); }
+
     const ChartRun& told() const;
     /// The first row of `told` that is no run of the model any more, since a step was forced by hand; empty: all are.
     std::optional<std::size_t> trial_row() const;
@@ -47,10 +50,14 @@ public:
     ChartRun retold(Detail detail) const;
 
 private:
+    std::string made(const Command& command);
+    std::string undo();
+    std::size_t moves() const;
     std::string choose(std::size_t number);
     std::string expect(const ExpectCommand& wish);
 
     std::variant<LoopSimulation, ChartSimulation> of_;
+    std::vector<std::size_t> commands_ = {};  ///< of each that can be undone: how many moves there were before
     bool unmet_ = false;
 };
 

@@ -4,18 +4,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
+
+#include "simulate/called.hpp"
+#include "support/overloaded.hpp"
 
 namespace grafverif {
 
-std::optional<Trial> trial_of(const ChartRun& run, std::string_view step, bool active) {
+std::optional<Trial> trial_of(const ChartRun& run, std::string_view step, bool active, std::string& problem) {
+    const std::vector<Id<ChartRun::Step>> meant = steps_called(run, step);
+    std::vector<std::string> names;
+    for (const ChartRun::Step& each : run.steps) names.push_back(each.full_name());
+    if (meant.empty()) return problem = unknown_words("step", step, names), std::nullopt;
+    if (meant.size() > 1)
+        return problem = ambiguous_words(step, {names[meant[0].index], names[meant[1].index]}), std::nullopt;
     for (const Id<ChartRun::Controller> id : run.controllers.ids()) {
         const auto& steps = run.controllers[id].steps;
-        const auto found = std::ranges::find_if(steps, [&](auto each) {
-            return run.steps[each].full_name() == step || run.steps[each].short_name == step;
-        });
+        const auto found = std::ranges::find(steps, meant.front());
         if (found != steps.end()) return Trial{id, static_cast<std::size_t>(found - steps.begin()), active};
     }
-    return {};
+    unreachable();
 }
 
 std::size_t tell_trial(ChartRun& run, Teller& teller, const Trial& trial) {

@@ -19,8 +19,8 @@ struct Trial {
     bool active = false;
 };
 
-/// `3`, `G1.3`, `press.G1.3`: the name in rows, or the full one; empty: there is no such step.
-std::optional<Trial> trial_of(const ChartRun& run, std::string_view step, bool active);
+/// `3`, `X3`, `G1.3`, `press.G1.3` (see steps_called); empty: `problem` says why no step is meant.
+std::optional<Trial> trial_of(const ChartRun& run, std::string_view step, bool active, std::string& problem);
 
 /// Adds the row of a trial, whose moment is the last of the run and has not been told yet. The place of the row.
 std::size_t tell_trial(ChartRun& run, Teller& teller, const Trial& trial);

@@ -117,6 +117,7 @@ TEST(Ladder, ThirdPartyLibrariesStayInTheirRooms) {
         {"boost/multiprecision", {"bdd"}},
         {"boost/program_options", {"app"}},
         {"cadical", {"check/pdr"}},
+        {"histedit", {"app/system/line_editor"}},
         {"unicode", {"support"}},
         {"boost/asio", {"app/serve"}},
         {"boost/beast", {"app/serve"}},

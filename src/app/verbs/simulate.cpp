@@ -4,23 +4,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <istream>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <sstream>
+#include <string_view>
+#include <system_error>
 
-#include "app/outputs.hpp"
 #include "app/reports.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/system/line_editor.hpp"
+#include "app/system/write_files.hpp"
 #include "app/traces.hpp"
 #include "app/verbs.hpp"
 #include "pipeline/check.hpp"
+#include "pipeline/files.hpp"
 #include "pipeline/models.hpp"
 #include "report/junit.hpp"
 #include "report/report.hpp"
 #include "report/terminal.hpp"
 #include "simulate/commands.hpp"
+#include "simulate/completion.hpp"
+#include "simulate/recording.hpp"
 #include "simulate/script.hpp"
 #include "simulate/simulation.hpp"
+#include "support/messages.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif::app {
@@ -30,22 +40,26 @@ namespace {
 /// A conversation: each line a command, answered by the steps that it caused.
 class Session {
 public:
-    Session(Simulation& simulation, const Streams& streams) : simulation_(simulation), out_(streams.out) {}
+    Session(Simulation& simulation, const Streams& streams)
+        : simulation_(simulation), recording_(simulation), out_(streams.out) {}
 
-    void begin(bool prompts) {
+    /// `prompts`: what may be chosen is shown, and `prompt` behind it.
+    void begin(bool prompts, std::string_view prompt = "") {
         prompts_ = prompts;
+        prompt_ = prompt;
         print_header(usual_widths, out_);
         answer(simulation_.begin());
     }
 
-    /// What went wrong; empty: all is well.
-    std::string obey(const Command& command) {
+    /// What went wrong; empty: all is well. `line`: as it was typed.
+    std::string obey(const Command& command, std::string_view line) {
         over_ = over_ || std::holds_alternative<QuitCommand>(command);
         if (std::holds_alternative<HelpCommand>(command)) out_ << help;
         if (std::holds_alternative<ShowCommand>(command)) show();
         if (std::holds_alternative<RepeatCommand>(command) || std::holds_alternative<EndCommand>(command))
             return "`repeat` is for scripts";
-        return simulation_.obey(command);
+        if (const auto* const save = std::get_if<SaveCommand>(&command)) return saved(save->file);
+        return recording_.obey(command, line);
     }
 
     /// Shows the new steps, what went wrong, and in a conversation what may be chosen.
@@ -77,6 +91,7 @@ private:
         "  wait until CLAIM   let time pass until it holds\n"
         "  show               the values of everything now\n"
         "  back, undo         undo the last command\n"
+        "  save FILE          write what was done as a script, which expects what was seen\n"
         "  quit               end\n";
 
     void show() {
@@ -99,6 +114,25 @@ private:
         }
     }
 
+    /// A file that is none of these is not written over.
+    std::string saved(const std::string& file) {
+        std::string why;
+        const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file));
+        const auto old = is_there ? content_of_file(file, why) : std::nullopt;
+        if (is_there && !(old && old->starts_with(saved_session)))
+            return fmt::format("`{}` is there already, and is no session that was saved; choose another name", file);
+        const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+        if (!folder.empty() && !std::filesystem::is_directory(folder))
+            return fmt::format("there is no folder `{}`", folder.string());
+        try {
+            write_files({{file, recording_.script()}});
+        } catch (const std::system_error& failure) {
+            return failure.what();
+        }
+        out_ << fmt::format("saved; `--script {}` does it again\n", printable(file));
+        return {};
+    }
+
     /// Each constraint when it begins to be broken.
     void tell_broken_constraints() {
         std::vector<std::string> now = simulation_.broken_constraints();
@@ -115,23 +149,40 @@ private:
         if (patience.may_pass)
             out_ << (patience.limit ? fmt::format(" wait  up to {}\n", seconds_text(*patience.limit * patience.unit_ms))
                                     : " wait  as long as you like\n");
-        out_ << "> ";
+        out_ << prompt_;
     }
 
     Simulation& simulation_;
+    Recording recording_;
     std::ostream& out_;
     bool prompts_ = false;
+    std::string_view prompt_ = {};
     bool over_ = false;
     std::size_t shown_ = 0;
     std::vector<std::string> broken_ = {};  ///< constraints
 };
 
-ExitCode converse(Simulation& simulation, const Streams& streams) {
+ExitCode converse(Simulation& simulation, const Streams& streams, Job& job) {
+    constexpr const char* prompt = "> ";
+    const Interrupt interrupt;
+    std::optional<LineEditor> editor;
+    if (streams.typed)
+        editor.emplace(
+            prompt, [&](std::string_view line) { return completions(simulation, line); }, last_word);
+    const auto next = [&]() -> std::optional<std::string> {
+        std::string line;
+        if (editor) return editor->line();
+        return std::getline(streams.in, line) ? std::optional(line) : std::nullopt;
+    };
     Session session(simulation, streams);
-    session.begin(true);
-    for (std::string line; !session.over() && std::getline(streams.in, line);)
-        session.answer(session.obey(command_of(line)));
+    session.begin(true, editor ? "" : prompt);
+    while (!session.over()) {
+        const std::optional<std::string> line = next();
+        if (!line) break;
+        session.answer(session.obey(command_of(*line), *line));
+    }
     streams.out << '\n';
+    if (interrupt.asked()) job.diagnostics.add(messages::interrupted());
     return ExitCode::Done;
 }
 
@@ -171,7 +222,7 @@ public:
 
 private:
     bool obey(const Script::Line& line) {
-        const std::string problem = session_.obey(line.command);
+        const std::string problem = session_.obey(line.command, "");
         session_.answer("");
         if (const auto* const expected = std::get_if<ExpectCommand>(&line.command)) {
             Expectation& here = expectations_[line.number];
@@ -233,7 +284,7 @@ ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, J
     std::string problem;
     if (job.options.random_seed) problem = walk(simulation, *job.options.random_seed, job.options.steps);
     else if (job.options.script) code = follow_script(simulation, *job.options.script, streams, job);
-    else code = converse(simulation, streams);
+    else code = converse(simulation, streams, job);
     const ChartRun run = job.options.random_seed ? simulation.retold(detail_of(job)) : simulation.told();
     if (job.options.random_seed) print_trace(run, streams.out);
     if (!problem.empty()) streams.out << "! " << printable(problem) << '\n';
@@ -247,7 +298,7 @@ ExitCode move(Simulation& simulation, const std::vector<const Chart*>& charts, J
     for (OutputFile& file : files)
         if (is_trial && job.options.trace_vcd && file.path == *job.options.trace_vcd)
             file.content.insert(0, "$comment a trial by hand: not a run of the model $end\n");
-    write_outputs(files, job, streams);
+    job.reports->files = std::move(files);
     return code;
 }
 
@@ -298,6 +349,11 @@ Verb simulate_usage() {
             "  wait until CLAIM   let time pass until it holds\n"
             "  repeat 3 {         in a script: what follows, up to a line `}`, so many times\n"
             "  show, undo, quit   the values of everything now; undo the last command; end\n"
+            "  save FILE          write what was done as a script, which expects what was seen\n"
+            "At a terminal lines are edited (libedit, ~/.editrc): the arrows, Ctrl-R for those before, Tab for "
+            "commands and "
+            "names;\n"
+            "Ctrl-C gives a line up, Ctrl-D ends.\n"
             "Exit code 1: an expectation of the script was not met.",
             {"grafverif simulate samples/blinker/blinker.grafcet",
              "grafverif simulate station.grafcet --script press_start.txt",

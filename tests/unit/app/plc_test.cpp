@@ -103,19 +103,21 @@ TEST(Plc, StopsWithAReasonWhereTheChartCannotGoOn) {
         const char* reason;
     };
     for (const Case& c : {
-             Case{"input a; output L; initial step 0; step 1 { L; }\n"
-                  "transition t: 0 -> 1 when a; transition u: 1 -> 0 when a;",
-                  "total instability: with these inputs the situation never becomes stable: {1}, {0}, and so on"},
+             Case{
+                 "input a; output L; initial step 0; step 1 { L; }\n"
+                 "transition t: 0 -> 1 when a; transition u: 1 -> 0 when a;",
+                 "with these inputs the situation never becomes stable: {1} -> {0} -> {1}, for ever within one instant "
+                 "[total-instability]"},
              Case{"input a; output L; partial G2 { initial step 0; step 1 { L; }\n"
                   "transition t: 0 -> 1 when a; transition u: 1 -> 0 when a; }",
-                  "total instability: with these inputs the situation never becomes stable: {G2.1}, {G2.0}, and so on"},
+                  "with these inputs the situation never becomes stable: {G2.1} -> {G2.0} -> {G2.1}, for ever"},
              Case{"input a; output L; internal N: int 0..3 = 0; initial step 0; step 1 { N := 1 on activation; L; }\n"
                   "step 2 { N := 2 on activation; } transition t: 0 -> 1, 2 when a;",
-                  "race: two actions store different values in `N`"},
+                  "two stored actions give `N` different values in one evolution [action-race]"},
              Case{"input a; output L; internal N: int 0..3 = 0; initial step 0; step 1 { N := N + 4 on activation; L; "
                   "}\n"
                   "transition t: 0 -> 1 when a;",
-                  "the value 4 for `N` is outside its range"},
+                  "`N` would leave its range 0..3 with the value 4 [out-of-range]"},
          }) {
         SCOPED_TRACE(c.reason);
         const Result result = played(c.chart, "0\n1\n0\n");

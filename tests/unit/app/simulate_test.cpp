@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <random>
 #include <set>
 
 #include "run_program.hpp"
@@ -96,11 +97,11 @@ TEST(Simulate, FollowsAScriptAndPrintsTheSituationAsATraceDoes) {
               "1 s Button BUTTON\n"
               "blinker t0 1 LAMP\n"
               "Lamp: lit 1 LAMP\n"
-              "3 s T_X1_2s: 2s/X1 is true\n"
+              "3 s blinker: 2s/X1 is true\n"
               "blinker t1 2 none\n"
               "Lamp: dark 2 none\n"
               "Button !BUTTON 2 none\n"
-              "4 s T_X2_1s: 1s/X2 is true\n"
+              "4 s blinker: 1s/X2 is true\n"
               "blinker t3 0 none\n");
 }
 
@@ -135,7 +136,7 @@ TEST(Simulate, StopsAScriptAtItsFirstCommandThatCannotBeObeyed) {
              {"wait 1s\n\nBUTTON = false\n", ":3: error: `BUTTON` is false already\n"},
              {"LAMP = true\n", ":1: error: there is no input `LAMP`\n"},
              {"wait 500ms\n", ":1: error: the time unit of this loop is 1 s; wait a multiple of it\n"},
-             {"do Nobody\n", ":1: error: `Nobody` cannot happen now\n"},
+             {"do Nobody\n", ":1: error: there is no instance `Nobody`\n"},
              {"do Lamp lit\n", ":1: error: `Lamp` to `lit` cannot happen now\n"},
              {"7\n", ":1: error: there is no choice now; let time pass with `wait`\n"},
              {"wait 1s\nback\nback\n", ":3: error: there is nothing to undo\n"},
@@ -167,7 +168,7 @@ TEST(Simulate, ScriptsExpectAndRepeat) {
     EXPECT_EQ(result.code, ExitCode::Done) << result.err;
     EXPECT_NE(folder.read("r.xml").find("tests=\"5\" failures=\"0\" errors=\"0\""), std::string::npos)
         << folder.read("r.xml");
-    EXPECT_NE(squeezed(result.out).find("8 s T_X2_1s: 1s/X2 is true"), std::string::npos) << result.out;
+    EXPECT_NE(squeezed(result.out).find("8 s blinker: 1s/X2 is true"), std::string::npos) << result.out;
 }
 
 TEST(Simulate, TellsExpectationsThatAreNotMetAndGoesOn) {
@@ -249,6 +250,57 @@ TEST(Simulate, LeavesEveryEdgeToThePersonWhenVerbose) {
     EXPECT_NE(squeezed(result.out).find("1 PLC: P2\n> "), std::string::npos);
 }
 
+TEST(Simulate, SavesWhatWasDoneAsAScriptThatExpectsWhatWasSeen) {
+    const Folder folder;
+    const std::string saved = folder.file("saved.txt");
+    const Result typed = grafverif({"simulate", blinker},
+                                   "wait 1s\n1   // by its number\nwait 5min\nundo\nwait until X2\nundo\nwait 2s\n"
+                                   "expect X0\nexpect X2\nnonsense\nBUTTON = false\nundo\nsave " +
+                                       saved + "\n");
+    EXPECT_NE(typed.out.find("saved; `--script "), std::string::npos) << typed.out;
+    const std::string script = folder.read("saved.txt");
+    EXPECT_EQ(script.substr(script.find('\n') + 1),
+              "wait 1s\ndo Button idle\nexpect X1, not X0, LAMP\nwait 2s\nexpect X2, not X1, not LAMP\nexpect X2\n");
+    const Result again = grafverif({"simulate", blinker, "--script", saved, "--junit", folder.file("r.xml")});
+    EXPECT_EQ(again.code, ExitCode::Done) << again.err;
+    EXPECT_NE(folder.read("r.xml").find("tests=\"3\" failures=\"0\""), std::string::npos);
+    EXPECT_NE(grafverif({"simulate", blinker}, "save " + blinker + "\n").out.find("is there already"),
+              std::string::npos);
+    EXPECT_NE(grafverif({"simulate", blinker}, "save\n").out.find("! write `save FILE`"), std::string::npos);
+    EXPECT_EQ(grafverif({"simulate", blinker, "--script", folder.write("s.txt", "save x\n")}).code, ExitCode::Input);
+}
+
+/// Whatever a session was, its script does the same again.
+TEST(Simulate, ASavedWalkIsWalkedAgain) {
+    for (const char* of : {"blinker", "tanks", "oven_door"})
+        for (unsigned seed = 1; seed <= 6; ++seed) {
+            SCOPED_TRACE(of + std::to_string(seed));
+            const Folder folder;
+            const std::string file = (root / "samples" / of / (std::string(of) + ".grafcet")).string();
+            const std::vector<std::string> chart =
+                seed % 2 == 0 ? std::vector<std::string>{} : std::vector<std::string>{"--chart", of};
+            std::mt19937 random(seed);
+            std::string typed;
+            for (int k = 0; k < 25; ++k)
+                typed += std::vector<std::string>{"1",    "2",       "3",    "wait 700ms",        "wait 1s",
+                                                  "wait", "wait 3s", "undo", "wait until NOTHING"}[random() % 9] +
+                         "\n";
+            std::vector<std::string> words = {"simulate", file};
+            words.insert(words.end(), chart.begin(), chart.end());
+            grafverif(words, typed + "save " + folder.file("s.txt") + "\n");
+            words.insert(words.end(), {"--script", folder.file("s.txt")});
+            const Result again = grafverif(words);
+            EXPECT_EQ(again.code, ExitCode::Done) << folder.read("s.txt") << again.err;
+        }
+}
+
+TEST(Simulate, UndoesACommandThatMadeSeveralMovesAsOne) {
+    const Result result = grafverif(
+        {"simulate", blinker}, "wait 1s\nBUTTON = true\nwait until X2\nundo\nexpect X1\nundo\nexpect X0\nundo\nundo\n");
+    EXPECT_EQ(result.out.find("! expected"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("! there is nothing to undo"), std::string::npos) << result.out;
+}
+
 TEST(Simulate, NoticesAChartThatNeverStabilises) {
     const Folder folder;
     const std::string file = folder.write(
@@ -258,7 +310,9 @@ TEST(Simulate, NoticesAChartThatNeverStabilises) {
         "closed_loop one { controller endless with stability_search; environment Go = free(OUT = GO); }\n");
     const Result result = grafverif({"simulate", file, "--script", folder.write("go.txt", "GO = true\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
-    EXPECT_NE(result.err.find("the situation never becomes stable with these inputs"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("with these inputs the situation never becomes stable: {1} -> {2} -> {1}, for ever"),
+              std::string::npos)
+        << result.err;
 }
 
 TEST(Simulate, WalksAtRandomTheSameWayForTheSameSeed) {
@@ -368,7 +422,7 @@ TEST(SimulateChart, RefusesWhatIsNoInputOrDoesNotFitAndUndoesTheLastCommand) {
     };
     for (const Case& c : std::vector<Case>{
              {"LOCK = true\n", ":1: error: there is no input `LOCK`\n"},
-             {"N = 10\n", ":1: error: `N` goes from 0 to 9\n"},
+             {"N = 10\n", ":1: error: `N` takes 0 to 9; not 10\n"},
              {"UP = false\n", ":1: error: `UP` is so already\n"},
              {"do Press\n", ":1: error: there is no plant here, so no `Press`; inputs are set by `NAME = VALUE`\n"},
              {"back\n", ":1: error: there is nothing to undo\n"},
@@ -393,7 +447,9 @@ TEST(SimulateChart, NoticesWhatNeverStabilisesInBothModes) {
         const Result result = grafverif(
             {"simulate", file, "--mode", mode, "--script", folder.write("go.txt", "GO = true\nGO = false\n")});
         EXPECT_EQ(result.code, ExitCode::Input);
-        EXPECT_NE(result.err.find("go.txt:1: error: this goes on for ever"), std::string::npos) << mode << result.err;
+        EXPECT_NE(result.err.find("go.txt:1: error: with these inputs the situation never becomes stable: "),
+                  std::string::npos)
+            << mode << result.err;
     }
     const Result talk = grafverif({"simulate", file}, "GO = true\nGO = false\nback\nwait 1s\n");
     EXPECT_NE(talk.out.find("! nothing more can happen; `back` undoes the last command"), std::string::npos);

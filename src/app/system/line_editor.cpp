@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "app/system/line_editor.hpp"
+
+#include <histedit.h>
+
+#include <algorithm>
+#include <clocale>
+#include <csignal>
+#include <cstdio>
+#include <utility>
+
+#include "support/printable.hpp"
+
+namespace grafverif::app {
+
+struct LineEditor::Parts {
+    std::string prompt = {};
+    Complete complete = {};
+    std::size_t (*last_word)(std::string_view) = nullptr;
+    EditLine* editor = nullptr;
+    History* history = nullptr;
+    bool gave_up = false;  ///< the line at hand
+
+    static Parts& of(EditLine* editor) {
+        void* parts = nullptr;
+        el_get(editor, EL_CLIENTDATA, &parts);
+        return *static_cast<Parts*>(parts);
+    }
+
+    static char* shown_prompt(EditLine* editor) { return of(editor).prompt.data(); }
+
+    /// Ctrl-C: the line is given up.
+    static unsigned char give_up(EditLine* editor, int) {
+        const LineInfo* const line = el_line(editor);
+        el_cursor(editor, static_cast<int>(line->lastchar - line->cursor));
+        el_deletestr(editor, static_cast<int>(el_line(editor)->lastchar - el_line(editor)->buffer));
+        std::fputs("^C", stdout);
+        of(editor).gave_up = true;
+        return CC_NEWLINE;
+    }
+
+    static unsigned char stop(EditLine*, int) {
+        std::raise(SIGTSTP);
+        return CC_REDISPLAY;
+    }
+
+    /// Tab: as far as all agree; where they do not, they are listed.
+    static unsigned char tab(EditLine* editor, int) {
+        const Parts& parts = of(editor);
+        const LineInfo* const info = el_line(editor);
+        const std::string line(info->buffer, info->cursor);
+        const std::vector<std::string> words = parts.complete(line);
+        if (words.empty()) return CC_REFRESH_BEEP;
+        std::string common = words.front();
+        for (const std::string& word : words)
+            common.resize(static_cast<std::size_t>(std::ranges::mismatch(common, word).in1 - common.begin()));
+        std::string added = common.substr(std::min(common.size(), line.size() - parts.last_word(line)));
+        if (words.size() == 1) added += ' ';
+        if (!added.empty()) return el_insertstr(editor, added.c_str()) == 0 ? CC_REFRESH : CC_REFRESH_BEEP;
+        std::string list = "\n";
+        for (const std::string& word : words) list += printable(word) + "  ";
+        std::puts(list.c_str());
+        return CC_REDISPLAY;
+    }
+};
+
+LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last_word)(std::string_view))
+    : parts_(std::make_unique<Parts>(Parts{std::move(prompt), std::move(complete), last_word})) {
+    if (std::setlocale(LC_CTYPE, "") == nullptr || std::string_view(std::setlocale(LC_CTYPE, nullptr)) == "C")
+        std::setlocale(LC_CTYPE, "C.UTF-8");
+    constexpr int remembered = 1000;
+    HistEvent event = {};
+    parts_->history = history_init();
+    history(parts_->history, &event, H_SETSIZE, remembered);
+    history(parts_->history, &event, H_SETUNIQUE, 1);
+    EditLine* const editor = parts_->editor = el_init("grafverif", stdin, stdout, stderr);
+    el_set(editor, EL_CLIENTDATA, parts_.get());
+    el_set(editor, EL_PROMPT, Parts::shown_prompt);
+    el_set(editor, EL_EDITOR, "emacs");
+    el_set(editor, EL_SIGNAL, 1);  // the terminal is as it was before when one ends us
+    el_set(editor, EL_HIST, history, parts_->history);
+    el_set(editor, EL_ADDFN, "grafverif-complete", "complete the word", Parts::tab);
+    el_set(editor, EL_ADDFN, "grafverif-give-up", "give the line up", Parts::give_up);
+    el_set(editor, EL_ADDFN, "grafverif-stop", "stop until the shell goes on with it", Parts::stop);
+    el_set(editor, EL_BIND, "^I", "grafverif-complete", nullptr);
+    el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
+    el_source(editor, nullptr);
+    el_set(editor, EL_SETTY, "-d", "-isig", nullptr);  // while a line is edited its keys are no signals
+    el_set(editor, EL_BIND, "^C", "grafverif-give-up", nullptr);
+    el_set(editor, EL_BIND, "^Z", "grafverif-stop", nullptr);
+}
+
+LineEditor::~LineEditor() {
+    el_end(parts_->editor);
+    history_end(parts_->history);
+}
+
+std::optional<std::string> LineEditor::line() {
+    std::fflush(stdout);
+    int count = 0;
+    const char* const read = el_gets(parts_->editor, &count);
+    if (std::exchange(parts_->gave_up, false)) return "";
+    if (read == nullptr || count <= 0) return {};
+    std::string text(read, static_cast<std::size_t>(count));
+    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+    HistEvent event = {};
+    if (text.find_first_not_of(" \t") != std::string::npos) history(parts_->history, &event, H_ENTER, text.c_str());
+    return text;
+}
+
+}  // namespace grafverif::app

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// A thing is called the same wherever it is told, and wherever somebody names it: steps, internal variables, what instances
+// hold and where they are, properties.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "run_program.hpp"
+
+namespace grafverif::app {
+namespace {
+
+using Tree = nlohmann::json;
+
+/// Two controllers that call steps and internals alike; partial charts, a macro-step, an enclosing step; a variable of an
+/// instance's own.
+const std::string model = R"(
+component gate(input UP, DOWN; output OPEN) {
+    variable H: int 0..3 = 0;
+    initial location closed;
+    location open;
+    urgent closed -> open when UP do OPEN := true, H := 3;
+    urgent open -> closed when DOWN do OPEN := false, H := 0;
+}
+grafcet upper {
+    input a, OPEN;
+    output UP, DOWN;
+    internal N: int 0..3 = 0;
+    initial step 0;
+    step 1 { UP; N := 1 on activation; }
+    macro step M1 expands E1;
+    enclosing step 4 encloses G1;
+    transition t0: 0 -> 1 when a && 1s/X0;
+    transition t1: 1 -> M1 when OPEN;
+    transition t2: M1 -> 4 when !a;
+    transition t3: 4 -> 0 when G1.X21;
+    expansion E1 {
+        entry step E { DOWN; }
+        exit step S;
+        transition e0: E -> S when true;
+    }
+    partial G1 {
+        linked step 20;
+        step 21;
+        transition g0: 20 -> 21 when true;
+    }
+    partial G2 {
+        initial step 0;
+        step 30;
+        transition h0: 0 -> 30 when a;
+        transition h1: 30 -> 0 when !a;
+    }
+}
+grafcet lower {
+    input a;
+    output L;
+    internal N: bool = false;
+    initial step 0;
+    step 1 { L; N := true on activation; }
+    transition t0: 0 -> 1 when a;
+    transition t1: 1 -> 0 when !a;
+}
+)";
+std::string loop(const std::string& properties) {
+    return model +
+           "closed_loop both {\n"
+           "    controller upper;\n"
+           "    controller lower;\n"
+           "    plant Gate = gate(UP = UP, DOWN = DOWN, OPEN = OPEN);\n"
+           "    environment A = push_button(OUT = a);\n" +
+           properties + "}\n";
+}
+
+/// `press.G1.3` as a condition says it: an X before the step's own name (IEC 60848, 4.3).
+std::string variable(std::string step) { return step.insert(step.rfind('.') + 1, 1, 'X'); }
+
+/// What the JSON of a run, or of an automaton, calls variables (a property takes them as they are) and steps.
+struct Names {
+    std::set<std::string> values = {}, steps = {};
+};
+
+Names names_of_trace(const std::vector<std::string>& options) {
+    const Folder folder;
+    std::vector<std::string> words = {"check", folder.write("both.grafcet", loop("property p: never upper.X4;\n")),
+                                      "--format", "json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Result result = grafverif(words);
+    EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+    Names names;
+    const Tree report = Tree::parse(result.out);
+    for (const Tree& property : report.at("properties")) {
+        if (property.at("trace").is_null()) continue;
+        const Tree &told = property.at("trace"), &run = told.at("run");
+        for (const Tree& signal : run.at("signals"))
+            if (signal.at("role") != "image") names.values.insert(signal.at("name"));
+        for (const Tree& step : run.at("steps")) {
+            names.steps.insert(step.at("full_name"));
+            names.steps.insert(step.at("short_name"));
+        }
+        for (const Tree& instance : run.at("instances"))
+            for (const Tree& location : instance.at("locations"))
+                if (instance.at("kind") == "plant" || instance.at("kind") == "environment")
+                    names.values.insert(instance.at("name").get<std::string>() + "." + location.get<std::string>());
+        for (const Tree& row : told.at("steps")) {
+            for (const Tree& step : row.at("situation")) names.steps.insert(step);
+            for (const char* kind : {"inputs", "outputs"})
+                for (const auto& [name, value] : row.at(kind).items()) names.values.insert(name);
+        }
+    }
+    return names;
+}
+
+Names names_of_automaton() {
+    const Folder folder;
+    const std::string file = folder.write("both.grafcet", loop(""));
+    Names names;
+    for (const char* chart : {"upper", "lower"}) {
+        const Result result = grafverif({"automaton", file, "--chart", chart, "--format", "json"});
+        EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+        const std::string owner = std::string(chart) + ".";
+        const Tree automaton = Tree::parse(result.out);
+        for (const Tree& location : automaton.at("location_table")) {
+            for (const Tree& step : location.at("situation")) names.steps.insert(owner + step.get<std::string>());
+            for (const auto& [name, value] : location.at("values").items()) names.values.insert(owner + name);
+            for (const auto& [name, value] : location.at("outputs").items()) names.values.insert(name);
+        }
+    }
+    return names;
+}
+
+/// The steps of the situations in a test's table.
+Names names_of_test() {
+    const Folder folder;
+    const Result result =
+        grafverif({"testgen", folder.write("both.grafcet", loop("")), "--chart", "upper", "--format", "json"});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+    Names names;
+    const Tree told = Tree::parse(result.out);
+    for (const Tree& sequence : told.at("sequences"))
+        for (const Tree& step : sequence) {
+            std::string situation = step.at("situation");
+            for (situation = situation.substr(1, situation.size() - 2); !situation.empty();) {
+                const std::size_t comma = std::min(situation.find(','), situation.size());
+                names.steps.insert("upper." + situation.substr(0, comma));
+                situation.erase(0, comma + 1);
+            }
+        }
+    return names;
+}
+
+void can_be_named(const Names& names) {
+    ASSERT_GT(names.steps.size(), 5U);
+    std::set<std::string> terms = names.values;
+    for (const std::string& step : names.steps) terms.insert(variable(step));
+    std::string properties, script;
+    int number = 0;
+    for (const std::string& term : terms) {
+        const bool integer = term == "Gate.H" || term == "upper.N";
+        properties += "property q" + std::to_string(++number) + ": never " + term + (integer ? " > 1;\n" : ";\n");
+        script += "expect " + term + (integer ? " < 2\n" : "\n");
+    }
+    std::string forced;
+    for (const std::string& step : names.steps) forced += "force " + step + " on\nundo\n";
+    const Folder folder;
+    const std::string file = folder.write("named.grafcet", loop(properties));
+    EXPECT_EQ(grafverif({"check", file, "--list"}).err, "");
+    const Result simulated = grafverif({"simulate", file, "--script", folder.write("s.txt", script)});
+    EXPECT_EQ(simulated.code, ExitCode::Verdict) << simulated.err;  // not all is true: but all is known
+    for (const char* refusal : {"! there is no step", "could be"})  // what the rules refuse is another matter
+        EXPECT_EQ(grafverif({"simulate", file}, forced).out.find(refusal), std::string::npos);
+}
+
+TEST(Names, ATraceShowsWhatAPropertyAndAScriptCanName) { can_be_named(names_of_trace({})); }
+
+TEST(Names, SoDoesATraceOfTheModelWithoutTime) {
+    const Names timed = names_of_trace({}), untimed = names_of_trace({"--untimed", "--plant", "automata"});
+    EXPECT_EQ(timed.values, untimed.values);
+    EXPECT_EQ(timed.steps, untimed.steps);
+    EXPECT_TRUE(timed.values.contains("Gate.H") && timed.values.contains("upper.N") &&
+                timed.values.contains("lower.N") && timed.steps.contains("upper.E1.S"));
+}
+
+TEST(Names, SoDoesALocationAutomaton) { can_be_named(names_of_automaton()); }
+
+TEST(Names, SoDoesATestSequence) { can_be_named(names_of_test()); }
+
+TEST(Names, ATimerIsToldAsConditionsWriteIt) {
+    const Folder folder;
+    const std::string file = folder.write("both.grafcet", loop("property p: never upper.X1;\n"));
+    for (const std::vector<std::string>& options : {std::vector<std::string>{}, {"--untimed", "--plant", "automata"}}) {
+        std::vector<std::string> words = {"check", file};
+        words.insert(words.end(), options.begin(), options.end());
+        const std::string out = grafverif(words).out;
+        EXPECT_NE(out.find("upper: 1s/X0 is true\n"), std::string::npos) << out;
+        EXPECT_EQ(out.find("T_X0"), std::string::npos) << "the model's word:\n" << out;
+    }
+    const std::string automaton = grafverif({"automaton", file, "--chart", "upper"}).out;
+    EXPECT_NE(automaton.find("when a and OPEN and 1s/X0"), std::string::npos) << automaton;
+}
+
+TEST(Names, APropertyIsAskedForAsAnyOutputCallsIt) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "both.grafcet",
+        loop("property p: never upper.X4;\nproperty steps: reachable all steps;\nproperty q: no deadlock;\n"));
+    const Result all = grafverif({"check", file, "--format", "json"});
+    std::vector<std::string> again = {"check", file, "--format", "json"};
+    const Tree report = Tree::parse(all.out);
+    for (const Tree& property : report.at("properties"))
+        again.insert(again.end(), {"--property", property.at("name").get<std::string>()});
+    EXPECT_GT(again.size(), 20U);
+    EXPECT_EQ(Tree::parse(grafverif(again).out).at("properties").size(), (again.size() - 4) / 2);
+    EXPECT_EQ(grafverif({"check", file, "--property", "steps", "-q"}).code, ExitCode::Done);
+}
+
+TEST(Names, ASimulationSaysOfANameThatCouldBeSeveralWhich) {
+    const Folder folder;
+    const std::string file = folder.write("both.grafcet", loop(""));
+    const Result result = grafverif({"simulate", file},
+                                    "expect X0\nexpect G2.X0\nexpect N = 0\nexpect Gate_H = 0\nexpect upper.X0\n"
+                                    "force 0 on\nexpect Gat.H = 0\ndo Gate opne\nH = 2\nGate.H = 9\n");
+    for (const char* told :
+         {"! `X0` could be `upper.X0` or `upper.G2.X0`; write which",
+          "! `N` could be `upper.N` or `lower.N`; write which", "! `0` could be `upper.0` or `upper.G2.0`; write which",
+          "! there is no variable or step `Gat.H`; did you mean `Gate.H`?",
+          "! there is no location of `Gate` `opne`; did you mean `open`?", "! there is no input `H`",
+          "! `Gate.H` takes 0 to 3; not 9"})
+        EXPECT_NE(result.out.find(told), std::string::npos) << told << '\n' << result.out;
+    EXPECT_EQ(result.out.find("`G2.X0`"), std::string::npos) << "one alone is called so";
+    EXPECT_EQ(result.out.find("Gate_H"), std::string::npos) << "as models call it, and so may anybody";
+}
+
+}  // namespace
+}  // namespace grafverif::app
