@@ -37,10 +37,11 @@ Option toggle(Accepts accepts, const char* name, Place place, const char* help) 
 
 template <class Place>
 Option text(Accepts accepts, const char* name, const char* value, Place place, const char* help) {
-    return {accepts, name, value, help, [place](const std::vector<std::string>& given, Options& options) {
-                std::invoke(place, options) = given.front();
-                return std::string();
-            }};
+    const auto take = [place, option = Option{accepts, name}.long_name()](const auto& given, Options& options) {
+        std::invoke(place, options) = given.front();
+        return given.front().empty() ? fmt::format("the value of `--{}` is empty", option) : std::string();
+    };
+    return {accepts, name, value, help, take};
 }
 
 template <class Place>

@@ -127,12 +127,12 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     if (complaint.empty()) complaint = settle_untimed(options);
     if (complaint.empty()) complaint = settle_engine(modelled, values, options);
     if (complaint.empty()) complaint = settle_limits(options);
+    if (complaint.empty())
+        complaint = settle_company(verb, options, [&](const char* name) { return values.count(name) != 0; });
     if (!complaint.empty()) return {{}, complaint};
     if (options.help) return {options, {}};
     options.operands.insert(options.operands.end(), own, arguments.end());
     if (accepts(verb, Accepts::Bench) && options.against.empty()) return {{}, "`--against PROGRAM` is missing"};
-    if (options.events.from > options.events.to) return {{}, "`--from` is behind `--to`"};
-    if (options.go_on && options.stop_on_failure) return {{}, "`--stop-on-failure` and `--go-on` exclude each other"};
     if (options.format == Format::Sarif) {  // one of the reports, under another name
         options.sarif = options.output.value_or("-");
         options.output.reset();

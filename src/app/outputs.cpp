@@ -3,6 +3,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <ostream>
 
 #include "app/depfile.hpp"
@@ -44,14 +46,36 @@ bool is_no_input(const std::string& path, Job& job) {
     return true;
 }
 
-/// The stream that `path` names; nothing: a file.
-std::ostream* stream_at(const std::filesystem::path& path, const Streams& streams) {
-    if (path == "-") return &streams.out;
-    const auto own = own_descriptor(path);
-    return own == STDOUT_FILENO ? &streams.out : own == STDERR_FILENO ? &streams.err : nullptr;
+/// A stream of ours, and what a person sees of it.
+struct Outlet {
+    std::ostream* stream = nullptr;
+    bool terminal = false;
+};
+
+/// What `path` names; no stream: a file.
+Outlet outlet_of(const std::filesystem::path& path, const Streams& streams) {
+    if (names_output(path.string()))
+        return streams.documents != nullptr ? Outlet{streams.documents, streams.documents_screen.terminal}
+                                            : Outlet{&streams.out, streams.out_screen.terminal};
+    if (own_descriptor(path) == STDERR_FILENO) return {&streams.err, streams.err_screen.terminal};
+    return {};
 }
 
 }  // namespace
+
+bool names_input(const std::string& path) { return path == "-" || own_descriptor(path) == STDIN_FILENO; }
+
+bool names_output(const std::string& path) { return path == "-" || own_descriptor(path) == STDOUT_FILENO; }
+
+bool reports_on_output(const Options& options) {
+    return std::ranges::any_of(
+        std::array{options.junit, options.sarif, options.trace_vcd, options.trace_svg, options.depfile},
+        [](const auto& path) { return path && names_output(*path); });
+}
+
+bool writes_files(const Options& options) {
+    return std::ranges::any_of(outputs_of(options), [](const std::string& path) { return !names_output(path); });
+}
 
 bool outputs_differ(Job& job) { return differ(outputs_of(job.options), job); }
 
@@ -83,17 +107,20 @@ bool write_outputs(const std::vector<OutputFile>& files, Job& job, const Streams
     for (const OutputFile& file : files) {
         paths.push_back(file.path.string());
         if (!is_no_input(paths.back(), job)) return false;
-        if (stream_at(file.path, streams) == nullptr) others.push_back(file);
+        if (outlet_of(file.path, streams).stream == nullptr) others.push_back(file);
     }
     if (!differ(paths, job)) return false;
-    if (const auto depfile = depfile_of(others, job)) others.insert(others.begin(), *depfile);
+    std::vector<OutputFile> streamed = files;
+    if (auto depfile = depfile_of(others, job)) {
+        const bool is_file = outlet_of(depfile->path, streams).stream == nullptr;
+        std::vector<OutputFile>& all = is_file ? others : streamed;
+        all.insert(all.begin(), std::move(*depfile));
+    }
     if (job.diagnostics.has_errors() && job.options.depfile) return false;
     write_files(others);
-    for (const OutputFile& file : files)
-        if (std::ostream* const stream = stream_at(file.path, streams)) {
-            const bool terminal = (stream == &streams.out ? streams.out_screen : streams.err_screen).terminal;
-            *stream << (terminal ? printable_lines(file.content) : file.content);
-        }
+    for (const OutputFile& file : streamed)
+        if (const Outlet outlet = outlet_of(file.path, streams); outlet.stream != nullptr)
+            *outlet.stream << (outlet.terminal ? printable_lines(file.content) : file.content);
     return true;
 }
 

@@ -12,6 +12,15 @@
 
 namespace grafverif::app {
 
+/// Whether `path` is standard input or output, under any of its names: `-`, `/dev/stdin`.
+bool names_input(const std::string& path);
+bool names_output(const std::string& path);
+
+/// Whether a report or the like goes to standard output, where what is said to people has no place then.
+bool reports_on_output(const Options& options);
+/// Whether files are to be there in the end, even if nobody reads standard output any more.
+bool writes_files(const Options& options);
+
 /// The files that the options name as outputs are different ones; false after an error.
 bool outputs_differ(Job& job);
 /// Their folders are there, or may be made; false after an error. `folder`: what `-o` names is a folder.

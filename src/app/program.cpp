@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <new>
 #include <optional>
 #include <ostream>
@@ -130,13 +131,18 @@ ExitCode exit_code(const Job& job, ExitCode code) {
 class Call {
 public:
     Call(const Entry& entry, const Verb& verb, const Options& options, const Streams& streams)
-        : entry_(entry), verb_(verb), asked_(options), streams_(streams), job_{.options = options, .in = &streams.in} {}
+        : entry_(entry),
+          verb_(verb),
+          asked_(options),
+          streams_(reports_on_output(options) ? with_words_apart(streams) : streams),
+          job_{.options = options, .in = &streams.in} {}
 
     ExitCode run() {
         std::optional<Guard> guard;
         job_.reports = &reports_;
         attempt([&] {
             if (streams_.alone) guard.emplace(orders(job_, streams_));
+            if (streams_.alone && writes_files(asked_)) std::signal(SIGPIPE, SIG_IGN);
             return begin();
         });
         if (failed_) return close(), tell(), code_;
@@ -152,6 +158,14 @@ public:
     }
 
 private:
+    /// A report has standard output for itself; what is said to people goes to standard error.
+    static Streams with_words_apart(const Streams& streams) {
+        Streams apart{streams.in, streams.err, streams.err, streams.alone, streams.err_screen, streams.err_screen};
+        apart.documents = &streams.out;
+        apart.documents_screen = streams.out_screen;
+        return apart;
+    }
+
     /// The operands of each run of the verb.
     std::vector<std::vector<std::string>> rounds_of() const {
         if (verb_.most_operands != any_number) return {asked_.operands};
@@ -221,7 +235,7 @@ private:
     const Entry& entry_;
     const Verb& verb_;
     const Options& asked_;
-    const Streams& streams_;
+    const Streams streams_;
     Job job_;
     Reports reports_ = {};
     ExitCode code_ = ExitCode::Done;
@@ -251,6 +265,13 @@ std::vector<Verb> all_verbs() {
     return verbs;
 }
 
+std::string no_such_verb(const std::string& name) {
+    Nearest nearest(name);
+    for (const Entry& entry : entries) nearest.offer(entry.usage().name);
+    return fmt::format("there is no verb `{}`{}", name,
+                       nearest.best().empty() ? "" : fmt::format("; did you mean `{}`?", nearest.best()));
+}
+
 ExitCode worse(ExitCode one, ExitCode other) {
     constexpr std::array order = {ExitCode::Failure, ExitCode::Input, ExitCode::Verdict, ExitCode::Unknown,
                                   ExitCode::Done};
@@ -270,16 +291,13 @@ ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
         return ExitCode::Done;
     }
     const std::string& verb = asks ? arguments[1] : name;  // `help check` and `--help check` too
-    Nearest nearest(verb);
     for (const Entry& entry : entries) {
         if (entry.usage().name == verb && asks) return print_help(entry.usage(), streams.out), ExitCode::Done;
         if (entry.usage().name == verb) return run_verb(entry, arguments.subspan(1), streams);
-        nearest.offer(entry.usage().name);
     }
     if (verb.starts_with('-'))
         return usage_error(streams, fmt::format("a verb comes first, options behind it; not `{}`", verb), "");
-    const std::string meant = nearest.best().empty() ? "" : fmt::format("; did you mean `{}`?", nearest.best());
-    return usage_error(streams, fmt::format("there is no verb `{}`{}", verb, meant), "");
+    return usage_error(streams, no_such_verb(verb), "");
 }
 
 void deliver(const std::string& content, Job& job, const Streams& streams) {

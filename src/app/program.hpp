@@ -31,12 +31,19 @@ struct Streams {
     std::ostream& err;
     bool alone = false;  ///< the process is ours: it may be bounded, and ended
     Screen out_screen = {}, err_screen = {};
+    bool typed = false;  ///< a person types `in` at a terminal, on which `out` is shown
+    /// Where outputs called `-` go, and what a person sees of it, if that is not `out`.
+    std::ostream* documents = nullptr;
+    Screen documents_screen = {};
 };
 
 struct Verb;
 
 /// All verbs, in the order of --help.
 std::vector<Verb> all_verbs();
+
+/// That there is no such verb, and which one may be meant.
+std::string no_such_verb(const std::string& name);
 
 /// Runs `grafverif ARGUMENTS`, the program's name left out.
 ExitCode run(std::span<const std::string> arguments, const Streams& streams);

@@ -4,11 +4,61 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
+#include <string_view>
 #include <system_error>
+#include <utility>
+
+#include "app/outputs.hpp"
 
 namespace grafverif::app {
+
+namespace {
+
+std::string settle_input(const Verb& verb, const Options& options) {
+    std::vector<std::string> readers;
+    if (accepts(verb, Accepts::Clock) && !accepts(verb, Accepts::Bench)) readers.push_back("the scans");
+    if (accepts(verb, Accepts::Walk) && !options.script && !options.random_seed)
+        readers.push_back("the commands, for want of `--script`,");
+    if (accepts(verb, Accepts::File))
+        for (const std::string& file : options.operands)
+            if (names_input(file)) readers.push_back("`FILE`");
+    for (const auto& [name, path] :
+         {std::pair("`--script`", options.script), std::pair("`--sequence`", options.sequence),
+          std::pair("`--exclusions`", options.exclusions)})
+        if (path && names_input(*path)) readers.push_back(name);
+    if (readers.size() < 2) return {};
+    return fmt::format("standard input is read once, and both {} and {} are to come from it; name a file", readers[0],
+                       readers[1]);
+}
+
+std::string settle_streams(const Verb& verb, const Options& options) {
+    const bool is_file = accepts(verb, Accepts::File) && !options.operands.empty();
+    if (options.in_place && is_file && std::ranges::any_of(options.operands, names_input))
+        return "`--in-place` rewrites files, and standard input is none; leave it out";
+    if (options.state_file && (names_input(*options.state_file) || names_output(*options.state_file)))
+        return "`--state` is a file that is read and added to, which a standard stream is not";
+    if (options.survivors == "-") return "`--survivors` writes a folder, which `-` is not";
+    std::vector<std::string> documents;
+    for (const auto& [name, path] :
+         {std::pair("`--output`", options.output), std::pair("`--junit`", options.junit),
+          std::pair("`--sarif`", options.sarif), std::pair("`--trace-vcd`", options.trace_vcd),
+          std::pair("`--trace-svg`", options.trace_svg), std::pair("`--depfile`", options.depfile)})
+        if (path && names_output(*path)) documents.push_back(name);
+    const bool is_json = options.format == Format::Json || options.format == Format::JsonLines;
+    const bool writes_document = accepts(verb, Accepts::Output) && !accepts(verb, Accepts::Analysis);
+    if (!options.output && writes_document && reports_on_output(options))
+        documents.push_back("what `" + verb.name + "` writes");
+    else if (!options.output && is_json) documents.push_back("JSON");
+    if (documents.size() > 1)
+        return fmt::format("standard output takes one document, and both {} and {} would go there; name a file for one",
+                           documents[0], documents[1]);
+    return settle_input(verb, options);
+}
+
+}  // namespace
 
 std::string settle_outputs(const Verb& verb, const Options& options) {
     if (accepts(verb, Accepts::OutputDirectory) && options.output == "-")
@@ -39,6 +89,29 @@ std::string settle_outputs(const Verb& verb, const Options& options) {
     if (options.depfile && !options.depfile_target && !to_file)
         return "`--depfile` says what a file was made from: name one (`-o FILE`), or what the build system calls the "
                "result of this run (`--depfile-target NAME`)";
+    return settle_streams(verb, options);
+}
+
+std::string settle_company(const Verb& verb, const Options& options,
+                           const std::function<bool(const char* name)>& given) {
+    constexpr std::array needs = {std::pair("from", "trace-svg"), std::pair("to", "trace-svg"),
+                                  std::pair("seed", "limit"), std::pair("steps", "random")};
+    for (const auto& [one, other] : needs)
+        if (given(one) && !given(other)) return fmt::format("`--{}` needs `--{}`", one, other);
+    if (accepts(verb, Accepts::Walk) && given("junit") && !given("script")) return "`--junit` needs `--script`";
+    constexpr std::array excludes = {std::pair("chart", "loop"), std::pair("chart", "grain"),
+                                     std::pair("script", "random"), std::pair("sequence", "cover"),
+                                     std::pair("sequence", "hold")};
+    const bool of_loops = accepts(verb, Accepts::Loop) || accepts(verb, Accepts::Bench);
+    for (const auto& [one, other] : excludes)
+        if (given(one) && given(other) && (of_loops || one != std::string_view("chart")))
+            return fmt::format("`--{}` and `--{}` exclude each other", one, other);
+    const bool bounded = options.engine == Engine::Bmc || options.engine == Engine::Auto;
+    if (options.max_steps && !bounded)
+        return "`--max-steps` bounds the search of `--engine bmc` and of `--engine auto`";
+    if (options.events.from > options.events.to) return "`--from` is behind `--to`";
+    if (options.go_on && options.stop_on_failure) return "`--stop-on-failure` and `--go-on` exclude each other";
+    if (options.limit == 0) return "`--limit` takes a number from 1 on";
     return {};
 }
 

@@ -2,6 +2,7 @@
 // What the options say of outputs together, of limits, and of untimed models.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,13 @@
 
 namespace grafverif::app {
 
-/// What is wrong with them, or nothing: it fits together, and is enough to write them.
+/// What is wrong with them, or nothing: it fits together, and is enough to write them; one reads standard input, one document
+/// goes to standard output.
 std::string settle_outputs(const Verb& verb, const Options& options);
+
+/// Likewise of options that mean nothing without another one, or beside it. `given`: whether the option of that name was.
+std::string settle_company(const Verb& verb, const Options& options,
+                           const std::function<bool(const char* name)>& given);
 
 /// Likewise of limits; a time that no clock counts becomes one that it does.
 std::string settle_limits(Options& options);

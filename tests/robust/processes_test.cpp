@@ -60,6 +60,12 @@ const std::vector<Words>& verbs() {
         {"testgen", tanks, "-o", "FOLDER/test.csv"},
         {"simulate", blinker, "--random", "1", "--steps", "200"},
         {"plc", tanks},
+        {"compare", tanks, tanks},
+        {"mutate", blinker, "--limit", "2", "--state", "FOLDER/state.jsonl"},
+        {"supervise", blinker},
+        {"aiger", blinker},
+        {"btor2", blinker},
+        {"pins", blinker},
         {"test", tanks, "--cover", "locations", "--against", std::string(GRAFVERIF_PROGRAM) + " plc " + tanks},
     };
     return all;
@@ -232,6 +238,85 @@ TEST(Signals, EndEveryVerbAtAnyMoment) {
                 const std::string report = folder.read("report.xml");
                 EXPECT_TRUE(report.empty() || pugi::xml_document().load_buffer(report.data(), report.size())) << report;
             }
+    }
+}
+
+/// What a shell says of `commands`, run in the folder; `$P` is the program.
+ProgramResult in_shell(const Folder& folder, const std::string& commands) {
+    return run_program({"/bin/sh", "-c", "P='" GRAFVERIF_PROGRAM "'\n" + commands}, "",
+                       {.deadline = steady_clock::now() + std::chrono::seconds(120), .folder = folder.file("")});
+}
+
+TEST(Init, RefusesWhatIsNoNameAndWritesNothingWhereItMayNot) {
+    const Folder folder;
+    for (const char* name : {"../up", "a/b", "/abs", ".", "..", "-x", "--", "a b", "step", "7", "caf\xC3\xA9", "a\nb",
+                             "$(reboot)", "\x1b[31m", ""}) {
+        SCOPED_TRACE(name);
+        const ProgramResult result = run_program({GRAFVERIF_PROGRAM, "init", name}, "", {.folder = folder.file("")});
+        EXPECT_EQ(result.status, 2) << result.out;
+        EXPECT_NE(result.err.find("error"), std::string::npos);
+        EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
+        EXPECT_EQ(folder.entries(), 0U);
+    }
+    EXPECT_EQ(run_program({GRAFVERIF_PROGRAM, "init", std::string(5000, 'a')}, "", {.folder = folder.file("")}).status,
+              2);
+    const ProgramResult nowhere = run_program({GRAFVERIF_PROGRAM, "init", "press"}, "", {.folder = "/proc"});
+    EXPECT_EQ(nowhere.status, 2);
+    EXPECT_NE(nowhere.err.find("[cannot-write]"), std::string::npos) << nowhere.err;
+}
+
+TEST(Init, TwoAtOnceLeaveOneWholeProjectAndNothingIsWrittenOver) {
+    const Folder folder;
+    const ProgramResult both = in_shell(folder,
+                                        "export HOME=/proc/no/such/home\n"
+                                        "$P init press >one 2>&1 & $P init press >two 2>&1\nwait\n"
+                                        "cd press && $P check press.grafcet -q; echo $?");
+    EXPECT_TRUE(both.out.ends_with("0\n")) << both.out << both.err;
+    EXPECT_EQ(folder.entries(), 8U) << "a folder of five files, and what both said";
+    const std::string mine = "// mine\n";
+    folder.write("press/press.grafcet", mine);
+    fs::remove(folder.file("press/CMakeLists.txt"));
+    EXPECT_EQ(in_shell(folder, "$P init press").status, 2);
+    EXPECT_EQ(folder.read("press/press.grafcet"), mine);
+    EXPECT_FALSE(fs::exists(folder.file("press/CMakeLists.txt"))) << "where one file is there, none is written";
+}
+
+/// Two of them look at what they cannot read, and at one file beside each other; they end when they are told to.
+TEST(Watch, OutlastsWhatCannotBeReadAndEndsWithNothingLeftBehind) {
+    const Folder folder;
+    folder.write("lamp.grafcet",
+                 "grafcet lamp { input a; output o; initial step 1 { o; } transition t: 1 -> 1 when a; }\n");
+    folder.write("broken.grafcet", std::string(100'000, '{'));
+    fs::create_directory(folder.file("folder.grafcet"));
+    std::ofstream(folder.file("huge.grafcet")).close();
+    fs::resize_file(folder.file("huge.grafcet"), std::uintmax_t{1} << 30U);
+    const ProgramResult result = in_shell(
+        folder,
+        "export HOME=/proc/no/such/home\nn=0; for f in missing.grafcet broken.grafcet folder.grafcet huge.grafcet "
+        "lamp.grafcet lamp.grafcet\ndo n=$((n+1)); $P watch draw $f -o drawn.svg >out 2>err$n & pids=\"$pids "
+        "$!\"\ndone\n"
+        "for i in 1 2 3 4 5 6; do while ! grep -q 'looking at' err$i; do sleep 0.05; done; done\n"
+        "cat err1 err2 err3 err4 | grep -c 'exit code 2'; grep -c 'exit code 0' err5 err6\n"
+        "kill -TERM $pids; for p in $pids; do wait $p; echo $?; done");
+    EXPECT_EQ(result.out, "4\nerr5:1\nerr6:1\n0\n0\n0\n0\n0\n0\n") << result.err;
+    EXPECT_TRUE(folder.read("drawn.svg").ends_with("</svg>\n"));
+}
+
+TEST(Watch, RefusesWhatItCannotLookAt) {
+    const Folder folder;
+    for (const Words& words : std::vector<Words>{{"check", "-"},
+                                                 {"chekc", "a.grafcet"},
+                                                 {"serve", "a.grafcet"},
+                                                 {"lsp", "x"},
+                                                 {"watch", "check", "a.grafcet"},
+                                                 {"components", "x"},
+                                                 {"check", "a.grafcet", "--nonsense"},
+                                                 {"check", "a.grafcet", "--timeout", "5"}}) {
+        std::vector<std::string> call = {GRAFVERIF_PROGRAM, "watch"};
+        call.insert(call.end(), words.begin(), words.end());
+        const ProgramResult result = run_program(call, "", {.folder = folder.file("")});
+        EXPECT_EQ(result.status, 2) << words[0] << result.err;
+        EXPECT_NE(result.err.find("; see `grafverif watch --help`"), std::string::npos) << result.err;
     }
 }
 

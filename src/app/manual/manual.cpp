@@ -21,8 +21,7 @@ ExitCode manual(Job& job, const Streams& streams) {
     const std::string& name = job.options.operands[0];
     const auto found = std::ranges::find(verbs, name, &Verb::name);
     if (found == verbs.end()) {
-        streams.err << fmt::format("grafverif: error: there is no verb `{}`; see `grafverif --help`\n",
-                                   printable(name));
+        streams.err << fmt::format("grafverif: error: {}; see `grafverif --help`\n", printable(no_such_verb(name)));
         return ExitCode::Input;
     }
     deliver(man_page(*found, GRAFVERIF_VERSION), job, streams);

@@ -25,7 +25,7 @@ ExitCode fmt(Job& job, const Streams& streams) {
             streams.err << printable(path) << ": not in canonical form; `grafverif fmt -i` rewrites it\n";
         return canonical ? ExitCode::Done : ExitCode::Verdict;
     }
-    if (!job.options.in_place || path == "-") deliver(text, job, streams);
+    if (!job.options.in_place) deliver(text, job, streams);
     else if (!canonical) {
         work_is_done();
         write_files({{path, text}});

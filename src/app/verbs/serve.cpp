@@ -43,7 +43,8 @@ void open_in_browser(const std::string& address, const Streams& streams) {
 bool can_be_served(Job& job) {
     const std::string& path = job.options.operands[0];
     std::string why;
-    if (path == "-" || own_descriptor(path)) why = "what is watched is a file with a name";
+    if (path == "-" || own_descriptor(path))
+        why = "what is watched is a file with a name, which standard input has not";
     else if (content_of_file(path, why)) why.clear();
     if (!why.empty()) job.diagnostics.add(messages::cannot_read(path, why));
     const std::uint64_t port = job.options.port;

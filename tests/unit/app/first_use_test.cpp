@@ -126,6 +126,36 @@ TEST(FirstUse, ANumberWithoutItsUnitIsRefusedWithTheWordToWrite) {
     }
 }
 
+TEST(FirstUse, AnOptionThatWouldMeanNothingIsRefused) {
+    const Folder folder;
+    const std::string file = folder.write("one.grafcet", "grafcet c { input x; output o; initial step 0 { o; } }\n");
+    struct Case {
+        std::vector<std::string> arguments = {};
+        std::string complaint = {};
+    };
+    for (const Case& each : std::vector<Case>{
+             {{"check", file, "--from", "3"}, "`--from` needs `--trace-svg`"},
+             {{"check", file, "--max-steps", "3"}, "`--max-steps` bounds the search of `--engine bmc`"},
+             {{"check", file, "--engine-command", ""}, "the value of `--engine-command` is empty"},
+             {{"check", file, "--chart", "c", "--loop", "l"}, "`--chart` and `--loop` exclude each other"},
+             {{"simulate", file, "--chart", "c", "--grain", "atomic"}, "`--chart` and `--grain` exclude each other"},
+             {{"simulate", file, "--steps", "3"}, "`--steps` needs `--random`"},
+             {{"simulate", file, "--junit", "r.xml"}, "`--junit` needs `--script`"},
+             {{"simulate", file, "--script", "s", "--random", "1"}, "`--script` and `--random` exclude each other"},
+             {{"test", file, "--against", "x", "--sequence", "s", "--cover", "locations"},
+              "`--sequence` and `--cover` exclude each other"},
+             {{"mutate", file, "--seed", "3"}, "`--seed` needs `--limit`"},
+             {{"mutate", file, "--limit", "0"}, "`--limit` takes a number from 1 on"},
+             {{"supervise", file, "--marked", ""}, "the value of `--marked` is empty"},
+             {{"watch", "chekc", file}, "there is no verb `chekc`; did you mean `check`?"},
+             {{"manual", "chekc"}, "there is no verb `chekc`; did you mean `check`?"},
+         }) {
+        const Result result = grafverif(each.arguments);
+        EXPECT_EQ(result.code, ExitCode::Input) << each.complaint;
+        EXPECT_NE(result.err.find("grafverif: error: " + each.complaint), std::string::npos) << result.err;
+    }
+}
+
 TEST(FirstUse, AStepOfAPropertyIsAskedForByTheNameThatItsVerdictHas) {
     const Result one = grafverif({"check", pick_and_place, "--property", "all_steps.X11", "--format", "json"});
     EXPECT_EQ(one.code, ExitCode::Done) << one.err;

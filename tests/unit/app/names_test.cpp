@@ -174,7 +174,9 @@ void can_be_named(const Names& names) {
 TEST(Names, ATraceShowsWhatAPropertyAndAScriptCanName) { can_be_named(names_of_trace({})); }
 
 TEST(Names, SoDoesATraceOfTheModelWithoutTime) {
-    const Names timed = names_of_trace({}), untimed = names_of_trace({"--untimed", "--plant", "automata"});
+    Names timed = names_of_trace({});
+    const Names untimed = names_of_trace({"--untimed", "--plant", "automata"});
+    timed.values.erase("A.idle");  // where it always is, which that model does not say
     EXPECT_EQ(timed.values, untimed.values);
     EXPECT_EQ(timed.steps, untimed.steps);
     EXPECT_TRUE(timed.values.contains("Gate.H") && timed.values.contains("upper.N") &&

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "app/depfile.hpp"
+#include "app/options.hpp"
 #include "run_program.hpp"
 
 namespace grafverif::app {
@@ -307,6 +308,147 @@ TEST(Outputs, AreWrittenIntoFoldersThatAreThere) {
     }
     EXPECT_EQ(grafverif({"uppaal", file, "-o", missing + "/deeper/l.xml", "--create"}).code, ExitCode::Done);
     EXPECT_TRUE(fs::exists(missing + "/deeper/l.xml"));
+}
+
+// -- standard streams, of every verb of the table ----------------------------------------------------------------------
+
+using Words = std::vector<std::string>;
+
+const std::string violated =
+    chart("c") +
+    "closed_loop l {\n    controller c;\n    environment E = push_button(OUT = x);\n    property p: never X1;\n}\n";
+
+/// A call of `verb` on `file` that ends.
+Words call(const Verb& verb, const std::string& file, const Folder& folder) {
+    Words words = {verb.name};
+    if (accepts(verb, Accepts::File)) words.push_back(file);
+    if (verb.name == "completion") words.emplace_back("bash");
+    if (verb.least_operands > 1) words.push_back(folder.write("other.grafcet", violated));
+    if (accepts(verb, Accepts::Bench)) words.insert(words.end(), {"--against", "cat", "--timeout", "1s"});
+    if (accepts(verb, Accepts::Walk)) words.insert(words.end(), {"--random", "1"});
+    if (accepts(verb, Accepts::OutputDirectory)) words.insert(words.end(), {"-o", folder.file("")});
+    if (accepts(verb, Accepts::Mutants)) words.insert(words.end(), {"--limit", "1"});
+    return words;
+}
+
+TEST(StandardInput, IsReadByEveryVerbThatReadsAFileOrRefusedByName) {
+    std::size_t reading = 0;
+    for (const Verb& verb : all_verbs()) {
+        if (!accepts(verb, Accepts::File)) continue;
+        for (const char* name : {"-", "/dev/stdin"}) {
+            SCOPED_TRACE(verb.name + " " + name);
+            const Folder folder;
+            const Result result = grafverif(call(verb, name, folder), violated);
+            reading += result.code != ExitCode::Input ? 1 : 0;
+            const bool has_no_other = verb.name != "plc" && verb.name != "serve" && verb.name != "import";
+            EXPECT_EQ(result.code != ExitCode::Input, has_no_other) << result.err;
+            EXPECT_TRUE(result.code != ExitCode::Input || result.err.find("standard input") != std::string::npos ||
+                        result.err.find("[nothing-to-import]") != std::string::npos)
+                << result.err;
+            EXPECT_TRUE(result.code == ExitCode::Input || !result.out.empty() || folder.entries() > 0) << result.err;
+        }
+    }
+    EXPECT_GT(reading, 35U);
+}
+
+TEST(StandardInput, IsReadOnce) {
+    const Folder folder;
+    const std::string file = folder.write("one.grafcet", violated);
+    for (const Words& words : std::vector<Words>{{"compare", "-", "-"},
+                                                 {"check", "-", "/dev/stdin"},
+                                                 {"simulate", "-"},
+                                                 {"simulate", "-", "--script", "-"},
+                                                 {"plc", "-"},
+                                                 {"analyse", "-", "--exclusions", "-"},
+                                                 {"st", "-", "--sequence", "/dev/stdin"}}) {
+        const Result result = grafverif(words, violated);
+        EXPECT_EQ(result.code, ExitCode::Input) << words[0];
+        EXPECT_NE(result.err.find("standard input is read once, and both "), std::string::npos) << result.err;
+    }
+    EXPECT_NE(grafverif({"fmt", "-i", "-"}, violated).err.find("standard input is none; leave it out"),
+              std::string::npos);
+    EXPECT_EQ(grafverif({"simulate", file, "--script", "-"}, "wait 1s\n").code, ExitCode::Done);
+}
+
+/// What a document of that option begins with; empty: it is one of many.
+std::string beginning_of(const std::string& option) {
+    if (option == "junit") return "<?xml";
+    if (option == "sarif") return "{\n";
+    if (option == "trace-svg") return "<svg";
+    if (option == "trace-vcd") return "$comment";
+    return option == "depfile" ? "x:" : "";
+}
+
+TEST(StandardOutput, TakesTheDocumentOfEveryOptionThatNamesAFileOrTheOptionIsRefused) {
+    std::size_t documents = 0;
+    for (const Verb& verb : all_verbs())
+        for (const OptionText& option : option_texts(verb)) {
+            if ((option.value != "FILE" && option.value != "DIR") || option.name == "include") continue;
+            SCOPED_TRACE(verb.name + " --" + option.name);
+            const Folder folder;
+            const std::string file = folder.write("one.grafcet", violated);
+            Words words = call(verb, file, folder);
+            const bool scripted = accepts(verb, Accepts::Walk) && (option.name == "script" || option.name == "junit");
+            if (scripted) words.resize(2);  // a script says what to do, as --random does
+            if (scripted && option.name == "junit")
+                words.insert(words.end(), {"--script", folder.write("s.txt", "expect X0\n")});
+            words.insert(words.end(), {"--" + option.name, "-"});
+            if (option.name == "depfile") words.insert(words.end(), {"--depfile-target", "x"});
+            const Result result = grafverif(words, option.name == "script" ? "wait 1s\n" : "nothing\n");
+            EXPECT_FALSE(fs::exists("-"));
+            const bool refused = result.err.find("standard input") != std::string::npos ||
+                                 result.err.find("standard stream") != std::string::npos ||
+                                 result.err.find("which `-` is not") != std::string::npos ||
+                                 result.err.find("standard output takes one document") != std::string::npos ||
+                                 result.err.find("specified more than once") != std::string::npos ||
+                                 result.err.find("[nothing-to-import]") != std::string::npos;
+            EXPECT_EQ(result.code == ExitCode::Input, refused) << result.err;
+            if (refused) continue;
+            ++documents;
+            EXPECT_FALSE(result.out.empty()) << result.err;
+            EXPECT_TRUE(result.out.starts_with(beginning_of(option.name))) << result.out;
+        }
+    EXPECT_GT(documents, 25U);
+}
+
+TEST(StandardOutput, OfAReportIsItsOwnAndWhatIsSaidGoesToStandardError) {
+    const Folder folder;
+    const std::string file = folder.write("one.grafcet", violated);
+    const Result junit = grafverif({"check", file, "--junit", "-"});
+    EXPECT_TRUE(junit.out.starts_with("<?xml") && junit.out.ends_with("</testsuites>\n")) << junit.out;
+    EXPECT_NE(junit.err.find("p: violated"), std::string::npos) << junit.err;
+    const Result drawn =
+        grafverif({"simulate", file, "--script", folder.write("s.txt", "x = true\n"), "--trace-svg", "/dev/stdout"});
+    EXPECT_TRUE(drawn.out.starts_with("<svg ") && drawn.out.ends_with("</svg>\n")) << drawn.out;
+    for (const Words& options : std::vector<Words>{{"--junit", "-", "--sarif", "-"},
+                                                   {"--format", "json", "--junit", "-"},
+                                                   {"--json-lines", "--sarif", "/dev/stdout"}}) {
+        Words words = {"check", file};
+        words.insert(words.end(), options.begin(), options.end());
+        EXPECT_NE(grafverif(words).err.find("standard output takes one document, and both "), std::string::npos);
+    }
+}
+
+/// Whatever reads what is said to people may end when it has seen enough: `grafverif check ... | head -1`.
+TEST(Reports, AreWholeThoughNobodyReadsStandardOutput) {
+    const Folder folder;
+    folder.write("one.grafcet", violated);
+    folder.write("s.txt", "expect X0\n");
+    for (const char* call :
+         {"check --all one.grafcet one.grafcet --junit r.xml --sarif r.sarif", "check one.grafcet --trace-vcd t.vcd",
+          "analyse one.grafcet --sarif r.sarif", "test one.grafcet --against cat --junit r.xml",
+          "simulate one.grafcet --script s.txt --junit r.xml --trace-vcd t.vcd"}) {
+        SCOPED_TRACE(call);
+        for (const char* file : {"r.xml", "r.sarif", "t.vcd", "done"}) fs::remove(folder.file(file));
+        printed("cd '" + folder.file("") + "' && { '" GRAFVERIF_PROGRAM "' " + call +
+                "; echo >done; } 2>&1 | :; while [ ! -e done ]; do sleep 0.02; done");
+        for (const char* report : {"r.xml", "r.sarif", "t.vcd"}) {
+            if (std::string(call).find(report) == std::string::npos) continue;
+            const std::string text = folder.read(report);
+            EXPECT_FALSE(text.empty()) << report;
+            EXPECT_EQ(text.find("the run did not come to its end"), std::string::npos) << report << text;
+        }
+    }
 }
 
 }  // namespace

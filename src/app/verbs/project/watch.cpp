@@ -46,7 +46,7 @@ Command command_of(const std::vector<std::string>& words) {
     Command command{{}, words, {}, {}};
     const std::vector<Verb> verbs = all_verbs();
     const auto found = std::ranges::find(verbs, words[0], &Verb::name);
-    if (found == verbs.end()) return command.complaint = fmt::format("there is no verb `{}`", words[0]), command;
+    if (found == verbs.end()) return command.complaint = no_such_verb(words[0]), command;
     command.verb = *found;
     if (!accepts(command.verb, Accepts::File) || std::ranges::find(endless, words[0]) != endless.end())
         return command.complaint = fmt::format("`watch` takes a verb that reads a file and ends; not `{}`", words[0]),
