@@ -2,11 +2,15 @@
 #include "app/system/line_editor.hpp"
 
 #include <histedit.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <clocale>
 #include <csignal>
 #include <cstdio>
+#include <cwchar>
 #include <utility>
 
 #include "support/printable.hpp"
@@ -17,6 +21,7 @@ struct LineEditor::Parts {
     std::string prompt = {};
     Complete complete = {};
     std::size_t (*last_word)(std::string_view) = nullptr;
+    const std::atomic<bool>* stop = nullptr;
     EditLine* editor = nullptr;
     History* history = nullptr;
     bool gave_up = false;  ///< the line at hand
@@ -25,6 +30,25 @@ struct LineEditor::Parts {
         void* parts = nullptr;
         el_get(editor, EL_CLIENTDATA, &parts);
         return *static_cast<Parts*>(parts);
+    }
+
+    /// The next character; 0: the input has ended. A signal that comes while nothing is read is seen here, too.
+    static int character(EditLine* editor, wchar_t* read) {
+        constexpr int look_every_ms = 50;
+        std::mbstate_t state = {};
+        while (!*of(editor).stop) {
+            pollfd input{STDIN_FILENO, POLLIN, 0};
+            if (::poll(&input, 1, look_every_ms) <= 0) continue;
+            char byte = 0;
+            const ssize_t count = ::read(STDIN_FILENO, &byte, 1);
+            if (count < 0 && errno == EINTR) continue;
+            if (count <= 0) return 0;
+            const std::size_t used = std::mbrtowc(read, &byte, 1, &state);
+            if (used == static_cast<std::size_t>(-2)) continue;  // there is more of it
+            if (used == static_cast<std::size_t>(-1)) *read = L'?';
+            return 1;
+        }
+        return 0;
     }
 
     static char* shown_prompt(EditLine* editor) { return of(editor).prompt.data(); }
@@ -39,7 +63,7 @@ struct LineEditor::Parts {
         return CC_NEWLINE;
     }
 
-    static unsigned char stop(EditLine*, int) {
+    static unsigned char suspend(EditLine*, int) {
         std::raise(SIGTSTP);
         return CC_REDISPLAY;
     }
@@ -64,8 +88,9 @@ struct LineEditor::Parts {
     }
 };
 
-LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last_word)(std::string_view))
-    : parts_(std::make_unique<Parts>(Parts{std::move(prompt), std::move(complete), last_word})) {
+LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last_word)(std::string_view),
+                       const std::atomic<bool>& stop)
+    : parts_(std::make_unique<Parts>(Parts{std::move(prompt), std::move(complete), last_word, &stop})) {
     if (std::setlocale(LC_CTYPE, "") == nullptr || std::string_view(std::setlocale(LC_CTYPE, nullptr)) == "C")
         std::setlocale(LC_CTYPE, "C.UTF-8");
     constexpr int remembered = 1000;
@@ -75,13 +100,14 @@ LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last
     history(parts_->history, &event, H_SETUNIQUE, 1);
     EditLine* const editor = parts_->editor = el_init("grafverif", stdin, stdout, stderr);
     el_set(editor, EL_CLIENTDATA, parts_.get());
+    el_set(editor, EL_GETCFN, Parts::character);
     el_set(editor, EL_PROMPT, Parts::shown_prompt);
     el_set(editor, EL_EDITOR, "emacs");
     el_set(editor, EL_SIGNAL, 1);  // the terminal is as it was before when one ends us
     el_set(editor, EL_HIST, history, parts_->history);
     el_set(editor, EL_ADDFN, "grafverif-complete", "complete the word", Parts::tab);
     el_set(editor, EL_ADDFN, "grafverif-give-up", "give the line up", Parts::give_up);
-    el_set(editor, EL_ADDFN, "grafverif-stop", "stop until the shell goes on with it", Parts::stop);
+    el_set(editor, EL_ADDFN, "grafverif-stop", "stop until the shell goes on with it", Parts::suspend);
     el_set(editor, EL_BIND, "^I", "grafverif-complete", nullptr);
     el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
     el_source(editor, nullptr);

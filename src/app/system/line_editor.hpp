@@ -3,6 +3,7 @@
 // ~/.editrc is obeyed).
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,13 +18,15 @@ public:
     /// What the last word of a line may become; the line up to the cursor.
     using Complete = std::function<std::vector<std::string>(std::string_view line)>;
 
-    /// `last_word`: where the last word of a line begins. Requires that standard input and output are a terminal.
-    LineEditor(std::string prompt, Complete complete, std::size_t (*last_word)(std::string_view));
+    /// `last_word`: where the last word of a line begins; `stop`, set by somebody else: the input has ended. Requires that
+    /// standard input and output are a terminal.
+    LineEditor(std::string prompt, Complete complete, std::size_t (*last_word)(std::string_view),
+               const std::atomic<bool>& stop);
     LineEditor(const LineEditor&) = delete;
     LineEditor& operator=(const LineEditor&) = delete;
     ~LineEditor();
 
-    /// Without its end; Ctrl-C gives an empty one. Nothing: the input has ended, by Ctrl-D on an empty line or by a signal.
+    /// Without its end; Ctrl-C gives an empty one. Nothing: the input has ended, by Ctrl-D on an empty line or by `stop`.
     std::optional<std::string> line();
 
 private:

@@ -168,7 +168,7 @@ ExitCode converse(Simulation& simulation, const Streams& streams, Job& job) {
     std::optional<LineEditor> editor;
     if (streams.typed)
         editor.emplace(
-            prompt, [&](std::string_view line) { return completions(simulation, line); }, last_word);
+            prompt, [&](std::string_view line) { return completions(simulation, line); }, last_word, interrupt.asked());
     const auto next = [&]() -> std::optional<std::string> {
         std::string line;
         if (editor) return editor->line();
