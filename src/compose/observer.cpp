@@ -86,24 +86,75 @@ private:
 
 // -- durations --------------------------------------------------------------------------------------------------------
 
-/// `p leads to q within d`; AG (p -> AF<=d q).
-ObserverMade within(Observer of) {
-    const Location idle = of.location("idle"), due = of.location("due"), failed = of.failed();
-    of.clock();
-    of.sees(idle, of.both(of.p(0), of.no(of.p(1))), due, true);
-    of.sees(due, of.p(1), idle);
-    of.expires(due, failed);
-    return of.whole(idle);
+/// In a scope: where it is known only in the end whether it was one, what fails is `spoilt` until then.
+struct Scoped {
+    Location out = {};     ///< of before: what is behind it
+    Location failed = {};  ///< where a state or a moment in it fails
+    Id<Expr> opens = {}, closes = {};
+};
+
+Scoped scoped(Observer& of, Sentence::Scope scope, std::size_t operands) {
+    Scoped made{of.location("outside"), of.failed(), of.p(operands), of.p(operands)};
+    const bool pair = scope == Sentence::Scope::Between || scope == Sentence::Scope::AfterUntil;
+    if (pair) made.closes = of.p(operands + 1), made.opens = of.both(made.opens, of.no(made.closes));
+    if (scope != Sentence::Scope::Before && scope != Sentence::Scope::Between) return made;
+    const Location spoilt = of.location("spoilt");
+    of.sees(spoilt, made.closes, made.failed);
+    made.failed = spoilt;
+    return made;
 }
 
-/// `p at least every d`: at power-on and after each state with p, one with p within d.
-ObserverMade recurs(Observer of) {
-    const Location due = of.location("due"), there = of.location("there"), failed = of.failed();
+/// `p leads to q within d`; AG (p -> AF<=d q).
+ObserverMade within(Observer of, Sentence::Scope scope) {
+    const Id<Expr> q = of.p(1), asks = of.both(of.p(0), of.no(q));
+    const Location idle = of.location("idle"), due = of.location("due");
     of.clock();
-    of.sees(due, of.p(), there);
-    of.sees(there, of.no(of.p()), due, true);
-    of.expires(due, failed);
-    return of.whole(due);
+    if (scope == Sentence::Scope::Globally) {
+        const Location failed = of.failed();
+        of.sees(idle, asks, due, true);
+        of.sees(due, q, idle);
+        of.expires(due, failed);
+        return of.whole(idle);
+    }
+    const Scoped in = scoped(of, scope, 2);
+    if (scope != Sentence::Scope::Before) {
+        of.sees(in.out, of.both(in.opens, asks), due, true);
+        of.sees(in.out, in.opens, idle);
+    }
+    if (scope != Sentence::Scope::After) {
+        of.sees(idle, in.closes, in.out);
+        of.sees(due, in.closes, of.made.pending.front());
+    }
+    of.sees(idle, asks, due, true);
+    of.sees(due, q, idle);
+    of.expires(due, in.failed);
+    return of.whole(scope == Sentence::Scope::Before ? idle : in.out);
+}
+
+/// `p at least every d`: at power-on, where a scope opens, and after each state with p, one with p within d.
+ObserverMade recurs(Observer of, Id<Expr> p, Sentence::Scope scope) {
+    const Location due = of.location("due"), there = of.location("there");
+    of.clock();
+    if (scope == Sentence::Scope::Globally) {
+        const Location failed = of.failed();
+        of.sees(due, p, there);
+        of.sees(there, of.no(p), due, true);
+        of.expires(due, failed);
+        return of.whole(due);
+    }
+    const Scoped in = scoped(of, scope, 1);
+    if (scope != Sentence::Scope::Before) {
+        of.sees(in.out, of.both(in.opens, p), there);
+        of.sees(in.out, in.opens, due, true);
+    }
+    if (scope != Sentence::Scope::After) {
+        of.sees(due, in.closes, in.out);
+        of.sees(there, in.closes, in.out);
+    }
+    of.sees(due, p, there);
+    of.sees(there, of.no(p), due, true);
+    of.expires(due, in.failed);
+    return of.whole(scope == Sentence::Scope::Before ? due : in.out);
 }
 
 /// `p holds for d`: p that ends has lasted d.
@@ -117,7 +168,8 @@ ObserverMade holds_for(Observer of) {
 }
 
 /// `p holds at most d`.
-ObserverMade holds_at_most(Observer of) {
+ObserverMade holds_at_most(Observer of, Sentence::Scope scope) {
+    if (scope != Sentence::Scope::Globally) return recurs(of, of.no(of.p()), scope);
     const Location off = of.location("off"), on = of.location("on"), failed = of.failed();
     of.clock();
     of.sees(off, of.p(), on, true);
@@ -287,12 +339,12 @@ ObserverMade observer_of(Exprs& exprs, const Sentence& watch, const ObserverTerm
     case Sentence::Kind::Absence: return absence(of, of.p(), watch.scope);
     case Sentence::Kind::Universality: return absence(of, of.no(of.p()), watch.scope);
     case Sentence::Kind::Existence: return existence(of, watch.scope);
-    case Sentence::Kind::Response: return watch.duration_ms > 0 ? within(of) : response(of, watch.scope);
+    case Sentence::Kind::Response: return watch.duration_ms > 0 ? within(of, watch.scope) : response(of, watch.scope);
     case Sentence::Kind::Precedence: return precedence(of, watch.scope);
     case Sentence::Kind::HoldsFor: return holds_for(of);
-    case Sentence::Kind::HoldsAtMost: return holds_at_most(of);
+    case Sentence::Kind::HoldsAtMost: return holds_at_most(of, watch.scope);
     case Sentence::Kind::Since: return since(of);
-    case Sentence::Kind::Recurrence: return recurs(of);
+    case Sentence::Kind::Recurrence: return recurs(of, of.p(), watch.scope);
     }
     unreachable();
 }

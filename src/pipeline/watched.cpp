@@ -66,7 +66,8 @@ std::string watched_words(const Network& network, const Property& property, cons
     std::vector<std::string> of;
     for (const Id<Expr> operand : property.operands) of.push_back('`' + term_words(network, operand) + '`');
     const std::string duration = duration_text(property.watch.duration_ms);
-    if (property.watch.duration_ms > 0) switch (property.watch.kind) {
+    if (property.watch.duration_ms > 0 && property.watch.scope == Sentence::Scope::Globally)
+        switch (property.watch.kind) {
         case Sentence::Kind::Response:
             return fmt::format("{} at {}, and {} does not come within {}", of[0], seen.at("due"), of[1], duration);
         case Sentence::Kind::HoldsFor:

@@ -291,7 +291,15 @@ TEST(NusmvEngine, FindsOfSentencesInDiscreteTimeWhatTheTimedEngineDoes) {
                                  "X1 leads to LAMP before X2",
                                  "X1 leads to X0 after BUTTON",
                                  "X1 leads to LAMP between X0 and X2",
-                                 "X0 leads to BUTTON after X0 until LAMP"}) {
+                                 "X0 leads to BUTTON after X0 until LAMP",
+                                 "LAMP leads to !LAMP within 2s after BUTTON",
+                                 "LAMP leads to !LAMP within 1s after X1 until X0",
+                                 "X1 leads to X0 within 3s between X1 and X2",
+                                 "X1 leads to X0 within 2s before BUTTON",
+                                 "X0 at least every 2s between X1 and X0",
+                                 "X2 at least every 3s after X1 until X0",
+                                 "LAMP holds at most 1s after BUTTON",
+                                 "LAMP holds at most 2s before X2"}) {
         SCOPED_TRACE(sentence);
         const Model model = read_loop(watched_lamp(sentence)).model;
         Diagnostics diagnostics;

@@ -107,9 +107,8 @@ Property Builder::scope(Sentence::Scope scope, std::vector<Id<Expr>> operands) c
     return property;
 }
 
-Property Builder::timed(Sentence::Kind kind, std::vector<Id<Expr>> operands, Id<Expr> duration) const {
-    Property property = pattern(Pattern::Watched, std::move(operands));
-    property.watch.kind = kind;
+Property Builder::timed(Sentence::Kind kind, std::vector<Id<Expr>> operands, Id<Expr> duration, Property scope) const {
+    Property property = scoped(Pattern::Watched, kind, std::move(operands), std::move(scope));
     property.duration = duration;
     return property;
 }

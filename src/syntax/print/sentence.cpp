@@ -60,12 +60,12 @@ std::string claim(const Sentence& watch, const std::vector<std::string>& of, con
     case Sentence::Kind::Universality: return "always " + of[0] + within(1);
     case Sentence::Kind::Existence: return "inevitable " + of[0] + within(1);
     case Sentence::Kind::Response:
-        return of[0] + " leads to " + of[1] + (duration.empty() ? within(2) : " within " + duration);
+        return of[0] + " leads to " + of[1] + (duration.empty() ? "" : " within " + duration) + within(2);
     case Sentence::Kind::Precedence: return of[0] + " precedes " + of[1] + within(2);
     case Sentence::Kind::HoldsFor: return of[0] + " holds for " + duration;
-    case Sentence::Kind::HoldsAtMost: return of[0] + " holds at most " + duration;
+    case Sentence::Kind::HoldsAtMost: return of[0] + " holds at most " + duration + within(1);
     case Sentence::Kind::Since: return of[0] + " at most " + duration + " since " + of[1];
-    case Sentence::Kind::Recurrence: return of[0] + " at least every " + duration;
+    case Sentence::Kind::Recurrence: return of[0] + " at least every " + duration + within(1);
     }
     unreachable();
 }
