@@ -95,6 +95,7 @@ private:
         const Evolution shown = evolve();
         if (!shows(shown, demand)) return fail(instant, "the last evolution does not show it");
         if (demand.endless) return tell_loop(instant, fired);
+        if (demand.settles && (shown.race || shown.fault)) return fail(instant, "the last evolution breaks off");
         if (shown.race && shown.race->variable == demand.race) result_.racing = {shown.race->first, shown.race->second};
         if (shown.fault) result_.fault = shown.fault->where;
         if (shown.race || shown.fault) {

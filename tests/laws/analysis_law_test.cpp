@@ -395,6 +395,7 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
         else if (!first.contains(way) && !(cyclic && first.contains(way - 1)) && one_part)
             text += "not shortest: " + finding.message + ", " + std::to_string(way) + " instants\n";
     }
+    const bool timeless = timed_elements(chart).empty();  // else a way back may take an order of ends that is none
     std::set<std::string> open, steps;
     for (const OpenQuestion& question : analysis.open)
         if (is_trap(question.code)) open.insert(question.subject);
@@ -408,15 +409,15 @@ std::string disagreement_on_ways(const Chart& chart, const Equations& equations,
         const bool ever =
             std::ranges::any_of(ways.nodes, [&](const Ways::Node& one) { return one.comes.contains(each); });
         const bool lost = ever && !first_without(ways, {each}, true).empty();
-        if (lost && !found.contains(each) && !open.contains(each)) text += "can be lost: " + each + '\n';
+        if (lost && timeless && !found.contains(each) && !open.contains(each)) text += "can be lost: " + each + '\n';
         if (unconfirmed.contains(each)) continue;
-        if (found.contains(each) && !(ever && !first_without(ways, {each}, !cut).empty()))
+        const bool once = found.contains(each) && found[each] == Finding::Level::Note;
+        if (found.contains(each) && !once && ((!ever && !cut) || first_without(ways, {each}, !cut).empty()))
             text += "never lost: " + each + '\n';
-        if (found.contains(each) && found[each] == Finding::Level::Note && ways.comes_again(each, steps.contains(each)))
-            text += "more than once: " + each + '\n';
+        if (once && ways.comes_again(each, steps.contains(each))) text += "more than once: " + each + '\n';
     }
     const auto regions = ways.regions();
-    if (region && regions.size() < 2) {
+    if (region && one_part && sure && regions.size() < 2) {
         std::vector<bool> inside = regions.empty() ? std::vector<bool>(ways.nodes.size()) : regions.front();
         bool any = false;  // of what is outside of the only region, whether a transition comes again and again
         for (const Id<Chart::Transition> id : chart.transitions.ids()) {
