@@ -439,6 +439,53 @@ TEST(ExplainLaw, WhatAProofIsSaidToNeedItNeedsByTheReferenceSemantics) {
     EXPECT_GT(cleared, law_size(15) / 2);
 }
 
+/// The states of `network`, without clocks and without where the processes of `left_out` are; nothing where they are too many.
+std::optional<std::set<TaddState>> places_of(const Network& network, Id<Network::Process> left_out) {
+    const NaiveTadd naive(network);
+    std::set<TaddState> seen = {naive.initial()}, places;
+    std::vector<TaddState> open = {naive.initial()};
+    while (!open.empty()) {
+        TaddState state = std::move(open.back());
+        open.pop_back();
+        for (TaddMove& move : naive.successors(state)) {
+            if (seen.size() > 6000) return {};
+            if (!move.out_of_range && seen.insert(move.next).second) open.push_back(std::move(move.next));
+        }
+        state.clocks.clear();
+        state.locations[left_out.index] = 0;
+        places.insert(std::move(state));
+    }
+    return places;
+}
+
+// What a proof without an instance or a timing is worth with it rests on this.
+TEST(ExplainLaw, EveryStateOfALoopIsOneOfTheLoopWithoutAnInstanceOrATiming) {
+    int instances = 0, timings = 0;
+    for (int seed = 1; seed <= law_size(8); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Reading reading = read_string(random_cylinder(random), "cylinder");
+        ASSERT_TRUE(reading.model) << reading.complaints();
+        const Network flat = expand(*network_for(*reading.model, ModelOptions{{}, Grain::Atomic}));
+        for (const Id<Network::Process> id : flat.processes.ids()) {
+            if (flat.processes[id].kind == Network::ProcessKind::Controller) continue;
+            const bool timer = flat.processes[id].kind == Network::ProcessKind::Timer;
+            const auto with = places_of(flat, id);
+            for (const bool whole : {false, true}) {
+                Network less = flat;
+                if (whole ? timer || !drop_instance(less, id) : !drop_timing(less, id)) continue;
+                const auto without = places_of(less, id);
+                if (!with || !without) continue;
+                EXPECT_TRUE(std::ranges::includes(*without, *with))
+                    << flat.processes[id].name << (whole ? "" : "'s times");
+                ++(whole ? instances : timings);
+            }
+        }
+    }
+    EXPECT_GT(instances, law_size(8));
+    EXPECT_GT(timings, law_size(8));
+}
+
 /// Where a run ends, by the reference semantics.
 TaddState end_of(const NaiveTadd& naive, const grafverif::Run& run) {
     TaddState state = naive.initial();
