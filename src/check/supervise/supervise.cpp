@@ -34,7 +34,10 @@ struct Policy {
 class Synthesis {
 public:
     Synthesis(const TransitionSystem& system, const Supervision& asked, const SuperviseOptions& options)
-        : asked_(asked), flat_(flattened(system)), space_({options.max_memory, options.deadline, options.stop}) {
+        : asked_(asked),
+          progress_(options.progress),
+          flat_(flattened(system)),
+          space_({options.max_memory, options.deadline, options.stop}) {
         const auto here = [&](Id<Expr> term) { return flattened(system, flat_, term); };
         for (const Supervision::Controller& controller : asked.controllers) {
             Terms& terms = terms_.emplace_back();
@@ -52,13 +55,16 @@ public:
     Supervisor run() {
         prepare();
         if (!result_.reason.empty()) return std::move(result_);
+        tell("what must be forbidden is looked for");
         Lost lost = game_->solve(bad_, marked_);
         if (!(lost.all & model_->initial()).is_false()) return nothing(lost);
         while (!settled(lost)) {
             result_.claim = Supervisor::Claim::Cautious;
+            tell("conditions are made anew");
             if (!(lost.all & model_->initial()).is_false())
                 return unknown("what the charts see does not tell apart what must be told apart");
         }
+        tell("conditions are made short");
         if (!write(lost)) return unknown("a condition has more than 64 terms");
         result_.outcome = Supervisor::Outcome::Found;
         return std::move(result_);
@@ -74,6 +80,10 @@ private:
         Supervisor made;
         made.reason = std::move(why);
         return made;
+    }
+
+    void tell(const std::string& doing) const {
+        if (progress_) progress_(doing + ", " + std::to_string(space_.bytes() >> 20U) + " MiB");
     }
 
     void prepare() {
@@ -103,14 +113,17 @@ private:
     }
 
     Bdd all_reached() const {
+        tell("the loop is searched");
         if (model_->has_kinds()) {
             const Bdd closure = model_->closure(model_->initial());
             if ((closure & ~model_->invariant()).is_false() && !model_->leak(closure)) return closure;
         }
         bdd::Rings rings;
         rings.add(model_->initial());
-        (void)symbolic::grow(*model_, rings, model_->invariant(), {},
-                             [&](std::size_t) { return !model_->leak(rings.each.back()); });
+        (void)symbolic::grow(*model_, rings, model_->invariant(), {}, [&](std::size_t) {
+            tell("the loop is searched, " + std::to_string(rings.each.size()) + " steps deep");
+            return !model_->leak(rings.each.back());
+        });
         return rings.reached;
     }
 
@@ -347,6 +360,7 @@ private:
     }
 
     const Supervision& asked_;
+    std::function<void(const std::string&)> progress_ = {};
     FlatSystem flat_;
     BddSpace space_;
     std::vector<Terms> terms_ = {};

@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,7 @@ struct SuperviseOptions {
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes, for decision diagrams
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
     const std::atomic<bool>* stop = nullptr;
+    std::function<void(const std::string& doing)> progress = {};  ///< called now and then
 };
 
 struct Supervisor {

@@ -55,6 +55,8 @@ public:
         const Supervision asked = supervision(*system, *marked, loop, *properties);
         SuperviseOptions options;
         set_limits(options, ask_.limits);
+        if (ask_.limits.progress)
+            options.progress = [this](const std::string& doing) { ask_.limits.progress({[&doing] { return doing; }}); };
         const Supervisor found = supervisor_of(*system, asked, options);
         made_.outcome = found.outcome;
         made_.reason = found.reason;
