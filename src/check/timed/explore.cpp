@@ -195,19 +195,21 @@ private:
             graph_.set_kind(state, StateKind::Open, state);
             return;
         }
-        std::uint32_t onward = 0;  // where an urgent edge leads; a late state, since those lead on
+        std::uint32_t onward = 0,
+                      urgently = 0;  // where an edge leads, an urgent one: a late state, since those lead on
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
             const std::uint32_t next = resolve(slice, slice.targets[i], state);
             if (graph_.linked) graph_.links.add(next);
-            if ((slice.targets[i] & Slice::urgent) != 0) onward = std::max(onward, next);
+            onward = std::max(onward, next);
+            if ((slice.targets[i] & Slice::urgent) != 0) urgently = std::max(urgently, next);
         }
         graph_.transitions += at.edges;
         const bool acts = at.edges != 0;
-        if (at.urgent) graph_.set_kind(state, StateKind::Urgent, onward);
+        if (at.urgent) graph_.set_kind(state, StateKind::Urgent, urgently);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
             graph_.set_kind(state, StateKind::PassesOrActs, graph_.target(state));
-        if (acts && graph_.kind(state) == StateKind::Stuck) graph_.set_kind(state, StateKind::Acts, state);
+        if (acts && graph_.kind(state) == StateKind::Stuck) graph_.set_kind(state, StateKind::Acts, onward);
         if (at.fault) graph_.set_kind(state, StateKind::Open, state);
     }
 

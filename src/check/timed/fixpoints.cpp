@@ -69,10 +69,12 @@ std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set) {
 std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
                                                        const Limits& limits) {
     std::vector<std::uint32_t> open = undecided(graph, goal);
-    const auto urgent_leads = [&](std::uint32_t state) {
-        return graph.kind(state) == StateKind::Urgent && goal.has(graph.target(state));
+    const auto target_leads = [&](std::uint32_t state) {  // without looking at all successors
+        const StateKind kind = graph.kind(state);
+        const bool has_one = kind == StateKind::Urgent || (kind == StateKind::Acts && by != Transitions::UrgentActions);
+        return has_one && goal.has(graph.target(state));
     };
-    if (!sweep(open, goal, 0, true, limits, urgent_leads)) return {};
+    if (!sweep(open, goal, 0, true, limits, target_leads)) return {};
     std::vector<std::uint32_t> successors;  // of urgent edges; their sweep is of one thread
     const auto leads = [&](std::uint32_t state) {
         bool found = false;

@@ -26,7 +26,7 @@ enum class StateKind : std::uint32_t {
     PassesOrActs,  ///< time passes, or an edge fires
     Urgent,        ///< an urgent edge stops time; the target is the state it leads to
     Stuck,         ///< an invariant stops time, no edge can fire
-    Acts,          ///< an invariant stops time, an edge can fire
+    Acts,          ///< an invariant stops time, an edge can fire; the target is a state it leads to
     Open,          ///< the model breaks off here: nothing is concluded from this state
 };
 
