@@ -182,11 +182,14 @@ private:
         for (std::size_t other = at.item + 1; other < list.size(); ++other) {
             const auto* beside = std::get_if<tree::Transition>(&list[other]);
             if (!beside || transition.from.empty() || !same_names(file_, beside->from, transition.from)) continue;
-            add("or-divergence", at, [&, other](tree::File&, Items& items, tree::ChartItem& item) {
-                auto& first = std::get<tree::Transition>(item);
-                for (const tree::Name to : std::get<tree::Transition>(items[other]).to)
-                    if (std::ranges::none_of(first.to, [&](tree::Name known) { return known.word == to.word; }))
-                        first.to.push_back(to);
+            std::vector<tree::Name> added;
+            for (const tree::Name to : beside->to)
+                if (std::ranges::none_of(transition.to, [&](tree::Name known) { return known.word == to.word; }))
+                    added.push_back(to);
+            if (added.empty()) continue;
+            add("or-divergence", at, [added, other](tree::File&, Items& items, tree::ChartItem& item) {
+                auto& to = std::get<tree::Transition>(item).to;
+                to.insert(to.end(), added.begin(), added.end());
                 items.erase(items.begin() + static_cast<std::ptrdiff_t>(other));
             });
         }
