@@ -219,10 +219,13 @@ private:
         main_.system.properties.add(
             {.name = "possible", .pattern = Pattern::Reachable, .operands = {exprs().constant(true)}});
         if (options_.mode == ExecutionMode::EveryCycle) return;
+        const auto with_outputs = [&](std::size_t k, Id<Expr> fault) {
+            return exprs().conjunction(answered_[k], exprs().negation(fault));
+        };
         main_.system.properties.add(
-            {.name = "a_follows", .pattern = Pattern::LeadsTo, .operands = {answered_[1], answered_[0]}});
+            {.name = "a_follows", .pattern = Pattern::LeadsTo, .operands = {with_outputs(1, of_b), answered_[0]}});
         main_.system.properties.add(
-            {.name = "b_follows", .pattern = Pattern::LeadsTo, .operands = {answered_[0], answered_[1]}});
+            {.name = "b_follows", .pattern = Pattern::LeadsTo, .operands = {with_outputs(0, of_a), answered_[1]}});
     }
 
     const std::array<const Equations*, 2> equations_;

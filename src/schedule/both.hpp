@@ -11,8 +11,8 @@
 //                are at whole units. What a unit is, and so what is not seen, is for the caller to say
 //   same         never: both have answered, and one has a fault and the other none, or an output differs
 //   possible     reachable: there are inputs that the constraints of both allow
-//   a_follows, b_follows   where b has answered, a answers some time: else one of them never becomes stable; under
-//                stability search alone
+//   a_follows, b_follows   where b has answered without a fault, a answers some time: else it never becomes stable, and b
+//                does; that one has a fault and the other never becomes stable is the same. Under stability search alone
 #pragma once
 
 #include <cstdint>

@@ -202,6 +202,20 @@ TEST(Compare, ARaceIsAStop) {
     EXPECT_NE(result.out.find("[action-race]"), std::string::npos) << result.out;
 }
 
+TEST(Compare, AStopByAFaultAndOneForWantOfAStableSituationAreTheSame) {
+    const std::string out_of_range =
+        "grafcet c {\n    input in;\n    output L;\n    internal n: int 0..5 = 5;\n    initial step 0;\n    step 1 { "
+        "L; }\n"
+        "    transition t0: 0 -> 1 when true do n := n + 1;\n    transition t1: 0 -> 0 when in;\n}\n";
+    const Result result =
+        compared(out_of_range, with(out_of_range, "when true do", "when !in do"), {"--mode", "stability-search"});
+    EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
+    EXPECT_EQ(compared(out_of_range,
+                       with(with(out_of_range, "when true do n := n + 1", "when false"), "when in", "when false"))
+                  .code,
+              ExitCode::Verdict);
+}
+
 TEST(Compare, WhatIsStoppedIsUnknown) {
     const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
     const Result result = grafverif({"compare", station, station, "--chart", "testing_station", "--timeout", "1ms"});
