@@ -123,6 +123,7 @@ LineEditor::~LineEditor() {
 
 std::optional<std::string> LineEditor::line() {
     std::fflush(stdout);
+    el_set(parts_->editor, EL_PREP_TERM, 1);  // before the prompt is shown: who answers it at once is edited, too
     int count = 0;
     const char* const read = el_gets(parts_->editor, &count);
     if (std::exchange(parts_->gave_up, false)) return "";
