@@ -251,8 +251,8 @@ TEST(CompareLaw, AMistakeIsInOnePlaceAndOneThatIsProvedToBeNoneIsSeenByNobody) {
             ASSERT_EQ(misplaced(all[k], chart, mutated), "") << "seed " << seed << '\n' << formatted(file);
             if (k >= most) continue;
             const ExecutionMode mode = chance(random, 50) ? ExecutionMode::StabilitySearch : ExecutionMode::EveryCycle;
-            ASSERT_EQ(violation(chart, mutated, mode, random, met), "")
-                << "seed " << seed << ", " << word(mode) << '\n' << formatted(file);
+            ASSERT_EQ(violation(chart, mutated, mode, random, met), "") << "seed " << seed << ", " << word(mode) << '\n'
+                                                                        << formatted(file);
         }
     }
     if (std::getenv("GRAFVERIF_LAWS") != nullptr)
