@@ -128,13 +128,20 @@ void Analyst::tell_trap(const std::vector<const Passing*>& lost, const Bdd& with
         if (leader == left.end()) return;
         const Bdd first = (*leader)->gone & within;
         Bdd goal = first & ways.ends();
+        if (goal.is_false()) {
+            uncertain_.push_back((*leader)->question);
+            told.insert(*leader);
+            left.erase(leader);
+            continue;
+        }
         std::set<const Passing*> group;
         for (const bool shown : {false, true}) {
             if (shown) goal = search_.nearest(goal);
             for (const Passing* each : left) {
                 const Bdd both = first & each->gone;
                 const bool nested = both == first || both == (each->gone & within);
-                if (shown ? (goal & each->gone).is_false() : !nested) continue;
+                // What is lost with the first need not be lost with another that is.
+                if ((!shown && !nested) || (goal & each->gone).is_false()) continue;
                 goal &= each->gone;
                 group.insert(each);
             }
@@ -185,12 +192,17 @@ std::string Analyst::stays_active(const std::vector<const Passing*>& lost, const
 }
 
 void Analyst::tell_once(const std::vector<const Passing*>& once, const Ways& ways) {
-    std::vector<std::string> names;
-    for (const Passing* each : once) names.push_back(each->question->subject);
-    Finding made = finding("comes-once", names.front(),
-                           listed(names) + (names.size() == 1 ? " comes" : " come") +
-                               " about once at most in a run and then never again; a start-up or an end",
-                           once.front()->origin);
+    std::vector<std::string> names, values;  // what the first evolution gives a value is no change that is looked at
+    for (const Passing* each : once)
+        (each->kind == Passing::Kind::Value ? values : names).push_back(each->question->subject);
+    std::string words;
+    if (!names.empty())
+        words = listed(names) + (names.size() == 1 ? " comes" : " come") + " about once at most in a run";
+    if (!values.empty())
+        words += (words.empty() ? "" : " and ") + listed(values) + (values.size() == 1 ? " changes" : " change") +
+                 " once at most behind the first evolution";
+    Finding made = finding("comes-once", once.front()->question->subject,
+                           words + ", and then never again; a start-up or an end", once.front()->origin);
     keep_trap(std::move(made), once, ways, once.front()->gone & ways.ends());
 }
 
@@ -199,7 +211,8 @@ void Analyst::keep_trap(Finding made, const std::vector<const Passing*>& of, con
     const bool several = made.code == "comes-once" && of.size() > 1;
     const std::string shows =
         several ? "from here on `" + made.lost.front() + "` never comes again" : "from here on there is no way back";
-    const bool shown = show(made, search_.path_to(goal & ways.ends()), {.settles = true}, shows, certain());
+    const std::optional<Path> path = search_.path_to(goal & ways.ends());
+    const bool shown = path && show(made, path, {.settles = true}, shows, certain());
     for (const Passing* each : of) {
         if (shown) each->question->decided = true;
         else uncertain_.push_back(each->question);
@@ -221,15 +234,12 @@ void Analyst::tell_regions(const std::vector<Passing>& lost, const Ways& ways, c
             if (machine_.covers_firing(id.index)) cleared |= machine_.fires(id.index);
         if (ways.recurring(known & ~quiet.front(), cleared).is_false()) return not_lost(question);
     }
-    Finding made =
-        finding("region-never-left", "",
-                "the chart can come to situations that it never leaves for the others, though each step that "
-                "can be active can become active again",
-                chart_.origin);
+    Finding made = finding("region-never-left", "",
+                           "the chart can come to situations that it never leaves for the others", chart_.origin);
     Bdd all;
     for (const Bdd& region : quiet) all |= region;
-    if (show(made, search_.path_to(all & ways.ends()), {.settles = true}, "from here on there is no way back",
-             certain()))
+    const std::optional<Path> path = search_.path_to(all & ways.ends());
+    if (path && show(made, path, {.settles = true}, "from here on there is no way back", certain()))
         question.decided = keep(std::move(made));
     else uncertain_.push_back(&question);
 }

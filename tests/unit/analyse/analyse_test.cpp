@@ -636,6 +636,54 @@ TEST(Analyse, AnInstantWithoutEndIsNoLifeBesideARegion) {
     EXPECT_EQ(find(found, "region-never-left"), nullptr);
 }
 
+/// More regions than are told apart: each value of k is one, and in two of them something else is lost besides.
+TEST(Analyse, WhatIsLostInOneOfManyRegionsIsNotToldWithWhatIsLostInAnother) {
+    const Analysis found = analysed(R"(
+        input C: int 0..63;
+        input I, J;
+        internal k: int 0..63 = 0;
+        initial step 0;
+        step 1 { k := C on activation; }
+        step 99;
+        step 2;
+        step 101;
+        step 102;
+        transition p: 0 -> 1 when I;
+        transition q: 1 -> 2 when !I && !J;
+        transition l: 2 -> 99 when I && J && k != 1 && k != 13;
+        transition l2: 99 -> 2 when !I && !J;
+        transition a: 2 -> 101 when I && !J && k != 1;
+        transition a2: 101 -> 2 when !I && !J;
+        transition b: 2 -> 102 when J && !I && k != 13;
+        transition b2: 102 -> 2 when !I && !J;
+    )");
+    const auto names = [](const Finding& finding, const char* step) {
+        return std::ranges::find(finding.lost, step) != finding.lost.end();
+    };
+    EXPECT_TRUE(std::ranges::any_of(found.findings, [&](const Finding& each) { return names(each, "X101"); }));
+    for (const Finding& each : found.findings) {
+        EXPECT_FALSE(names(each, "X101") && names(each, "X102")) << each.message;
+        EXPECT_EQ(each.message.find("`X2`, `X101`"), std::string::npos) << each.message;
+    }
+}
+
+TEST(Analyse, AValueThatTheFirstEvolutionGivesMayChangeOnceMore) {
+    const Analysis found = analysed(R"(
+        input x;
+        internal n: int 0..2 = 0;
+        initial step 0 { n := 1 on activation; }
+        step 1 { n := 2 on activation; }
+        step 2;
+        transition t: 0 -> 1 when x && n == 1;
+        transition u: 1 -> 2 when !x && n == 2;
+    )");
+    const Finding* once = find(found, "comes-once");
+    ASSERT_NE(once, nullptr);
+    EXPECT_NE(once->message.find("and `n` changes once at most behind the first evolution, and then never again"),
+              std::string::npos)
+        << once->message;
+}
+
 TEST(Analyse, AnExhaustedSearchClaimsNothingThatNeverHappens) {
     std::atomic<bool> stop{true};
     const std::string text(sound);
