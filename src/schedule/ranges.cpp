@@ -2,6 +2,7 @@
 #include "schedule/ranges.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "support/overloaded.hpp"
 
@@ -27,10 +28,18 @@ std::vector<Id<Expr>> operands_of(const Exprs& exprs, Id<Expr> term) {
 
 bool divides(Op op) { return op == Op::Divide || op == Op::Modulo; }
 
-Id<Expr> divides_by_zero(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
+bool may_leave_64_bits(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
+    if (!is_arithmetic(exprs[term].op)) return false;
+    const Interval values = interval(exprs, term, type_of);
+    return values.low == std::numeric_limits<std::int64_t>::min() ||
+           values.high == std::numeric_limits<std::int64_t>::max();
+}
+
+Id<Expr> has_no_value(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
     const Op op = exprs[term].op;
+    if (may_leave_64_bits(exprs, term, type_of)) return exprs.constant(true);  // perhaps, so nothing rests on it
     const std::vector<Id<Expr>> operands = operands_of(exprs, term);
-    const auto fault = [&](std::size_t i) { return divides_by_zero(exprs, operands[i], type_of); };
+    const auto fault = [&](std::size_t i) { return has_no_value(exprs, operands[i], type_of); };
     if (op == Op::Conditional) return exprs.disjunction(fault(0), either(exprs, operands[0], fault(1), fault(2)));
     // `and` and `or` stop at the first operand that decides them.
     Id<Expr> result = exprs.constant(false);
@@ -61,7 +70,7 @@ Id<Expr> with_safe_divisors(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) 
 }  // namespace
 
 Total total(Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
-    const Id<Expr> undefined = with_safe_divisors(exprs, divides_by_zero(exprs, term, type_of), type_of);
+    const Id<Expr> undefined = with_safe_divisors(exprs, has_no_value(exprs, term, type_of), type_of);
     return {with_safe_divisors(exprs, term, type_of), undefined};
 }
 

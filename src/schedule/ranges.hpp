@@ -16,7 +16,8 @@ namespace grafverif::schedule {
 /// no run does.
 struct Total {
     Id<Expr> term = {};
-    Id<Expr> undefined = {};  ///< where it had none: evaluated as grafverif::evaluate does, it divides by zero
+    Id<Expr> undefined = {};  ///< where it had none: evaluated as grafverif::evaluate does, it divides by zero; also
+                              ///< where its types let it leave 64 bits
 };
 Total total(Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
 

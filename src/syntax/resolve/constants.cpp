@@ -97,9 +97,13 @@ void declare_constant(LoopScope& scope, const tree::Variable& written) {
     const std::string user = '`' + constant.name + '`';
     const Term term = constant_terms(scope, user).resolve(written.value);
     const auto kind = written_kind(written, term.kind);
-    const auto bounds = bounds_of(scope, written);
+    auto bounds = bounds_of(scope, written);
     if (!kind || scope.diagnostics.errors() != errors) return;
     constant.kind = *kind;
+    if (*kind == Named::Kind::Integer) {  // no more than variables have
+        if (!bounds) bounds = {least_integer, greatest_integer};
+        bounds = {std::max(bounds->low, least_integer), std::min(bounds->high, greatest_integer)};
+    }
     const auto value = constant_terms(scope, user).constant(written.value, kind_of(*kind), user);
     if (!value) return;
     constant.value = *value;

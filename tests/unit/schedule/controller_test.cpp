@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
+#include "schedule/ranges.hpp"
 #include "support/play.hpp"
 #include "support/run_transition_system.hpp"
 
@@ -275,6 +277,18 @@ TEST(ScheduleController, SaysWhatItsVerdictsAreWorth) {
     EXPECT_NE(search.scope.find("written when the situation is stable"), std::string::npos);
     const TransitionSystem every = schedule_controller(equations("initial step 1;"), cyclic);
     EXPECT_NE(every.scope.find("written in every cycle"), std::string::npos);
+}
+
+TEST(Ranges, WhatMayLeave64BitsIsTakenToHaveNoValue) {
+    Exprs exprs;
+    const TypeOf few = [](const Expr&) { return integer_type(0, 3); };
+    const Id<Expr> x = exprs.leaf(Op::Variable, 0);
+    const auto is_more = [&](std::int64_t than) {
+        return exprs.apply(Op::Greater, exprs.apply(Op::Plus, exprs.integer(than), x), x);
+    };
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    EXPECT_TRUE(is_true(exprs, schedule::total(exprs, is_more(most - 2), few).undefined));
+    EXPECT_TRUE(is_false(exprs, schedule::total(exprs, is_more(most - 4), few).undefined));
 }
 
 }  // namespace
