@@ -84,10 +84,6 @@ std::optional<Id<T>> chosen(const Table<T>& table, const std::optional<std::stri
     return {};
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether the loop has all constants that are set; with `--all` it is enough that some loop has one (see read_text).
 bool has_constants_set(const ClosedLoop& loop, Job& job) {
     if (job.options.all) return true;
