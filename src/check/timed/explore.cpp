@@ -195,8 +195,8 @@ private:
             graph_.set_kind(state, StateKind::Open, state);
             return;
         }
-        std::uint32_t onward = 0,
-                      urgently = 0;  // where an edge leads, an urgent one: a late state, since those lead on
+        std::uint32_t onward = 0;    // where an edge leads; a late state, since those lead on
+        std::uint32_t urgently = 0;  // where an urgent one leads
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
             const std::uint32_t next = resolve(slice, slice.targets[i], state);
             if (graph_.linked) graph_.links.add(next);

@@ -43,6 +43,7 @@ public:
         choose_variables(properties);
         reads_ = reads(false);
         reads_resting_ = reads(true);
+        for (const Id<Expr> invariant : invariants_) free_in_.push_back(free_in(invariant));
         for (const Id<Network::Process> id : whole_.processes.ids())
             if (kept(id)) add_process(id);
         add_rest();
@@ -90,6 +91,7 @@ private:
     Id<Expr> mixed(Id<Expr> term);
     Id<Expr> choice(std::vector<Id<Expr>> terms, Op op);
     std::optional<Network::Assignment> assignment(const Network::Assignment& written);
+    std::vector<Id<Network::Variable>> free_in(Id<Expr> invariant) const;
     Id<Expr> known_of_choices();
     Id<Expr> enabled_by_all(Id<Expr> guard);
 
@@ -104,6 +106,7 @@ private:
     std::vector<std::uint8_t> reads_ = {};          // per term of the whole
     std::vector<std::uint8_t> reads_resting_ = {};  // the same where time passes: what rests is no longer free
     std::set<std::uint32_t> borders_ = {}, tied_ = {};
+    std::vector<std::vector<Id<Network::Variable>>> free_in_ = {};  // per invariant
     std::set<std::size_t> known_ = {};
     TermCopier copy_;
 
@@ -327,15 +330,20 @@ void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Networ
     } while (choices_.next());
 }
 
+/// The variables that are left out of those that it reads.
+std::vector<Id<Network::Variable>> LocalBuilder::free_in(Id<Expr> invariant) const {
+    std::vector<Id<Network::Variable>> free;
+    for (const Id<Expr> leaf : leaves(whole_.exprs, invariant))
+        if ((reads_[leaf.index] & Free) != 0) free.push_back(variable_of(leaf));
+    return free;
+}
+
 /// What invariants say of what is kept, in the state that the edge leaves, where the choices have the values at hand.
 Id<Expr> LocalBuilder::known_of_choices() {
     Exprs& exprs = made_.network.exprs;
     std::vector<Id<Expr>> all;
     for (std::size_t i = 0; i < invariants_.size(); ++i) {
-        std::vector<Id<Network::Variable>> free;
-        for (const Id<Expr> leaf : leaves(whole_.exprs, invariants_[i]))
-            if ((reads_[leaf.index] & Free) != 0) free.push_back(variable_of(leaf));
-        const std::optional<std::vector<Choices::Values>> possible = choices_.possible_before(free);
+        const std::optional<std::vector<Choices::Values>> possible = choices_.possible_before(free_in_[i]);
         if (!possible) continue;
         std::vector<Id<Expr>> cases;
         for (const Choices::Values& values : *possible)
