@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "support/overloaded.hpp"
+#include "syntax/print/chart_text.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif::comparing {
@@ -26,14 +27,9 @@ std::string Wording::term(Id<Expr> term) const {
         const auto index = static_cast<std::uint32_t>(leaf.value);
         if (leaf.op == Op::Variable) out << chart_.variables[Id<Chart::Variable>{index}].name;
         else if (leaf.op == Op::Step) out << step_variable_of(naming_({index}));
-        else {
-            const Chart::TimeCondition& time = chart_.time_conditions[Id<Chart::TimeCondition>{index}];
-            const std::string watched = this->term(time.watched);
-            const bool simple = is_leaf(chart_.exprs[time.watched].op);
-            if (time.rise_ms > 0) out << duration_text(time.rise_ms) << '/';
-            out << (simple ? watched : "(" + watched + ")");
-            if (time.fall_ms > 0) out << '/' << duration_text(time.fall_ms);
-        }
+        else
+            out << time_text(chart_, chart_.time_conditions[Id<Chart::TimeCondition>{index}],
+                             [this](Id<Expr> watched) { return this->term(watched); });
     });
 }
 

@@ -30,6 +30,10 @@ Id<Expr> formula_of(const ClosedLoop& loop, const ClosedLoop::Symbol& symbol, Co
                               const auto& arguments = network.processes[{of.instance.index}].arguments;
                               return leaf(network, std::get<Id<Network::Variable>>(arguments[own_argument(loop, of)]));
                           },
+                          [&](const ClosedLoop::TimeSymbol& of) {
+                              const ControllerParts& parts = composition.controllers[of.controller.index];
+                              return in_controller(parts, end_of(*parts.equations, of));
+                          },
                           [](const ClosedLoop::ObserverSymbol&) -> Id<Expr> { unreachable(); },  // see reads_observer
                       },
                       symbol);

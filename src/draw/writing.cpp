@@ -6,6 +6,7 @@
 #include <ostream>
 #include <unordered_map>
 
+#include "syntax/print/chart_text.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif::draw {
@@ -151,19 +152,11 @@ std::string Writing::marked(Id<Expr> term) const {
                      [this](std::ostream& out, const Expr& node) { print_leaf(out, node); });
 }
 
-void Writing::print_time(std::ostream& out, const Chart::TimeCondition& time) const {
-    if (time.rise_ms > 0) out << duration_text(time.rise_ms) << '/';
-    const Op op = chart_.exprs[time.watched].op;
-    const std::string watched = marked(time.watched);
-    out << (op == Op::Variable || op == Op::Step ? watched : '(' + watched + ')');
-    if (time.fall_ms > 0) out << '/' << duration_text(time.fall_ms);
-}
-
 void Writing::print_leaf(std::ostream& out, const Expr& node) const {
     const auto index = static_cast<std::uint32_t>(node.value);
     if (node.op == Op::Variable) out << shortened(chart_.variables[{index}].name, longest_name);
     else if (node.op == Op::Step) out << steps_[index];
-    else print_time(out, chart_.time_conditions[{index}]);
+    else out << time_text(chart_, chart_.time_conditions[{index}], [this](Id<Expr> term) { return marked(term); });
 }
 
 }  // namespace grafverif::draw

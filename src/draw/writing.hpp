@@ -53,7 +53,6 @@ public:
 private:
     std::string marked(Id<Expr> term) const;
     void print_leaf(std::ostream& out, const Expr& node) const;
-    void print_time(std::ostream& out, const Chart::TimeCondition& time) const;
 
     const Chart& chart_;
     Notation notation_;

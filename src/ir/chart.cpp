@@ -15,6 +15,26 @@ StepName name_of(const Chart& chart, Id<Chart::Step> step) {
 
 std::string step_variable(const Chart& chart, Id<Chart::Step> step) { return name_of(chart, step).variable(); }
 
+ReadTerms read_terms(const Chart& chart) {
+    ReadTerms read{std::vector<bool>(chart.exprs.size()), std::vector<bool>(chart.time_conditions.size())};
+    for (const Chart::Transition& transition : chart.transitions) read.terms[transition.condition.index] = true;
+    for (const Chart::ContinuousAction& action : chart.continuous) read.terms[action.condition.index] = true;
+    for (const Chart::StoredAction& action : chart.stored) {
+        read.terms[action.value.index] = true;
+        if (action.event.valid()) read.terms[action.event.index] = true;
+    }
+    // Operands precede the terms they stand in, and what a time condition watches precedes the time condition.
+    for (auto index = static_cast<std::uint32_t>(chart.exprs.size()); index-- > 0;) {
+        if (!read.terms[index]) continue;
+        const Expr& node = chart.exprs[Id<Expr>{index}];
+        for (const Id<Expr> operand : chart.exprs.operands(node)) read.terms[operand.index] = true;
+        if (node.op != Op::Timed) continue;
+        read.time_conditions[static_cast<std::size_t>(node.value)] = true;
+        read.terms[chart.time_conditions[{static_cast<std::uint32_t>(node.value)}].watched.index] = true;
+    }
+    return read;
+}
+
 namespace {
 
 /// Collects what does not hold.

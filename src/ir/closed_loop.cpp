@@ -2,6 +2,7 @@
 #include "grafverif/ir/closed_loop.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <string_view>
 #include <unordered_set>
 
@@ -125,6 +126,12 @@ bool is_known(const Checker& checker, const ClosedLoop::Symbol& symbol) {
                 return loop.instances.contains(of.instance) &&
                        checker.model.components[loop.instances[of.instance].component].variables.contains(of.variable);
             },
+            [&](const ClosedLoop::TimeSymbol& of) {
+                if (!loop.controllers.contains(of.controller)) return false;
+                const Chart& chart = checker.chart(of.controller);
+                return of.condition.valid() ? chart.time_conditions.contains(of.condition)
+                                            : chart.steps.contains(of.step) && of.rise_ms > 0;
+            },
             [&](const ClosedLoop::ObserverSymbol& of) {
                 return loop.observers.contains(of.observer) &&
                        loop.observers[of.observer].locations.contains(of.location);
@@ -185,6 +192,16 @@ std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const Clos
             found.push_back(std::get<ClosedLoop::SharedSymbol>(loop.symbols[symbol]).shared);
         }
     return found;
+}
+
+Id<Equations::Variable> end_of(const Equations& equations, const ClosedLoop::TimeSymbol& symbol) {
+    if (symbol.condition.valid()) return equations.timers[equations.conditions[symbol.condition.index].index].end;
+    const Id<Equations::Variable> step = equations.steps[symbol.step.index].variable;
+    const auto found = std::ranges::find_if(equations.timers, [&](const Equations::Timer& timer) {
+        return timer.watched == step && timer.rise_ms == symbol.rise_ms && timer.fall_ms == 0;
+    });
+    assert(found != equations.timers.end());
+    return found->end;
 }
 
 std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol) {

@@ -8,6 +8,7 @@
 
 #include "ir/told_name.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/print/chart_text.hpp"
 #include "syntax/print/sentence.hpp"
 
 namespace grafverif {
@@ -82,7 +83,7 @@ class ChartTerms {
 public:
     explicit ChartTerms(const Chart& chart)
         : chart_(chart),
-          print_([this](std::ostream& out, const Expr& leaf) { print(out, leaf); }),
+          print_([&chart](std::ostream& out, const Expr& leaf) { print_leaf(out, chart, leaf); }),
           terms_(chart.exprs, print_, [this](const Expr& leaf) { return json(leaf); }) {}
 
     Json json() {
@@ -124,19 +125,6 @@ private:
                     steps.push_back(step);
         }
         return steps;
-    }
-
-    void print(std::ostream& out, const Expr& leaf) const {
-        const auto index = static_cast<std::uint32_t>(leaf.value);
-        if (leaf.op == Op::Variable) out << chart_.variables[{index}].name;
-        else if (leaf.op == Op::Step) out << step_variable(chart_, {index});
-        else if (leaf.op == Op::Timed) print(out, chart_.time_conditions[{index}]);
-    }
-    void print(std::ostream& out, const Chart::TimeCondition& timed) const {
-        const bool single = is_leaf(chart_.exprs[timed.watched].op);
-        if (timed.rise_ms > 0) out << duration_text(timed.rise_ms) << '/';
-        out << (single ? "" : "(") << text(timed.watched) << (single ? "" : ")");
-        if (timed.fall_ms > 0) out << '/' << duration_text(timed.fall_ms);
     }
 
     Json json(const Expr& leaf) {
@@ -213,6 +201,12 @@ Named named(const Model& model, const ClosedLoop& loop, const ClosedLoop::Symbol
                 const Component::Variable& variable = model.components[instance.component].variables[of.variable];
                 return {{{"op", "signal"}, {"boolean", variable.value == Component::ValueKind::Boolean}},
                         told_name(instance.name, model.components[instance.component], variable.name)};
+            },
+            [&](const ClosedLoop::TimeSymbol& of) -> Named {
+                const Chart& chart = chart_of(of.controller);
+                Json node = {{"op", of.condition.valid() ? "timed" : "unknown"}, {"boolean", true}};
+                if (of.condition.valid()) node["place"] = of.condition.index;
+                return {of_chart(of.controller, std::move(node)), time_text(chart, of)};
             },
             [&](const ClosedLoop::ObserverSymbol& at) -> Named {
                 const ClosedLoop::Observer& observer = loop.observers[at.observer];

@@ -10,42 +10,21 @@ namespace {
 
 bool is_edge(Op op) { return op == Op::Rise || op == Op::Fall; }
 
-/// Marks the terms that something of the chart reads. Operands precede the terms they stand in, and what a time
-/// condition watches precedes the time condition: one pass from the back suffices.
-std::vector<bool> read_terms(const Chart& chart, std::vector<bool>& time_conditions) {
-    std::vector<bool> read(chart.exprs.size());
-    for (const Chart::Transition& transition : chart.transitions) read[transition.condition.index] = true;
-    for (const Chart::ContinuousAction& action : chart.continuous) read[action.condition.index] = true;
-    for (const Chart::StoredAction& action : chart.stored) {
-        read[action.value.index] = true;
-        if (action.event.valid()) read[action.event.index] = true;
-    }
-    for (auto index = static_cast<std::uint32_t>(chart.exprs.size()); index-- > 0;) {
-        if (!read[index]) continue;
-        const Expr& node = chart.exprs[Id<Expr>{index}];
-        for (const Id<Expr> operand : chart.exprs.operands(node)) read[operand.index] = true;
-        if (node.op != Op::Timed) continue;
-        time_conditions[static_cast<std::size_t>(node.value)] = true;
-        read[chart.time_conditions[{static_cast<std::uint32_t>(node.value)}].watched.index] = true;
-    }
-    return read;
-}
-
 }  // namespace
 
 Memory memory(const Chart& chart) {
     Memory result;
-    result.time_conditions.resize(chart.time_conditions.size());
     bool edges = false;
     for (std::uint32_t index = 0; index < chart.exprs.size() && !edges; ++index)
         edges = is_edge(chart.exprs[Id<Expr>{index}].op);
     if (!edges && chart.time_conditions.empty()) return result;
-    const std::vector<bool> read = read_terms(chart, result.time_conditions);
+    const ReadTerms read = read_terms(chart);
+    result.time_conditions = read.time_conditions;
     if (!edges) return result;
     result.places.resize(chart.exprs.size());
     for (std::uint32_t index = 0; index < chart.exprs.size(); ++index) {
         const Expr& node = chart.exprs[Id<Expr>{index}];
-        if (read[index] && is_edge(node.op)) result.edges.push_back(chart.exprs.operands(node)[0]);
+        if (read.terms[index] && is_edge(node.op)) result.edges.push_back(chart.exprs.operands(node)[0]);
     }
     std::ranges::sort(result.edges);
     const auto repeated = std::ranges::unique(result.edges);

@@ -43,6 +43,10 @@ Id<Expr> leaf_of(const LoopMeaning& meaning, const ClosedLoop::Symbol& symbol, s
                     "`" + instance.name + "." + component.variables[of.variable].name + "` is a variable of the plant";
                 return {};
             },
+            [&](const ClosedLoop::TimeSymbol& of) -> Id<Expr> {
+                const Equations& chart = meaning.equations[of.controller.index];
+                return main.leaf(meaning.variable(of.controller.index, end_of(chart, of)));
+            },
             [&](const ClosedLoop::ObserverSymbol& of) -> Id<Expr> {
                 reason = meaning.unobserved[of.observer.index];
                 return reason.empty() ? main.is(meaning.observers[of.observer.index], of.location.index) : Id<Expr>{};

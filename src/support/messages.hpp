@@ -146,6 +146,9 @@ Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, s
 Diagnostic no_controller(Span where, std::string_view loop);
 Diagnostic clock_in_property(Span where, std::string_view clock);
 Diagnostic place_outside_property(Span where);
+/// `waited`: the times for which charts of the loop wait for the same.
+Diagnostic unknown_time(Span where, const std::vector<std::string>& waited);
+Diagnostic ambiguous_time(Span where, std::string_view first, std::string_view second);
 /// `language`: `CTL`; `what`: of the text at `where`.
 Diagnostic bad_formula(Span where, std::string_view language, std::string_view what);
 Diagnostic formula_at_stable(Span where);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The wording of what is said about closed loops.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "support/messages.hpp"
 #include "support/messages_choice.hpp"
@@ -116,6 +117,25 @@ Diagnostic place_outside_property(Span where) {
     return error(
         "place-outside-property", where,
         "`in` asks where an instance of the plant is, and properties alone know that; read its outputs instead");
+}
+
+Diagnostic unknown_time(Span where, const std::vector<std::string>& waited) {
+    constexpr std::string_view why = "a property reads the time conditions that its charts read";
+    if (!waited.empty())
+        return error(
+            "unknown-time", where,
+            fmt::format("{}, and of this one only with {}", why, clipped(fmt::format("{}", fmt::join(waited, ", ")))));
+    return error("unknown-time", where,
+                 fmt::format("{}, and none of them waits for this; `p holds for 3s`, `q at most 3s since p` and "
+                             "`p leads to q within 3s` are properties with times of their own",
+                             why));
+}
+
+Diagnostic ambiguous_time(Span where, std::string_view first, std::string_view second) {
+    return error("ambiguous-time", where,
+                 fmt::format("`{}` and `{}` both wait for this, each with a timer of its own; let the property read a "
+                             "step or an output of the one that is meant",
+                             clipped(first), clipped(second)));
 }
 
 Diagnostic declared_twice(Span where, std::string_view what) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A closed loop as a tree. Arguments that have their default value are written all the same: the IR does not tell.
+#include <cassert>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -148,6 +149,19 @@ private:
         return loop_.controllers[of.controller].name + '.' + (partial.empty() ? "" : partial + '.') + "X" + step.name;
     }
 
+    // Of the time conditions t/X that random_loop asks for.
+    Id<Chart::Step> watched_step(const ClosedLoop::TimeSymbol& of) const {
+        if (!of.condition.valid()) return of.step;
+        const Chart& chart = model_.charts[loop_.controllers[of.controller].chart];
+        const Expr& watched = chart.exprs[chart.time_conditions[of.condition].watched];
+        assert(watched.op == Op::Step);
+        return {static_cast<std::uint32_t>(watched.value)};
+    }
+    std::int64_t rise_of(const ClosedLoop::TimeSymbol& of) const {
+        if (!of.condition.valid()) return of.rise_ms;
+        return model_.charts[loop_.controllers[of.controller].chart].time_conditions[of.condition].rise_ms;
+    }
+
     std::string name_of(const ClosedLoop::Symbol& symbol) const {
         return std::visit(
             overloaded{
@@ -166,6 +180,9 @@ private:
                     const ClosedLoop::Instance& owner = loop_.instances[of.instance];
                     return owner.name + '.' + model_.components[owner.component].variables[of.variable].name;
                 },
+                [&](const ClosedLoop::TimeSymbol& of) {
+                    return step_name({of.controller, watched_step(of)});
+                },
                 [&](const ClosedLoop::ObserverSymbol& of) {
                     const ClosedLoop::Observer& owner = loop_.observers[of.observer];
                     return owner.name + '.' + owner.locations[of.location].name;
@@ -176,7 +193,10 @@ private:
 
     Id<tree::Expr> expression(Id<Expr> root) {
         return trees_.expression(loop_.exprs, root, [&](const Expr& leaf) {
-            return trees_.path(name_of(loop_.symbols[Id<ClosedLoop::Symbol>{static_cast<std::uint32_t>(leaf.value)}]));
+            const auto& symbol = loop_.symbols[Id<ClosedLoop::Symbol>{static_cast<std::uint32_t>(leaf.value)}];
+            const Id<tree::Expr> name = trees_.path(name_of(symbol));
+            const auto* time = std::get_if<ClosedLoop::TimeSymbol>(&symbol);
+            return time == nullptr ? name : trees_.node(tree::Op::Divide, {trees_.duration(rise_of(*time)), name});
         });
     }
 

@@ -176,7 +176,32 @@ struct Generator {
                 return loop.exprs.apply(Op::Equal, read, some);
             }
         }
+        if (asked && chance(random, 15))
+            if (const auto time = time_condition(controller)) return *time;
         return leaf(symbol);
+    }
+
+    /// `3s/X2` that the chart waits for, of its delayed actions and of its other terms.
+    std::optional<Id<Expr>> time_condition(Id<ClosedLoop::Controller> controller) {
+        const Chart& chart = model.charts[loop.controllers[controller].chart];
+        std::vector<std::pair<Id<Chart::Step>, ClosedLoop::TimeSymbol>> found;
+        const std::vector<bool> read = read_terms(chart).time_conditions;
+        for (const Id<Chart::TimeCondition> id : chart.time_conditions.ids()) {
+            const Chart::TimeCondition& time = chart.time_conditions[id];
+            const Expr& watched = chart.exprs[time.watched];
+            if (read[id.index] && time.fall_ms == 0 && watched.op == Op::Step)
+                found.push_back(
+                    {{static_cast<std::uint32_t>(watched.value)}, {.controller = controller, .condition = id}});
+        }
+        if (found.empty())
+            for (const Chart::ContinuousAction& action : chart.continuous)
+                if (action.delay_ms > 0)
+                    found.push_back(
+                        {action.step, {.controller = controller, .step = action.step, .rise_ms = action.delay_ms}});
+        if (found.empty()) return {};
+        const auto& [step, symbol] =
+            found[static_cast<std::size_t>(number(0, static_cast<std::int64_t>(found.size()) - 1))];
+        return loop.exprs.conjunction(leaf(ClosedLoop::StepSymbol{controller, step}), leaf(symbol));
     }
 
     Id<Expr> leaf(const ClosedLoop::Symbol& symbol) {

@@ -150,6 +150,13 @@ StepName name_of(const Chart& chart, Id<Chart::Step> step);
 std::string step_variable(const Chart& chart, Id<Chart::Step> step);
 
 /// The invariants that do not hold, one sentence each; empty for a well-formed chart.
+/// What something of the chart reads, a transition, an action or a time condition that is read.
+struct ReadTerms {
+    std::vector<bool> terms = {};            ///< per term of Chart::exprs
+    std::vector<bool> time_conditions = {};  ///< per time condition: it is waited for
+};
+ReadTerms read_terms(const Chart& chart);
+
 std::vector<std::string> verify(const Chart& chart);
 
 }  // namespace grafverif

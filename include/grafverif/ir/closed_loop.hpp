@@ -14,6 +14,7 @@
 
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/component.hpp"
+#include "grafverif/ir/equations.hpp"
 #include "grafverif/ir/execution.hpp"
 #include "grafverif/ir/named_constant.hpp"
 #include "grafverif/ir/property.hpp"
@@ -115,13 +116,22 @@ struct ClosedLoop {
         Id<Component::Variable> variable = {};
         bool operator==(const OwnSymbol&) const = default;
     };
+    /// The end of a timer of a chart: what `t1/v/t2` is to the controller beside v itself (IEC 60848, 4.4).
+    struct TimeSymbol {
+        Id<Controller> controller = {};
+        Id<Chart::TimeCondition> condition = {};  ///< of the chart; not valid: what times continuous actions of `step`
+        Id<Chart::Step> step = {};
+        std::int64_t rise_ms = 0;  ///< of `step`: their delay, or the end of their limit
+        bool operator==(const TimeSymbol&) const = default;
+    };
     /// An observer is at a location.
     struct ObserverSymbol {
         Id<Observer> observer = {};
         Id<ObserverLocation> location = {};
         bool operator==(const ObserverSymbol&) const = default;
     };
-    using Symbol = std::variant<SharedSymbol, InternalSymbol, StepSymbol, LocationSymbol, OwnSymbol, ObserverSymbol>;
+    using Symbol =
+        std::variant<SharedSymbol, InternalSymbol, StepSymbol, LocationSymbol, OwnSymbol, TimeSymbol, ObserverSymbol>;
 
     std::string name = {};
     Grain grain = Grain::Phased;
@@ -158,6 +168,9 @@ std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const Clos
 /// Where the variable stands among the arguments of its process in a Network: behind those of the parameters, inputs that
 /// are terms apart.
 std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& symbol);
+
+/// The variable of the equations of its controller's chart that is the end of that timer.
+Id<Equations::Variable> end_of(const Equations& equations, const ClosedLoop::TimeSymbol& symbol);
 
 /// Whether an operand of `property` asks where an observer is: untimed models alone have observers.
 bool reads_observer(const ClosedLoop& loop, const Property& property);

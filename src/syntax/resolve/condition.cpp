@@ -12,10 +12,6 @@ namespace grafverif {
 
 namespace {
 
-bool is_duration(const ChartScope& scope, Id<tree::Expr> node) {
-    return scope.file.exprs[node].op == tree::Op::Duration;
-}
-
 // -- names -----------------------------------------------------------------------------------------------------------
 
 Term step_term(ChartScope& scope, Id<Chart::Step> step) {
@@ -94,34 +90,11 @@ Term member_term(ChartScope& scope, const tree::Expr& node) {
 
 // -- time ------------------------------------------------------------------------------------------------------------
 
-struct WrittenTime {
-    Id<tree::Expr> rise = {}, watched = {}, fall = {};
-};
-
-/// `t1/v/t2`, `t1/v`, `v/t2`; no watched term where the division is none about time.
-WrittenTime written_time(const ChartScope& scope, const tree::Expr& node) {
-    if (is_duration(scope, node.last)) {
-        const tree::Expr& left = scope.file.exprs[node.first];
-        if (left.op == tree::Op::Divide && !left.bracketed && is_duration(scope, left.first))
-            return {left.first, left.last, node.last};
-        return {{}, node.first, node.last};
-    }
-    if (is_duration(scope, node.first)) return {node.first, node.last, {}};
-    return {};
-}
-
-std::int64_t milliseconds(ChartScope& scope, Id<tree::Expr> node) {
-    if (!node.valid()) return 0;
-    const tree::Expr& duration = scope.file.exprs[node];
-    if (duration.value == 0) scope.diagnostics.add(messages::zero_duration(duration.where));
-    return duration.value;
-}
-
 Term time_term(ChartScope& scope, const tree::Expr& node, const WrittenTime& written) {
     Terms terms = terms_of(scope);
     const Id<Expr> watched = terms.resolve(written.watched, Kind::Boolean, "a time condition");
-    const Chart::TimeCondition time{milliseconds(scope, written.rise), watched, milliseconds(scope, written.fall),
-                                    node.where};
+    const Chart::TimeCondition time{milliseconds(scope.file, written.rise, scope.diagnostics), watched,
+                                    milliseconds(scope.file, written.fall, scope.diagnostics), node.where};
     if (!watched.valid()) return {};
     const std::string key =
         std::to_string(time.rise_ms) + '/' + std::to_string(watched.index) + '/' + std::to_string(time.fall_ms);
@@ -141,7 +114,7 @@ Kind timed_without_unit(ChartScope& scope, const tree::Expr& node) {
 
 std::optional<Term> special_term(ChartScope& scope, const tree::Expr& node) {
     if (node.op != tree::Op::Divide) return {};
-    const WrittenTime time = written_time(scope, node);
+    const WrittenTime time = written_time(scope.file, node);
     if (time.watched.valid()) return time_term(scope, node, time);
     const Kind divisor = timed_without_unit(scope, node);
     if (divisor != Kind::Boolean && divisor != Kind::Wrong) return {};

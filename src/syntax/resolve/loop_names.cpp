@@ -15,26 +15,31 @@ namespace {
 using Controller = ClosedLoop::Controller;
 
 Term symbol_term(LoopScope& scope, const ClosedLoop::Symbol& symbol, bool boolean = true) {
-    const auto key =
-        std::visit(overloaded{
-                       [](const ClosedLoop::SharedSymbol& of) { return "v" + std::to_string(of.shared.index); },
-                       [](const ClosedLoop::InternalSymbol& of) {
-                           return "i" + std::to_string(of.controller.index) + '.' + std::to_string(of.variable.index);
-                       },
-                       [](const ClosedLoop::StepSymbol& of) {
-                           return "s" + std::to_string(of.controller.index) + '.' + std::to_string(of.step.index);
-                       },
-                       [](const ClosedLoop::OwnSymbol& of) {
-                           return "w" + std::to_string(of.instance.index) + '.' + std::to_string(of.variable.index);
-                       },
-                       [](const ClosedLoop::LocationSymbol& of) {
-                           return "l" + std::to_string(of.instance.index) + '.' + std::to_string(of.location.index);
-                       },
-                       [](const ClosedLoop::ObserverSymbol& of) {
-                           return "o" + std::to_string(of.observer.index) + '.' + std::to_string(of.location.index);
-                       },
-                   },
-                   symbol);
+    const auto key = std::visit(
+        overloaded{
+            [](const ClosedLoop::SharedSymbol& of) { return "v" + std::to_string(of.shared.index); },
+            [](const ClosedLoop::InternalSymbol& of) {
+                return "i" + std::to_string(of.controller.index) + '.' + std::to_string(of.variable.index);
+            },
+            [](const ClosedLoop::StepSymbol& of) {
+                return "s" + std::to_string(of.controller.index) + '.' + std::to_string(of.step.index);
+            },
+            [](const ClosedLoop::OwnSymbol& of) {
+                return "w" + std::to_string(of.instance.index) + '.' + std::to_string(of.variable.index);
+            },
+            [](const ClosedLoop::TimeSymbol& of) {
+                const bool action = !of.condition.valid();
+                return (action ? "a" : "t") + std::to_string(of.controller.index) + '.' +
+                       std::to_string(action ? of.step.index : of.condition.index) + '.' + std::to_string(of.rise_ms);
+            },
+            [](const ClosedLoop::LocationSymbol& of) {
+                return "l" + std::to_string(of.instance.index) + '.' + std::to_string(of.location.index);
+            },
+            [](const ClosedLoop::ObserverSymbol& of) {
+                return "o" + std::to_string(of.observer.index) + '.' + std::to_string(of.location.index);
+            },
+        },
+        symbol);
     const auto [known, fresh] = scope.symbols.try_emplace(key);
     if (fresh) known->second = scope.loop.symbols.add(symbol);
     return {scope.loop.exprs.leaf(Op::Variable, known->second.index), boolean ? Kind::Boolean : Kind::Integer};
@@ -311,6 +316,7 @@ Terms port_terms(LoopScope& scope) {
 Terms property_terms(LoopScope& scope) {
     Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
     terms.places_allowed = true;
+    terms.special = [&scope](const tree::Expr& node) { return time_term(scope, node); };
     terms.name = [&scope](const tree::Expr& node) {
         return node.op == tree::Op::Name ? simple_name(scope, node.where, scope.file.text(node.word))
                                          : member_name(scope, node);

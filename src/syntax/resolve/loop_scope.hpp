@@ -70,6 +70,9 @@ void resolve_constraints(LoopScope& scope, const tree::ClosedLoop& written);
 Terms property_terms(LoopScope& scope);
 /// The same in what an input of an instance is bound to: shared variables and constants.
 Terms port_terms(LoopScope& scope);
+// -- loop_times.cpp
+/// `t1/v/t2` in a property, as the controller that waits for it reads it; empty: `node` is no time condition.
+std::optional<Term> time_term(LoopScope& scope, const tree::Expr& node);
 /// The leaf of an expression of the loop that stands for `symbol`.
 Id<Expr> symbol_leaf(LoopScope& scope, const ClosedLoop::Symbol& symbol);
 // -- resolve_loop.cpp

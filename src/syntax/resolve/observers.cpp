@@ -2,6 +2,7 @@
 // Observers, which watch a closed loop, and constraints, which are promised of its inputs.
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/print/chart_text.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
 
@@ -93,6 +94,7 @@ bool reads_inputs_only(LoopScope& scope, Id<Expr> condition, Span where) {
                 [&](const ClosedLoop::StepSymbol& of) { refuse("X" + scope.chart(of.controller).steps[of.step].name); },
                 [&](const ClosedLoop::LocationSymbol& of) { refuse(loop.instances[of.instance].name); },
                 [&](const ClosedLoop::OwnSymbol& of) { refuse(loop.instances[of.instance].name); },
+                [&](const ClosedLoop::TimeSymbol& of) { refuse(time_text(scope.chart(of.controller), of)); },
                 [&](const ClosedLoop::ObserverSymbol& of) { refuse(loop.observers[of.observer].name); },
             },
             loop.symbols[{static_cast<std::uint32_t>(loop.exprs[leaf].value)}]);

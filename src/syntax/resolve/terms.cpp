@@ -90,6 +90,26 @@ std::string quoted(tree::Op op) { return '`' + std::string(spelling(op)) + '`'; 
 
 }  // namespace
 
+WrittenTime written_time(const tree::File& file, const tree::Expr& node) {
+    if (node.op != tree::Op::Divide) return {};
+    const auto is_duration = [&file](Id<tree::Expr> id) { return file.exprs[id].op == tree::Op::Duration; };
+    if (is_duration(node.last)) {
+        const tree::Expr& left = file.exprs[node.first];
+        if (left.op == tree::Op::Divide && !left.bracketed && is_duration(left.first))
+            return {left.first, left.last, node.last};
+        return {{}, node.first, node.last};
+    }
+    if (is_duration(node.first)) return {node.first, node.last, {}};
+    return {};
+}
+
+std::int64_t milliseconds(const tree::File& file, Id<tree::Expr> duration, Diagnostics& diagnostics) {
+    if (!duration.valid()) return 0;
+    const tree::Expr& written = file.exprs[duration];
+    if (written.value == 0) diagnostics.add(messages::zero_duration(written.where));
+    return written.value;
+}
+
 Term Terms::resolve(Id<tree::Expr> id) {
     const tree::Expr& node = file_->exprs[id];
     if (special) {

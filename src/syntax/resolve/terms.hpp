@@ -63,6 +63,15 @@ private:
     Diagnostics* diagnostics_;
 };
 
+/// A division about time (IEC 60848, 4.4): `t1/v/t2`, `t1/v`, `v/t2`.
+struct WrittenTime {
+    Id<tree::Expr> rise = {}, watched = {},
+                   fall = {};  ///< `watched` is not valid where the division is none about time
+};
+WrittenTime written_time(const tree::File& file, const tree::Expr& node);
+/// Of a duration; 0 of none. One of nothing is reported.
+std::int64_t milliseconds(const tree::File& file, Id<tree::Expr> duration, Diagnostics& diagnostics);
+
 Op ir_op(tree::Op op);
 /// `&&`, `rise`, ... as messages show them.
 std::string_view spelling(tree::Op op);
