@@ -12,6 +12,7 @@
 #include "grafverif/ir/chart_run.hpp"
 #include "ir/network_run.hpp"
 #include "support/overloaded.hpp"
+#include "syntax/print/chart_text.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif {
@@ -48,10 +49,29 @@ Sighting sighting(const Network& network, const Run& run) {
     return seen;
 }
 
+/// What charts call the variables of theirs that have another name in the network.
+std::map<Id<Network::Variable>, std::string> told_names(const Network& network) {
+    std::map<Id<Network::Variable>, std::string> told;
+    for (const Network::Controller& controller : network.controllers) {
+        const std::string owner = network.controllers.size() > 1 ? controller.words.name + '.' : "";
+        for (const auto& step : controller.words.steps) told[step.variable] = owner + step.name.variable();
+        for (const auto& internal : controller.words.internals) told[internal.variable] = owner + internal.name;
+        for (std::size_t k = 0; k < controller.timers.size(); ++k) {
+            const auto& times = controller.words.timers[k];
+            const std::string& watched = controller.timers[k].watched;
+            if (!watched.empty()) told[times.end] = time_text(times.rise_ms, owner + watched, times.fall_ms);
+        }
+    }
+    return told;
+}
+
 std::string term_words(const Network& network, Id<Expr> term) {
+    const auto told = told_names(network);
     return expr_text(network.exprs, term, chart_spelling, [&](std::ostream& out, const Expr& leaf) {
         if (leaf.op == Op::Variable) {
-            out << network.variables[{static_cast<std::uint32_t>(leaf.value)}].name;
+            const Id<Network::Variable> variable{static_cast<std::uint32_t>(leaf.value)};
+            const auto known = told.find(variable);
+            out << (known == told.end() ? network.variables[variable].name : known->second);
             return;
         }
         const Network::Process& process = network.processes[{at_process(leaf)}];

@@ -7,6 +7,7 @@
 
 #include "report/tell.hpp"
 #include "run/project.hpp"
+#include "syntax/print/chart_text.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif {
@@ -40,9 +41,7 @@ std::string choice_words(const Network& network, const NetworkState& state, cons
 std::string timer_words(const ChartRun::Timer& timer, bool value) {
     if (timer.watched.empty())
         return duration_text(value && timer.rise_ms > 0 ? timer.rise_ms : timer.fall_ms) + " are over";
-    std::string words = (timer.rise_ms > 0 ? duration_text(timer.rise_ms) + "/" : "") + timer.watched;
-    if (timer.fall_ms > 0) words += "/" + duration_text(timer.fall_ms);
-    return words + (value ? " is true" : " is false");
+    return time_text(timer.rise_ms, timer.watched, timer.fall_ms) + (value ? " is true" : " is false");
 }
 
 std::string value_words(const ChartRun::Signal& signal, std::int64_t value) {

@@ -11,6 +11,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "syntax/print/chart_text.hpp"
+
 namespace grafverif::timed {
 
 namespace {
@@ -103,10 +105,17 @@ private:
     /// One part for each controller with its timers, one for each other process.
     void name_parts() {
         part_of_.assign(network_.processes.size(), Column::none);
+        for (const Network::Process& process : network_.processes) told_.push_back(process.name);
         for (const Network::Controller& controller : network_.controllers) {
             part_of_[controller.process.index] = profile_.parts.size();
-            for (const Network::Timer& timer : controller.timers)
-                if (timer.process.valid()) part_of_[timer.process.index] = profile_.parts.size();
+            for (std::size_t k = 0; k < controller.timers.size(); ++k) {
+                const Network::Timer& timer = controller.timers[k];
+                if (!timer.process.valid()) continue;
+                part_of_[timer.process.index] = profile_.parts.size();
+                const auto& times = controller.words.timers[k];
+                if (!timer.watched.empty())
+                    told_[timer.process.index] = time_text(times.rise_ms, timer.watched, times.fall_ms);
+            }
             add_part(controller.process, Kind::Controller);
             profile_.parts.back().name = controller.words.name;
             waiting_.push_back({graph_.machine.layout().locations[controller.process.index], controller.waiting.index,
@@ -133,7 +142,7 @@ private:
             const Field& field = layout.clocks[id.index][clock.index];
             if (field.width == 0) continue;
             columns_.push_back({field, part_of_[id.index], profile_.clocks.size()});
-            profile_.clocks.push_back({.process = network_.processes[id].name, .name = automaton.clocks[clock].name});
+            profile_.clocks.push_back({.process = told_[id.index], .name = automaton.clocks[clock].name});
             profile_.clocks.back().origin = network_.processes[id].origin;
             find_greatest(network_.processes[id], clock, profile_.clocks.back());
         }
@@ -209,6 +218,7 @@ private:
     const Network& network_;
     StateProfile profile_ = {};
     std::vector<std::size_t> part_of_ = {};  // per process
+    std::vector<std::string> told_ = {};     // per process: `3s/X2` of a timer, else its name
     std::vector<Waiting> waiting_ = {};
     std::vector<Column> columns_ = {};
     std::vector<Thing> things_ = {};  // parts, then clocks
