@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "support/overloaded.hpp"
-#include "syntax/print/chart_text.hpp"
+#include "syntax/print/chart.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif::comparing {

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <unordered_map>
 
-#include "syntax/print/chart_text.hpp"
+#include "syntax/print/chart.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif::draw {

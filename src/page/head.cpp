@@ -9,6 +9,7 @@
 #include "page/terms.hpp"
 #include "page/words.hpp"
 #include "report/report.hpp"
+#include "syntax/print/chart.hpp"
 #include "syntax/print/constants.hpp"
 
 namespace grafverif {

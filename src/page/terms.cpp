@@ -8,7 +8,7 @@
 
 #include "ir/told_name.hpp"
 #include "support/overloaded.hpp"
-#include "syntax/print/chart_text.hpp"
+#include "syntax/print/chart.hpp"
 #include "syntax/print/sentence.hpp"
 
 namespace grafverif {
@@ -82,9 +82,7 @@ Json variable_json(const Chart& chart, Id<Chart::Variable> id) {
 class ChartTerms {
 public:
     explicit ChartTerms(const Chart& chart)
-        : chart_(chart),
-          print_([&chart](std::ostream& out, const Expr& leaf) { print_leaf(out, chart, leaf); }),
-          terms_(chart.exprs, print_, [this](const Expr& leaf) { return json(leaf); }) {}
+        : chart_(chart), terms_(chart.exprs, leaf_printer(chart), [this](const Expr& leaf) { return json(leaf); }) {}
 
     Json json() {
         Json steps = Json::array(), transitions = Json::array(), timed = Json::array();
@@ -108,8 +106,6 @@ public:
                 {"ownerOfAction", std::move(actions)},
                 {"ownerOfForcing", std::move(orders)}};
     }
-
-    std::string text(Id<Expr> term) const { return expr_text(chart_.exprs, term, chart_spelling, print_); }
 
 private:
     /// The steps that must be active: behind a macro-step its exit step too, of a source transition the owner of its
@@ -149,7 +145,6 @@ private:
     }
 
     const Chart& chart_;
-    LeafPrinter print_;
     TermList terms_;
 };
 
@@ -279,8 +274,6 @@ Json property_json(const Model& model, const ClosedLoop& loop, const Property& p
             {"operands", std::move(operands)},
             {"terms", terms.nodes()}};
 }
-
-std::string term_text(const Chart& chart, Id<Expr> term) { return ChartTerms(chart).text(term); }
 
 std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term) {
     return expr_text(loop.exprs, term, chart_spelling, printer(model, loop));

@@ -44,8 +44,7 @@ nlohmann::ordered_json chart_json(const Chart& chart);
 /// `{"name", "pattern", "at_stable", "operands", "terms"}`.
 nlohmann::ordered_json property_json(const Model& model, const ClosedLoop& loop, const Property& property);
 
-/// Terms as the file would write them: a condition of the chart, one of the loop, what a property claims.
-std::string term_text(const Chart& chart, Id<Expr> term);
+/// Terms as the file would write them: a condition of the loop, what a property claims.
 std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term);
 std::string claim_text(const Model& model, const ClosedLoop& loop, const Property& property);
 /// Of the property of that name, or of the one that it is a part of (`S.X7`); empty: there is none.

@@ -12,7 +12,7 @@
 #include "grafverif/ir/chart_run.hpp"
 #include "ir/network_run.hpp"
 #include "support/overloaded.hpp"
-#include "syntax/print/chart_text.hpp"
+#include "syntax/print/chart.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif {

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -12,12 +16,17 @@
 #include "check/timed/timed.hpp"
 #include "explain/drop.hpp"
 #include "pipeline/models.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/print/chart.hpp"
+#include "syntax/print/component.hpp"
 
 namespace grafverif {
 
 namespace {
 
 using Ground = Why::Ground;
+using Thing = Why::Thing;
+using Names = std::vector<std::string>;
 
 /// Whether `verdict` is on the property called `name`, or on a step of it.
 bool is_of(const Verdict& verdict, const std::string& name) {
@@ -54,6 +63,35 @@ Id<Expr> left_side(const Property& property, Exprs& exprs) {
     return asked.empty() || !answered ? Id<Expr>{} : exprs.conjunction(asked);
 }
 
+/// What the term is a condition of: `t3`, `OUT in step 5`.
+std::string owner_of(const Chart& chart, const TermPlace& place) {
+    const auto action = [&](const auto& of, Id<Chart::Variable> variable) {
+        return chart.variables[variable].name + " in step " + name_of(chart, of.step).text();
+    };
+    switch (place.of) {
+    case TermPlace::Of::Transition: return chart.transitions[{place.index}].name;
+    case TermPlace::Of::Action: {
+        const Chart::ContinuousAction& of = chart.continuous[{place.index}];
+        return action(of, of.output);
+    }
+    case TermPlace::Of::Event: {
+        const Chart::StoredAction& of = chart.stored[{place.index}];
+        return action(of, of.target);
+    }
+    }
+    unreachable();
+}
+
+/// `shut -> opening`, and what must hold for it where there is another between these.
+std::string edge_name(const Component& component, Id<Component::Edge> id) {
+    const Component::Edge& edge = component.edges[id];
+    const std::string ways = component.locations[edge.from].name + " -> " + component.locations[edge.to].name;
+    const auto beside = std::ranges::count_if(
+        component.edges, [&](const Component::Edge& other) { return other.from == edge.from && other.to == edge.to; });
+    const std::string guard = beside > 1 ? guard_text(component, edge) : "";
+    return ways + (guard.empty() ? "" : " when " + guard);
+}
+
 class Seeker {
 public:
     Seeker(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
@@ -78,6 +116,11 @@ public:
         ask_left_sides(*network);
         leave_out_transitions();
         leave_out_parts(expand(*network));
+        leave_out_actions();
+        leave_out_terms();
+        leave_out_guards(*network);
+        leave_out_edges(*network);
+        number_namesakes();
         return std::move(why_);
     }
 
@@ -121,36 +164,128 @@ private:
             ground.never_asked = outcome_of(found, ground.property + " is asked") == Outcome::Violated;
     }
 
-    void leave_out_transitions() {
-        std::vector<std::string> names;
-        for (const Ground& ground : why_.grounds) names.push_back(ground.property);
+    // -- one thing by itself -----------------------------------------------------------------------------------------
+
+    Names names_of(const std::function<bool(const Ground&)>& asked) const {
+        Names names;
+        for (const Ground& ground : why_.grounds)
+            if (asked(ground)) names.push_back(ground.property);
+        return names;
+    }
+    Names all() const {
+        return names_of([](const Ground&) { return true; });
+    }
+
+    /// Asks the properties called `names` of the model with the change in it. `original`: of a change to the plant, the network
+    /// of the model as it is.
+    void leave_out(Thing thing, const Names& names, const std::function<void(Model&)>& change,
+                   const Network* original = nullptr) {
+        std::optional<Network> network;
+        std::vector<Verdict> found;
+        if (!names.empty() && !stopped()) {
+            Model without = model_;
+            change(without);
+            Diagnostics diagnostics;
+            network = network_of(without, loop_, how_, diagnostics);
+            if (network && original != nullptr) network = with_ranges_of(*original, *network);
+            if (network) found = search(*network, names);
+        }
+        for (const std::string& name : names) {
+            // Nobody asks any more for what the models declare by themselves: that no stored actions race, where none can.
+            const bool gone =
+                network && std::ranges::find(network->properties, name, &Property::name) == network->properties.end();
+            const Outcome outcome = gone ? Outcome::Holds : outcome_of(found, name);
+            if (outcome == Outcome::Violated) thing.needed_by.push_back(name);
+            if (outcome == Outcome::Unknown) thing.open.push_back(name);
+        }
+        why_.things.push_back(std::move(thing));
+    }
+
+    /// Each chart once, and what stands before the names in it.
+    void for_each_chart(const std::function<void(Id<Chart>, const std::string&)>& visit) const {
         std::set<std::uint32_t> seen;
         const ClosedLoop& loop = model_.loops[loop_];
-        for (const ClosedLoop::Controller& controller : loop.controllers) {
-            if (!seen.insert(controller.chart.index).second) continue;
-            const Chart& chart = model_.charts[controller.chart];
-            for (const Id<Chart::Transition> id : chart.transitions.ids()) {
-                if (stopped()) break;
-                Model without = model_;
-                drop_transition(without.charts[controller.chart], id);
-                Diagnostics diagnostics;
-                const auto network = network_of(without, loop_, how_, diagnostics);
-                const std::vector<Verdict> found = network ? search(*network, names) : std::vector<Verdict>{};
-                const std::string name =
-                    (loop.controllers.size() > 1 ? chart.name + "." : "") + chart.transitions[id].name;
-                bool needed = false;
-                for (Ground& ground : why_.grounds) {
-                    const Outcome outcome = outcome_of(found, ground.property);
-                    needed = needed || outcome != Outcome::Holds;
-                    if (outcome == Outcome::Violated) ground.transitions.push_back(name);
-                    if (outcome == Outcome::Unknown) ground.open.push_back("transition " + name);
-                }
-                if (!needed) why_.unneeded_transitions.push_back(name);
-            }
-        }
-        for (Ground& ground : why_.grounds)
-            if (!why_.ended.empty()) ground.open.emplace_back("all other transitions");
+        for (const ClosedLoop::Controller& controller : loop.controllers)
+            if (seen.insert(controller.chart.index).second)
+                visit(controller.chart,
+                      loop.controllers.size() > 1 ? model_.charts[controller.chart].name + "." : std::string());
     }
+
+    void leave_out_transitions() {
+        for_each_chart([&](Id<Chart> id, const std::string& prefix) {
+            const Chart& chart = model_.charts[id];
+            for (const Id<Chart::Transition> transition : chart.transitions.ids())
+                leave_out({.kind = Why::Kind::Transition, .name = prefix + chart.transitions[transition].name}, all(),
+                          [&](Model& without) { drop_transition(without.charts[id], transition); });
+        });
+    }
+
+    void leave_out_actions() {
+        for_each_chart([&](Id<Chart> id, const std::string& prefix) {
+            const Chart& chart = model_.charts[id];
+            for (const Id<Chart::Step> step : chart.steps.ids()) {
+                Chart idle = chart;
+                if (drop_actions(idle, step))
+                    leave_out({.kind = Why::Kind::Step, .name = prefix + name_of(chart, step).text()}, all(),
+                              [&](Model& without) { without.charts[id] = idle; });
+            }
+        });
+    }
+
+    void leave_out_terms() {
+        for_each_chart([&](Id<Chart> id, const std::string& prefix) {
+            const Chart& chart = model_.charts[id];
+            for (const TermPlace& place : terms_of(chart))
+                leave_out({.kind = Why::Kind::Term,
+                           .name = term_text(chart, term_at(chart, place)),
+                           .of = prefix + owner_of(chart, place)},
+                          all(), [&](Model& without) { drop_term(without.charts[id], place); });
+        });
+    }
+
+    void for_each_edge(const std::function<void(Id<ClosedLoop::Instance>, Id<Component::Edge>, Thing)>& visit) const {
+        const ClosedLoop& loop = model_.loops[loop_];
+        for (const Id<ClosedLoop::Instance> id : loop.instances.ids()) {
+            const Component& component = model_.components[loop.instances[id].component];
+            for (const Id<Component::Edge> edge : component.edges.ids())
+                visit(id, edge, {.name = edge_name(component, edge), .of = loop.instances[id].name});
+        }
+    }
+
+    /// What holds whatever an instance does holds whatever a guard of it says.
+    void leave_out_guards(const Network& original) {
+        for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, Thing thing) {
+            Model without = model_;
+            if (!drop_guard(without, loop_, id, edge)) return;
+            const auto asked = [&](const Ground& ground) {
+                const auto names = [&](const Names& list) { return std::ranges::find(list, thing.of) != list.end(); };
+                return ground.about_states && (names(ground.parts) || names(ground.open) || !why_.ended.empty());
+            };
+            if (std::ranges::none_of(why_.grounds, &Ground::about_states)) return;
+            thing.kind = Why::Kind::Guard;
+            leave_out(
+                thing, names_of(asked), [&](Model& changed) { changed = without; }, &original);
+        });
+    }
+
+    /// Where nothing forces an edge to be taken, a loop without it does nothing new: what holds in all states does still.
+    void leave_out_edges(const Network& original) {
+        for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, Thing thing) {
+            Model without = model_;
+            const bool forced = drop_edge(without, loop_, id, edge);
+            thing.kind = Why::Kind::Edge;
+            leave_out(
+                thing, names_of([&](const Ground& ground) { return forced || !ground.about_states; }),
+                [&](Model& changed) { changed = without; }, &original);
+        });
+    }
+
+    void number_namesakes() {
+        std::map<std::tuple<Why::Kind, std::string, std::string>, std::size_t> seen;
+        for (Thing& thing : why_.things) thing.nth = ++seen[{thing.kind, thing.of, thing.name}];
+    }
+
+    // -- the plant and the timers ------------------------------------------------------------------------------------
 
     void leave_out_parts(const Network& network) {
         const std::vector<Id<Network::Process>> order = in_order(network);

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/table.hpp"
@@ -20,16 +22,91 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
-std::string listed(const Names& names, std::string_view last = ", ") {
+constexpr std::array kinds = {Why::Kind::Transition, Why::Kind::Step, Why::Kind::Term, Why::Kind::Guard,
+                              Why::Kind::Edge};
+
+/// More open questions of a kind than this are counted where people read them.
+constexpr std::size_t most_open = 3;
+
+std::string listed(const Names& names, std::string_view last = ", ", std::string_view between = ", ") {
     std::string text;
     for (std::size_t k = 0; k < names.size(); ++k)
-        text += (k == 0 ? "" : k + 1 == names.size() ? std::string(last) : ", ") + names[k];
+        text += std::string(k == 0 ? "" : k + 1 == names.size() ? last : between) + names[k];
     return text;
 }
 
-std::string transitions_words(const Why::Ground& ground) {
-    if (ground.transitions.empty()) return "no transition by itself is needed for it";
-    return fmt::format("it fails where {} is never cleared", listed(ground.transitions, " or "));
+bool has(const Names& names, const std::string& name) { return std::ranges::find(names, name) != names.end(); }
+
+bool of_plant(Why::Kind kind) { return kind == Why::Kind::Guard || kind == Why::Kind::Edge; }
+
+std::string nth_of(const Why::Thing& thing) { return thing.nth > 1 ? fmt::format(" ({})", thing.nth) : ""; }
+
+/// As a list of its kind names it: those of an instance stand behind its name (see by_instance).
+std::string name_of(const Why::Thing& thing) {
+    if (thing.kind == Why::Kind::Term) return fmt::format("`{}`{} of {}", thing.name, nth_of(thing), thing.of);
+    return thing.name + nth_of(thing);
+}
+
+using Choice = bool (*)(const Why::Thing&);
+
+/// Edges by instance: how many of each are chosen, `Cups 2 of 6`, or which, `Cups (off -> on, on -> off)`.
+Names by_instance(const std::vector<Why::Thing>& edges, Choice chosen, bool named) {
+    Names groups;
+    for (auto first = edges.begin(); first != edges.end();) {
+        const auto last =
+            std::find_if(first, edges.end(), [&](const Why::Thing& each) { return each.of != first->of; });
+        Names names;
+        for (auto each = first; each != last; ++each)
+            if (chosen(*each)) names.push_back(name_of(*each));
+        if (!named) groups.push_back(fmt::format("{} {} of {}", first->of, names.size(), last - first));
+        else if (!names.empty()) groups.push_back(fmt::format("{} ({})", first->of, listed(names)));
+        first = last;
+    }
+    return groups;
+}
+
+std::vector<Why::Thing> of_kind(const Why& why, Why::Kind kind) {
+    std::vector<Why::Thing> found;
+    for (const Why::Thing& thing : why.things)
+        if (thing.kind == kind) found.push_back(thing);
+    return found;
+}
+
+/// What comes of a model without the things of these names.
+std::string without(Why::Kind kind, const Names& names) {
+    const std::string list = listed(names, " or ");
+    switch (kind) {
+    case Why::Kind::Transition: return fmt::format("where {} is never cleared", list);
+    case Why::Kind::Step: return fmt::format("where step {} does nothing", list);
+    case Why::Kind::Term: return "without " + list;
+    case Why::Kind::Guard: return "without that of " + list;
+    case Why::Kind::Edge: return fmt::format("where {} is never taken", list);
+    }
+    return {};
+}
+
+/// What the things of the charts say of a property.
+struct OfCharts {
+    Names fails = {};  ///< by kind
+    Names open = {};
+};
+
+OfCharts of_charts(const Why& why, const Why::Ground& ground, std::size_t most) {
+    OfCharts said;
+    for (const Why::Kind kind : kinds) {
+        if (of_plant(kind)) continue;
+        Names needed, open;
+        for (const Why::Thing& thing : of_kind(why, kind)) {
+            if (has(thing.needed_by, ground.property)) needed.push_back(name_of(thing));
+            if (has(thing.open, ground.property)) open.push_back(name_of(thing));
+        }
+        if (!needed.empty()) said.fails.push_back(without(kind, needed));
+        const bool many = open.size() > most;
+        for (const std::string& name : many ? Names{} : open)
+            said.open.push_back(fmt::format("{} {}", word(kind), name));
+        if (many) said.open.push_back(fmt::format("{} {}s", open.size(), word(kind)));
+    }
+    return said;
 }
 
 std::string parts_words(const Why::Ground& ground) {
@@ -50,45 +127,113 @@ void print_folded(const std::string& text, std::ostream& out) {
     }
 }
 
+std::string plural(Why::Kind kind) {
+    switch (kind) {
+    case Why::Kind::Transition: return "transitions";
+    case Why::Kind::Step: return "steps with actions";
+    case Why::Kind::Term: return "terms of conditions";
+    case Why::Kind::Guard: return "guards of the plant";
+    case Why::Kind::Edge: return "edges of the plant";
+    }
+    return {};
+}
+
+bool is_needed(const Why::Thing& thing) { return !thing.needed_by.empty(); }
+bool is_free(const Why::Thing& thing) { return thing.needed_by.empty() && thing.open.empty(); }
+
+/// How many things of the kind some property needs, and which ones none does.
+std::string coverage_words(Why::Kind kind, const std::vector<Why::Thing>& things, bool verbose) {
+    const auto covered = std::ranges::count_if(things, is_needed), free = std::ranges::count_if(things, is_free);
+    const auto open = std::ssize(things) - covered - free;
+    std::string text = fmt::format("{}: {} of {}", plural(kind), covered, things.size());
+    if (open > 0) text += fmt::format(", and {} not decided", open);
+    const bool some = free > 0 && free < std::ssize(things);
+    if (of_plant(kind) && some) text += fmt::format(" ({})", listed(by_instance(things, is_needed, false)));
+    Names names;
+    for (const Why::Thing& thing : things)
+        if (!of_plant(kind) && is_free(thing)) names.push_back(name_of(thing));
+    if (of_plant(kind) && verbose) names = by_instance(things, is_free, true);
+    if (names.empty() || !some) return text;
+    const std::string_view who = kind == Why::Kind::Guard ? "no property about all states" : "no property";
+    return fmt::format("{}; {} fails {}", text, who, without(kind, names));
+}
+
+std::string ground_words(const Why& why, const Why::Ground& ground) {
+    OfCharts charts = of_charts(why, ground, most_open);
+    Names said;
+    if (!charts.fails.empty()) said.push_back("it fails " + listed(charts.fails, ", or "));
+    else if (charts.open.empty()) said.emplace_back("nothing of the charts by itself is needed for it");
+    if (ground.about_states && ground.open.empty()) said.push_back(parts_words(ground));
+    if (!ground.open.empty() && !ground.parts.empty())
+        said.push_back("of the plant and the timers it needs, among others, " + listed(ground.parts));
+    charts.open.insert(charts.open.end(), ground.open.begin(), ground.open.end());
+    if (!charts.open.empty()) said.push_back("not decided: " + listed(charts.open));
+    if (ground.never_asked) said.emplace_back("its left side never holds");
+    return listed(said, "; ", "; ");
+}
+
+/// Properties of which the same is said stand together, where the first of them is.
+void print_grounds(const Why& why, std::ostream& out) {
+    std::vector<std::pair<Names, std::string>> said;
+    for (const Why::Ground& ground : why.grounds) {
+        const std::string words = ground_words(why, ground);
+        auto same = std::ranges::find(said, words, &std::pair<Names, std::string>::second);
+        if (same == said.end()) same = said.insert(said.end(), {{}, words});
+        same->first.push_back(ground.property);
+    }
+    for (const auto& [names, words] : said) print_folded(listed(names) + ": " + words, out);
+}
+
 }  // namespace
 
-void print_why(const Why& why, std::ostream& out) {
+void print_why(const Why& why, bool verbose, std::ostream& out) {
     if (why.grounds.empty()) {
         out << "\nwhy it holds: no property that the model declares does\n";
         return;
     }
     out << fmt::format("\nwhy it holds, by {} more {}:\n", why.searches, why.searches == 1 ? "search" : "searches");
-    for (const Why::Ground& ground : why.grounds) {
-        Names said;
-        if (ground.open.empty() || !ground.transitions.empty()) said.push_back(transitions_words(ground));
-        if (ground.about_states && ground.open.empty()) said.push_back(parts_words(ground));
-        if (!ground.open.empty() && !ground.parts.empty())
-            said.push_back("of the plant and the timers it needs, among others, " + listed(ground.parts));
-        if (!ground.open.empty()) said.push_back("not decided: " + listed(ground.open));
-        if (ground.never_asked) said.emplace_back("its left side never holds");
-        std::string text = ground.property + ": " + said.front();
-        for (std::size_t k = 1; k < said.size(); ++k) text += "; " + said[k];
-        print_folded(text, out);
-    }
-    if (!why.unneeded_transitions.empty())
-        print_folded("no property fails without transition " + listed(why.unneeded_transitions, " or "), out);
+    print_grounds(why, out);
     if (!why.unneeded_parts.empty())
         print_folded("no property about all states rests on " + listed(why.unneeded_parts, " or "), out);
+    out << "\ncovered by these properties, all together:\n";
+    for (const Why::Kind kind : kinds)
+        if (const auto things = of_kind(why, kind); !things.empty())
+            print_folded(coverage_words(kind, things, verbose), out);
     if (!why.ended.empty()) out << "not all was tried: " << why.ended << '\n';
 }
 
 nlohmann::ordered_json why_json(const Why& why) {
-    Json grounds = Json::array();
-    for (const Why::Ground& ground : why.grounds)
+    const auto needed = [&](Why::Kind kind, const std::string& property) {
+        Json names = Json::array();
+        for (const Why::Thing& thing : why.things)
+            if (thing.kind == kind && has(thing.needed_by, property)) names.push_back(thing.name);
+        return names;
+    };
+    Json grounds = Json::array(), unneeded = Json::array(), things = Json::array();
+    for (const Why::Ground& ground : why.grounds) {
+        Names open = of_charts(why, ground, why.things.size()).open;
+        open.insert(open.end(), ground.open.begin(), ground.open.end());
         grounds.push_back({{"property", ground.property},
-                           {"transitions", ground.transitions},
+                           {"transitions", needed(Why::Kind::Transition, ground.property)},
+                           {"steps", needed(Why::Kind::Step, ground.property)},
                            {"parts", ground.about_states ? Json(ground.parts) : Json(nullptr)},
                            {"timings", ground.about_states ? Json(ground.timings) : Json(nullptr)},
-                           {"open", ground.open},
+                           {"open", open},
                            {"never_asked", ground.never_asked}});
+    }
+    for (const Why::Thing& thing : why.things) {
+        if (thing.kind == Why::Kind::Transition && thing.needed_by.empty() && thing.open.empty())
+            unneeded.push_back(thing.name);
+        things.push_back({{"kind", word(thing.kind)},
+                          {"name", thing.name + nth_of(thing)},
+                          {"of", thing.of.empty() ? Json(nullptr) : Json(thing.of)},
+                          {"needed_by", thing.needed_by},
+                          {"open", thing.open}});
+    }
     return {{"properties", std::move(grounds)},
-            {"unneeded_transitions", why.unneeded_transitions},
+            {"unneeded_transitions", std::move(unneeded)},
             {"unneeded_parts", why.unneeded_parts},
+            {"coverage", std::move(things)},
             {"searches", why.searches},
             {"ended", why.ended.empty() ? Json(nullptr) : Json(why.ended)}};
 }

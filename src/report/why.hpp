@@ -9,7 +9,8 @@
 
 namespace grafverif {
 
-void print_why(const Why& why, std::ostream& out);
+/// `verbose`: edges of the plant that no property needs are named, not counted alone.
+void print_why(const Why& why, bool verbose, std::ostream& out);
 
 nlohmann::ordered_json why_json(const Why& why);
 

@@ -7,7 +7,7 @@
 
 #include "report/tell.hpp"
 #include "run/project.hpp"
-#include "syntax/print/chart_text.hpp"
+#include "syntax/print/chart.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif {

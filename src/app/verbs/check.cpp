@@ -84,7 +84,8 @@ ExitCode check_one(const Model& model, Job& job, Bounds& bounds, const Streams& 
         print_report(report,
                      {asked.verbose, asked.quiet, colour_on(streams.out_screen, asked), streams.out_screen.columns},
                      streams.out);
-    if (decided->why && asked.format == Format::Text && !asked.quiet) print_why(*decided->why, streams.out);
+    if (decided->why && asked.format == Format::Text && !asked.quiet)
+        print_why(*decided->why, asked.verbose, streams.out);
     streams.out.flush();
     for (const std::string& failure : report.failures)
         streams.err << "grafverif: internal failure: " << printable(failure) << '\n';

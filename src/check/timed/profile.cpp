@@ -11,7 +11,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "syntax/print/chart_text.hpp"
+#include "syntax/print/chart.hpp"
 
 namespace grafverif::timed {
 

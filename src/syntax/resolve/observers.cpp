@@ -2,7 +2,7 @@
 // Observers, which watch a closed loop, and constraints, which are promised of its inputs.
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
-#include "syntax/print/chart_text.hpp"
+#include "syntax/print/chart.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
 

@@ -253,16 +253,27 @@ TEST(Check, SaysWhatProofsRestOnWhereItIsAsked) {
                                                 "property off: always N == 2 && L => N > 1;"));
     const Result text = grafverif({"check", file, "--why"});
     EXPECT_EQ(text.code, ExitCode::Done) << text.err;
-    EXPECT_NE(text.out.find(
-                  "\nwhy it holds, by 5 more searches:\n"
-                  "small: no transition by itself is needed for it; whatever the plant and the timers do, it holds\n"
-                  "seen: it fails where t0 is never cleared\n"),
-              std::string::npos)
+    EXPECT_TRUE(text.out.ends_with(
+        "\nwhy it holds, by 10 more searches:\n"
+        "small, off: it fails without `N < 2` of t0; whatever the plant and the timers do, it holds\n"
+        "seen: it fails where t0 is never cleared, or where step 1 does nothing\n"
+        "no property about all states rests on Go\n"
+        "\ncovered by these properties, all together:\n"
+        "transitions: 1 of 2; no property fails where t1 is never cleared\n"
+        "steps with actions: 1 of 1\n"
+        "terms of conditions: 1 of 3; no property fails without `GO` of t0 or `!GO` of t1\n"
+        "edges of the plant: 1 of 1\n"))
         << text.out;
     EXPECT_EQ(grafverif({"check", file, "--why", "-q"}).out, "");
     const Json why = Json::parse(grafverif({"check", file, "--why", "--format", "json"}).out)["why"];
     EXPECT_EQ(why["properties"][1]["transitions"], Json({"t0"}));
     EXPECT_TRUE(why["properties"][1]["parts"].is_null());
+    EXPECT_EQ(why["unneeded_transitions"], Json({"t1"}));
+    EXPECT_EQ(why["coverage"][4], Json({{"kind", "term"},
+                                        {"name", "N < 2"},
+                                        {"of", "t0"},
+                                        {"needed_by", {"small", "off"}},
+                                        {"open", Json::array()}}));
     EXPECT_TRUE(why["ended"].is_null());
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Why a property fails, as a report tells it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -148,6 +149,15 @@ TEST(Explain, BehindThePointOfNoReturnTheTransitionsAreNamedThatAreNeverClearedA
     EXPECT_EQ(notes(report, "other").find("never cleared"), std::string::npos);
 }
 
+/// What the property fails without.
+std::string needing(const Why& why, const std::string& property) {
+    std::string text;
+    for (const Why::Thing& thing : why.things)
+        if (std::ranges::find(thing.needed_by, property) != thing.needed_by.end())
+            text += fmt::format("{} {}{}; ", word(thing.kind), thing.name, thing.of.empty() ? "" : " of " + thing.of);
+    return text;
+}
+
 TEST(Explain, WhatNoAssumptionIsNeededForRestsOnNothing) {
     Reading reading = read_string(std::string(lamps) +
                                       " closed_loop asked { controller c; environment A = push_button(OUT = a);"
@@ -160,10 +170,90 @@ TEST(Explain, WhatNoAssumptionIsNeededForRestsOnNothing) {
     ASSERT_EQ(why.grounds.size(), 3U);
     EXPECT_EQ(why.grounds[0], (Why::Ground{.property = "apart", .about_states = true}));
     EXPECT_EQ(why.grounds[1], (Why::Ground{.property = "idle", .about_states = true, .never_asked = true}));
-    EXPECT_EQ(why.grounds[2], (Why::Ground{.property = "on", .transitions = {"t0"}}));
-    EXPECT_EQ(why.unneeded_transitions, std::vector<std::string>{"t1"});
+    EXPECT_EQ(why.grounds[2], (Why::Ground{.property = "on"}));
     EXPECT_EQ(why.unneeded_parts, std::vector<std::string>{"A"});
     EXPECT_EQ(why.ended, "");
+    EXPECT_EQ(needing(why, "apart"), "");
+    EXPECT_EQ(needing(why, "on"), "transition t0; step 1; term a of t0; term !a of t1; edge idle -> idle of A; ");
+    EXPECT_TRUE(std::ranges::all_of(why.things, [](const Why::Thing& thing) { return thing.open.empty(); }));
+}
+
+/// What is said of a chart beside a button and a lift, whose door is watched.
+Why why_of_lift(const std::string& chart, const std::string& properties, Reading& reading) {
+    reading = read_string(chart + R"(
+component lift(input UP; output TOP; TRAVEL = 2s) {
+    clock t;
+    initial location down;
+    location rising invariant t <= TRAVEL;
+    location up;
+    urgent down -> rising when UP do t := 0;
+    timed rising -> up when t == TRAVEL do TOP := true;
+    urgent up -> down when !UP do TOP := false;
+}
+closed_loop asked { controller c; environment A = push_button(OUT = a); plant Lift = lift(UP = up, TOP = top); )" +
+                              properties + " }",
+                          "c");
+    EXPECT_TRUE(reading.model) << reading.complaints();
+    if (!reading.model) return {};
+    const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
+    return why_it_holds(*reading.model, {0}, {}, {}, report.value());
+}
+
+constexpr const char* lifted = R"(grafcet c {
+    input a, top;
+    output up, bell;
+    internal called, rung;
+    initial step 0;
+    step 1 { up; called := true on activation; }
+    step 2 { bell if top || top && called; rung := true on event rise(a) && top; called := false on deactivation; }
+    transition t0: 0 -> 1 when a && !top;
+    transition t1: 1 -> 2 when top;
+    transition t2: 2 -> 0 when !a && !top;
+})";
+
+TEST(Explain, WhatNoPropertyNoticesIsToldOfStepsTermsGuardsAndEdges) {
+    Reading reading;
+    const Why why = why_of_lift(lifted,
+                                "property served: reachable X2; property calls: reachable called;"
+                                "property calm: never Lift.rising && X0 at stable;",
+                                reading);
+    ASSERT_EQ(why.grounds.size(), 4U);
+    std::string all;
+    for (const Why::Thing& thing : why.things)
+        all += fmt::format("{} {} {}{}; ", word(thing.kind), thing.name, thing.nth > 1 ? "again " : "", thing.of);
+    EXPECT_EQ(all,
+              "transition t0 ; transition t1 ; transition t2 ; step 1 ; step 2 ; "
+              "term a t0; term !top t0; term top t1; term !a t2; term !top t2; "
+              "term top bell in step 2; term top && called bell in step 2; term top again bell in step 2; "
+              "term called bell in step 2; term top rung in step 2; "
+              "guard down -> rising Lift; guard up -> down Lift; "
+              "edge idle -> idle A; edge down -> rising Lift; edge rising -> up Lift; edge up -> down Lift; ");
+    EXPECT_EQ(needing(why, "served"),
+              "transition t0; transition t1; step 1; edge idle -> idle of A; edge down -> rising of Lift; "
+              "edge rising -> up of Lift; ");
+    EXPECT_EQ(needing(why, "calls"), "transition t0; step 1; edge idle -> idle of A; ");
+    EXPECT_EQ(needing(why, "calm"), "guard down -> rising of Lift; guard up -> down of Lift; ");
+}
+
+TEST(Explain, WhatIsLeftOutOfOneInstanceLeavesTheRangesOfTheOthersAsTheyAre) {
+    Reading reading = read_string(std::string(lamps) + R"(
+component level(output X: int 0..MOST; MOST) {
+    clock t;
+    initial location here;
+    timed here -> here when X < 3 && t >= 1s do X := X + 1, t := 0;
+}
+closed_loop asked {
+    controller c; environment A = push_button(OUT = a);
+    plant Low = level(X = low, MOST = 2); plant High = level(X = high, MOST = 4);
+    property full: reachable low == 3; property filled: never low == 4;
+})",
+                                  "c");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
+    const Why why = why_it_holds(*reading.model, {0}, {}, {}, report.value());
+    ASSERT_EQ(why.grounds.size(), 2U);
+    EXPECT_EQ(needing(why, "full"), "term a of t0; edge here -> here of Low; ");  // without it the chart never settles
+    EXPECT_EQ(needing(why, "filled"), "guard here -> here of Low; ");
 }
 
 TEST(Explain, WhereTheTimeIsOverNothingIsSaidOfWhatWasNotTried) {
@@ -177,8 +267,13 @@ TEST(Explain, WhereTheTimeIsOverNothingIsSaidOfWhatWasNotTried) {
     options.limits.deadline = std::chrono::steady_clock::now();
     const Why why = why_it_holds(*reading.model, {0}, {}, options, report.value());
     ASSERT_EQ(why.grounds.size(), 1U);
-    EXPECT_EQ(why.grounds[0].open, (std::vector<std::string>{"all other transitions", "all other parts"}));
-    EXPECT_TRUE(why.unneeded_transitions.empty());
+    EXPECT_EQ(why.grounds[0].open, std::vector<std::string>{"all other parts"});
+    EXPECT_FALSE(why.things.empty());
+    for (const Why::Thing& thing : why.things) {
+        // Without an edge that need not be taken nothing new happens: nobody has to look.
+        if (thing.kind == Why::Kind::Edge) EXPECT_EQ(thing.open, std::vector<std::string>{}) << thing.name;
+        else EXPECT_EQ(thing.open, std::vector<std::string>{"apart"}) << thing.name;
+    }
     EXPECT_TRUE(why.unneeded_parts.empty());
     EXPECT_EQ(why.searches, 0U);
     EXPECT_EQ(why.ended, "the time allowed was over");

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Terms of a chart as our language writes them: `a && X2`, `3s/X2`.
+// The terms of a chart as the file would write them: `a && X2`, `3s/X2`.
 #pragma once
 
+#include <cstdint>
 #include <functional>
-#include <iosfwd>
 #include <string>
 
 #include "grafverif/ir/closed_loop.hpp"
+#include "syntax/print/dialect.hpp"
 
 namespace grafverif {
 
-/// A variable, a step variable or a time condition.
-void print_leaf(std::ostream& out, const Chart& chart, const Expr& leaf);
+/// Writes the leaves of the chart's terms; the chart outlives it.
+LeafPrinter leaf_printer(const Chart& chart);
+
+std::string term_text(const Chart& chart, Id<Expr> term);
 
 /// `3s/X2`, `2s/(a && b)/1s`: a time condition (IEC 60848, 4.4); `text` writes what it watches.
 std::string time_text(const Chart& chart, const Chart::TimeCondition& time,
