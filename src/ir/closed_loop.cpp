@@ -2,7 +2,6 @@
 #include "grafverif/ir/closed_loop.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <string_view>
 #include <unordered_set>
 
@@ -128,9 +127,7 @@ bool is_known(const Checker& checker, const ClosedLoop::Symbol& symbol) {
             },
             [&](const ClosedLoop::TimeSymbol& of) {
                 if (!loop.controllers.contains(of.controller)) return false;
-                const Chart& chart = checker.chart(of.controller);
-                return of.condition.valid() ? chart.time_conditions.contains(of.condition)
-                                            : chart.steps.contains(of.step) && of.rise_ms > 0;
+                return is_waited_for(checker.chart(of.controller), of);
             },
             [&](const ClosedLoop::ObserverSymbol& of) {
                 return loop.observers.contains(of.observer) &&
@@ -194,13 +191,31 @@ std::vector<Id<ClosedLoop::Shared>> shared_in(const ClosedLoop& loop, const Clos
     return found;
 }
 
+bool is_waited_for(const Chart& chart, const ClosedLoop::TimeSymbol& symbol) {
+    if (symbol.condition.valid())
+        return chart.time_conditions.contains(symbol.condition) &&
+               read_terms(chart).time_conditions[symbol.condition.index];
+    return std::ranges::any_of(chart.continuous, [&](const Chart::ContinuousAction& action) {
+        const bool delayed = action.delay_ms > 0 && action.delay_ms == symbol.rise_ms;
+        const bool limited = action.limit_ms > 0 && action.delay_ms + action.limit_ms == symbol.rise_ms;
+        return action.step == symbol.step && (delayed || limited);
+    });
+}
+
+bool has_its_timers(const ClosedLoop& loop, const Model& model) {
+    return std::ranges::all_of(loop.symbols, [&](const ClosedLoop::Symbol& symbol) {
+        const auto* time = std::get_if<ClosedLoop::TimeSymbol>(&symbol);
+        return time == nullptr || is_waited_for(model.charts[loop.controllers[time->controller].chart], *time);
+    });
+}
+
 Id<Equations::Variable> end_of(const Equations& equations, const ClosedLoop::TimeSymbol& symbol) {
     if (symbol.condition.valid()) return equations.timers[equations.conditions[symbol.condition.index].index].end;
     const Id<Equations::Variable> step = equations.steps[symbol.step.index].variable;
     const auto found = std::ranges::find_if(equations.timers, [&](const Equations::Timer& timer) {
         return timer.watched == step && timer.rise_ms == symbol.rise_ms && timer.fall_ms == 0;
     });
-    assert(found != equations.timers.end());
+    if (found == equations.timers.end()) unreachable();
     return found->end;
 }
 

@@ -186,7 +186,7 @@ private:
             Model without = model_;
             change(without);
             Diagnostics diagnostics;
-            network = network_of(without, loop_, how_, diagnostics);
+            if (has_its_timers(without.loops[loop_], without)) network = network_of(without, loop_, how_, diagnostics);
             if (network && original != nullptr) network = with_ranges_of(*original, *network);
             if (network) found = search(*network, names);
         }
