@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "check/refusal.hpp"
+#include "check/symbolic/lost.hpp"
 
 namespace grafverif::symbolic {
 
@@ -151,7 +152,10 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
         if (lost.is_false()) return;
         verdict.outcome = Outcome::Violated;
         verdict.notes.emplace_back("from the last state of the trace on it is impossible");
-        found.run = run_of(model, {shortest_way(model, search, lost), {}});
+        const std::vector<State> way = shortest_way(model, search, lost);
+        found.run = run_of(model, {way, {}});
+        if (std::string words = what_is_lost(model, search, way.back()); !words.empty())
+            verdict.notes.push_back(std::move(words));
         return;
     }
     const bool leads = of(question).pattern == Pattern::LeadsTo;
@@ -161,6 +165,15 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
     if (from.is_false()) return;
     verdict.outcome = Outcome::Violated;
     found.run = run_of(model, lasso(model, search, from, staying));
+}
+
+/// Where it takes more memory than there is, or time, it is not told.
+std::string Questions::what_is_lost(const StateSpace& model, const Search& search, const State& from) {
+    try {
+        return lost_words(system_, flat_, model, search.reached, from);
+    } catch (const BddExhausted&) {
+        return {};
+    }
 }
 
 Path Questions::lasso(const StateSpace& model, Search& search, const Bdd& from, const Bdd& staying) const {

@@ -58,6 +58,7 @@ private:
     void answer_paths(Found& found, const Question& question, const Sets& sets, const StateSpace& model,
                       Search& search);
     Sets sets(const Question& question, const StateSpace& model, Search& search) const;
+    std::string what_is_lost(const StateSpace& model, const Search& search, const State& from);
     Path lasso(const StateSpace& model, Search& search, const Bdd& from, const Bdd& staying) const;
     void mark_vacuous(Verdict& verdict, const Question& question, const Sets& sets, const StateSpace& model,
                       Search& search);

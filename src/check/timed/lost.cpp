@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "check/lost_text.hpp"
 #include "ir/step_names.hpp"
 
 namespace grafverif::timed {
@@ -45,6 +46,7 @@ std::string literal_words(const Network& network, Id<Expr> term) {
     }
     if (network.exprs[term].op != Op::Variable) return {};
     const Id<Network::Variable> id = {static_cast<std::uint32_t>(network.exprs[term].value)};
+    if (network.variables[id].scratch) return {};
     switch (network.variables[id].role) {
     case Network::Role::Step: return step_variable_name(network, id);
     case Network::Role::Input:
@@ -71,24 +73,63 @@ std::string false_part(Graph& graph, Id<Expr> condition, const States& states) {
     return {};
 }
 
+/// Whether the edge, one of `machine`, is an evolution of the controller.
+bool fires(const Network& network, const Network::Controller& controller, const Machine& machine, std::uint32_t edge) {
+    if (machine.process_of(edge) != controller.process) return false;
+    const Network::Template& automaton = network.templates[network.processes[controller.process].automaton];
+    const auto& calls = automaton.edges[machine.edge_of(edge)].calls;
+    return std::ranges::find(calls, controller.fire) != calls.end();
+}
+
+/// Per controller and transition, whether it is cleared in some evolution from one of these states. What is cleared is seen in the
+/// state before the situation changes, or, where the evolution is one edge, only while that fires.
+std::vector<std::vector<bool>> cleared(Graph& graph, const States& states, const Limits& limits) {
+    const Network& network = graph.machine.network();
+    const Layout& layout = graph.machine.layout();
+    std::vector<std::vector<bool>> found;
+    for (const Network::Controller& controller : network.controllers)
+        found.emplace_back(controller.words.transitions.size(), false);
+    const auto look = [&](Id<Network::Controller> id, const Word* words, bool fires) {
+        const std::vector<Named>& transitions = network.controllers[id].words.transitions;
+        for (std::size_t k = 0; k < transitions.size(); ++k)
+            if (network.variables[transitions[k].variable].scratch == fires &&
+                layout.variables[transitions[k].variable.index].get(words) != 0)
+                found[id.index][k] = true;
+    };
+    Moves moves;
+    for (const std::uint32_t state : states) {
+        limits.poll();
+        const Word* const words = graph.load(state);
+        for (const Id<Network::Controller> id : network.controllers.ids()) look(id, words, false);
+        if (network.grain == Grain::Phased) continue;
+        graph.machine.expand(words, moves);
+        for (std::size_t k = 0; k < moves.edges.size(); ++k)
+            for (const Id<Network::Controller> id : network.controllers.ids())
+                if (fires(network, network.controllers[id], graph.machine, moves.edges[k]))
+                    look(id, moves.words.data() + k * layout.words, true);
+    }
+    return found;
+}
+
 }  // namespace
 
 std::string lost_words(Graph& graph, std::uint32_t from, const Limits& limits) {
     const Network& network = graph.machine.network();
-    if (network.grain != Grain::Phased) return {};
     const States states = reachable_from(graph, from, limits);
+    const std::vector<std::vector<bool>> still = cleared(graph, states, limits);
     std::string text;
-    for (const Network::Controller& controller : network.controllers)
-        for (const Named& transition : controller.words.transitions) {
-            const Field field = graph.machine.layout().variables[transition.variable.index];
-            const auto clears = [&](std::uint32_t state) { return field.get(graph.load(state)) != 0; };
-            if (network.variables[transition.variable].scratch || std::ranges::any_of(states, clears)) continue;
+    for (const Id<Network::Controller> id : network.controllers.ids()) {
+        const Network::Controller& controller = network.controllers[id];
+        for (std::size_t k = 0; k < controller.words.transitions.size(); ++k) {
+            if (still[id.index][k]) continue;
+            const Named& transition = controller.words.transitions[k];
             text += text.empty() ? "" : ", ";
             text += (network.controllers.size() > 1 ? controller.words.name + "." : "") + transition.name;
             const std::string why = false_part(graph, condition_of(network, controller, transition), states);
             if (!why.empty()) text += " (" + why + " stays false)";
         }
-    return text.empty() ? text : "from the end of this run on these transitions are never cleared again: " + text;
+    }
+    return text.empty() ? text : lost_text + text;
 }
 
 }  // namespace grafverif::timed

@@ -11,7 +11,7 @@
 namespace grafverif::timed {
 
 /// Names them, each with what stays false of its condition where that is a step or a variable. Requires that every reachable state was
-/// looked at. Empty: there is none, or the grain is atomic, in which no state shows what an evolution clears.
+/// looked at. Empty: there is none.
 std::string lost_words(Graph& graph, std::uint32_t from, const Limits& limits);
 
 }  // namespace grafverif::timed
