@@ -100,9 +100,9 @@ export function whyProperty(claims, moment, decisive, go) {
                 ...parts.flat(), ...causes(run, moment, link));
 }
 
-// The values that make it fail, each with a way to where it begins, and the moves that could have been left out.
+// The values that make it fail, each with a way to where it begins, and what could have been left out.
 function causes(run, moment, link) {
-    const {causes, left_out} = run.trace, parts = [];
+    const {causes, left_out = [], left_out_values = []} = run.trace, parts = [];
     const when = (m) => (m === 0 ? "power-on" : run.timeText(m));
     if (causes) {
         const items = causes.values.map(({words, from, to}) => {
@@ -113,9 +113,14 @@ function causes(run, moment, link) {
         parts.push(make("p", {class: "answer"}, `${causes.exact ? "Causes" : "Causes, approximately"}:`),
                    make("ul", {class: "causes"}, ...items));
     }
-    if (left_out)
-        parts.push(make("p", {class: "answer"}, "It holds along the run without what happens at ",
-                        ...left_out.flatMap((m, k) => [k > 0 ? ", " : "", link(m, when(m))]), "."));
+    const moments = [...left_out.map((at) => ({at})), ...left_out_values.map(({moment, words}) => ({at: moment, words}))];
+    moments.sort((a, b) => a.at - b.at);
+    const inputs = !run.trace.timed && left_out_values.length > 0;
+    if (moments.length > 0)
+        parts.push(make("p", {class: "answer"}, "It holds along the run",
+                        inputs ? ", and on from its end as long as nothing changes, " : " ", "without ",
+                        ...moments.flatMap(({at, words}, k) => [k > 0 ? ", " : "",
+                            ...(words ? [make("code", {}, words), " at "] : ["what happens at "]), link(at, when(at))]), "."));
     return parts;
 }
 

@@ -52,8 +52,7 @@ std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job&
     const ModelOptions how = model_options(job.options);
     const auto system = transition_system_of(model, id, job);
     if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
-    const ClosedLoop& loop = model.loops[id];
-    return system_report({*system, charts_of(model, loop), abstraction_of(how, &loop)}, job, options);
+    return system_report(system_to_check(*system, model, id, how), job, options);
 }
 
 std::optional<Report> chart_report(const Model& model, Id<Chart> chart, Job& job, const CheckOptions& options) {

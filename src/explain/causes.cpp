@@ -2,6 +2,7 @@
 #include "explain/causes.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace grafverif {
@@ -10,16 +11,25 @@ namespace {
 
 using Terms = std::vector<Id<Expr>>;
 
+/// A run as terms see it: its different states, and what a term is worth in one of them.
+struct States {
+    const Exprs& exprs;
+    Id<Expr> settled = {};
+    std::size_t count = 0;
+    std::optional<std::size_t> loop = {};  ///< behind the last one this one comes again
+    std::function<std::optional<std::int64_t>(std::size_t state, Id<Expr> term)> value = {};
+};
+
 /// What must hold in one state of a run, as a term; what does not is explained.
 class Demand {
 public:
     Demand(const Exprs& exprs, Id<Expr> formula) : exprs_(exprs), formula_(formula) { collect(formula, true); }
 
     /// The terms that cause it to fail in `state`; false: some value is missing, or it does not fail.
-    bool explain(const NetworkState& state, std::size_t most, Terms& found, bool& exact) {
+    bool explain(const States& states, std::size_t state, std::size_t most, Terms& found, bool& exact) {
         values_.clear();
         for (const Id<Expr> term : terms_) {
-            const auto now = value_of(state, term);
+            const auto now = states.value(state, term);
             if (!now) return false;
             values_.push_back(*now != 0);
         }
@@ -38,13 +48,6 @@ public:
     }
 
 private:
-    std::optional<std::int64_t> value_of(const NetworkState& state, Id<Expr> term) const {
-        return evaluate(exprs_, term, [&](const Expr& leaf) -> std::int64_t {
-            if (leaf.op == Op::At) return state.locations[at_process(leaf)].index == at_location(leaf) ? 1 : 0;
-            return state.variables[static_cast<std::size_t>(leaf.value)];
-        });
-    }
-
     void collect(Id<Expr> term, bool wanted) {
         const Op op = exprs_[term].op;
         if (op == Op::Not) return collect(exprs_.operands(term)[0], !wanted);
@@ -134,15 +137,28 @@ std::vector<std::size_t> states_from(std::size_t state, std::size_t count, std::
 
 class Search {
 public:
-    Search(const Network& network, const Property& property, const std::vector<NetworkState>& states,
-           std::optional<std::size_t> loop, std::size_t most)
-        : network_(network), property_(property), states_(states), loop_(loop), most_(most), exprs_(network.exprs) {
-        count_ = loop ? states.size() - 1 : states.size();  // the last one is the first of the loop again
+    Search(const Property& property, const States& states, std::size_t most)
+        : property_(property),
+          states_(states),
+          count_(states.count),
+          loop_(states.loop),
+          most_(most),
+          exprs_(states.exprs) {}
+
+    std::optional<Causes> causes() {
+        switch (property_.pattern) {
+        case Pattern::Always:
+        case Pattern::Never:
+        case Pattern::ExactlyOneOf: return safety();
+        case Pattern::LeadsTo: return response();
+        default: return {};
+        }
     }
 
+private:
     std::optional<Causes> safety() {
         Demand demand(exprs_, safe(property_, exprs_));
-        for (std::size_t state = 0; state < states_.size(); ++state)
+        for (std::size_t state = 0; state < count_; ++state)
             if (judged(state) && explain(demand, state)) return std::move(causes_);
         return {};
     }
@@ -153,7 +169,7 @@ public:
         for (std::size_t state = 0; state < count_ && asks == count_; ++state) {
             const auto later = states_from(state, count_, loop_);
             const auto is = [&](Id<Expr> term, std::size_t at) {
-                return judged(at) && value(network_, states_[at], term).value_or(0) != 0;
+                return judged(at) && states_.value(at, term).value_or(0) != 0;
             };
             if (is(p, state) && std::ranges::none_of(later, [&](std::size_t at) { return is(q, at); })) asks = state;
         }
@@ -165,25 +181,21 @@ public:
         return std::move(causes_);
     }
 
-private:
-    bool judged(std::size_t state) const {
-        return !property_.at_stable || value(network_, states_[state], network_.settled) == 1;
-    }
+    bool judged(std::size_t state) const { return !property_.at_stable || states_.value(state, states_.settled) == 1; }
 
     bool explain(Demand& demand, std::size_t state) {
         Terms found;
-        if (!demand.explain(states_[state], most_, found, causes_.exact)) return false;
+        if (!demand.explain(states_, state, most_, found, causes_.exact)) return false;
         for (const Id<Expr> term : found) causes_.pairs.push_back({term, state});
         return true;
     }
 
-    const Network& network_;
     const Property& property_;
-    const std::vector<NetworkState>& states_;
+    const States& states_;
+    std::size_t count_;
     std::optional<std::size_t> loop_;
     std::size_t most_;
     Exprs exprs_;
-    std::size_t count_ = 0;
     Causes causes_ = {};
 };
 
@@ -192,104 +204,23 @@ private:
 std::optional<Causes> causes_of(const Network& network, const Property& property,
                                 const std::vector<NetworkState>& states, std::optional<std::size_t> loop,
                                 std::size_t most) {
-    Search search(network, property, states, loop, most);
-    switch (property.pattern) {
-    case Pattern::Always:
-    case Pattern::Never:
-    case Pattern::ExactlyOneOf: return search.safety();
-    case Pattern::LeadsTo: return search.response();
-    default: return {};
-    }
+    const States seen{.exprs = network.exprs,
+                      .settled = network.settled,
+                      .count = loop ? states.size() - 1 : states.size(),  // the last one is the first of the loop again
+                      .loop = loop,
+                      .value = [&](std::size_t state, Id<Expr> term) { return value(network, states[state], term); }};
+    return Search(property, seen, most).causes();
 }
 
-namespace {
-
-/// Where the run has what the leaves of terms read.
-class Marker {
-public:
-    Marker(const Network& network, ChartRun& run) : network_(network), run_(run) {
-        std::uint32_t instances = 0;
-        for (const Network::Process& process : network.processes)
-            instances_.push_back(process.kind == Network::ProcessKind::Controller
-                                     ? Id<ChartRun::Instance>{}
-                                     : Id<ChartRun::Instance>{instances++});
-        for (const Id<Network::Variable> id : network.variables.ids()) {
-            const auto signal = std::ranges::find_if(run.signals, [&](const ChartRun::Signal& each) {
-                return each.role != ChartRun::Role::Image && each.name == network.variables[id].told_name();
-            });
-            if (signal != run.signals.end())
-                signals_[id.index] = {static_cast<std::uint32_t>(signal - run.signals.begin())};
-        }
-        for (const Id<Network::Controller> id : network.controllers.ids()) {
-            const auto& words = network.controllers[id].words;
-            const ChartRun::Controller& controller = run.controllers[{id.index}];
-            for (std::size_t k = 0; k < words.steps.size(); ++k)
-                steps_[words.steps[k].variable.index] = controller.steps[k];
-            for (std::size_t k = 0; k < words.internals.size(); ++k)
-                signals_[words.internals[k].variable.index] = controller.internals[k];
-        }
-    }
-
-    void mark(const Causes::Pair& pair) {
-        for (const Id<Expr> leaf : leaves(network_.exprs, pair.term)) add(network_.exprs[leaf], pair.state);
-    }
-
-private:
-    void add(const Expr& leaf, std::size_t state) {
-        const std::size_t moment = std::min(state, run_.moments.size() - 1);
-        const ChartRun::State& after = run_.moments[moment].after;
-        ChartRun::Cause cause{.first = moment, .last = moment};
-        const auto index = static_cast<std::uint32_t>(leaf.value);
-        if (leaf.op == Op::At) {
-            cause.instance = instances_[at_process(leaf)];
-            cause.location = at_location(leaf);
-            cause.value = location_of(cause.instance, moment) == cause.location ? 1 : 0;
-            if (!cause.instance.valid()) return;
-        } else if (const auto step = steps_.find(index); step != steps_.end()) {
-            cause.step = step->second;
-            cause.value = std::ranges::find(after.situation, cause.step) != after.situation.end() ? 1 : 0;
-        } else if (const auto signal = signals_.find(index); signal != signals_.end()) {
-            cause.signal = signal->second;
-            cause.value = after.values[cause.signal.index];
-        } else {
-            return;
-        }
-        for (ChartRun::Cause& before : run_.causes) {
-            ChartRun::Cause same = before;
-            same.first = cause.first;
-            same.last = cause.last;
-            if (same != cause || before.last + 1 < moment) continue;
-            before.last = moment;
-            return;
-        }
-        run_.causes.push_back(cause);
-    }
-
-    std::size_t location_of(Id<ChartRun::Instance> instance, std::size_t moment) const {
-        for (std::size_t k = moment; k > 0; --k)
-            if (run_.moments[k].instance == instance && run_.moments[k].location) return *run_.moments[k].location;
-        for (const Id<Network::Process> id : network_.processes.ids())
-            if (instances_[id.index] == instance) return network_.processes[id].initial.index;
-        return 0;
-    }
-
-    const Network& network_;
-    ChartRun& run_;
-    std::vector<Id<ChartRun::Instance>> instances_ = {};          // per process
-    std::map<std::uint32_t, Id<ChartRun::Step>> steps_ = {};      // per variable
-    std::map<std::uint32_t, Id<ChartRun::Signal>> signals_ = {};  // per variable
-};
-
-}  // namespace
-
-void mark(const Network& network, const Causes& causes, ChartRun& run) {
-    Marker marker(network, run);
-    run.causes_exact = causes.exact;
-    for (const Causes::Pair& pair : causes.pairs) marker.mark(pair);
-    // The last moment is that before the loop again.
-    for (const Causes::Pair& pair : causes.pairs)
-        if (run.loop && pair.state + 1 == *run.loop) marker.mark({pair.term, run.moments.size() - 1});
-    std::ranges::stable_sort(run.causes, {}, &ChartRun::Cause::first);
+std::optional<Causes> causes_of(const TransitionSystem& system, const Property& property, const SystemRun& run,
+                                std::size_t most) {
+    const auto value = [&](std::size_t state, Id<Expr> term) {
+        return evaluate(system.exprs, term,
+                        [&](const Expr& leaf) { return run.states[state][static_cast<std::size_t>(leaf.value)]; });
+    };
+    const States seen{
+        .exprs = system.exprs, .settled = system.settled, .count = run.states.size(), .loop = run.loop, .value = value};
+    return Search(property, seen, most).causes();
 }
 
 }  // namespace grafverif

@@ -17,6 +17,8 @@
 
 #include "grafverif/ir/chart_run.hpp"
 #include "grafverif/ir/network.hpp"
+#include "grafverif/ir/transition_system.hpp"
+#include "ir/flat_system.hpp"
 #include "ir/network_run.hpp"
 
 namespace grafverif {
@@ -24,7 +26,7 @@ namespace grafverif {
 struct Causes {
     /// The value of `term` in state `state`.
     struct Pair {
-        Id<Expr> term = {};  ///< of the network
+        Id<Expr> term = {};  ///< of the network or the system
         std::size_t state = 0;
         bool operator==(const Pair&) const = default;
     };
@@ -43,7 +45,16 @@ std::optional<Causes> causes_of(const Network& network, const Property& property
                                 const std::vector<NetworkState>& states, std::optional<std::size_t> loop,
                                 std::size_t most = most_terms);
 
-/// Marks the values that the terms read in `run`, which is the projection of the same run.
+/// The same of a run of an untimed model. `loop` is that of the run: no state of it comes twice.
+std::optional<Causes> causes_of(const TransitionSystem& system, const Property& property, const SystemRun& run,
+                                std::size_t most = most_terms);
+
+/// Marks the values that the terms read in `run`, which is the projection of the same run (`shown`). What nobody knows by a name of the
+/// loop (whose turn it is) is not marked.
 void mark(const Network& network, const Causes& causes, ChartRun& run);
+void mark(const TransitionSystem& system, const SystemRun& shown, const Causes& causes, ChartRun& run);
+
+/// Per state of the run of an untimed model that `run` is the projection of, the moment behind which it stands.
+std::vector<std::size_t> moments_of_states(const ChartRun& run);
 
 }  // namespace grafverif

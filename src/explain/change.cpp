@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "explain/smallest.hpp"
 #include "ir/network_run.hpp"
 
 namespace grafverif {
@@ -28,8 +29,9 @@ bool is_free(const Network& network, const Move& move) {
 /// A run made again, move by move.
 class Remake {
 public:
-    Remake(const Network& network, std::size_t& effort)
-        : network_(network), effort_(effort), state_(initial_state(network)) {}
+    /// `timed`: says what is free.
+    Remake(const Network& network, const Network& timed, std::size_t& effort)
+        : network_(network), timed_(timed), effort_(effort), state_(initial_state(network)) {}
 
     /// Whether it is made, or may be left out.
     bool make(const Move& move) {
@@ -39,7 +41,7 @@ public:
                 if (!after_what_must_be(Delay{1})) return false;
             return true;
         }
-        if (is_free(network_, move)) return after_what_must_be(move);
+        if (is_free(timed_, move)) return after_what_must_be(move);
         const Step::Result result = perform_it(move);
         return result == Step::Result::Done || result == Step::Result::Blocked;
     }
@@ -63,7 +65,7 @@ private:
             const Step::Result result = perform_it(move);
             if (result != Step::Result::Blocked) return result == Step::Result::Done;
             const std::vector<Fire> can = enabled(network_, state_);
-            const auto next = std::ranges::find_if(can, [&](const Fire& fire) { return !is_free(network_, fire); });
+            const auto next = std::ranges::find_if(can, [&](const Fire& fire) { return !is_free(timed_, fire); });
             if (next == can.end() || perform_it(*next) != Step::Result::Done) return false;
         }
         return false;
@@ -79,6 +81,7 @@ private:
     }
 
     const Network& network_;
+    const Network& timed_;
     std::size_t& effort_;
     NetworkState state_;
     Run run_ = {};
@@ -101,21 +104,10 @@ bool holds_along(const Network& network, const Property& property, const Run& ru
                          *states, [&](const NetworkState& state) { return judged_good(network, property, state); });
 }
 
-/// The next choice of as many out of `count`, in order; false: there is none.
-bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
-    for (std::size_t k = chosen.size(); k-- > 0;) {
-        if (chosen[k] + chosen.size() - k >= count) continue;
-        ++chosen[k];
-        for (std::size_t i = k + 1; i < chosen.size(); ++i) chosen[i] = chosen[i - 1] + 1;
-        return true;
-    }
-    return false;
-}
-
 /// The run without the free moves `left_out`; nothing where the rest is none.
-std::optional<Run> without(const Network& network, const Run& run, const std::vector<std::size_t>& left_out,
-                           std::size_t& effort) {
-    Remake remake(network, effort);
+std::optional<Run> without(const Network& network, const Network& timed, const Run& run,
+                           const std::vector<std::size_t>& left_out, std::size_t& effort) {
+    Remake remake(network, timed, effort);
     for (std::size_t k = 0; k < run.moves.size(); ++k)
         if (std::ranges::find(left_out, k) == left_out.end() && !remake.make(run.moves[k])) return {};
     if (!remake.finish()) return {};
@@ -125,31 +117,30 @@ std::optional<Run> without(const Network& network, const Run& run, const std::ve
 }  // namespace
 
 ShortestChange shortest_change(const Network& network, const Property& property, const Run& run, std::size_t effort) {
+    return shortest_change(network, network, property, run, effort);
+}
+
+ShortestChange shortest_change(const Network& network, const Network& timed, const Property& property, const Run& run,
+                               std::size_t effort) {
     ShortestChange result;
     if (property.pattern != Pattern::Always && property.pattern != Pattern::Never &&
         property.pattern != Pattern::ExactlyOneOf)
         return result;
     std::vector<std::size_t> free;
     for (std::size_t k = 0; k < run.moves.size(); ++k)
-        if (is_free(network, run.moves[k])) free.push_back(k);
+        if (is_free(timed, run.moves[k])) free.push_back(k);
     result.free_moves = free.size();
-    for (std::size_t size = 1; size <= free.size(); ++size) {
-        std::vector<std::size_t> chosen;
-        for (std::size_t k = 0; k < size; ++k) chosen.push_back(k);
-        do {
-            std::vector<std::size_t> left_out;
-            for (const std::size_t each : chosen) left_out.push_back(free[each]);
-            auto rest = without(network, run, left_out, effort);
-            if (effort == 0) {
-                result.exhausted = true;
-                return result;
-            }
-            ++result.tried;
-            if (!rest || !holds_along(network, property, *rest)) continue;
-            result.found = Change{std::move(left_out), std::move(*rest)};
-            return result;
-        } while (next_choice(chosen, free.size()));
-    }
+    const SmallestSet smallest = smallest_set(free.size(), [&](const std::vector<std::size_t>& chosen) {
+        std::vector<std::size_t> left_out;
+        for (const std::size_t each : chosen) left_out.push_back(free[each]);
+        auto rest = without(network, timed, run, left_out, effort);
+        if (effort == 0) return Attempt::Spent;
+        if (!rest || !holds_along(network, property, *rest)) return Attempt::DoesNot;
+        result.found = Change{std::move(left_out), std::move(*rest)};
+        return Attempt::Does;
+    });
+    result.tried = smallest.tried;
+    result.exhausted = smallest.exhausted;
     return result;
 }
 

@@ -37,5 +37,8 @@ struct ShortestChange {
 /// single states. `effort`: at most so many moves are tried in all.
 ShortestChange shortest_change(const Network& network, const Property& property, const Run& run,
                                std::size_t effort = 5000);
+/// The same of a run of `network` without clocks (explain/moves.hpp); `timed` has them, and says what is free.
+ShortestChange shortest_change(const Network& network, const Network& timed, const Property& property, const Run& run,
+                               std::size_t effort = 5000);
 
 }  // namespace grafverif

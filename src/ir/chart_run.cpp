@@ -101,6 +101,10 @@ std::vector<std::string> verify(const ChartRun& run) {
     }
     if (!run.left_out.empty() && run.left_out.back() >= run.moments.size())
         faults.emplace_back("an unknown moment is left out");
+    for (const ChartRun::LeftOut& each : run.left_out_values)
+        if (each.moment >= run.moments.size() ||
+            !(each.signal.valid() ? run.signals.contains(each.signal) : run.timers.contains(each.timer)))
+            faults.emplace_back("a value of something unknown is left out");
     return faults;
 }
 

@@ -9,6 +9,7 @@
 #include "check/parts/by_turns.hpp"
 #include "check/symbolic/symbolic.hpp"
 #include "pipeline/check.hpp"
+#include "pipeline/explain.hpp"
 #include "pipeline/models.hpp"
 #include "report/report.hpp"
 #include "run/project.hpp"
@@ -102,6 +103,7 @@ void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
     std::string carries = carries_words(check_, check_.system.properties[verdict.about], verdict, unproven_);
     Answer answer = answer_of(check_.system, std::move(verdict), run, detail(options_));
     answer.carries = std::move(carries);
+    if (run && answer.verdict.outcome == Outcome::Violated) explain(check_, *run, answer);
     report_.answers.push_back(std::move(answer));
 }
 
@@ -183,6 +185,7 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Limits
         verdict.notes = {unstable->message};
         if (unstable->accepted) verdict.notes.push_back("accepted: " + *unstable->accepted);
         answer.trace = std::move(unstable->evidence);
+        explain(chart, ExecutionMode::StabilitySearch, answer);
     } else if (analysis.obstacle.empty()) {
         verdict.outcome = Outcome::Holds;
     } else {
@@ -201,8 +204,7 @@ std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> id, const
                                     const CheckOptions& options, Diagnostics& diagnostics) {
     const auto system = transition_system_of(model, id, how, diagnostics);
     if (!system || !all_known(options.properties, property_names(*system), diagnostics)) return {};
-    const ClosedLoop& loop = model.loops[id];
-    return check(SystemToCheck{*system, charts_of(model, loop), abstraction_of(how, &loop)}, options);
+    return check(system_to_check(*system, model, id, how), options);
 }
 
 std::optional<Report> check_untimed(const Model& model, Id<Chart> chart, const ModelOptions& how,

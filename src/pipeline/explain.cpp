@@ -8,6 +8,9 @@
 
 #include "explain/causes.hpp"
 #include "explain/change.hpp"
+#include "explain/inputs.hpp"
+#include "explain/instants.hpp"
+#include "explain/moves.hpp"
 #include "explain/settling.hpp"
 #include "ir/network_run.hpp"
 
@@ -37,6 +40,12 @@ void explain_power_on(const Network& network, const std::vector<Violation>& viol
     }
 }
 
+std::string gave_up(std::size_t count, std::string_view what, std::size_t tried) {
+    return fmt::format(
+        "which of the {} {} of its counterexample would have to be left out was not found: {} ways were tried", count,
+        what, tried);
+}
+
 /// Marks the values that make it fail, and finds what could have been left out.
 void explain_run(const Network& network, const Run& run, Answer& answer) {
     if (!answer.verdict.about.valid() || !answer.trace) return;
@@ -48,11 +57,30 @@ void explain_run(const Network& network, const Run& run, Answer& answer) {
     const ShortestChange change = shortest_change(network, property, run);
     if (change.found)
         for (const std::size_t move : change.found->left_out) answer.trace->left_out.push_back(move + 1);
+    if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
+}
+
+/// The same of a run without a plant, whose inputs are free.
+void explain_inputs(const TransitionSystem& system, const Property& property, const SystemRun& run, Answer& answer) {
+    const InputChange change = fewest_input_changes(system, property, run);
+    if (change.left_out) mark(system, *change.left_out, *answer.trace);
     if (change.exhausted)
-        answer.verdict.notes.push_back(fmt::format(
-            "which of the {} free moves of its counterexample would have to be left out was not found: {} ways "
-            "were tried",
-            change.free_moves, change.tried));
+        answer.verdict.notes.push_back(
+            gave_up(change.events.size(), "changes of inputs and ends of times", change.tried));
+}
+
+/// The same of a run in which plant automata take turns.
+void explain_moves(const Network& network, const TransitionSystem& system, const Property& property,
+                   const SystemRun& run, Answer& answer) {
+    const Network timed = expand(network);
+    const Network played = system.ticks.valid() ? timed : without_clocks(timed);
+    const auto asked = std::ranges::find(played.properties, property.name, &Property::name);
+    if (asked == played.properties.end() || asked->pattern != property.pattern) return;
+    const auto moves = moves_of(played, system, run);
+    if (!moves) return;
+    const ShortestChange change = shortest_change(played, timed, *asked, moves->run);
+    if (change.found) mark(*moves, change.found->left_out, *answer.trace);
+    if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.free_moves, "free moves", change.tried));
 }
 
 }  // namespace
@@ -66,6 +94,25 @@ void explain(const Network& network, const std::vector<Violation>& violations, c
         if (std::string words = unsettled_words(*answer.trace); !words.empty())
             answer.verdict.notes.push_back(std::move(words));
     }
+}
+
+void explain(const SystemToCheck& check, const SystemRun& run, Answer& answer) {
+    const TransitionSystem& system = check.system;
+    if (!answer.verdict.about.valid() || !answer.trace) return;
+    const Property& property = system.properties[answer.verdict.about];
+    const auto causes = causes_of(system, property, run);
+    if (!causes) return;
+    mark(system, run, *causes, *answer.trace);
+    if (const auto network = check.network ? check.network() : std::nullopt)
+        explain_moves(*network, system, property, run, answer);
+    else explain_inputs(system, property, run, answer);
+}
+
+void explain(const Chart& chart, ExecutionMode mode, Answer& answer) {
+    if (!answer.trace) return;
+    InstantChange change = fewest_changes(chart, mode, *answer.trace);
+    if (change.left_out) answer.trace->left_out_values = std::move(*change.left_out);
+    if (change.exhausted) answer.verdict.notes.push_back(gave_up(change.events, "changes of inputs", change.tried));
 }
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a timed check adds to what it found: why.
+// What a check adds to what it found: why.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,8 @@
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/report.hpp"
 #include "grafverif/ir/verdict.hpp"
+#include "ir/flat_system.hpp"
+#include "pipeline/untimed.hpp"
 
 namespace grafverif {
 
@@ -24,5 +26,11 @@ using Search = std::function<std::vector<Verdict>(const Network& network, std::v
 
 /// Adds to the answers of `report`, which is about `network`. `search`: empty where another search would take long.
 void explain(const Network& network, const std::vector<Violation>& violations, const Search& search, Report& report);
+
+/// Adds to an answer on an untimed model, which `run` shows violated.
+void explain(const SystemToCheck& check, const SystemRun& run, Answer& answer);
+
+/// Adds to the answer that `chart` does not become stable, as the trace of the answer, if it has one, shows.
+void explain(const Chart& chart, ExecutionMode mode, Answer& answer);
 
 }  // namespace grafverif

@@ -25,6 +25,23 @@ std::optional<std::vector<Equations>> equations_of_controllers(const Model& mode
     return all;
 }
 
+bool take_turns(const ClosedLoop& loop, const ModelOptions& how) {
+    return how.untimed.plant == PlantApproach::Automata &&
+           how.untimed.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved)) == Schedule::Interleaved;
+}
+
+/// What the processes that take turns are.
+std::optional<Network> with_observers(const Network& plant_network, const ClosedLoop& loop,
+                                      std::span<const Equations> equations, const ModelOptions& how,
+                                      Diagnostics& diagnostics) {
+    const auto network = compose(plant_network, loop, equations, {how.grain, how.mode, {}}, diagnostics);
+    if (!network) return {};
+    std::vector<Id<Property>> asked = watched(*network);
+    if (how.untimed.time == TimeModel::Abstract)  // no clock counts
+        std::erase_if(asked, [&](Id<Property> id) { return network->properties[id].watch.duration_ms > 0; });
+    return observed(*network, asked);
+}
+
 std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& loop, const ModelOptions& how,
                                           Diagnostics& diagnostics) {
     ScheduleOptions options = how.untimed;
@@ -37,15 +54,9 @@ std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& 
     }
     const auto plant_network = plant(model, loop, diagnostics);
     if (!plant_network) return {};
-    const Schedule schedule = options.schedule.value_or(loop.schedule.value_or(Schedule::Interleaved));
-    if (schedule != Schedule::Interleaved)
-        return schedule_together(model, loop, *equations, *plant_network, options, diagnostics);
-    const auto network = compose(*plant_network, loop, *equations, {how.grain, how.mode, {}}, diagnostics);
-    if (!network) return {};
-    std::vector<Id<Property>> asked = watched(*network);
-    if (options.time == TimeModel::Abstract)  // no clock counts
-        std::erase_if(asked, [&](Id<Property> id) { return network->properties[id].watch.duration_ms > 0; });
-    return schedule_network(model, loop, *equations, observed(*network, asked), options, diagnostics);
+    if (!take_turns(loop, how)) return schedule_together(model, loop, *equations, *plant_network, options, diagnostics);
+    const auto network = with_observers(*plant_network, loop, *equations, how, diagnostics);
+    return network ? schedule_network(model, loop, *equations, *network, options, diagnostics) : std::nullopt;
 }
 
 }  // namespace
@@ -103,6 +114,21 @@ std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Char
 TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const Equations& equations,
                                       std::optional<ExecutionMode> mode) {
     return schedule_controller(equations, execution_mode(model, chart, mode));
+}
+
+SystemToCheck system_to_check(const TransitionSystem& system, const Model& model, Id<ClosedLoop> id,
+                              const ModelOptions& how) {
+    const ClosedLoop& loop = model.loops[id];
+    SystemToCheck check{system, charts_of(model, loop), abstraction_of(how, &loop)};
+    if (take_turns(loop, how))
+        check.network = [&model, &loop, how]() -> std::optional<Network> {
+            Diagnostics known;  // the system has been made, so there is nothing to complain about
+            const auto equations = equations_of_controllers(model, loop, known);
+            const auto plant_network = plant(model, loop, known);
+            if (!equations || !plant_network) return {};
+            return with_observers(*plant_network, loop, *equations, how, known);
+        };
+    return check;
 }
 
 std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop) {

@@ -11,6 +11,7 @@
 #include "emit/structured_text/structured_text.hpp"
 #include "grafverif/grafverif.hpp"
 #include "pipeline/files.hpp"
+#include "pipeline/untimed.hpp"
 #include "read/text.hpp"
 
 namespace grafverif {
@@ -28,6 +29,10 @@ TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const
 
 /// The charts of the loop's controllers, in order.
 std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop);
+
+/// `system` is what transition_system_of made of the loop. All outlive the result.
+SystemToCheck system_to_check(const TransitionSystem& system, const Model& model, Id<ClosedLoop> loop,
+                              const ModelOptions& how);
 
 /// Network -> UPPAAL project and what to ask of it, a formula per verdict.
 struct UppaalQuestions {

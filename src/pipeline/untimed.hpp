@@ -2,6 +2,8 @@
 // What an untimed model leaves out, and so what its verdicts are worth (design: "targets").
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,8 @@ struct SystemToCheck {
     const TransitionSystem& system;
     std::vector<const Chart*> charts = {};
     Abstraction abstraction = {};
+    /// Of plant automata that take turns, the network that the system was made of; else empty. Called where a run is explained.
+    std::function<std::optional<Network>()> network = {};
 };
 
 /// The properties among `no_race` and `no_out_of_range` that `verdicts` do not prove. Where one of them fails, what

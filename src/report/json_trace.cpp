@@ -175,6 +175,13 @@ Json run_json(const ChartRun& run) {
         made["causes"] = {{"exact", run.causes_exact}, {"values", listed(run.causes, each)}};
     }
     if (!run.left_out.empty()) made["left_out"] = run.left_out;
+    const auto value = [&run](const ChartRun::LeftOut& each) {
+        return Json{{"moment", each.moment},
+                    {"signal", place(each.signal)},
+                    {"timer", place(each.timer)},
+                    {"words", left_out_words(run, each)}};
+    };
+    if (!run.left_out_values.empty()) made["left_out_values"] = listed(run.left_out_values, value);
     return made;
 }
 

@@ -113,8 +113,7 @@ void print_trace(const ChartRun& run, std::ostream& out) {
     if (!run.causes.empty())
         print_paragraph(fmt::format("* causes{}: {}", run.causes_exact ? "" : ", approximately", causes_words(run)),
                         out);
-    if (!run.left_out.empty())
-        print_paragraph("without " + left_out_words(run) + " the property holds along the run", out);
+    if (const std::string words = left_out_words(run); !words.empty()) print_paragraph(words, out);
 }
 
 }  // namespace grafverif

@@ -38,10 +38,20 @@ std::string choice_words(const Network& network, const NetworkState& state, cons
     return words.empty() ? process.name : process.name + ": " + words;
 }
 
+namespace {
+
+/// `3s/X2`, as conditions write it; of a longer term the duration.
+std::string timer_condition(const ChartRun::Timer& timer, bool value = true) {
+    if (timer.watched.empty()) return duration_text(value && timer.rise_ms > 0 ? timer.rise_ms : timer.fall_ms);
+    return time_text(timer.rise_ms, timer.watched, timer.fall_ms);
+}
+
+}  // namespace
+
 std::string timer_words(const ChartRun::Timer& timer, bool value) {
-    if (timer.watched.empty())
-        return duration_text(value && timer.rise_ms > 0 ? timer.rise_ms : timer.fall_ms) + " are over";
-    return time_text(timer.rise_ms, timer.watched, timer.fall_ms) + (value ? " is true" : " is false");
+    const std::string words = timer_condition(timer, value);
+    if (timer.watched.empty()) return words + " are over";
+    return words + (value ? " is true" : " is false");
 }
 
 std::string value_words(const ChartRun::Signal& signal, std::int64_t value) {
@@ -78,14 +88,26 @@ std::string causes_words(const ChartRun& run) {
 }
 
 std::string left_out_words(const ChartRun& run) {
-    std::string text;
+    std::vector<std::pair<std::size_t, std::string>> all;
     for (const std::size_t moment : run.left_out) {
         const ChartRun::Moment& told = run.moments[moment];
         const std::string what = instance_words(run, moment, true);
-        text += fmt::format("{}{}{} at {}", text.empty() ? "" : ", ", run.instances[told.instance].name,
-                            what.empty() ? "" : " (" + what + ")", moment_text(run, told.after));
+        all.emplace_back(moment, run.instances[told.instance].name + (what.empty() ? "" : " (" + what + ")"));
     }
-    return text;
+    for (const ChartRun::LeftOut& each : run.left_out_values) all.emplace_back(each.moment, left_out_words(run, each));
+    std::ranges::stable_sort(all, {}, [](const auto& each) { return each.first; });
+    std::string text;
+    for (const auto& [moment, what] : all)
+        text += fmt::format("{}{} at {}", text.empty() ? "without " : ", ", what,
+                            moment_text(run, run.moments[moment].after));
+    if (text.empty()) return {};
+    return text + " the property holds along the run" +
+           (!run.timed && !run.left_out_values.empty() ? ", and on from its end as long as nothing changes" : "");
+}
+
+std::string left_out_words(const ChartRun& run, const ChartRun::LeftOut& left_out) {
+    if (left_out.timer.valid()) return timer_condition(run.timers[left_out.timer]);
+    return value_words(run.signals[left_out.signal], run.moments[left_out.moment].after.values[left_out.signal.index]);
 }
 
 std::string change_words(const ChartRun::Signal& signal, std::int64_t before, std::int64_t after) {

@@ -27,7 +27,9 @@ std::string cause_words(const ChartRun& run, const ChartRun::Cause& cause);
 /// All causes of a run in a line: `at 13 s: X2, !a; from 14 s on: !L`; what is beyond some is counted. Empty: there are none.
 std::string causes_words(const ChartRun& run);
 
-/// The moves without which the property holds along the run: `Start (START) at 1 s`. Empty: there are none.
+/// What could have been left out: `without Start (START) at 1 s the property holds along the run`. Empty: there is nothing.
 std::string left_out_words(const ChartRun& run);
+/// What a signal becomes, `START`, `!a`, `N = 3`, or the time that is over, `3s/X2`.
+std::string left_out_words(const ChartRun& run, const ChartRun::LeftOut& left_out);
 
 }  // namespace grafverif

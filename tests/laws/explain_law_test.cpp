@@ -13,11 +13,14 @@
 #include <utility>
 #include <vector>
 
+#include "check/lost_text.hpp"
+#include "check/symbolic/symbolic.hpp"
 #include "check/timed/timed.hpp"
 #include "compare/mutants.hpp"
 #include "explain/causes.hpp"
 #include "explain/change.hpp"
 #include "explain/drop.hpp"
+#include "explain/moves.hpp"
 #include "explain/settling.hpp"
 #include "grafverif/grafverif.hpp"
 #include "pipeline/why.hpp"
@@ -41,6 +44,17 @@ TimedResult searched(const Network& network) {
     TimedOptions options;
     options.max_states = 20'000;
     return check_timed(network, options);
+}
+
+/// The properties of these patterns; the memory bounds how long the law takes.
+SymbolicResult searched(const TransitionSystem& system, const std::vector<Pattern>& patterns) {
+    SymbolicOptions options;
+    options.witnesses = false;
+    options.max_memory = std::uint64_t{2} << 20U;
+    for (const Property& property : system.properties)
+        if (std::ranges::find(patterns, property.pattern) != patterns.end())
+            options.properties.push_back(property.name);
+    return options.properties.empty() ? SymbolicResult() : check_symbolic(system, options);
 }
 
 /// The other route: the search of `analyse`, on the equations of the chart alone. It knows nothing of inputs that change in
@@ -221,6 +235,14 @@ TEST(ExplainLaw, CausesAreThoseOfTheDefinitionByEnumeration) {
         std::set<Pair> pairs;
         for (const Causes::Pair& pair : found->pairs) EXPECT_TRUE(pairs.insert({pair.term.index, pair.state}).second);
         ASSERT_EQ(pairs, *expected);
+        // The same run of an untimed model: no state of it comes twice.
+        TransitionSystem system;
+        system.exprs = network.exprs;
+        SystemRun untimed{{}, loop};
+        for (const NetworkState& state : states) untimed.states.push_back(state.variables);
+        const auto of_system = causes_of(system, property, untimed);
+        ASSERT_TRUE(of_system);
+        ASSERT_EQ(of_system->pairs, found->pairs);
         ++explained[property.pattern];
     }
     for (const auto& [pattern, count] : explained) EXPECT_GT(count, law_size(3000) / 20);
@@ -244,7 +266,7 @@ bool nothing_forces(const Network& network, const Move& move) {
 }
 
 /// The states of the run made again; nothing where it is none.
-std::optional<std::vector<NetworkState>> made_again(const Network& network, const Run& run,
+std::optional<std::vector<NetworkState>> made_again(const Network& network, const Network& timed, const Run& run,
                                                     const std::set<std::size_t>& left_out) {
     std::vector<NetworkState> states = {initial_state(network)};
     const auto can = [&](const Move& move) {
@@ -255,7 +277,7 @@ std::optional<std::vector<NetworkState>> made_again(const Network& network, cons
     };
     const auto must = [&](bool urgent) {
         for (const Fire& fire : enabled(network, states.back()))
-            if (urgent ? edge_of(network, fire).urgent : !nothing_forces(network, fire)) return can(fire);
+            if (urgent ? edge_of(network, fire).urgent : !nothing_forces(timed, fire)) return can(fire);
         return false;
     };
     for (std::size_t k = 0; k < run.moves.size(); ++k) {
@@ -263,18 +285,55 @@ std::optional<std::vector<NetworkState>> made_again(const Network& network, cons
         std::vector<Move> parts = {run.moves[k]};
         if (const Delay* const delay = std::get_if<Delay>(&run.moves[k]))
             parts.assign(static_cast<std::size_t>(delay->units), Delay{1});
-        const bool kept = std::holds_alternative<Delay>(run.moves[k]) || nothing_forces(network, run.moves[k]);
+        const bool kept = std::holds_alternative<Delay>(run.moves[k]) || nothing_forces(timed, run.moves[k]);
         for (const Move& part : parts)
             for (int tries = 0; !can(part) && kept; ++tries)
                 if (tries > 500 || !must(false)) return {};
     }
     for (int tries = 0; must(true); ++tries)
         if (tries > 500) return {};
+    for (const Fire& fire : enabled(network, states.back()))
+        if (edge_of(network, fire).urgent) return {};  // the model breaks off
     return states;
 }
 
-TEST(ExplainLaw, TheShortestChangeIsTheSmallestSetOfFreeMovesThatMendsTheRun) {
+struct ChangeCounts {
     int mended = 0, hopeless = 0;
+};
+
+/// Holds the shortest change of a run that shows `property` violated against all sets of free moves. `timed`: `network` with its clocks.
+void expect_smallest(const Network& network, const Network& timed, const Property& property, const grafverif::Run& run,
+                     ChangeCounts& counts) {
+    const auto good = [&](const NetworkState& state) {
+        const bool judged = !property.at_stable || value(network, state, network.settled) == 1;
+        return !judged || value(network, state, property.operands[0]) == (property.pattern == Pattern::Always);
+    };
+    std::vector<std::size_t> free;
+    for (std::size_t k = 0; k < run.moves.size(); ++k)
+        if (nothing_forces(timed, run.moves[k])) free.push_back(k);
+    if (free.size() > 6) return;
+    std::size_t least = free.size() + 1;
+    for (std::size_t bits = 1; bits < std::size_t{1} << free.size(); ++bits) {
+        std::set<std::size_t> left_out;
+        for (std::size_t k = 0; k < free.size(); ++k)
+            if ((bits >> k & 1U) != 0) left_out.insert(free[k]);
+        const auto states = made_again(network, timed, run, left_out);
+        if (states && std::ranges::all_of(*states, good)) least = std::min(least, left_out.size());
+    }
+    const ShortestChange change = shortest_change(network, timed, property, run, 1'000'000);
+    EXPECT_FALSE(change.exhausted);
+    EXPECT_EQ(change.free_moves, free.size());
+    ASSERT_EQ(change.found.has_value(), least <= free.size());
+    ++(change.found ? counts.mended : counts.hopeless);
+    if (!change.found) return;
+    EXPECT_EQ(change.found->left_out.size(), least);
+    const auto states = replay(network, change.found->run);
+    ASSERT_TRUE(states);
+    EXPECT_TRUE(std::ranges::all_of(*states, good));
+}
+
+TEST(ExplainLaw, TheShortestChangeIsTheSmallestSetOfFreeMovesThatMendsTheRun) {
+    ChangeCounts counts;
     for (int seed = 1; seed <= law_size(150); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
@@ -285,40 +344,11 @@ TEST(ExplainLaw, TheShortestChangeIsTheSmallestSetOfFreeMovesThatMendsTheRun) {
             if (verdict.outcome != Outcome::Violated || !verdict.about.valid()) continue;
             const Property& property = network->properties[verdict.about];
             if (property.pattern != Pattern::Always && property.pattern != Pattern::Never) continue;
-            const auto good = [&](const NetworkState& state) {
-                const bool judged = !property.at_stable || value(*network, state, network->settled) == 1;
-                return !judged || value(*network, state, property.operands[0]) == (property.pattern == Pattern::Always);
-            };
-            const grafverif::Run& run = verdict.run.value();
-            std::vector<std::size_t> free;
-            for (std::size_t k = 0; k < run.moves.size(); ++k)
-                if (nothing_forces(*network, run.moves[k])) free.push_back(k);
-            if (free.size() > 6) continue;
-            std::size_t least = free.size() + 1;
-            for (std::size_t bits = 1; bits < std::size_t{1} << free.size(); ++bits) {
-                std::set<std::size_t> left_out;
-                for (std::size_t k = 0; k < free.size(); ++k)
-                    if ((bits >> k & 1U) != 0) left_out.insert(free[k]);
-                const auto states = made_again(*network, run, left_out);
-                if (states && std::ranges::all_of(*states, good)) least = std::min(least, left_out.size());
-            }
-            const ShortestChange change = shortest_change(*network, property, run, 1'000'000);
-            EXPECT_FALSE(change.exhausted);
-            EXPECT_EQ(change.free_moves, free.size());
-            ASSERT_EQ(change.found.has_value(), least <= free.size());
-            if (!change.found) {
-                ++hopeless;
-                continue;
-            }
-            ++mended;
-            EXPECT_EQ(change.found->left_out.size(), least);
-            const auto states = replay(*network, change.found->run);
-            ASSERT_TRUE(states);
-            EXPECT_TRUE(std::ranges::all_of(*states, good));
+            expect_smallest(*network, *network, property, verdict.run.value(), counts);
         }
     }
-    EXPECT_GT(mended, law_size(150) / 40);
-    EXPECT_GT(hopeless, 0);
+    EXPECT_GT(counts.mended, law_size(150) / 40);
+    EXPECT_GT(counts.hopeless, 0);
 }
 
 // -- why it holds ------------------------------------------------------------------------------------------------------
@@ -407,6 +437,40 @@ std::string random_cylinder(Random& random, bool possible = false) {
                           : ": reachable ") +
                 pick(terms) + " && " + pick(terms) + pick({";\n", " at stable;\n"});
     return text + "}\n";
+}
+
+TEST(ExplainLaw, ARunOfAnUntimedLoopIsOneOfItsNetworkAndItsShortestChangeTheSmallestThere) {
+    ChangeCounts counts;
+    for (int seed = 1; seed <= law_size(24); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Reading reading = read_string(random_cylinder(random), "cylinder");
+        ASSERT_TRUE(reading.model) << reading.complaints();
+        const Model& model = *reading.model;
+        ModelOptions how{{}, seed % 2 == 0 ? Grain::Atomic : Grain::Phased};
+        how.untimed.plant = PlantApproach::Automata;
+        how.untimed.time = seed % 5 == 0 ? TimeModel::Discrete : TimeModel::Abstract;
+        const auto network = network_for(model, how);
+        Diagnostics diagnostics;
+        const auto system = transition_system_of(model, Id<ClosedLoop>{0}, how, diagnostics);
+        ASSERT_TRUE(network && system);
+        const Network timed = expand(*network);
+        const Network played = system->ticks.valid() ? timed : without_clocks(timed);
+        const SymbolicResult result = searched(*system, {Pattern::Always, Pattern::Never});
+        for (std::size_t k = 0; k < result.verdicts.size(); ++k) {
+            const Property& property = system->properties[result.verdicts[k].about];
+            const auto asked = std::ranges::find(played.properties, property.name, &Property::name);
+            if (result.verdicts[k].outcome != Outcome::Violated || asked == played.properties.end()) continue;
+            const auto moves = moves_of(played, *system, result.runs[k].value());
+            ASSERT_TRUE(moves) << property.name;
+            const auto states = replay(played, moves->run);
+            ASSERT_TRUE(states);
+            EXPECT_EQ(value(played, states->back(), asked->operands[0]), property.pattern == Pattern::Never);
+            expect_smallest(played, timed, *asked, moves->run, counts);
+        }
+    }
+    EXPECT_GT(counts.mended, 0);
+    EXPECT_GT(counts.hopeless, 0);
 }
 
 /// What `why_it_holds` leaves out by itself, in its order, each with the kind it is told as.
@@ -635,45 +699,119 @@ TaddState end_of(const NaiveTadd& naive, const grafverif::Run& run) {
     return state;
 }
 
-TEST(ExplainLaw, WhatIsNeverClearedAgainIsClearedInNoStateOfTheReferenceSemantics) {
+/// The transitions that are cleared in `state`: seen there, or, in grain atomic, in what the PLC leaves when it fires.
+std::set<std::string> cleared_in(const Network& network, const TaddState& state) {
+    const Network::Controller& controller = *network.controllers.begin();
+    NetworkState now = initial_state(network);
+    for (std::size_t k = 0; k < state.locations.size(); ++k) now.locations[k] = {state.locations[k]};
+    now.variables = state.variables;
+    std::set<std::string> found;
+    const auto look = [&](const NetworkState& there) {
+        for (const auto& each : controller.words.transitions)
+            if (there.variables[each.variable.index] != 0) found.insert(each.name);
+    };
+    if (network.grain == Grain::Phased) look(now);
+    for (const Fire& fire : enabled(network, now)) {
+        NetworkState next = now;
+        const auto& calls = edge_of(network, fire).calls;
+        const bool fires =
+            fire.process == controller.process && std::ranges::find(calls, controller.fire) != calls.end();
+        if (network.grain == Grain::Phased || !fires) continue;
+        EXPECT_EQ(perform(network, next, fire).result, Step::Result::Done);
+        look(next);
+    }
+    return found;
+}
+
+struct LostCounts {
     int never = 0, still = 0;
+};
+
+/// Holds `note`, which names what is lost behind the end of the run, against all states that come after it.
+void expect_lost(const Network& network, const grafverif::Run& run, const std::string& note, LostCounts& counts) {
+    const NaiveTadd naive(network);
+    const std::string words = note + ",";
+    std::set<TaddState> seen = {end_of(naive, run)};
+    std::vector<TaddState> open(seen.begin(), seen.end());
+    std::set<std::string> cleared;
+    while (!open.empty() && seen.size() < 3000) {
+        const TaddState state = std::move(open.back());
+        open.pop_back();
+        cleared.merge(cleared_in(network, state));
+        for (const TaddMove& move : naive.successors(state))
+            if (seen.insert(move.next).second) open.push_back(move.next);
+    }
+    for (const auto& each : network.controllers.begin()->words.transitions) {
+        const bool named = words.find(" " + each.name + ",") != std::string::npos ||
+                           words.find(" " + each.name + " (") != std::string::npos;
+        const bool fires = cleared.contains(each.name);
+        EXPECT_FALSE(named && fires) << each.name << ": " << words;
+        EXPECT_TRUE(named || fires || !open.empty()) << each.name << ": " << words;
+        ++(named ? counts.never : counts.still);
+    }
+}
+
+/// The note that names what is lost; empty: there is none.
+std::string lost_note(const Verdict& verdict) {
+    const auto found =
+        std::ranges::find_if(verdict.notes, [](const std::string& note) { return note.starts_with(lost_text); });
+    return found == verdict.notes.end() ? "" : *found;
+}
+
+void expect_some(std::map<Grain, LostCounts>& counts) {
+    for (const Grain grain : {Grain::Phased, Grain::Atomic}) {
+        EXPECT_GT(counts[grain].never, 0);
+        EXPECT_GT(counts[grain].still, 0);
+    }
+}
+
+TEST(ExplainLaw, WhatIsNeverClearedAgainIsClearedInNoStateOfTheReferenceSemantics) {
+    std::map<Grain, LostCounts> counts;
     for (int seed = 1; seed <= law_size(25); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const Reading reading = read_string(random_cylinder(random, true), "cylinder");
         ASSERT_TRUE(reading.model) << reading.complaints();
-        const auto network = network_for(*reading.model);
+        const Grain grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased;
+        const auto network = network_for(*reading.model, ModelOptions{{}, grain});
         ASSERT_TRUE(network);
-        const NaiveTadd naive(*network);
         std::set<std::string> told;
         for (const Verdict& verdict : searched(*network).verdicts) {
             if (verdict.pattern != Pattern::AlwaysPossible || verdict.outcome != Outcome::Violated) continue;
-            const std::string words = (verdict.notes.empty() ? std::string() : verdict.notes.front()) + ",";
-            if (!told.insert(words).second) continue;
-            std::set<TaddState> seen = {end_of(naive, verdict.run.value())};
-            std::vector<TaddState> open(seen.begin(), seen.end());
-            std::set<std::string> cleared;
-            const auto& transitions = network->controllers.begin()->words.transitions;
-            while (!open.empty() && seen.size() < 3000) {
-                const TaddState state = std::move(open.back());
-                open.pop_back();
-                for (const auto& each : transitions)
-                    if (state.variables[each.variable.index] != 0) cleared.insert(each.name);
-                for (const TaddMove& move : naive.successors(state))
-                    if (seen.insert(move.next).second) open.push_back(move.next);
-            }
-            for (const auto& each : transitions) {
-                const bool named = words.find(" " + each.name + ",") != std::string::npos ||
-                                   words.find(" " + each.name + " (") != std::string::npos;
-                const bool fires = cleared.contains(each.name);
-                EXPECT_FALSE(named && fires) << each.name << ": " << words;
-                EXPECT_TRUE(named || fires || !open.empty()) << each.name << ": " << words;
-                ++(named ? never : still);
-            }
+            const std::string note = lost_note(verdict);
+            if (told.insert(note).second) expect_lost(*network, verdict.run.value(), note, counts[grain]);
         }
     }
-    EXPECT_GT(never, 0);
-    EXPECT_GT(still, 0);
+    expect_some(counts);
+}
+
+TEST(ExplainLaw, WhatIsNeverClearedAgainInAnUntimedLoopIsNotInItsNetworkWithoutClocks) {
+    std::map<Grain, LostCounts> counts;
+    for (int seed = 1; seed <= law_size(6); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Reading reading = read_string(random_cylinder(random, true), "cylinder");
+        ASSERT_TRUE(reading.model) << reading.complaints();
+        ModelOptions how{{}, seed % 2 == 0 ? Grain::Atomic : Grain::Phased};
+        how.untimed.plant = PlantApproach::Automata;
+        const auto network = network_for(*reading.model, how);
+        Diagnostics diagnostics;
+        const auto system = transition_system_of(*reading.model, Id<ClosedLoop>{0}, how, diagnostics);
+        ASSERT_TRUE(network && system);
+        const Network played = without_clocks(expand(*network));
+        const SymbolicResult result = searched(*system, {Pattern::AlwaysPossible});
+        std::set<std::string> told;
+        for (std::size_t k = 0; k < result.verdicts.size(); ++k) {
+            const Verdict& verdict = result.verdicts[k];
+            if (verdict.pattern != Pattern::AlwaysPossible || verdict.outcome != Outcome::Violated) continue;
+            const std::string note = lost_note(verdict);
+            if (!told.insert(note).second) continue;
+            const auto moves = moves_of(played, *system, result.runs[k].value());
+            ASSERT_TRUE(moves);
+            expect_lost(played, moves->run, note, counts[network->grain]);
+        }
+    }
+    expect_some(counts);
 }
 
 }  // namespace

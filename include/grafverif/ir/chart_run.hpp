@@ -141,6 +141,14 @@ struct ChartRun {
         bool operator==(const Cause&) const = default;
     };
 
+    /// What a signal becomes at a moment, or a time that is over then, and could have been without: one of the two is valid.
+    struct LeftOut {
+        std::size_t moment = 0;
+        Id<Signal> signal = {};
+        Id<Timer> timer = {};
+        bool operator==(const LeftOut&) const = default;
+    };
+
     std::string name = {};  ///< the loop
     bool timed = true;      ///< false: of a model that knows no time
     bool searches = true;   ///< a search for stability is one row; false: each evolution is
@@ -160,6 +168,8 @@ struct ChartRun {
     /// The fewest free moves without which the property holds along the run (explain/change.hpp), as moments; empty: none
     /// were looked for, or found.
     std::vector<std::size_t> left_out = {};
+    /// Where inputs and times are free, what they become is (explain/inputs.hpp), one by one; by their moments.
+    std::vector<LeftOut> left_out_values = {};
 
     const State& after(const Row& row) const { return moments[row.moment].after; }
 

@@ -225,8 +225,7 @@ private:
             marked.operands = {initial_situation(*system, *model, model->loops[*loop])};
             system->properties.add(std::move(marked));
         }
-        const SystemToCheck check{*system, charts_of(*model, model->loops[*loop]),
-                                  abstraction_of(untimed(ask_), &model->loops[*loop])};
+        const SystemToCheck check = system_to_check(*system, *model, *loop, untimed(ask_));
         std::vector<std::string> names = made_.kept;
         names.push_back(marked_);
         const std::vector<std::string> unproved = left_unproved(grafverif::check(check, options(names)), names);

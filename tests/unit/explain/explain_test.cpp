@@ -15,12 +15,26 @@ namespace grafverif {
 namespace {
 
 /// The report on a loop of one chart, whose inputs are buttons and whose outputs are lamps.
-Report report_of(const std::string& chart, const std::string& properties) {
+Report report_of(const std::string& chart, const std::string& properties, Grain grain = Grain::Phased) {
     Reading reading = read_string(
         chart + " closed_loop asked { controller c; environment A = push_button(OUT = a); " + properties + " }\n", "c");
     EXPECT_TRUE(reading.model) << reading.complaints();
     if (!reading.model) return {};
-    const auto report = check(*reading.model, {0}, {}, {}, reading.diagnostics);
+    const auto report = check(*reading.model, {0}, {{}, grain}, {}, reading.diagnostics);
+    EXPECT_TRUE(report) << reading.complaints();
+    return report.value_or(Report{});
+}
+
+/// The same of the chart with free inputs.
+Report untimed_report_of(const std::string& chart, const std::string& properties,
+                         PlantApproach plant = PlantApproach::None) {
+    Reading reading = read_string(
+        chart + " closed_loop asked { controller c; environment A = push_button(OUT = a); " + properties + " }\n", "c");
+    EXPECT_TRUE(reading.model) << reading.complaints();
+    if (!reading.model) return {};
+    ModelOptions how;
+    how.untimed.plant = plant;
+    const auto report = check_untimed(*reading.model, Id<ClosedLoop>{0}, how, {}, reading.diagnostics);
     EXPECT_TRUE(report) << reading.complaints();
     return report.value_or(Report{});
 }
@@ -147,6 +161,83 @@ TEST(Explain, BehindThePointOfNoReturnTheTransitionsAreNamedThatAreNeverClearedA
               "(X1 stays "
               "false), wait (armed stays false)\n");
     EXPECT_EQ(notes(report, "other").find("never cleared"), std::string::npos);
+    const std::string atomic = notes(report_of(trap, "property again: always possible X1;", Grain::Atomic), "again");
+    EXPECT_EQ(atomic,
+              "from the end of this run on these transitions are never cleared again: go (X0 stays false), back (X1 "
+              "stays false), on (X1 stays false), trap (X0 stays false), wait (armed stays false)\n");
+    const std::string untimed = notes(untimed_report_of(trap, "property again: always possible X1;"), "again");
+    EXPECT_EQ(untimed,
+              "from the last state of the trace on it is impossible\n"
+              "from the end of this run on these transitions are never cleared again: go, back (X1 stays false), on "
+              "(X1 stays false), wait (armed stays false)\n");
+}
+
+TEST(Explain, WhereInputsAreFreeTheirChangesThatCouldHaveBeenLeftOutAreNamedOneByOne) {
+    const char* chart = R"(grafcet c {
+    input a, b;
+    output green, red;
+    initial step 0 { green; }
+    step 1 { red; }
+    step 2;
+    transition t0: 0 -> 1 when a && b;
+    transition t1: 1 -> 0 when !a;
+    transition t2: 1 -> 2 when 3s/X1;
+})";
+    const Report report = untimed_report_of(
+        chart, "environment B = free(OUT = b); property dark: never red && X1; property short: never X2;");
+    const std::string text = text_of(report);
+    EXPECT_NE(text.find("* causes: at 2: red, X1\n"), std::string::npos) << text;
+    const ChartRun& run = answer(report, "dark").trace.value();
+    EXPECT_EQ(verify(run), std::vector<std::string>{});
+    ASSERT_EQ(run.left_out_values.size(), 1U);
+    EXPECT_EQ(run.left_out_values[0].moment, 0U);
+    EXPECT_NE(
+        text.find(
+            "    without b at 0 the property holds along the run, and on from its end as long as nothing changes\n"),
+        std::string::npos)
+        << text;
+    EXPECT_NE(json_of(report).find(R"("left_out_values": [)"), std::string::npos);
+    // The end of a time is told where it is over.
+    const ChartRun& late = answer(report, "short").trace.value();
+    ASSERT_EQ(late.left_out_values.size(), 1U);
+    EXPECT_TRUE(late.left_out_values[0].timer.valid());
+    EXPECT_NE(text.find("    without 3s/X1 at 1 the property holds"), std::string::npos) << text;
+}
+
+TEST(Explain, WherePlantAutomataTakeTurnsItsFreeMovesAreThoseOfTheLoop) {
+    const Report report = untimed_report_of(lamps, "property dark: never red && X1; property comes: X0 leads to red;",
+                                            PlantApproach::Automata);
+    const std::string text = text_of(report);
+    const ChartRun& run = answer(report, "dark").trace.value();
+    EXPECT_EQ(verify(run), std::vector<std::string>{});
+    EXPECT_EQ(run.causes.size(), 2U);
+    ASSERT_EQ(run.left_out.size(), 1U);
+    EXPECT_EQ(run.instances[run.moments[run.left_out[0]].instance].name, "A");
+    EXPECT_NE(text.find("the property holds along the run\n"), std::string::npos) << text;
+    const ChartRun& never = answer(report, "comes").trace.value();
+    ASSERT_FALSE(never.causes.empty());
+    EXPECT_EQ(never.causes.back().last, never.moments.size() - 1);
+    EXPECT_TRUE(never.left_out.empty());
+}
+
+TEST(Explain, TheChangeThatAChartAloneBecomesStableWithoutIsNamed) {
+    Reading reading = read_string(R"(grafcet c {
+    input a, b;
+    initial step 0;
+    step 1;
+    transition t0: 0 -> 1 when a;
+    transition t1: 1 -> 0 when a && b;
+})",
+                                  "c");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    CheckOptions options;
+    options.properties = {"stabilises"};
+    const auto report = check_untimed(*reading.model, Id<Chart>{0}, {}, options, reading.diagnostics);
+    ASSERT_TRUE(report) << reading.complaints();
+    const ChartRun& run = report->answers.at(0).trace.value();
+    EXPECT_EQ(verify(run), std::vector<std::string>{});
+    EXPECT_EQ(run.left_out_values.size(), 1U);
+    EXPECT_NE(text_of(*report).find("the property holds along the run\n"), std::string::npos) << text_of(*report);
 }
 
 /// What the property fails without.

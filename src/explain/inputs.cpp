@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+#include "explain/inputs.hpp"
+
+#include <algorithm>
+#include <map>
+#include <ranges>
+#include <utility>
+
+#include "explain/causes.hpp"
+#include "explain/smallest.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using System = TransitionSystem;
+using Symbol = Id<System::Symbol>;
+using Event = InputChange::Event;
+using Values = std::vector<std::int64_t>;  // per variable of the flat system
+
+/// Behind its end a run is made so far; one that has not come back by then is not believed.
+constexpr std::size_t most_behind = 1000;
+
+/// Steps cost what their terms do: of larger systems fewer are made.
+constexpr std::size_t few_terms = 1000;
+
+/// What is free in main.
+struct Free {
+    enum class What { Input, Time, Turn };
+    Symbol symbol = {};
+    std::uint32_t variable = 0;  ///< of the flat system
+    What what = What::Turn;
+    std::int64_t rest = 0;
+    Values told = {};              ///< per state of the run
+    std::vector<bool> event = {};  ///< per state of the run
+};
+
+/// A system without choices, state by state.
+class Steps {
+public:
+    Steps(const System& system, const Property& property) : flat_(flattened(system)), property_(property) {
+        for (const Id<Expr> operand : property.operands) operands_.push_back(flattened(system, flat_, operand));
+        if (property.at_stable) settled_ = flattened(system, flat_, system.settled);
+    }
+
+    const FlatSystem& flat() const { return flat_; }
+
+    /// The values of all terms in a state.
+    class Seen {
+    public:
+        Seen(const Steps& model, const Values& values)
+            : model_(model), all_(evaluate_all(model.flat_.exprs, [&](const Expr& leaf) {
+                  return values[static_cast<std::size_t>(leaf.value)];
+              })) {}
+
+        bool is(Id<Expr> term) const { return all_[term.index].value_or(0) != 0; }
+        bool allowed() const {
+            const auto so = [this](Id<Expr> term) { return is(term); };
+            return std::ranges::all_of(model_.flat_.invariants, so) &&
+                   std::ranges::all_of(model_.flat_.transitions, so);
+        }
+        bool good() const {
+            if (model_.settled_.valid() && !is(model_.settled_)) return true;
+            std::size_t holding = 0;
+            for (const Id<Expr> operand : model_.operands_) {
+                if (!all_[operand.index]) return false;
+                if (is(operand)) ++holding;
+            }
+            return model_.property_.pattern == Pattern::Never ? holding == 0 : holding == 1;
+        }
+        /// Gives `values` those after a step, but for what is free; false: one has none, or leaves its range.
+        bool step(Values& values) const {
+            for (const Id<FlatSystem::Variable> id : model_.flat_.variables.ids()) {
+                const FlatSystem::Variable& variable = model_.flat_.variables[id];
+                if (!variable.next) continue;
+                const auto next = all_[variable.next->index];
+                if (!next || *next < variable.type.low || *next > variable.type.high) return false;
+                values[id.index] = *next;
+            }
+            return true;
+        }
+
+    private:
+        const Steps& model_;
+        std::vector<std::optional<std::int64_t>> all_;
+    };
+
+    /// Gives `values`, which has what is free, the rest of the first state.
+    bool begin(Values& values) const {
+        for (const Id<FlatSystem::Variable> id : flat_.variables.ids()) {
+            const FlatSystem::Variable& variable = flat_.variables[id];
+            if (!variable.initial) continue;
+            const auto first = evaluate(flat_.exprs, *variable.initial,
+                                        [&](const Expr& leaf) { return values[static_cast<std::size_t>(leaf.value)]; });
+            if (!first) return false;
+            values[id.index] = *first;
+        }
+        return true;
+    }
+
+private:
+    FlatSystem flat_;
+    const Property& property_;
+    std::vector<Id<Expr>> operands_ = {};
+    Id<Expr> settled_ = {};
+};
+
+class InputSearch {
+public:
+    InputSearch(const System& system, const Property& property, const SystemRun& run, std::size_t effort)
+        : system_(system), run_(run), model_(system, property) {
+        effort_ = std::max<std::size_t>(1, effort * few_terms / std::max(few_terms, model_.flat().exprs.size()));
+    }
+
+    InputChange result() {
+        if (!find_free() || !again()) return {};
+        InputChange found{.events = events()};
+        const SmallestSet smallest = smallest_set(found.events.size(), [&](const std::vector<std::size_t>& chosen) {
+            std::vector<Event> left_out;  // the last ones come first
+            for (const std::size_t each : std::views::reverse(chosen))
+                left_out.push_back(found.events[found.events.size() - 1 - each]);
+            auto made = without(left_out);
+            if (effort_ == 0) return Attempt::Spent;
+            if (!made) return Attempt::DoesNot;
+            found.left_out = std::move(left_out);
+            found.run = system_run(model_.flat(), *made);
+            return Attempt::Does;
+        });
+        found.tried = smallest.tried;
+        found.exhausted = smallest.exhausted;
+        return found;
+    }
+
+private:
+    std::size_t length() const { return run_.states.size(); }
+
+    /// Whether all that is free is known in the run.
+    bool find_free() {
+        std::map<std::uint32_t, Symbol> symbols;  // per variable
+        for (std::uint32_t index = 0; index < model_.flat().symbols.size(); ++index) {
+            const Expr& value = model_.flat().exprs[model_.flat().symbols[index]];
+            if (value.op == Op::Variable) symbols.emplace(static_cast<std::uint32_t>(value.value), Symbol{index});
+        }
+        for (const Id<FlatSystem::Variable> id : model_.flat().variables.ids()) {
+            const FlatSystem::Variable& variable = model_.flat().variables[id];
+            if (variable.choice || (variable.next && !variable.initial)) return false;
+            if (variable.next) continue;
+            if (!symbols.contains(id.index)) return false;
+            Free each{.symbol = symbols.at(id.index), .variable = id.index};
+            each.rest = std::clamp<std::int64_t>(0, variable.type.low, variable.type.high);
+            for (const auto& state : run_.states) each.told.push_back(state[each.symbol.index]);
+            const bool may_be_turn = system_.controllers.size() > 1 && variable.type.boolean;
+            if (!know(each) && !may_be_turn) return false;
+            free_.push_back(std::move(each));
+        }
+        return true;
+    }
+
+    /// What the controllers take it for; whether they know it.
+    bool know(Free& free) const {
+        for (const System::Controller& controller : system_.controllers) {
+            for (const System::Named& input : controller.words.inputs)
+                if (input.variable == free.symbol) free.what = Free::What::Input;
+            for (const auto& timer : controller.words.timers)
+                if (timer.end == free.symbol) free.what = Free::What::Time;
+        }
+        for (std::size_t state = 0; state < length(); ++state) {
+            const std::int64_t now = free.told[state], before = state == 0 ? free.rest : free.told[state - 1];
+            const bool changes = free.what == Free::What::Time ? now > before : now != before;
+            free.event.push_back(changes && free.what != Free::What::Turn);
+        }
+        return free.what != Free::What::Turn;
+    }
+
+    std::vector<Event> events() const {
+        std::vector<Event> found;
+        for (std::size_t state = 0; state < length(); ++state)
+            for (const Free& free : free_)
+                if (free.event[state]) found.push_back({free.symbol, state});
+        return found;
+    }
+
+    /// Makes the run again as it was, and keeps it; whether it is the same, and bad.
+    bool again() {
+        Values values(model_.flat().variables.size());
+        for (std::size_t state = 0; state < length(); ++state) {
+            for (const Free& free : free_) values[free.variable] = free.told[state];
+            if (state == 0 && !model_.begin(values)) return false;
+            const Steps::Seen seen(model_, values);
+            if (symbol_values(model_.flat(), values) != run_.states[state] || !seen.allowed()) return false;
+            if (!bad_ && !seen.good()) bad_ = state;
+            states_.push_back(values);
+            if (state + 1 < length() && !seen.step(values)) return false;
+        }
+        return bad_.has_value();
+    }
+
+    /// What is free in a state of the run without some events; for each variable it has the state before.
+    void set_free(const std::vector<Event>& left_out, std::size_t state, const Values& before, Values& values) const {
+        for (const Free& free : free_) {
+            std::int64_t& now = values[free.variable];
+            const bool changes = free.event[state] && !is_in(left_out, free, state);
+            const std::int64_t kept = state == 0 ? free.rest : before[free.variable];
+            switch (free.what) {
+            case Free::What::Turn: now = free.told[state]; break;
+            case Free::What::Input: now = changes ? free.told[state] : kept; break;
+            case Free::What::Time: now = time_told(left_out, free, state); break;
+            }
+        }
+    }
+
+    /// A time that is left out is not over until it is over the next time.
+    std::int64_t time_told(const std::vector<Event>& left_out, const Free& free, std::size_t state) const {
+        for (std::size_t k = state + 1; k-- > 0;)
+            if (free.event[k]) return is_in(left_out, free, k) ? 0 : free.told[state];
+        return free.told[state];
+    }
+
+    static bool is_in(const std::vector<Event>& left_out, const Free& free, std::size_t state) {
+        return std::ranges::find(left_out, Event{free.symbol, state}) != left_out.end();
+    }
+
+    /// The run made again; nothing where it is none, or bad.
+    std::optional<FlatRun> without(const std::vector<Event>& left_out) {
+        const std::size_t from = left_out.front().state;
+        if (*bad_ < from) return {};
+        FlatRun made{{states_.begin(), states_.begin() + static_cast<std::ptrdiff_t>(from)}, {}};
+        Values values = states_[from];
+        for (std::size_t state = from; state < length(); ++state) {
+            set_free(left_out, state, state == 0 ? values : made.states.back(), values);
+            if (state == 0 && !model_.begin(values)) return {};
+            if (!go_on(made, values)) return {};
+        }
+        return for_ever(made, std::move(values)) ? std::optional(std::move(made)) : std::nullopt;
+    }
+
+    /// One more state, and a step from it; false: it is none, or bad.
+    bool go_on(FlatRun& made, Values& values) {
+        if (effort_ == 0) return false;
+        --effort_;
+        const Steps::Seen seen(model_, values);
+        if (!seen.allowed() || !seen.good()) return false;
+        made.states.push_back(values);
+        return seen.step(values);
+    }
+
+    bool for_ever(FlatRun& made, Values values) {
+        for (const Free& free : free_)
+            if (free.what == Free::What::Turn) values[free.variable] = 1;
+        std::map<Values, std::size_t> behind;
+        for (std::size_t k = 0; k < most_behind; ++k) {
+            const auto [known, is_new] = behind.emplace(values, made.states.size());
+            if (!is_new) {
+                made.loop = known->second;
+                return true;
+            }
+            if (!go_on(made, values)) return false;
+        }
+        return false;
+    }
+
+    const System& system_;
+    const SystemRun& run_;
+    Steps model_;
+    std::size_t effort_ = 0;
+    std::vector<Free> free_ = {};
+    std::vector<Values> states_ = {};
+    std::optional<std::size_t> bad_ = {};  ///< the first bad state of the run
+};
+
+bool about_states(Pattern pattern) {
+    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
+}
+
+}  // namespace
+
+InputChange fewest_input_changes(const System& system, const Property& property, const SystemRun& run,
+                                 std::size_t effort) {
+    if (!about_states(property.pattern) || run.states.empty()) return {};
+    return InputSearch(system, property, run, effort).result();
+}
+
+namespace {
+
+/// Where the run tells that the time is over: in the state of the event, or, where the step that it is of becomes active later,
+/// then.
+std::size_t moment_of(const ChartRun& told, Id<ChartRun::Timer> timer, std::size_t first, std::size_t last) {
+    for (std::size_t moment = first; moment < told.moments.size(); ++moment)
+        if (told.moments[moment].timer == timer) return moment;
+    return last;
+}
+
+}  // namespace
+
+void mark(const System& system, const std::vector<Event>& left_out, ChartRun& told) {
+    const std::vector<std::size_t> moments = moments_of_states(told);
+    for (const Event& event : left_out) {
+        const std::size_t last = moments[event.state], first = event.state == 0 ? 0 : moments[event.state - 1] + 1;
+        std::optional<ChartRun::LeftOut> known;
+        for (const Id<ChartRun::Controller> id : told.controllers.ids()) {
+            const auto& words = system.controllers[id.index].words;
+            const ChartRun::Controller& controller = told.controllers[id];
+            for (std::size_t k = 0; k < words.inputs.size(); ++k)
+                if (words.inputs[k].variable == event.symbol) known = {last, controller.inputs[k], {}};
+            for (std::size_t k = 0; k < words.timers.size(); ++k)
+                if (words.timers[k].end == event.symbol)
+                    known = {moment_of(told, controller.timers[k], first, last), {}, controller.timers[k]};
+        }
+        if (known) told.left_out_values.push_back(*known);
+    }
+    std::ranges::stable_sort(told.left_out_values, {}, &ChartRun::LeftOut::moment);
+}
+
+}  // namespace grafverif

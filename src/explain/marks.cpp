@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// Causes in the words of the charts.
+#include <algorithm>
+#include <map>
+
+#include "explain/causes.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// Adds a cause of one moment, or makes the same one longer that reaches to `before` it.
+void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
+    for (ChartRun::Cause& earlier : run.causes) {
+        ChartRun::Cause same = earlier;
+        same.first = cause.first;
+        same.last = cause.last;
+        if (same != cause || earlier.last < before) continue;
+        earlier.last = cause.last;
+        return;
+    }
+    run.causes.push_back(cause);
+}
+
+/// Where the run has what the leaves of terms read.
+class Marker {
+public:
+    Marker(const Network& network, ChartRun& run) : network_(network), run_(run) {
+        std::uint32_t instances = 0;
+        for (const Network::Process& process : network.processes)
+            instances_.push_back(process.kind == Network::ProcessKind::Controller
+                                     ? Id<ChartRun::Instance>{}
+                                     : Id<ChartRun::Instance>{instances++});
+        for (const Id<Network::Variable> id : network.variables.ids()) {
+            const auto signal = std::ranges::find_if(run.signals, [&](const ChartRun::Signal& each) {
+                return each.role != ChartRun::Role::Image && each.name == network.variables[id].told_name();
+            });
+            if (signal != run.signals.end())
+                signals_[id.index] = {static_cast<std::uint32_t>(signal - run.signals.begin())};
+        }
+        for (const Id<Network::Controller> id : network.controllers.ids()) {
+            const auto& words = network.controllers[id].words;
+            const ChartRun::Controller& controller = run.controllers[{id.index}];
+            for (std::size_t k = 0; k < words.steps.size(); ++k)
+                steps_[words.steps[k].variable.index] = controller.steps[k];
+            for (std::size_t k = 0; k < words.internals.size(); ++k)
+                signals_[words.internals[k].variable.index] = controller.internals[k];
+        }
+    }
+
+    void mark(const Causes::Pair& pair) {
+        for (const Id<Expr> leaf : leaves(network_.exprs, pair.term)) add(network_.exprs[leaf], pair.state);
+    }
+
+private:
+    void add(const Expr& leaf, std::size_t state) {
+        const std::size_t moment = std::min(state, run_.moments.size() - 1);
+        const ChartRun::State& after = run_.moments[moment].after;
+        ChartRun::Cause cause{.first = moment, .last = moment};
+        const auto index = static_cast<std::uint32_t>(leaf.value);
+        if (leaf.op == Op::At) {
+            cause.instance = instances_[at_process(leaf)];
+            cause.location = at_location(leaf);
+            cause.value = location_of(cause.instance, moment) == cause.location ? 1 : 0;
+            if (!cause.instance.valid()) return;
+        } else if (const auto step = steps_.find(index); step != steps_.end()) {
+            cause.step = step->second;
+            cause.value = std::ranges::find(after.situation, cause.step) != after.situation.end() ? 1 : 0;
+        } else if (const auto signal = signals_.find(index); signal != signals_.end()) {
+            cause.signal = signal->second;
+            cause.value = after.values[cause.signal.index];
+        } else {
+            return;
+        }
+        append(run_, cause, moment == 0 ? 0 : moment - 1);
+    }
+
+    std::size_t location_of(Id<ChartRun::Instance> instance, std::size_t moment) const {
+        for (std::size_t k = moment; k > 0; --k)
+            if (run_.moments[k].instance == instance && run_.moments[k].location) return *run_.moments[k].location;
+        for (const Id<Network::Process> id : network_.processes.ids())
+            if (instances_[id.index] == instance) return network_.processes[id].initial.index;
+        return 0;
+    }
+
+    const Network& network_;
+    ChartRun& run_;
+    std::vector<Id<ChartRun::Instance>> instances_ = {};          // per process
+    std::map<std::uint32_t, Id<ChartRun::Step>> steps_ = {};      // per variable
+    std::map<std::uint32_t, Id<ChartRun::Signal>> signals_ = {};  // per variable
+};
+
+/// The same of an untimed model, whose leaves are symbols of main.
+class SystemMarker {
+public:
+    SystemMarker(const TransitionSystem& system, const SystemRun& shown, ChartRun& run)
+        : system_(system), shown_(shown), run_(run), moments_(moments_of_states(run)) {
+        for (std::uint32_t index = 0; index < system.controllers.size(); ++index) add_words(index);
+        for (std::uint32_t index = 0; index < system.components.size(); ++index) {
+            const TransitionSystem::Component& component = system.components[index];
+            if (component.location.valid()) instances_[component.location.index] = {index};
+            for (const TransitionSystem::Named& named : component.variables)
+                for (const Id<ChartRun::Signal> id : run.signals.ids())
+                    if (run.signals[id].role == ChartRun::Role::Plant && run.signals[id].name == named.name)
+                        signals_[named.variable.index] = id;
+        }
+    }
+
+    void mark(const Causes::Pair& pair) {
+        const std::size_t moment = moments_[pair.state];
+        mark(pair, moment, pair.state == 0 ? 0 : moments_[pair.state - 1]);
+        // The last moment is that before the loop again.
+        if (run_.loop && moment + 1 == *run_.loop)
+            mark(pair, run_.moments.size() - 1, moments_[shown_.states.size() - 1]);
+    }
+
+private:
+    void add_words(std::uint32_t index) {
+        const auto& words = system_.controllers[index].words;
+        const ChartRun::Controller& controller = run_.controllers[{index}];
+        const auto add = [&](const auto& named, const std::vector<Id<ChartRun::Signal>>& told) {
+            for (std::size_t k = 0; k < named.size(); ++k) signals_[named[k].variable.index] = told[k];
+        };
+        add(words.inputs, controller.inputs);
+        add(words.outputs, controller.outputs);
+        add(words.internals, controller.internals);
+        for (std::size_t k = 0; k < words.steps.size(); ++k)
+            steps_[words.steps[k].variable.index] = controller.steps[k];
+    }
+
+    void mark(const Causes::Pair& pair, std::size_t moment, std::size_t before) {
+        for (const Id<Expr> leaf : leaves(system_.exprs, pair.term)) add(leaf, pair, moment, before);
+    }
+
+    void add(Id<Expr> leaf, const Causes::Pair& pair, std::size_t moment, std::size_t before) {
+        const auto symbol = static_cast<std::uint32_t>(system_.exprs[leaf].value);
+        const ChartRun::State& after = run_.moments[moment].after;
+        ChartRun::Cause cause{.first = moment, .last = moment};
+        if (const auto step = steps_.find(symbol); step != steps_.end()) {
+            cause.step = step->second;
+            cause.value = std::ranges::find(after.situation, cause.step) != after.situation.end() ? 1 : 0;
+        } else if (const auto signal = signals_.find(symbol); signal != signals_.end()) {
+            cause.signal = signal->second;
+            cause.value = after.values[cause.signal.index];
+        } else if (const auto instance = instances_.find(symbol); instance != instances_.end()) {
+            const std::int64_t here = shown_.states[pair.state][symbol];
+            const std::int64_t asked = compared_with(pair.term, leaf).value_or(here);
+            const Type type = system_.modules[system_.main].symbols[{symbol}].type;
+            cause.instance = instance->second;
+            cause.location = static_cast<std::size_t>(asked - type.low);
+            cause.value = here == asked ? 1 : 0;
+        } else {
+            return look_through(symbol, pair, moment, before);
+        }
+        append(run_, cause, before);
+    }
+
+    /// Of a definition what it reads. What nobody knows is missing among the causes, and they say so.
+    void look_through(std::uint32_t symbol, const Causes::Pair& pair, std::size_t moment, std::size_t before) {
+        const auto& kind = system_.modules[system_.main].symbols[{symbol}].kind;
+        const auto* define = std::get_if<TransitionSystem::DefineSymbol>(&kind);
+        if (define == nullptr) run_.causes_exact = false;
+        else
+            for (const Id<Expr> leaf : leaves(system_.exprs, define->value)) add(leaf, pair, moment, before);
+    }
+
+    /// The location that a term asks for: `location = going_out`.
+    std::optional<std::int64_t> compared_with(Id<Expr> term, Id<Expr> leaf) const {
+        if (system_.exprs[term].op != Op::Equal) return {};
+        const auto sides = system_.exprs.operands(term);
+        const Id<Expr> other = sides[0] == leaf ? sides[1] : sides[0];
+        if (system_.exprs[other].op != Op::Integer) return {};
+        return system_.exprs[other].value;
+    }
+
+    const TransitionSystem& system_;
+    const SystemRun& shown_;
+    ChartRun& run_;
+    std::vector<std::size_t> moments_;
+    std::map<std::uint32_t, Id<ChartRun::Signal>> signals_ = {};  // per symbol
+    std::map<std::uint32_t, Id<ChartRun::Step>> steps_ = {};
+    std::map<std::uint32_t, Id<ChartRun::Instance>> instances_ = {};
+};
+
+}  // namespace
+
+void mark(const Network& network, const Causes& causes, ChartRun& run) {
+    Marker marker(network, run);
+    run.causes_exact = causes.exact;
+    for (const Causes::Pair& pair : causes.pairs) marker.mark(pair);
+    // The last moment is that before the loop again.
+    for (const Causes::Pair& pair : causes.pairs)
+        if (run.loop && pair.state + 1 == *run.loop) marker.mark({pair.term, run.moments.size() - 1});
+    std::ranges::stable_sort(run.causes, {}, &ChartRun::Cause::first);
+}
+
+void mark(const TransitionSystem& system, const SystemRun& shown, const Causes& causes, ChartRun& run) {
+    SystemMarker marker(system, shown, run);
+    run.causes_exact = causes.exact;
+    for (const Causes::Pair& pair : causes.pairs) marker.mark(pair);
+    std::ranges::stable_sort(run.causes, {}, &ChartRun::Cause::first);
+}
+
+std::vector<std::size_t> moments_of_states(const ChartRun& run) {
+    std::vector<std::size_t> moments = {0};
+    for (std::size_t moment = 1; moment < run.moments.size(); ++moment) {
+        const bool last = moment + 1 == run.moments.size() || run.moments[moment + 1].move != run.moments[moment].move;
+        if (last) moments.push_back(moment);
+    }
+    return moments;
+}
+
+}  // namespace grafverif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The smallest set that does something, found by trying all sets: those of one first, then those of two, each size in order.
+#pragma once
+
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace grafverif {
+
+/// What came of trying a set.
+enum class Attempt {
+    Does,
+    DoesNot,
+    Spent,  ///< nobody knows: the effort allowed is used up
+};
+
+struct SmallestSet {
+    std::optional<std::vector<std::size_t>> found = {};  ///< increasing
+    std::size_t tried = 0;                               ///< sets
+    bool exhausted = false;                              ///< the effort is used up, and there were more to try
+};
+
+/// The next choice of as many out of `count`, in order; false: there is none.
+inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
+    for (std::size_t k = chosen.size(); k-- > 0;) {
+        if (chosen[k] + chosen.size() - k >= count) continue;
+        ++chosen[k];
+        for (std::size_t i = k + 1; i < chosen.size(); ++i) chosen[i] = chosen[i - 1] + 1;
+        return true;
+    }
+    return false;
+}
+
+/// Of the sets of numbers below `count`, without the empty one. `attempt` tells what a set does.
+template <class Try>
+SmallestSet smallest_set(std::size_t count, const Try& attempt) {
+    SmallestSet result;
+    for (std::size_t size = 1; size <= count; ++size) {
+        std::vector<std::size_t> chosen(size);
+        std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+        do {
+            const Attempt what = attempt(chosen);
+            result.exhausted = what == Attempt::Spent;
+            if (result.exhausted) return result;
+            ++result.tried;
+            if (what == Attempt::DoesNot) continue;
+            result.found = chosen;
+            return result;
+        } while (next_choice(chosen, count));
+    }
+    return result;
+}
+
+}  // namespace grafverif
