@@ -143,12 +143,19 @@ private:
         return exprs().disjunction(faults);
     }
 
+    /// Settled, and no fault comes of the evolution that is at hand: an output that divides by zero has none to write.
+    Id<Expr> settled(std::size_t k) {
+        const Id<Expr> settled = inner(k, modules_[k].settled);
+        const Id<Symbol> faulting = modules_[k].faulting;
+        return faulting.valid() ? exprs().conjunction(settled, exprs().negation(inner(k, faulting))) : settled;
+    }
+
     void add_waits() {
         Id<Expr> done = exprs().constant(true);
         for (const std::size_t k : {0U, 1U}) {
             const Id<Expr> answered = options_.mode == ExecutionMode::EveryCycle
                                           ? exprs().constant(true)
-                                          : exprs().disjunction(inner(k, modules_[k].settled), fault(k));
+                                          : exprs().disjunction(settled(k), fault(k));
             answered_[k] = main_.draft.leaf(
                 main_.draft.define(k == 0 ? "a_answered" : "b_answered", answered, "who has answered the scan"));
             done = exprs().conjunction(done, answered_[k]);

@@ -423,14 +423,26 @@ ControllerModule controller_module(const Equations& equations, const ControllerS
     const Id<Symbol> stable = add_stable(cycle, draft, faults);
     const Id<Symbol> settled = set_outputs(cycle, draft, stable, next, faults);
     set_timers(cycle, draft, next);
-    const Id<Symbol> race = add_flag(cycle, draft, "race", races(cycle, draft, faults));
+    const std::vector<Id<Expr>> racing = races(cycle, draft, faults);
+    const Id<Symbol> race = add_flag(cycle, draft, "race", racing);
     const Id<Symbol> out_of_range = add_flag(cycle, draft, "out_of_range", faults.conditions);
     std::ranges::sort(faults.bounded);
     const auto repeated = std::ranges::unique(faults.bounded);
     faults.bounded.erase(repeated.begin(), repeated.end());
-    return {
-        std::move(draft.module),  cycle.parameters(), cycle.all_shown(), cycle.started(), settled, race, out_of_range,
-        std::move(faults.bounded)};
+    Id<Symbol> faulting;
+    if (style.scans && (race.valid() || out_of_range.valid())) {
+        const Id<Expr> any = exprs.disjunction(exprs.disjunction(racing), exprs.disjunction(faults.conditions));
+        faulting = draft.define("faulting", any, "what sets a fault");
+    }
+    return {std::move(draft.module),
+            cycle.parameters(),
+            cycle.all_shown(),
+            cycle.started(),
+            settled,
+            race,
+            out_of_range,
+            std::move(faults.bounded),
+            faulting};
 }
 
 }  // namespace grafverif::schedule

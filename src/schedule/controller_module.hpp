@@ -22,6 +22,7 @@ struct ControllerModule {
     Id<Symbol> race = {};                               ///< not valid: no two stored actions can race
     Id<Symbol> out_of_range = {};                       ///< not valid: every assignment stays in its range
     std::vector<Id<Equations::Variable>> bounded = {};  ///< the variables whose assignments may leave their range
+    Id<Symbol> faulting = {};  ///< of scans: the step at hand sets one of these flags; not valid: none ever does
 };
 
 struct ControllerStyle {

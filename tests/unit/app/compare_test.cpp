@@ -216,6 +216,27 @@ TEST(Compare, AStopByAFaultAndOneForWantOfAStableSituationAreTheSame) {
               ExitCode::Verdict);
 }
 
+TEST(Compare, ADivisionByZeroIsAStopLikeTheWantOfAStableSituation) {
+    const std::string begin = "grafcet c {\n    input in, n: int 0..1;\n    output L;\n    initial step 0";
+    const std::string rest = "    transition t1: 1 -> 0 when in;\n}\n";
+    const std::string unstable = begin + ";\n    step 1;\n    step 2 { L; }\n    transition t0: 0 -> 1 when n == 0;\n" +
+                                 "    transition t1: 1 -> 0 when n == 0;\n    transition t2: 2 -> 0 when in;\n}\n";
+    for (const std::string& dividing :
+         {";\n    step 1 { L; }\n    transition t0: 0 -> 1 when 6 / n > 7;\n" + rest,
+          ";\n    step 1 { L; }\n    transition t0: 0 -> 1 when rise(6 / n > 7);\n" + rest,
+          ";\n    step 1 { L; }\n    transition t0: 0 -> 1 when 2s/(6 / n > 7);\n" + rest,
+          " { L if 6 / n > 7; }\n    step 1;\n    transition t0: 0 -> 1 when false;\n" + rest}) {
+        SCOPED_TRACE(dividing);
+        for (const bool turned : {false, true}) {
+            const Result same = turned ? compared(unstable, begin + dividing) : compared(begin + dividing, unstable);
+            EXPECT_EQ(same.code, ExitCode::Done) << same.out << same.err;
+            EXPECT_NE(same.out.find(": equal\n"), std::string::npos) << same.out;
+        }
+        const std::string stable = with(unstable, "1 -> 0 when n == 0", "1 -> 0 when false");
+        EXPECT_EQ(compared(begin + dividing, stable).code, ExitCode::Verdict) << "one stops";
+    }
+}
+
 TEST(Compare, WhatIsStoppedIsUnknown) {
     const std::string station = (root / "samples/testing_station/testing_station.grafcet").string();
     const Result result = grafverif({"compare", station, station, "--chart", "testing_station", "--timeout", "1ms"});
