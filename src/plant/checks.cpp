@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -61,27 +62,60 @@ struct Bounds {
     std::optional<std::int64_t> low = {}, high = {};
 };
 
+/// Beyond all ranges: sums of some that are not stay within 64 bits.
+bool is_far(std::int64_t value) { return std::abs(value / 2) > std::int64_t{1} << 40U; }
+
+/// A variable, or what an input bound to a term makes of it: `H`, `H - 2`, `10 - H`.
+struct Shifted {
+    Id<Network::Variable> variable = {};  ///< not valid: the term is none of these
+    std::int64_t offset = 0;
+    bool mirrored = false;
+};
+
+Shifted shifted(const Slots& slots, Id<Expr> root) {
+    const Exprs& exprs = slots.network.exprs;
+    const Op op = exprs[root].op;
+    if (op == Op::Parameter || op == Op::Variable) return {slots.variable(exprs[root]), 0, false};
+    if (op != Op::Plus && op != Op::Minus) return {};
+    const auto operands = exprs.operands(root);
+    const auto left = constant_value(slots, operands[0]), right = constant_value(slots, operands[1]);
+    if (left.has_value() == right.has_value() || is_far(left.value_or(right.value_or(0)))) return {};
+    Shifted made = shifted(slots, operands[left ? 1 : 0]);
+    const bool turned = left && op == Op::Minus;
+    const std::int64_t by = left ? *left : op == Op::Minus ? -*right : *right;
+    if (turned) made.mirrored = !made.mirrored;
+    made.offset = by + (turned ? -made.offset : made.offset);
+    return made;
+}
+
 void note_bound(const Slots& slots, Id<Expr> comparison, std::vector<Bounds>& found) {
     const Op op = slots.network.exprs[comparison].op;
     if (op < Op::Less || op > Op::GreaterEqual) return;
     const auto operands = slots.network.exprs.operands(comparison);
-    const bool turned = !variable_of(slots, operands[0]).valid();  // `3 <= X`
-    const Id<Network::Variable> variable = variable_of(slots, operands[turned ? 1 : 0]);
-    const auto value = constant_value(slots, operands[turned ? 0 : 1]);
-    if (!variable.valid() || !value) return;
-    auto here = std::ranges::find(found, variable, &Bounds::variable);
-    if (here == found.end()) here = found.insert(found.end(), Bounds{variable, {}, {}});
-    const bool upper = (op == Op::Less || op == Op::LessEqual) != turned;
+    const auto left = constant_value(slots, operands[0]);  // `3 <= X`
+    const auto value = left ? left : constant_value(slots, operands[1]);
+    const Shifted of = shifted(slots, operands[left ? 1 : 0]);
+    if (!of.variable.valid() || !value || is_far(*value)) return;
+    auto here = std::ranges::find(found, of.variable, &Bounds::variable);
+    if (here == found.end()) here = found.insert(found.end(), Bounds{of.variable, {}, {}});
+    const std::int64_t at = of.mirrored ? of.offset - *value : *value - of.offset;
+    const bool upper = ((op == Op::Less || op == Op::LessEqual) != left.has_value()) != of.mirrored;
     const std::int64_t strict = op == Op::Less || op == Op::Greater ? 1 : 0;
-    if (upper) here->high = std::min(here->high.value_or(INT64_MAX), *value - strict);
-    else here->low = std::max(here->low.value_or(INT64_MIN), *value + strict);
+    if (upper) here->high = std::min(here->high.value_or(INT64_MAX), at - strict);
+    else here->low = std::max(here->low.value_or(INT64_MIN), at + strict);
 }
 
+/// Of a conjunction, also where one of it is one itself: a guard that reads an input bound to such a term.
 std::vector<Bounds> bounds(const Slots& slots, Id<Expr> guard) {
     const Exprs& exprs = slots.network.exprs;
     std::vector<Bounds> found;
-    if (exprs[guard].op == Op::And)
-        for (const Id<Expr> operand : exprs.operands(guard)) note_bound(slots, operand, found);
+    std::vector<Id<Expr>> waiting{guard};
+    while (!waiting.empty()) {
+        const Id<Expr> term = waiting.back();
+        waiting.pop_back();
+        if (exprs[term].op != Op::And) note_bound(slots, term, found);
+        else std::ranges::copy(exprs.operands(term), std::back_inserter(waiting));
+    }
     return found;
 }
 
