@@ -253,7 +253,8 @@ std::string LoopSimulation::wait() {
 
 std::string LoopSimulation::set(const std::vector<Setting>& settings) {
     if (settings.size() > 1) return "where there is a plant, set one input at a time";
-    const auto& [name, value] = settings.front();
+    const auto& [written, value] = settings.front();
+    const std::string behind = behind_port(written), name = behind.empty() ? written : behind;
     const auto settable = [](const Network::Variable& variable) {
         return (variable.role == Network::Role::Input || variable.role == Network::Role::Plant) && !variable.scratch;
     };
@@ -304,6 +305,20 @@ std::optional<std::string> LoopSimulation::location_of(std::string_view instance
         const Network::Process& process = network_.processes[id];
         if (process.name == instance)
             return network_.templates[process.automaton].locations[state_.locations[id.index]].name;
+    }
+    return {};
+}
+
+std::string LoopSimulation::behind_port(std::string_view name) const {
+    const std::size_t dot = std::min(name.find('.'), name.size());
+    for (const Network::Process& process : network_.processes) {
+        if (process.name != name.substr(0, dot) || dot == name.size()) continue;
+        const Network::Template& automaton = network_.templates[process.automaton];
+        for (const Id<Network::Parameter> id : automaton.parameters.ids()) {
+            const auto* const bound = std::get_if<Id<Network::Variable>>(&process.arguments[id.index]);
+            if (bound != nullptr && automaton.parameters[id].name == name.substr(dot + 1))
+                return network_.variables[*bound].told_name();
+        }
     }
     return {};
 }

@@ -64,6 +64,9 @@ public:
     std::optional<std::int64_t> soonest_ms() const;
     /// Where the instance is; empty: there is none of that name.
     std::optional<std::string> location_of(std::string_view instance) const;
+    /// What the variable behind a port is called: of `Main.FLOW` that what the output writes, of an input what it reads;
+    /// empty: there is no such port, or what it reads is a term.
+    std::string behind_port(std::string_view name) const;
     /// Undoes the last command; false: there is none.
     bool back();
     /// How many there are to undo.

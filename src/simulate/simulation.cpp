@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "simulate/called.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif {
@@ -62,10 +63,18 @@ std::string Simulation::expect(const ExpectCommand& wish) {
         const auto* const loop = std::get_if<LoopSimulation>(&of_);
         return loop == nullptr ? std::nullopt : loop->location_of(instance);
     };
+    Claim claim = wish.claim;
+    for (Claim::Part& part : claim.parts) {  // a port is what stands behind it, where its name is no other
+        const auto* const loop = std::get_if<LoopSimulation>(&of_);
+        const bool known =
+            !signals_called(told(), part.name).empty() || location_called(told(), part.name).instance.valid();
+        const std::string behind = loop == nullptr || known ? std::string() : loop->behind_port(part.name);
+        if (!behind.empty()) part.name = behind;
+    }
     const std::int64_t begin = told().moments.back().after.time_ms;
     for (;;) {
         std::string problem;
-        const auto unmet = unmet_part(wish.claim, told(), location_of, problem);
+        const auto unmet = unmet_part(claim, told(), location_of, problem);
         if (!unmet) return problem;
         if (unmet->empty()) return {};
         const auto failed = [&](std::string_view why) {

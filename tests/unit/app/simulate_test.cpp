@@ -171,6 +171,21 @@ TEST(Simulate, ScriptsExpectAndRepeat) {
     EXPECT_NE(squeezed(result.out).find("8 s blinker: 1s/X2 is true"), std::string::npos) << result.out;
 }
 
+TEST(Simulate, TakesAPortForWhatStandsBehindItAsPropertiesDo) {
+    const Folder folder;
+    const auto run = [&](const std::string& text) {
+        return grafverif({"simulate", blinker, "--script", folder.write("test.txt", text)});
+    };
+    const Result good =
+        run("wait 1s\nButton.OUT = true\nexpect Button.OUT and Lamp.ON and BUTTON\nexpect Lamp.ON = 1\n");
+    EXPECT_EQ(good.code, ExitCode::Done) << good.err;
+    const Result unmet = run("expect not Button.OUT\nexpect Lamp.ON\n");
+    EXPECT_EQ(unmet.code, ExitCode::Verdict);
+    EXPECT_NE(unmet.err.find("expected `Lamp.ON`, but `LAMP` is false"), std::string::npos) << unmet.err;
+    const Result wrong = run("expect Lamp.OF\n");
+    EXPECT_NE(wrong.err.find("there is no variable or step `Lamp.OF`"), std::string::npos) << wrong.err;
+}
+
 TEST(Simulate, TellsExpectationsThatAreNotMetAndGoesOn) {
     const Folder folder;
     const std::string script = folder.write("test.txt",
