@@ -58,6 +58,9 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
     if (timed && options.check_untimed)
         return fmt::format("`--engine {}` checks timed models; leave out `--untimed` and what it takes",
                            values["engine"].as<std::string>());
+    if (timed && options.chart)
+        return fmt::format("`--engine {}` checks closed loops; a chart alone (`--chart`) is checked untimed",
+                           values["engine"].as<std::string>());
     const bool open = options.engine == Engine::Embedded || options.engine == Engine::Auto;  // to either kind of model
     if (options.stats && (options.check_untimed || !(open || options.engine == Engine::Timed)))
         return "`--stats` asks the embedded timed engine where its states come from; other engines cannot say";

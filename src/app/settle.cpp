@@ -106,6 +106,10 @@ std::string settle_company(const Verb& verb, const Options& options,
     for (const auto& [one, other] : excludes)
         if (given(one) && given(other) && (of_loops || one != std::string_view("chart")))
             return fmt::format("`--{}` and `--{}` exclude each other", one, other);
+    if (of_loops && given("chart") && given("set"))
+        return "`--set` gives a constant of a closed loop its value, and `--chart` asks of a chart alone, which reads "
+               "none; "
+               "leave one of them out";
     const bool bounded = options.engine == Engine::Bmc || options.engine == Engine::Auto;
     if (options.max_steps && !bounded)
         return "`--max-steps` bounds the search of `--engine bmc` and of `--engine auto`";

@@ -331,6 +331,10 @@ TEST(Check, TheTimedEngineNeedsAClosedLoop) {
                                                   "transition t: 0 -> 1 when x; }\n")});
     EXPECT_EQ(result.code, ExitCode::Input);
     EXPECT_NE(result.err.find("[no-closed-loop]"), std::string::npos);
+    const Result chart = grafverif({"check", "--engine", "timed", "--chart", "testing_station", station});
+    EXPECT_EQ(chart.code, ExitCode::Input);
+    EXPECT_EQ(chart.out, "");
+    EXPECT_NE(chart.err.find("a chart alone (`--chart`) is checked untimed"), std::string::npos) << chart.err;
 }
 
 }  // namespace

@@ -92,6 +92,19 @@ TEST(Constants, ThatALoopDoesNotHaveCannotBeSet) {
     EXPECT_EQ(grafverif({"check", file, "--all", "--set", "COUNT=3", "--quiet"}).code, ExitCode::Done);
 }
 
+TEST(Constants, AreNotSetForAChartAloneWhichReadsNone) {
+    const Folder folder;
+    const std::string file = folder.write("tank.grafcet", tank);
+    for (const char* verb : {"check", "nusmv", "aiger", "btor2", "simulate", "report"}) {
+        const Result result = grafverif({verb, file, "--chart", "filling", "--set", "N=3"});
+        EXPECT_EQ(result.code, ExitCode::Input) << verb;
+        EXPECT_NE(result.err.find("a chart alone, which reads none"), std::string::npos) << verb << result.err;
+        EXPECT_TRUE(result.out.empty()) << verb;
+    }
+    // The chart of which mutants are made is one of the loop.
+    EXPECT_NE(grafverif({"mutate", file, "--chart", "filling", "--limit", "1", "--set", "N=3"}).code, ExitCode::Input);
+}
+
 TEST(Constants, SetForMutantsAreSetInEachAndKeptApart) {
     const Folder folder;
     const std::string file = folder.write("tank.grafcet", tank), state = folder.file("state");
