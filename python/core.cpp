@@ -11,6 +11,7 @@
 #include <condition_variable>
 #include <exception>
 #include <initializer_list>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <sstream>
@@ -394,16 +395,18 @@ PYBIND11_MODULE(_core, module) {
     py::class_<File>(module, "File")
         .def_static(
             "read",
-            [](const std::string& path, std::vector<std::string> folders, bool lossy) {
-                return File::read(path, {std::move(folders), lossy, {}});
+            [](const std::string& path, std::vector<std::string> folders, bool lossy,
+               std::map<std::string, std::string> constants) {
+                return File::read(path, {std::move(folders), lossy, std::move(constants), {}});
             },
-            py::arg("path"), py::arg("include"), py::arg("lossy"))
+            py::arg("path"), py::arg("include"), py::arg("lossy"), py::arg("constants"))
         .def_static(
             "parse",
-            [](const std::string& text, const std::string& name, std::vector<std::string> folders, bool lossy) {
-                return File::parse(text, name, {std::move(folders), lossy, {}});
+            [](const std::string& text, const std::string& name, std::vector<std::string> folders, bool lossy,
+               std::map<std::string, std::string> constants) {
+                return File::parse(text, name, {std::move(folders), lossy, std::move(constants), {}});
             },
-            py::arg("text"), py::arg("name"), py::arg("include"), py::arg("lossy"))
+            py::arg("text"), py::arg("name"), py::arg("include"), py::arg("lossy"), py::arg("constants"))
         .def("charts", &File::charts)
         .def("loops", &File::loops)
         .def("properties", &File::properties)

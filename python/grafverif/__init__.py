@@ -16,7 +16,7 @@ import importlib
 import json
 import os
 from dataclasses import dataclass, field
-from typing import Any, Iterable, Iterator, NamedTuple, TypeVar
+from typing import Any, Iterable, Iterator, Mapping, NamedTuple, TypeVar
 
 from . import _core
 
@@ -536,12 +536,26 @@ class File:
         return f"<File: charts {', '.join(self.charts) or 'none'}; loops {', '.join(self.loops) or 'none'}>"
 
 
-def read(path: str | os.PathLike[str], *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False) -> File:
-    """Reads a file of any format that grafverif knows, and its includes, which are looked for in `include` too."""
-    return File(_core.File.read(os.fspath(path), [os.fspath(each) for each in include], lossy))
+def _written(constants: Mapping[str, bool | int | str] | None) -> dict[str, str]:
+    """Values of constants as the language writes them."""
+    written = {}
+    for name, value in (constants or {}).items():
+        if not isinstance(value, (bool, int, str)):
+            raise TypeError(f"`{name}` is set to a bool, an int, or a str such as '3s'; not to {type(value).__name__}")
+        written[name] = str(value).lower() if isinstance(value, bool) else str(value)
+    return written
 
 
-def parse(text: str, name: str = "text", *, include: Iterable[str | os.PathLike[str]] = (),
-          lossy: bool = False) -> File:
-    """Reads a text; `name` stands for it in errors."""
-    return File(_core.File.parse(text, name, [os.fspath(each) for each in include], lossy))
+def read(path: str | os.PathLike[str], *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
+         constants: Mapping[str, bool | int | str] | None = None) -> File:
+    """Reads a file of any format that grafverif knows, and its includes, which are looked for in `include` too.
+
+    `constants` gives constants of closed loops other values, as `--set` does: of every loop that has one of the name.
+    """
+    return File(_core.File.read(os.fspath(path), [os.fspath(each) for each in include], lossy, _written(constants)))
+
+
+def parse(text: str, name: str = "text", *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
+          constants: Mapping[str, bool | int | str] | None = None) -> File:
+    """Reads a text; `name` stands for it in errors. `constants`: see `read`."""
+    return File(_core.File.parse(text, name, [os.fspath(each) for each in include], lossy, _written(constants)))

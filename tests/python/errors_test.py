@@ -35,6 +35,20 @@ def test_damaged_text_is_refused(text):
         grafverif.parse(text).chart()._file.draw("g", "iec")
 
 
+def test_constants_that_cannot_be_set_are_refused():
+    text = "grafcet g { input i; initial step 0; transition t: 0 -> 0 when i; }\n"
+    text += "closed_loop l { controller g; constant COUNT: int 1..8 = 2; environment E = push_button(OUT = i); }\n"
+    for constants, said in (({"COUNTS": 3}, "did you mean `COUNT`"), ({"COUNT": 9}, "1..8"), ({"COUNT": "3s"}, "COUNT"),
+                            ({"COUNT": True}, "COUNT")):
+        with pytest.raises(grafverif.GrafverifError, match=said):
+            grafverif.parse(text, constants=constants)
+    for value in (1.5, None, [1]):
+        with pytest.raises(TypeError, match="COUNT"):
+            grafverif.parse(text, constants={"COUNT": value})
+    with pytest.raises(grafverif.GrafverifError, match="no constant"):
+        grafverif.read(blinker, constants={"COUNT": 3})
+
+
 def test_nonsense_is_refused_by_name():
     read = grafverif.read(blinker)
     with pytest.raises(ValueError, match="every-cycle"):

@@ -37,6 +37,36 @@ def test_a_file_has_its_charts_and_loops(file):
     assert all(loop.properties for loop in read.loops.values())
 
 
+WITH_CONSTANTS = """grafcet c {
+    input B;
+    output L;
+    internal N: int 0..9;
+    initial step 0;
+    step 1 { L; }
+    transition t0: 0 -> 1 when B && N < 9 do N := N + 1;
+    transition t1: 1 -> 0 when 1s/X1 && !B;
+}
+closed_loop room {
+    controller c;
+    constant MOST: int 1..8 = 3, SHORT = 1s, STRICT = true;
+    environment Button = push_button(OUT = B, GAP = SHORT);
+    property few: never N > MOST && STRICT;
+}
+"""
+
+
+def test_constants_are_set_as_the_program_sets_them(tmp_path):
+    file = tmp_path / "room.grafcet"
+    file.write_text(WITH_CONSTANTS)
+    report = grafverif.read(file, constants={"STRICT": False, "MOST": 2, "SHORT": "2s"}).loop().check()
+    assert report["few"].verdict == "holds"
+    assert [each["value"] for each in report.document["constants"]] == [2, "2s", False]
+    assert all(each["set"] for each in report.document["constants"])
+    arguments = ["check", file, "--set", "STRICT=false", "--set", "MOST=2", "--set", "SHORT=2s", "--format", "json"]
+    assert timeless(report.document) == timeless(printed(*arguments))
+    assert grafverif.parse(WITH_CONSTANTS, constants={"MOST": 2}).loop().check()["few"].violated
+
+
 def test_verdicts_are_those_of_the_program():
     report = grafverif.read(station).loop().check()
     assert timeless(report.document) == timeless(printed("check", station, "--format", "json"))
