@@ -2,6 +2,8 @@
 // Each automaton is the formula of docs/properties.md, which holds the table; the law compares them.
 #include "compose/observer.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "support/overloaded.hpp"
@@ -26,9 +28,9 @@ public:
     Id<Expr> either(Id<Expr> left, Id<Expr> right) { return exprs_.disjunction(left, right); }
     Id<Expr> always() { return exprs_.constant(true); }
 
-    Location location(const char* name) {
+    Location location(std::string name) {
         rest_.push_back(exprs_.constant(true));
-        return made.automaton.locations.add({name, {}, {}});
+        return made.automaton.locations.add({std::move(name), {}, {}});
     }
     Location failed() {
         const Location location = this->location("failed");
@@ -192,6 +194,33 @@ ObserverMade since(Observer of) {
     return of.whole(before);
 }
 
+// -- counts -----------------------------------------------------------------------------------------------------------
+
+/// `p at most count times`: p becomes true where a state without it, or none of the scope, is before. Who counts from the
+/// first state that opens the scope finds no less than who counts from a later one.
+ObserverMade occurrences(Observer of, Sentence::Scope scope, std::int64_t count) {
+    using enum Sentence::Scope;
+    const Id<Expr> p = of.p();
+    const Scoped in = scope == Globally ? Scoped{{}, of.failed(), {}, {}} : scoped(of, scope, 1);
+    Location off = of.location("off_0");
+    const Location first = off;
+    for (std::int64_t seen = 1;; ++seen) {
+        if (scope != Globally && scope != After) of.sees(off, in.closes, in.out);
+        if (seen > count) break;
+        const Location on = of.location(fmt::format("on_{}", seen)), next = of.location(fmt::format("off_{}", seen));
+        if (seen == 1 && scope != Globally && scope != Before) {
+            of.sees(in.out, of.both(in.opens, p), on);
+            of.sees(in.out, in.opens, off);
+        }
+        of.sees(off, p, on);
+        if (scope != Globally && scope != After) of.sees(on, in.closes, in.out);
+        of.sees(on, of.no(p), next);
+        off = next;
+    }
+    of.sees(off, p, in.failed);
+    return of.whole(scope == Globally || scope == Before ? first : in.out);
+}
+
 // -- scopes: r opens, s closes ------------------------------------------------------------------------------------------
 
 /// `never p`.
@@ -345,6 +374,7 @@ ObserverMade observer_of(Exprs& exprs, const Sentence& watch, const ObserverTerm
     case Sentence::Kind::HoldsAtMost: return holds_at_most(of, watch.scope);
     case Sentence::Kind::Since: return since(of);
     case Sentence::Kind::Recurrence: return recurs(of, of.p(), watch.scope);
+    case Sentence::Kind::Occurrences: return occurrences(of, watch.scope, watch.count);
     }
     unreachable();
 }

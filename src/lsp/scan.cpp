@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 22> reserved = {
     "grafcet", "component",  "closed_loop", "include",   "input",      "output",  "internal", "step",
     "when",    "transition", "do",          "force",     "and",        "or",      "not",      "true",
     "false",   "always",     "never",       "reachable", "inevitable", "possible"};
-constexpr std::array<std::string_view, 68> contextual = {
+constexpr std::array<std::string_view, 69> contextual = {
     "constraint",   "initial",     "linked",    "entry",    "exit",       "macro",    "expands",  "enclosing",
     "encloses",     "partial",     "expansion", "if",       "after",      "for",      "on",       "activation",
     "deactivation", "event",       "bool",      "int",      "duration",   "variable", "clock",    "location",
@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 68> contextual = {
     "leads",        "to",          "no",        "deadlock", "timelock",   "all",      "steps",    "exactly",
     "one",          "of",          "uppaal",    "ctl",      "ltl",        "observer", "schedule", "implies",
     "in",           "within",      "holds",     "most",     "least",      "every",    "since",    "before",
-    "between",      "until",       "precedes",  "constant"};
+    "between",      "until",       "precedes",  "constant", "times"};
 
 /// Whether a name may begin with the character of which this byte is one: of those beyond ASCII the lexer says more.
 bool begins_name(char byte) {

@@ -393,7 +393,7 @@ private:
                            [&](const tree::Property& property) {
                                declared(key + "/q " + text(property.name), property.name.where);
                                for (const Id<tree::Expr> operand : property.operands) term(*owner, "", operand);
-                               term(*owner, "", property.duration);
+                               term(*owner, "", property.bound);
                            },
                            [&](const tree::Variables& group) { variables(*owner, group); },
                            [&](const tree::TimeUnit& unit) { term(*owner, "", unit.duration); },

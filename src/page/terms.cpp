@@ -282,11 +282,9 @@ std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term)
 std::string claim_text(const Model& model, const ClosedLoop& loop, const Property& property) {
     std::vector<std::string> operands;
     for (const Id<Expr> operand : property.operands) operands.push_back(term_text(model, loop, operand));
-    const std::string claimed =
-        property.pattern == Pattern::Watched
-            ? claim(property.watch, operands,
-                    property.watch.duration_ms > 0 ? duration_text(property.watch.duration_ms) : "")
-            : claim(property.pattern, operands, property.raw);
+    const std::string claimed = property.pattern == Pattern::Watched
+                                    ? claim(property.watch, operands, bound_text(property.watch))
+                                    : claim(property.pattern, operands, property.raw);
     return claimed + (property.at_stable ? " at stable" : "");
 }
 

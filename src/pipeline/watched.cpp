@@ -79,12 +79,36 @@ std::string term_words(const Network& network, Id<Expr> term) {
     });
 }
 
+std::string observer_words(const Sighting& seen) {
+    std::vector<std::string> changes;
+    for (const auto& [location, time_ms] : seen.changes) changes.push_back(location + " at " + seconds_text(time_ms));
+    return fmt::format("its observer: {}", fmt::join(changes, ", "));
+}
+
+/// When `term` came within the scope that fails.
+std::string occurrences_words(const std::string& term, std::int64_t count, const Sighting& seen) {
+    std::vector<std::string> times;
+    for (const auto& [location, time_ms] : seen.changes) {
+        if (location == "outside") times.clear();
+        const bool too_often = std::ssize(times) == count && !location.starts_with("off_");
+        if (location.starts_with("on_") || too_often) times.push_back(seconds_text(time_ms));
+    }
+    if (std::ssize(times) <= count) return observer_words(seen);  // a run that does not fail
+    const std::string last = times.back();
+    times.pop_back();
+    const std::string earlier = times.size() < 6 ? fmt::format("{}", fmt::join(times, ", "))
+                                                 : fmt::format("{} times from {}", times.size(), times.front());
+    return fmt::format("{} comes at {} and at {}, more than {}", term, earlier, last,
+                       count == 1 ? "once" : fmt::format("{} times", count));
+}
+
 }  // namespace
 
 std::string watched_words(const Network& network, const Property& property, const Network& observed, const Run& run) {
     const Sighting seen = sighting(observed, run);
     std::vector<std::string> of;
     for (const Id<Expr> operand : property.operands) of.push_back('`' + term_words(network, operand) + '`');
+    if (property.watch.kind == Sentence::Kind::Occurrences) return occurrences_words(of[0], property.watch.count, seen);
     const std::string duration = duration_text(property.watch.duration_ms);
     if (property.watch.duration_ms > 0 && property.watch.scope == Sentence::Scope::Globally)
         switch (property.watch.kind) {
@@ -105,11 +129,10 @@ std::string watched_words(const Network& network, const Property& property, cons
         case Sentence::Kind::Absence:
         case Sentence::Kind::Universality:
         case Sentence::Kind::Existence:
-        case Sentence::Kind::Precedence: break;
+        case Sentence::Kind::Precedence:
+        case Sentence::Kind::Occurrences: break;
         }
-    std::vector<std::string> changes;
-    for (const auto& [location, time_ms] : seen.changes) changes.push_back(location + " at " + seconds_text(time_ms));
-    return fmt::format("its observer: {}", fmt::join(changes, ", "));
+    return observer_words(seen);
 }
 
 }  // namespace grafverif

@@ -73,6 +73,8 @@ Diagnostic unbounded_integer(Span where, std::string_view variable);
 Diagnostic misplaced_type(Span where, std::string_view what);
 Diagnostic misplaced_value(Span where, std::string_view kind);
 Diagnostic zero_duration(Span where);
+Diagnostic bad_count(Span where, std::int64_t count, std::int64_t greatest);
+Diagnostic missing_count(Span where);
 
 // (src/support/messages_chart.cpp)
 Diagnostic empty_chart(Span where, std::string_view chart);

@@ -56,4 +56,16 @@ Diagnostic zero_duration(Span where) {
     return error("zero-duration", where, "a time condition or limit of no duration; write a duration above zero");
 }
 
+Diagnostic bad_count(Span where, std::int64_t count, std::int64_t greatest) {
+    if (count == 0)
+        return error("bad-count", where, "`p at most 0 times` is `never p`; write that, with the same scope");
+    return error("bad-count", where,
+                 fmt::format("the count of a property is 1 to {}, and this is {}", greatest, count));
+}
+
+Diagnostic missing_count(Span where) {
+    return error("missing-count", where,
+                 "how many times is missing; write a number before the word, as in `p at most 2 times`");
+}
+
 }  // namespace grafverif::messages

@@ -52,7 +52,29 @@ struct Seen {
     std::int64_t over = 0;                           ///< the end of the run
 };
 
+/// `p at most count times`, as the authors' catalogue writes it of two: phases without p and with it in turn.
+bool holds_counted(const Sentence& watch, const Seen& seen) {
+    using enum Sentence::Scope;
+    if (seen.begin.empty()) return true;
+    const Truth none(seen.begin.size(), false), p = seen.operands[0];
+    const Truth r = watch.scope == Globally ? none : seen.operands[1];
+    const Truth s = watch.scope >= Between ? seen.operands[2] : r;
+    const auto phases = [&](Truth inner, const Truth& closes) {
+        for (std::int64_t i = 0; i < watch.count; ++i)
+            inner = until((!p) & (!closes), closes | until(p & (!closes), closes | inner));
+        return inner;
+    };
+    Truth open = G(!p);  // ((!p W (p W (!p W (p W G !p)))
+    for (std::int64_t i = 0; i < watch.count; ++i) open = weak(!p, weak(p, open));
+    if (watch.scope == Globally) return open[0];
+    if (watch.scope == Before) return (F(r) >> phases(until(!p, r), r))[0];
+    if (watch.scope == After) return (F(r) >> until(!r, r & open))[0];
+    if (watch.scope == Between) return G((r & F(s)) >> phases(until(!p, s), s))[0];
+    return G(r >> phases(weak(!p, s) | G(p), s))[0];
+}
+
 bool holds_untimed(const Sentence& watch, const Seen& seen) {
+    if (watch.count > 0) return holds_counted(watch, seen);
     using enum Sentence::Scope;
     if (seen.begin.empty()) return true;
     const Truth none(seen.begin.size(), false);
@@ -206,11 +228,13 @@ Asked random_sentence(Network& network, Random& random) {
     Asked made;
     Property& property = made.property;
     property = {.name = "S", .pattern = Pattern::Watched, .at_stable = random_number(random, 0, 3) == 0};
-    property.watch.kind = static_cast<Kind>(random_number(random, 0, static_cast<std::int64_t>(Kind::Recurrence)));
-    const bool timed = property.watch.kind >= Kind::HoldsFor ||
+    property.watch.kind = static_cast<Kind>(random_number(random, 0, static_cast<std::int64_t>(Kind::Occurrences)));
+    const bool counted = property.watch.kind == Kind::Occurrences;
+    const bool timed = (property.watch.kind >= Kind::HoldsFor && !counted) ||
                        (property.watch.kind == Kind::Response && random_number(random, 0, 1) == 0);
-    const bool global = property.watch.kind == Kind::Precedence && random_number(random, 0, 4) == 0;
+    const bool global = (property.watch.kind == Kind::Precedence || counted) && random_number(random, 0, 4) == 0;
     const bool scoped = property.watch.kind != Kind::HoldsFor && property.watch.kind != Kind::Since;
+    if (counted) property.watch.count = random_number(random, 1, 3);
     if (timed) made.duration = random_number(random, 1, 4);
     property.watch.duration_ms = made.duration * network.time_unit_ms;
     if (timed ? scoped && random_number(random, 0, 1) == 0 : !global)
@@ -389,8 +413,8 @@ TEST(ObserversLaw, SeeEveryStateOfEveryRunAndFailWhereTheirSentencesSaySo) {
             ++(pair.violated ? violated : hold);
         }
     }
-    // Five kinds in four scopes, `precedes` alone; five with durations, three of them in four scopes too.
-    EXPECT_EQ(met.size(), 5U * 4U + 1U + 5U + 3U * 4U);
+    // Six kinds in four scopes, `precedes` and `times` alone; five with durations, three of them in four scopes too.
+    EXPECT_EQ(met.size(), 6U * 4U + 2U + 5U + 3U * 4U);
     std::map<int, std::pair<int, int>> kinds, scopes;
     for (const auto& [of, counts] : met)
         for (auto* sums : {&kinds[of.first], &scopes[of.second]}) {

@@ -299,7 +299,11 @@ TEST(NusmvEngine, FindsOfSentencesInDiscreteTimeWhatTheTimedEngineDoes) {
                                  "X0 at least every 2s between X1 and X0",
                                  "X2 at least every 3s after X1 until X0",
                                  "LAMP holds at most 1s after BUTTON",
-                                 "LAMP holds at most 2s before X2"}) {
+                                 "LAMP holds at most 2s before X2",
+                                 "BUTTON at most 1 time before X2",
+                                 "X2 at most 2 times after BUTTON",
+                                 "LAMP at most 1 time between X0 and X2",
+                                 "BUTTON at most 2 times after X1 until X0"}) {
         SCOPED_TRACE(sentence);
         const Model model = read_loop(watched_lamp(sentence)).model;
         Diagnostics diagnostics;

@@ -209,7 +209,8 @@ private:
         written.pattern = declared.pattern;
         for (const Id<Expr> operand : declared.operands) written.operands.push_back(expression(operand));
         written.watch = declared.watch;
-        if (declared.watch.duration_ms > 0) written.duration = trees_.duration(declared.watch.duration_ms);
+        if (declared.watch.duration_ms > 0) written.bound = trees_.duration(declared.watch.duration_ms);
+        if (declared.watch.count > 0) written.bound = trees_.number(declared.watch.count);
         written.raw = declared.raw;
         written.at_stable = declared.at_stable;
         return written;

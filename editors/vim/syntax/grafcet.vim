@@ -59,6 +59,7 @@ exe 'syn match grafcetControl /' . s:free . 'at\)\%(\s\+\%(most\|least\s\+every\
 exe 'syn match grafcetControl /\%(\<holds\s\+\)\@<=for\>/'
 exe 'syn match grafcetPattern /\%(\<at\s\+\)\@<=\%(most\|least\%(\s\+every\>\)\@=\)\>/'
 exe 'syn match grafcetPattern /\%(\<at\s\+least\s\+\)\@<=every\>/'
+exe 'syn match grafcetPattern /\%(\<at\s\+most\s\+\%([0-9]\+\|\K\k*\)\s\+\)\@<=times\?\>/'
 exe 'syn match grafcetPattern /' . s:free . 'no\)\s\+\%(deadlock\|timelock\)\>/'
 exe 'syn match grafcetPattern /' . s:free . 'exactly\)\s\+one\s\+of\>/'
 syn match grafcetAllSteps /\<all\s\+steps\>/ contained

@@ -29,7 +29,10 @@ enum class Pattern {
     RawLtl,  ///< `raw`, passed through to the target that speaks it
 };
 
-/// A sentence that an observer judges: with a duration or with a scope. Operands: those of the kind, then those of the scope.
+/// The greatest count of a sentence: its observer has two places for each.
+inline constexpr std::int64_t greatest_count = 100;
+
+/// A sentence that an observer judges: with a duration, a count or a scope. Operands: those of the kind, then those of the scope.
 struct Sentence {
     enum class Kind {
         Absence,       ///< `never p`
@@ -41,12 +44,14 @@ struct Sentence {
         HoldsAtMost,   ///< `p holds at most` a duration
         Since,         ///< `p at most` a duration `since q`
         Recurrence,    ///< `p at least every` duration
+        Occurrences,   ///< `p at most` a count `times`
     };
     enum class Scope { Globally, Before, After, Between, AfterUntil };
 
     Kind kind = Kind::Absence;
     Scope scope = Scope::Globally;
     std::int64_t duration_ms = 0;  ///< 0: it has none
+    std::int64_t count = 0;        ///< of Occurrences; 0: it has none
 
     bool operator==(const Sentence&) const = default;
 };

@@ -107,10 +107,16 @@ Property Builder::scope(Sentence::Scope scope, std::vector<Id<Expr>> operands) c
     return property;
 }
 
-Property Builder::timed(Sentence::Kind kind, std::vector<Id<Expr>> operands, Id<Expr> duration, Property scope) const {
+Property Builder::bounded(Sentence::Kind kind, std::vector<Id<Expr>> operands, Id<Expr> bound, Property scope) const {
     Property property = scoped(Pattern::Watched, kind, std::move(operands), std::move(scope));
-    property.duration = duration;
+    property.bound = bound;
     return property;
+}
+
+Property Builder::uncounted(std::vector<Id<Expr>> operands, Name times, Property scope) {
+    diagnostics_->add(messages::missing_count(times.where));
+    broken();
+    return bounded(Sentence::Kind::Occurrences, std::move(operands), {}, std::move(scope));
 }
 
 Property Builder::formula(Pattern pattern, std::string raw, Span where) const {

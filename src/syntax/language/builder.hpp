@@ -45,8 +45,11 @@ public:
     tree::Property scoped(Pattern plain, Sentence::Kind kind, std::vector<Id<tree::Expr>> operands,
                           tree::Property scope) const;
     tree::Property scope(Sentence::Scope scope, std::vector<Id<tree::Expr>> operands) const;
-    tree::Property timed(Sentence::Kind kind, std::vector<Id<tree::Expr>> operands, Id<tree::Expr> duration,
-                         tree::Property scope) const;
+    /// With a duration or a count.
+    tree::Property bounded(Sentence::Kind kind, std::vector<Id<tree::Expr>> operands, Id<tree::Expr> bound,
+                           tree::Property scope) const;
+    /// `times` stands where its number should.
+    tree::Property uncounted(std::vector<Id<tree::Expr>> operands, tree::Name times, tree::Property scope);
     tree::Property formula(Pattern pattern, std::string raw, Span where) const;
     tree::Property named(tree::Name name, std::string text, bool expected_violated, tree::Property pattern,
                          bool at_stable, Span where) const;

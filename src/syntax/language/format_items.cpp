@@ -273,8 +273,8 @@ Lines item_lines(const tree::File& file, const tree::Property& written, std::siz
     head += ':';
     std::vector<std::string> operands;
     for (const Id<tree::Expr> operand : written.operands) operands.push_back(formatted(file, operand));
-    const std::string duration = written.duration.valid() ? formatted(file, written.duration) : "";
-    const std::string claimed = written.pattern == Pattern::Watched ? claim(written.watch, operands, duration)
+    const std::string bound = written.bound.valid() ? formatted(file, written.bound) : "";
+    const std::string claimed = written.pattern == Pattern::Watched ? claim(written.watch, operands, bound)
                                                                     : claim(written.pattern, operands, written.raw);
     const std::string rest = claimed + (written.at_stable ? " at stable;" : ";");
     if (column + head.size() + 1 + rest.size() <= widest) return {head + ' ' + rest};

@@ -245,8 +245,8 @@ struct Property {
     bool expected_violated = false;
     Pattern pattern = Pattern::Always;
     std::vector<Id<Expr>> operands = {};
-    Sentence watch = {};     ///< of Pattern::Watched; its duration is `duration`
-    Id<Expr> duration = {};  ///< not valid: it has none
+    Sentence watch = {};  ///< of Pattern::Watched; its duration or count is `bound`
+    Id<Expr> bound = {};  ///< not valid: it has none
     std::string raw = {};
     Span raw_where = {};  ///< with its quotes
     bool at_stable = false;

@@ -53,21 +53,28 @@ std::string scope_words(Sentence::Scope scope, std::span<const std::string> of) 
 
 }  // namespace
 
-std::string claim(const Sentence& watch, const std::vector<std::string>& of, const std::string& duration) {
+std::string claim(const Sentence& watch, const std::vector<std::string>& of, const std::string& bound) {
     const auto within = [&](std::size_t own) { return scope_words(watch.scope, std::span(of).subspan(own)); };
     switch (watch.kind) {
     case Sentence::Kind::Absence: return "never " + of[0] + within(1);
     case Sentence::Kind::Universality: return "always " + of[0] + within(1);
     case Sentence::Kind::Existence: return "inevitable " + of[0] + within(1);
     case Sentence::Kind::Response:
-        return of[0] + " leads to " + of[1] + (duration.empty() ? "" : " within " + duration) + within(2);
+        return of[0] + " leads to " + of[1] + (bound.empty() ? "" : " within " + bound) + within(2);
     case Sentence::Kind::Precedence: return of[0] + " precedes " + of[1] + within(2);
-    case Sentence::Kind::HoldsFor: return of[0] + " holds for " + duration;
-    case Sentence::Kind::HoldsAtMost: return of[0] + " holds at most " + duration + within(1);
-    case Sentence::Kind::Since: return of[0] + " at most " + duration + " since " + of[1];
-    case Sentence::Kind::Recurrence: return of[0] + " at least every " + duration + within(1);
+    case Sentence::Kind::HoldsFor: return of[0] + " holds for " + bound;
+    case Sentence::Kind::HoldsAtMost: return of[0] + " holds at most " + bound + within(1);
+    case Sentence::Kind::Since: return of[0] + " at most " + bound + " since " + of[1];
+    case Sentence::Kind::Recurrence: return of[0] + " at least every " + bound + within(1);
+    case Sentence::Kind::Occurrences:
+        return of[0] + " at most " + bound + (bound == "1" ? " time" : " times") + within(1);
     }
     unreachable();
+}
+
+std::string bound_text(const Sentence& watch) {
+    if (watch.count > 0) return std::to_string(watch.count);
+    return watch.duration_ms > 0 ? duration_text(watch.duration_ms) : "";
 }
 
 std::string sentence(const ClosedLoop& loop, const ClosedLoop::Constraint& constraint) {

@@ -180,6 +180,14 @@ std::int64_t duration_of(LoopScope& scope, Id<tree::Expr> written) {
     return duration.value_or(0);
 }
 
+std::int64_t count_of(LoopScope& scope, Id<tree::Expr> written) {
+    constexpr std::string_view user = "the count of a property";
+    const auto count = constant_terms(scope, user).constant(written, Kind::Integer, user);
+    if (count && (*count < 1 || *count > greatest_count))
+        scope.diagnostics.add(messages::bad_count(scope.file.exprs[written].where, *count, greatest_count));
+    return count.value_or(0);
+}
+
 void resolve_property(LoopScope& scope, const tree::Property& written,
                       std::unordered_map<std::string_view, Span>& names) {
     const auto [known, fresh] = names.try_emplace(scope.text(written.name), written.name.where);
@@ -192,7 +200,8 @@ void resolve_property(LoopScope& scope, const tree::Property& written,
     property.pattern = written.pattern;
     property.raw = written.raw;
     property.watch = written.watch;
-    if (written.duration.valid()) property.watch.duration_ms = duration_of(scope, written.duration);
+    if (property.watch.kind == Sentence::Kind::Occurrences) property.watch.count = count_of(scope, written.bound);
+    else if (written.bound.valid()) property.watch.duration_ms = duration_of(scope, written.bound);
     property.at_stable = written.at_stable;
     property.expected_violated = written.expected_violated;
     property.origin = written.name.where;

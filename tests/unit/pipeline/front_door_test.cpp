@@ -124,6 +124,8 @@ closed_loop room {
     property since: LAMP at most 1s since BUTTON;
     property cause: BUTTON precedes LAMP;
     property again: never X1 after X1 until X0;
+    property often: LAMP at most 2 times;
+    property once: LAMP at most 1 time between X1 and X0;
     property other: never LAMP && X0 at stable;
 }
 )";
@@ -140,7 +142,7 @@ TEST(FrontDoor, ObserversSayTheSameInContinuousAndDiscreteTime) {
     discrete.untimed.time = TimeModel::Abstract;
     const auto abstract = check_untimed(*reading.model, Id<ClosedLoop>{0}, discrete, {}, diagnostics);
     ASSERT_TRUE(timed && counted && abstract);
-    const std::vector<std::string> violated = {"late", "since", "again"};
+    const std::vector<std::string> violated = {"late", "since", "again", "often"};
     std::vector<std::string> order;
     for (const Property& property : reading.model->loops[{0}].properties) {
         const std::string& name = property.name;
@@ -161,14 +163,18 @@ TEST(FrontDoor, CounterexamplesTellTheWordsOfTheirSentence) {
     const Reading reading = read_string(blinking, "room.grafcet");
     ASSERT_TRUE(reading.model);
     Diagnostics diagnostics;
-    CheckOptions one;
-    one.properties = {"late"};
-    const auto report = check(*reading.model, Id<ClosedLoop>{0}, {}, one, diagnostics);
-    ASSERT_TRUE(report);
-    ASSERT_EQ(report->answers.size(), 2U);  // and whether time can stop
-    ASSERT_FALSE(report->answers[0].verdict.notes.empty());
-    EXPECT_EQ(report->answers[0].verdict.notes[0], "`LAMP` at 1 s, and `!LAMP` does not come within 6s");
-    EXPECT_EQ(report->answers[1].verdict.property, "no_timelock");
+    for (const auto& [property, words] : std::vector<std::pair<std::string, std::string>>{
+             {"late", "`LAMP` at 1 s, and `!LAMP` does not come within 6s"},
+             {"often", "`LAMP` comes at 1 s, 5 s and at 9 s, more than 2 times"}}) {
+        CheckOptions one;
+        one.properties = {property};
+        const auto report = check(*reading.model, Id<ClosedLoop>{0}, {}, one, diagnostics);
+        ASSERT_TRUE(report);
+        ASSERT_EQ(report->answers.size(), 2U);  // and whether time can stop
+        ASSERT_FALSE(report->answers[0].verdict.notes.empty());
+        EXPECT_EQ(report->answers[0].verdict.notes[0], words);
+        EXPECT_EQ(report->answers[1].verdict.property, "no_timelock");
+    }
 }
 
 TEST(FrontDoor, IncludesComeFromWhereTheCallerSays) {

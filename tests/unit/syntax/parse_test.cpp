@@ -131,6 +131,8 @@ TEST(ParseProperty, KnowsEveryPattern) {
         {"a holds at most 3s * 2", Pattern::Watched},
         {"a at most 5s since b && c", Pattern::Watched},
         {"a at least every 1min", Pattern::Watched},
+        {"a at most 2 times", Pattern::Watched},
+        {"a at most 1 time between times and time", Pattern::Watched},
         {"a precedes b", Pattern::Watched},
         {"a precedes b between (c && d) and e || f", Pattern::Watched},
         {"never a before b", Pattern::Watched},
