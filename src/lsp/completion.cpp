@@ -195,11 +195,10 @@ private:
             if (words.size() > 1) return keywords({"with"});
             for (const Thing* const chart : names_.all(Kind::Chart)) thing(*chart);
         }
-        if (first == "constant" && last() == ":") keywords({"bool", "int", "duration"});
-        if (first == "constant" && has("=") && last() != ",") constant();
+        if (first == "constant") return constants();
         if (first == "grain") keywords({"phased", "atomic"});
         if (first == "schedule") keywords({"interleaved", "synchronous", "sequenced"});
-        if (first == "time") keywords({"unit"});
+        if (first == "time") return words.size() == 1 ? keywords({"unit"}) : parts(owner_, {Kind::Constant});
         if (first == "constraint") term();
         if (first == "plant" || first == "environment") instance();
         if (first == "property") property();
@@ -230,6 +229,15 @@ private:
             shared();
             parts(owner_, {Kind::Constant});
         }
+    }
+
+    /// `constant N: int LOW..HIGH = VALUE, ...`: what is open is the last of them.
+    void constants() {
+        const auto of = std::ranges::find(half_.words.rbegin(), half_.words.rend(), ",").base();
+        const Words one(of, half_.words.end());
+        if (last() == ":") return keywords({"bool", "int", "duration"});
+        if (last() == "int" || last() == "..") return parts(owner_, {Kind::Constant});
+        if (contains_word(one, "=")) constant();
     }
 
     /// What a constant is made of.
@@ -289,7 +297,7 @@ private:
             return keywords({"always", "never", "reachable", "reachable all steps", "inevitable", "always possible",
                              "no deadlock", "no timelock", "exactly one of", "ctl", "ltl", "uppaal"});
         keywords({"leads to", "at stable", "implies", "in", "within", "precedes", "holds for", "holds at most",
-                  "at most", "since", "at least every", "before", "after", "between", "until"});
+                  "at most", "since", "times", "at least every", "before", "after", "between", "until"});
     }
 
     // -- names of terms

@@ -220,7 +220,7 @@ std::string declaration_text(const Thing& thing) {
     case Kind::Internal: return "internal " + joined(thing.whole);
     case Kind::InputParameter: return "input " + joined(thing.whole);
     case Kind::OutputParameter: return "output " + joined(thing.whole);
-    case Kind::Constant: return joined(thing.whole);
+    case Kind::Constant: return (thing.owner.starts_with("loop ") ? "constant " : "") + joined(thing.whole);
     case Kind::Own: return "variable " + joined(thing.whole);
     case Kind::Clock: return "clock " + thing.name;
     case Kind::PlantVariable: return thing.name + ", of the plant: " + joined(thing.whole);

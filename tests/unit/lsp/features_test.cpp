@@ -178,6 +178,72 @@ TEST(LspNames, HaveTheirDeclarationCommentAndEquationShown) {
     EXPECT_NE(shown("loop.grafcet", with(loop, "(ON = MOVE", "(O@N = MOVE")).find("input"), std::string::npos);
 }
 
+/// A loop with constants, of which each place that may read one does.
+const std::string steady =
+    "include \"press.grafcet\";\n"
+    "closed_loop steady {\n"
+    "    controller press;\n"
+    "    constant MOST: int 1..8 = 2;  // litres\n"
+    "    constant SLOW = MOST * 500ms, LEAST: int 0..MOST = 1;\n"
+    "    time unit SLOW;\n"
+    "    plant Lamp = valve(ORDER = MOVE || MOST > 4, FLOW = FLOW, TRAVEL = SLOW);\n"
+    "    property few: MOVE at most MOST times after N == MOST;\n"
+    "    property soon: START leads to MOVE within SLOW;\n"
+    "}\n";
+
+TEST(LspNames, ConstantsOfALoopAreNamesWhereverTheyAreRead) {
+    Editor editor;
+    editor.open("press.grafcet", press);
+    for (const std::string read :
+         {"SLOW = M@OST * 500", "0..M@OST = 1", "|| M@OST > 4", "most M@OST times", "N == M@OST", "MOVE || M@OST"}) {
+        std::string plain = read;
+        plain.erase(plain.find('@'), 1);
+        const Json found = editor.at("textDocument/definition", "loop.grafcet", with(steady, plain, read));
+        ASSERT_FALSE(found.is_null()) << read;
+        EXPECT_EQ(found["range"]["start"]["line"], 3) << read;
+    }
+    for (const std::string read : {"unit S@LOW", "TRAVEL = S@LOW", "within S@LOW"}) {
+        std::string plain = read;
+        plain.erase(plain.find('@'), 1);
+        const Json found = editor.at("textDocument/definition", "loop.grafcet", with(steady, plain, read));
+        ASSERT_FALSE(found.is_null()) << read;
+        EXPECT_EQ(found["range"]["start"]["line"], 4) << read;
+    }
+    EXPECT_EQ(
+        editor.at("textDocument/hover", "loop.grafcet", with(steady, "most MOST", "most MO@ST"))["contents"]["value"],
+        "```grafcet\nconstant MOST: int 1..8 = 2\n```\n\n```text\nlitres\n```\n");
+    std::size_t edits = 0;
+    const Json edit = editor.at("textDocument/rename", "loop.grafcet", with(steady, "constant MOST", "constant MO@ST"),
+                                {{"newName", "LITRES"}});
+    for (const auto& [file, changes] : edit["changes"].items()) edits += changes.size();
+    EXPECT_EQ(edits, 6U) << edit;
+    EXPECT_EQ(editor
+                  .at("textDocument/references", "loop.grafcet", with(steady, "constant SLOW", "constant SL@OW"),
+                      {{"context", {{"includeDeclaration", false}}}})
+                  .size(),
+              3U);
+}
+
+TEST(LspCompletion, OffersConstantsWhereAConstantCanStand) {
+    Editor editor;
+    editor.open("press.grafcet", press);
+    const auto at = [&](const std::string& before, const std::string& half) {
+        return editor.labels("loop.grafcet", with(steady, before, half));
+    };
+    for (const auto& [before, half] :
+         std::vector<std::pair<const char*, const char*>>{{"time unit SLOW;", "time unit @"},
+                                                          {"TRAVEL = SLOW);", "TRAVEL = @"},
+                                                          {"|| MOST > 4", "|| @"},
+                                                          {"0..MOST = 1", "0..@"},
+                                                          {"SLOW = MOST * 500ms, LEAST", "SLOW = @, LEAST"},
+                                                          {"most MOST times", "most @"},
+                                                          {"N == MOST;", "N == @"},
+                                                          {"within SLOW;", "within @"}})
+        EXPECT_TRUE(holds(at(before, half), "MOST")) << half;
+    EXPECT_EQ(at("LEAST: int 0..MOST = 1", "LEAST: @"), (std::vector<std::string>{"bool", "int", "duration"}));
+    EXPECT_TRUE(at("LEAST: int 0..MOST = 1", "@").empty()) << "a new name";
+}
+
 TEST(LspCompletion, OffersWhatCanStandThere) {
     Editor editor;
     editor.open("press.grafcet", press);
@@ -210,8 +276,8 @@ TEST(LspCompletion, OffersWhatCanStandThere) {
     EXPECT_TRUE(holds(in_loop("    property p: never X1 && @"), "START"));
     EXPECT_EQ(in_loop("    property p: never Start.@"),
               (std::vector<std::string>{"idle", "leads to", "at stable", "implies", "in", "within", "precedes",
-                                        "holds for", "holds at most", "at most", "since", "at least every", "before",
-                                        "after", "between", "until"}));
+                                        "holds for", "holds at most", "at most", "since", "times", "at least every",
+                                        "before", "after", "between", "until"}));
 }
 
 TEST(LspCompletion, KnowsWhatAChartDeclaresBeforeItsBracesAreClosed) {
