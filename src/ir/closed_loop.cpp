@@ -202,10 +202,14 @@ bool is_waited_for(const Chart& chart, const ClosedLoop::TimeSymbol& symbol) {
     });
 }
 
-bool has_its_timers(const ClosedLoop& loop, const Model& model) {
-    return std::ranges::all_of(loop.symbols, [&](const ClosedLoop::Symbol& symbol) {
-        const auto* time = std::get_if<ClosedLoop::TimeSymbol>(&symbol);
+bool has_its_timers(const ClosedLoop& loop, const Property& property, const Model& model) {
+    const auto is_there = [&](Id<Expr> leaf) {
+        const Id<ClosedLoop::Symbol> symbol{static_cast<std::uint32_t>(loop.exprs[leaf].value)};
+        const auto* time = std::get_if<ClosedLoop::TimeSymbol>(&loop.symbols[symbol]);
         return time == nullptr || is_waited_for(model.charts[loop.controllers[time->controller].chart], *time);
+    };
+    return std::ranges::all_of(property.operands, [&](Id<Expr> operand) {
+        return std::ranges::all_of(leaves(loop.exprs, operand), is_there);
     });
 }
 

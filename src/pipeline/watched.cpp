@@ -50,7 +50,7 @@ Sighting sighting(const Network& network, const Run& run) {
 }
 
 /// What charts call the variables of theirs that have another name in the network.
-std::map<Id<Network::Variable>, std::string> told_names(const Network& network) {
+std::map<Id<Network::Variable>, std::string> told_variables(const Network& network) {
     std::map<Id<Network::Variable>, std::string> told;
     for (const Network::Controller& controller : network.controllers) {
         const std::string owner = network.controllers.size() > 1 ? controller.words.name + '.' : "";
@@ -66,7 +66,7 @@ std::map<Id<Network::Variable>, std::string> told_names(const Network& network) 
 }
 
 std::string term_words(const Network& network, Id<Expr> term) {
-    const auto told = told_names(network);
+    const auto told = told_variables(network);
     return expr_text(network.exprs, term, chart_spelling, [&](std::ostream& out, const Expr& leaf) {
         if (leaf.op == Op::Variable) {
             const Id<Network::Variable> variable{static_cast<std::uint32_t>(leaf.value)};

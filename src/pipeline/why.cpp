@@ -182,18 +182,26 @@ private:
                    const Network* original = nullptr) {
         std::optional<Network> network;
         std::vector<Verdict> found;
+        Names timeless;  // they read a timer that is left out as well
         if (!names.empty() && !stopped()) {
             Model without = model_;
             change(without);
+            Table<Property> kept;
+            for (const Property& property : without.loops[loop_].properties) {
+                if (has_its_timers(without.loops[loop_], property, without)) kept.add(property);
+                else timeless.push_back(property.name);
+            }
+            without.loops[loop_].properties = std::move(kept);
             Diagnostics diagnostics;
-            if (has_its_timers(without.loops[loop_], without)) network = network_of(without, loop_, how_, diagnostics);
+            network = network_of(without, loop_, how_, diagnostics);
             if (network && original != nullptr) network = with_ranges_of(*original, *network);
             if (network) found = search(*network, names);
         }
         for (const std::string& name : names) {
             // Nobody asks any more for what the models declare by themselves: that no stored actions race, where none can.
-            const bool gone =
-                network && std::ranges::find(network->properties, name, &Property::name) == network->properties.end();
+            const auto asks = [&](const Property& property) { return property.name == name; };
+            const bool gone = network && std::ranges::none_of(network->properties, asks) &&
+                              std::ranges::find(timeless, name) == timeless.end();
             const Outcome outcome = gone ? Outcome::Holds : outcome_of(found, name);
             if (outcome == Outcome::Violated) thing.needed_by.push_back(name);
             if (outcome == Outcome::Unknown) thing.open.push_back(name);
@@ -252,14 +260,18 @@ private:
         }
     }
 
-    /// What holds whatever an instance does holds whatever a guard of it says.
+    /// What holds whatever an instance does holds whatever a guard of it says, and no search is needed; but where the edge
+    /// assigns something, the model may break off without the guard.
     void leave_out_guards(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, Thing thing) {
             Model without = model_;
             if (!drop_guard(without, loop_, id, edge)) return;
+            const Id<Component> component = model_.loops[loop_].instances[id].component;
+            const bool assigns = !model_.components[component].edges[edge].assignments.empty();
             const auto asked = [&](const Ground& ground) {
                 const auto names = [&](const Names& list) { return std::ranges::find(list, thing.of) != list.end(); };
-                return ground.about_states && (names(ground.parts) || names(ground.open) || !why_.ended.empty());
+                return ground.about_states &&
+                       (assigns || names(ground.parts) || names(ground.open) || !why_.ended.empty());
             };
             if (std::ranges::none_of(why_.grounds, &Ground::about_states)) return;
             thing.kind = Why::Kind::Guard;
@@ -288,6 +300,7 @@ private:
     // -- the plant and the timers ------------------------------------------------------------------------------------
 
     void leave_out_parts(const Network& network) {
+        told_ = told_names(network);
         const std::vector<Id<Network::Process>> order = in_order(network);
         std::set<std::string> needed;
         bool asked = false;
@@ -298,8 +311,8 @@ private:
             for (const auto* names : {&ground.parts, &ground.open}) needed.insert(names->begin(), names->end());
         }
         for (const Id<Network::Process> id : order)
-            if (asked && why_.ended.empty() && !needed.contains(network.processes[id].name))
-                why_.unneeded_parts.push_back(network.processes[id].name);
+            if (asked && why_.ended.empty() && !needed.contains(told_[id.index]))
+                why_.unneeded_parts.push_back(told_[id.index]);
     }
 
     /// Those that give controllers their inputs first: without them what stands behind them may have nothing to say any more.
@@ -331,7 +344,7 @@ private:
                 if (stopped()) break;
                 if (leave_out(id, open, ground) != Outcome::Unknown) continue;
                 undecided.push_back(id);
-                if (again) ground.open.push_back(network.processes[id].name);
+                if (again) ground.open.push_back(told_[id.index]);
             }
             order = std::move(undecided);
             if (!again && order.size() > 1 && leave_out_all(order, open, ground)) break;
@@ -352,7 +365,7 @@ private:
 
     /// Leaves as much as can be of a process out of `open`. Holds: that is all; Unknown: nothing is said of it.
     Outcome leave_out(Id<Network::Process> id, Network& open, Ground& ground) {
-        const std::string name = open.processes[id].name;
+        const std::string& name = told_[id.index];
         const Property& property = *std::ranges::find(open.properties, ground.property, &Property::name);
         const bool timer = open.processes[id].kind == Network::ProcessKind::Timer;
         const auto without = [&](Network less) {
@@ -388,6 +401,7 @@ private:
     const ModelOptions& how_;
     const CheckOptions& options_;
     std::uint64_t most_states_ = 0;
+    std::vector<std::string> told_ = {};  // per process of the network
     Why why_ = {};
 };
 

@@ -162,7 +162,8 @@ std::string ground_words(const Why& why, const Why::Ground& ground) {
     OfCharts charts = of_charts(why, ground, most_open);
     Names said;
     if (!charts.fails.empty()) said.push_back("it fails " + listed(charts.fails, ", or "));
-    else if (charts.open.empty()) said.emplace_back("nothing of the charts by itself is needed for it");
+    else if (charts.open.empty())
+        said.emplace_back("no transition, step or term of the charts by itself is needed for it");
     if (ground.about_states && ground.open.empty()) said.push_back(parts_words(ground));
     if (!ground.open.empty() && !ground.parts.empty())
         said.push_back("of the plant and the timers it needs, among others, " + listed(ground.parts));

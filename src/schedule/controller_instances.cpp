@@ -55,6 +55,13 @@ ControllerInstances::ControllerInstances(Main& in, std::vector<ControllerPart> o
     }
 }
 
+Id<Symbol> ControllerInstances::variable(std::size_t controller, Id<Equations::Variable> id) const {
+    const ControllerModule& module = modules[controller];
+    if (const Id<Symbol> own = module.symbols[id.index]; own.valid()) return main.member(instances[controller], own);
+    const auto given = std::ranges::find(module.parameters, id);
+    return arguments(controller)[static_cast<std::size_t>(given - module.parameters.begin())];
+}
+
 void ControllerInstances::name() const {
     for (const Id<TransitionSystem::Instance> id : instances) {
         std::string& name = main.system.instances[id].name;

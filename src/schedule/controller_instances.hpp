@@ -33,10 +33,8 @@ struct ControllerInstances {
     /// Gives the instances names that nothing in main has so far. Requires that no member was asked for.
     void name() const;
 
-    /// A variable of the equations of a controller, as properties read it.
-    Id<Symbol> variable(std::size_t controller, Id<Equations::Variable> id) const {
-        return main.member(instances[controller], modules[controller].symbols[id.index]);
-    }
+    /// A variable of the equations of a controller, as properties read it: of its module, or what its module is given.
+    Id<Symbol> variable(std::size_t controller, Id<Equations::Variable> id) const;
     Id<Expr> inner(std::size_t controller, Id<Symbol> symbol) const {
         return main.inner(instances[controller], symbol);
     }

@@ -149,7 +149,6 @@ StepName name_of(const Chart& chart, Id<Chart::Step> step);
 /// Its step variable: `X2`, or `G2.X2` for a step of the named partial chart G2.
 std::string step_variable(const Chart& chart, Id<Chart::Step> step);
 
-/// The invariants that do not hold, one sentence each; empty for a well-formed chart.
 /// What something of the chart reads, a transition, an action or a time condition that is read.
 struct ReadTerms {
     std::vector<bool> terms = {};            ///< per term of Chart::exprs
@@ -157,6 +156,7 @@ struct ReadTerms {
 };
 ReadTerms read_terms(const Chart& chart);
 
+/// The invariants that do not hold, one sentence each; empty for a well-formed chart.
 std::vector<std::string> verify(const Chart& chart);
 
 }  // namespace grafverif

@@ -171,8 +171,8 @@ std::size_t own_argument(const ClosedLoop& loop, const ClosedLoop::OwnSymbol& sy
 
 /// Whether something of the chart waits for it, so that there is such a timer.
 bool is_waited_for(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
-/// Likewise of all that the loop reads: in a chart that was changed afterwards perhaps nothing waits any more.
-bool has_its_timers(const ClosedLoop& loop, const Model& model);
+/// Likewise of all that a property of the loop reads: in a chart that was changed afterwards perhaps nothing waits any more.
+bool has_its_timers(const ClosedLoop& loop, const Property& property, const Model& model);
 /// The variable of the equations of its controller's chart that is the end of that timer, which something waits for.
 Id<Equations::Variable> end_of(const Equations& equations, const ClosedLoop::TimeSymbol& symbol);
 

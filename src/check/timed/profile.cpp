@@ -105,17 +105,11 @@ private:
     /// One part for each controller with its timers, one for each other process.
     void name_parts() {
         part_of_.assign(network_.processes.size(), Column::none);
-        for (const Network::Process& process : network_.processes) told_.push_back(process.name);
+        told_ = told_names(network_);
         for (const Network::Controller& controller : network_.controllers) {
             part_of_[controller.process.index] = profile_.parts.size();
-            for (std::size_t k = 0; k < controller.timers.size(); ++k) {
-                const Network::Timer& timer = controller.timers[k];
-                if (!timer.process.valid()) continue;
-                part_of_[timer.process.index] = profile_.parts.size();
-                const auto& times = controller.words.timers[k];
-                if (!timer.watched.empty())
-                    told_[timer.process.index] = time_text(times.rise_ms, timer.watched, times.fall_ms);
-            }
+            for (const Network::Timer& timer : controller.timers)
+                if (timer.process.valid()) part_of_[timer.process.index] = profile_.parts.size();
             add_part(controller.process, Kind::Controller);
             profile_.parts.back().name = controller.words.name;
             waiting_.push_back({graph_.machine.layout().locations[controller.process.index], controller.waiting.index,

@@ -43,4 +43,18 @@ std::string time_text(const Chart& chart, const ClosedLoop::TimeSymbol& symbol) 
     return time_text(symbol.rise_ms, step_variable(chart, symbol.step), 0);
 }
 
+std::vector<std::string> told_names(const Network& network) {
+    std::vector<std::string> names;
+    for (const Network::Process& process : network.processes) names.push_back(process.name);
+    for (const Network::Controller& controller : network.controllers)
+        for (std::size_t k = 0; k < controller.timers.size(); ++k) {
+            const Network::Timer& timer = controller.timers[k];
+            const auto& times = controller.words.timers[k];
+            if (!timer.process.valid() || timer.watched.empty()) continue;
+            const std::string owner = network.controllers.size() > 1 ? controller.words.name + '.' : "";
+            names[timer.process.index] = time_text(times.rise_ms, owner + timer.watched, times.fall_ms);
+        }
+    return names;
+}
+
 }  // namespace grafverif

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "grafverif/ir/closed_loop.hpp"
+#include "grafverif/ir/network.hpp"
 #include "syntax/print/dialect.hpp"
 
 namespace grafverif {
@@ -21,6 +23,8 @@ std::string time_text(const Chart& chart, const Chart::TimeCondition& time,
                       const std::function<std::string(Id<Expr>)>& text);
 /// The same of a timer, `watched` as conditions write it.
 std::string time_text(std::int64_t rise_ms, const std::string& watched, std::int64_t fall_ms);
+/// Per process of the network what it is called: a timer as conditions write it, where that is a name; else its own name.
+std::vector<std::string> told_names(const Network& network);
 /// The same of what a property reads.
 std::string time_text(const Chart& chart, const ClosedLoop::TimeSymbol& symbol);
 

@@ -36,7 +36,8 @@ bool is(const LoopScope& scope, Id<Controller> controller, const Expr& leaf, con
     if (const auto* internal = std::get_if<ClosedLoop::InternalSymbol>(&symbol))
         return internal->controller == controller && internal->variable.index == index;
     const auto* shared = std::get_if<ClosedLoop::SharedSymbol>(&symbol);
-    return shared != nullptr && scope.loop.shared[shared->shared].name == chart.variables[{index}].name;
+    return shared != nullptr && chart.variables[{index}].kind != Chart::VariableKind::Internal &&
+           scope.loop.shared[shared->shared].name == chart.variables[{index}].name;
 }
 
 /// Whether a term of the chart and one of the loop are the same.

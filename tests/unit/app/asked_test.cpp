@@ -9,7 +9,7 @@
 namespace grafverif::app {
 namespace {
 
-const std::string lamp =
+const std::string asked_of =
     "grafcet lamp_control {\n    input BUTTON;\n    output LAMP;\n    initial step 0;\n    step 1 { LAMP; }\n"
     "    transition t0: 0 -> 1 when BUTTON;\n    transition t1: 1 -> 0 when !BUTTON;\n}\n"
     "closed_loop room {\n    controller lamp_control;\n    environment Button = push_button(OUT = BUTTON);\n"
@@ -26,7 +26,7 @@ std::vector<std::string> named(const std::string& text) {
 
 TEST(Asked, PropertiesAloneAreInAModelThatIsWritten) {
     const Folder folder;
-    const std::string file = folder.write("room.grafcet", lamp);
+    const std::string file = folder.write("room.grafcet", asked_of);
     using Words = std::vector<std::string>;
     struct Case {
         Words verb = {};
@@ -64,7 +64,7 @@ TEST(Asked, PropertiesAloneAreInAModelThatIsWritten) {
 
 TEST(Asked, PropertiesAloneAreInWhatIsBuilt) {
     const Folder folder;
-    const std::string file = folder.write("room.grafcet", lamp), out = folder.file("out");
+    const std::string file = folder.write("room.grafcet", asked_of), out = folder.file("out");
     for (const char* property : {"pears", "cherries"}) {
         const Result result = grafverif({"build", file, "-o", out, "--create", "--property", property});
         ASSERT_EQ(result.code, ExitCode::Done) << result.err;
@@ -77,7 +77,7 @@ TEST(Asked, PropertiesAloneAreInWhatIsBuilt) {
 
 TEST(Asked, AChartAloneHasNoPropertyToAskFor) {
     const Folder folder;
-    const std::string file = folder.write("room.grafcet", lamp);
+    const std::string file = folder.write("room.grafcet", asked_of);
     for (const char* verb : {"nusmv", "aiger", "btor2"}) {
         const Result result = grafverif({verb, file, "--chart", "lamp_control", "--property", "apples"});
         EXPECT_EQ(result.code, ExitCode::Input) << verb;

@@ -37,6 +37,28 @@ TEST(CheckUntimed, SaysOfEachVerdictWhatItRestsOn) {
         << result.out;
 }
 
+TEST(CheckUntimed, TimesThatPropertiesReadAreFreeWithoutAPlant) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "lamp.grafcet",
+        "grafcet lamp { input A; output L; initial step 0; step 1 { L after 2s; }\n"
+        "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when 5s/X1; }\n"
+        "closed_loop room { controller lamp; environment a = free(OUT = A);\n"
+        "property over: never 5s/X1; property apart: never 5s/X1 && X0; property late: always 5s/X1 => 2s/X1; }\n");
+    for (const std::string engine : {"symbolic", "pdr"}) {
+        const Result result = grafverif({"check", file, "--untimed", "--engine", engine});
+        EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
+        EXPECT_NE(result.out.find("over: violated"), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find("late: violated"), std::string::npos)
+            << result.out;  // times are free, each by itself
+        EXPECT_EQ(result.out.find("apart: violated"), std::string::npos) << result.out;
+    }
+    const Result timed = grafverif({"check", file});
+    EXPECT_NE(timed.out.find("over: violated"), std::string::npos) << timed.out;
+    EXPECT_EQ(timed.out.find("late: violated"), std::string::npos) << timed.out;
+    EXPECT_EQ(grafverif({"nusmv", file, "-o", "-"}).code, ExitCode::Done);
+}
+
 /// Whether `out` says so of the verdict on `property`: at its head for all, or for the group that names it.
 bool says_of(const std::string& property, const std::string& carries, const std::string& out) {
     std::string head = out.substr(0, out.find("\n\n")) + '\n';
