@@ -273,9 +273,9 @@ std::string no_such_verb(const std::string& name) {
 }
 
 ExitCode worse(ExitCode one, ExitCode other) {
-    constexpr std::array order = {ExitCode::Failure, ExitCode::Input, ExitCode::Verdict, ExitCode::Unknown,
-                                  ExitCode::Done};
-    return *std::ranges::find_if(order, [&](ExitCode code) { return code == one || code == other; });
+    for (const ExitCode code : {ExitCode::Failure, ExitCode::Input, ExitCode::Verdict, ExitCode::Unknown})
+        if (code == one || code == other) return code;
+    return ExitCode::Done;
 }
 
 ExitCode run(std::span<const std::string> arguments, const Streams& streams) {
