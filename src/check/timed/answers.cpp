@@ -34,6 +34,17 @@ std::string text_of(Obstacle ended, const Graph& graph, const Limits& limits) {
     return "stopped after " + states;
 }
 
+/// The states looked at whose kind is one of these.
+template <class Is>
+StateSet states_of_kind(const Graph& graph, const Limits& limits, const Is& is) {
+    StateSet set(graph.states());
+    limits.share_states(graph.looked_at, [&](std::size_t begin, std::size_t end) {
+        for (auto state = static_cast<std::uint32_t>(begin); state != end; ++state)
+            if (is(graph.kind(state))) set.add(state);
+    });
+    return set;
+}
+
 /// A run that shows a state from which time never passes again: on from there until it repeats or nothing can happen.
 Lasso without_time(Graph& graph, std::uint32_t state) {
     Lasso lasso{.path = graph.path_to(state)};
@@ -125,21 +136,18 @@ std::optional<StateSet> Questions::states_where(Question& question, Graph& graph
                                                 const Limits& limits) const {
     StateSet set(graph.states());
     std::atomic<bool> broken = false;
-    const std::size_t parts = limits.parts(graph.states());
-    const auto look = [&](std::size_t part) {
+    limits.share_states(graph.states(), [&](std::size_t begin, std::size_t end) {
         Unfolded now;
         std::vector<std::int64_t> registers;
-        const std::size_t begin = graph.states() * part / parts, end = graph.states() * (part + 1) / parts;
         for (std::size_t i = begin; i != end && !broken; ++i) {
             if (i % Limits::look_every == 0 && limits.stopped()) throw Limits::Stop{};
             const auto state = static_cast<std::uint32_t>(i);
             graph.store.load(state, now);
             const End found = graph.machine.holds(predicate, now.words.data(), registers);
-            if (found == End::Yes) parts == 1 ? set.add(state) : set.add_beside(state);
+            if (found == End::Yes) set.add(state);
             if (found == End::NoValue) broken = true;
         }
-    };
-    limits.share(parts, look);
+    });
     if (!broken) return set;
     unknown(question.verdict, Obstacle::Faulty, "an operand divides by zero in some state");
     return {};
@@ -178,11 +186,8 @@ void Questions::answer_deadlock(Question& question, Graph& graph, const Limits& 
 
 void Questions::answer_timelock(Question& question, Graph& graph, const Limits& limits) {
     if (outcomes_.obstacle == Obstacle::Stopped) return unknown(question.verdict, Obstacle::Stopped, outcomes_.reason);
-    StateSet passes(graph.states());
-    for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
-        limits.poll();
-        if (graph.passes(state)) passes.add(state);
-    }
+    StateSet passes = states_of_kind(
+        graph, limits, [](StateKind kind) { return kind == StateKind::Passes || kind == StateKind::PassesOrActs; });
     auto locked = out_of_reach(graph, passes, Transitions::Actions, limits);
     if (!locked) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     std::erase_if(*locked, [&](std::uint32_t state) { return graph.holds(question.p, state) != End::Yes; });
@@ -193,11 +198,7 @@ void Questions::answer_timelock(Question& question, Graph& graph, const Limits& 
     }
     holds_if_dense(question, graph, graph.locked_bound);
     if (question.verdict.outcome != Outcome::Holds) return;
-    StateSet calm(graph.states());
-    for (std::uint32_t state = 0; state < graph.looked_at; ++state) {
-        limits.poll();
-        if (graph.kind(state) != StateKind::Urgent) calm.add(state);
-    }
+    StateSet calm = states_of_kind(graph, limits, [](StateKind kind) { return kind != StateKind::Urgent; });
     const auto restless = out_of_reach(graph, calm, Transitions::UrgentActions, limits);
     if (!restless) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (!restless->empty())

@@ -2,6 +2,7 @@
 // Facts about states, by number. Memory grows in chunks: nothing is copied and no growth doubles the peak.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -19,6 +20,17 @@ public:
     void push_back(T value) {
         make_room(1);
         (*this)[size_++] = value;
+    }
+    /// So many elements that stand elsewhere.
+    void append(const T* values, std::size_t count) {
+        make_room(count);
+        for (std::size_t done = 0; done != count;) {
+            const std::size_t at = size_ & (chunk - 1);
+            const std::size_t now = std::min(count - done, chunk - at);
+            std::copy_n(values + done, now, chunks_[size_ >> shift].get() + at);
+            done += now;
+            size_ += now;
+        }
     }
     /// The next `count` times `push_back` needs no memory.
     void make_room(std::size_t count) {

@@ -7,14 +7,16 @@
 //
 // The queue is taken block by block. The moves of a block are computed by all threads while nothing is written; what the
 // store does not hold is put together by hash; then one thread goes through the block in order and numbers what is new,
-// as if it had found each state itself; last all index the new states. So numbers, and all that follows from them, are
-// the same for any number of threads and any size of blocks.
+// as if it had found each state itself, but looks at nothing else; last all index the new states and write down where
+// the edges of the block lead. So numbers, and all that follows from them, are the same for any number of threads and
+// any size of blocks.
 #include "check/timed/explore.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <functional>
 #include <new>
+#include <utility>
 
 #include "check/timed/profile.hpp"
 #include "check/timed/slice.hpp"
@@ -87,6 +89,7 @@ private:
 
     std::size_t held() const {
         std::size_t bytes = strangers_.bytes();
+        for (const Slicer& slicer : slicers_) bytes += slicer.bytes();
         for (const Slice& slice : slices_) bytes += slice.bytes();
         return bytes;
     }
@@ -102,9 +105,7 @@ private:
         } catch (const std::bad_alloc&) {
             obstacle = Obstacle::Memory;
         }
-        share(graph_.states() - first, [&](unsigned member) {
-            if (member < strangers_.parts()) strangers_.index(member, graph_.store.roots());
-        });
+        write_down(graph_.states() - first);
         for (std::size_t i = 0; i < filled_; ++i) {
             note(slices_[i]);
             if (slices_[i].bytes() > kept_bytes) slices_[i] = {};
@@ -118,7 +119,7 @@ private:
         const std::size_t states = graph_.states() - graph_.looked_at;
         const std::size_t count = std::min(most, (states + limits_.slice() - 1) / limits_.slice());
         if (slices_.size() < count) slices_.resize(count);
-        while (slicers_.size() < team_.size()) slicers_.emplace_back(graph_, races_);
+        while (slicers_.size() < team_.size()) slicers_.emplace_back(graph_, watch_, races_);
         std::atomic<std::size_t> next = 0, computed = 0;
         std::atomic<bool> stopped = false;
         share(states, [&](unsigned member) {
@@ -145,35 +146,39 @@ private:
         for (std::size_t i = 0; i < filled_; ++i) {
             Slice& slice = slices_[i];
             count += slice.strangers.size();
-            for (std::size_t k = 0; k < slice.strangers.size(); ++k)
-                if (Slice::Stranger& stranger = slice.strangers[k]; !stranger.folded)
-                    stranger.root = graph_.store.fold(words_of(slice, k), {}, next_);
+            for (const std::uint32_t k : slice.kept) {
+                Slice::Stranger& stranger = slice.strangers[k];
+                if (stranger.folded) continue;
+                stranger.root = graph_.store.fold(words_of(slice, k), {}, next_);
+                stranger.shard = graph_.store.roots().shard_of(stranger.root);
+            }
         }
         const unsigned parts = count >= worth_sharing * limits_.slice() ? team_.size() : 1;
         strangers_.begin(parts, count);
         share(count, [&](unsigned member) {
-            for (std::size_t i = 0; i < filled_ && member < parts; ++i)
-                for (std::size_t k = 0; k < slices_[i].strangers.size(); ++k)
-                    if (strangers_.part_of(graph_.store.roots(), slices_[i].strangers[k].root) == member)
-                        meet(slices_[i], k, member);
-        });
-        share(count, [&](unsigned member) {
-            graph_.store.roots().make_room(strangers_.size(), {member, team_.size()});
+            if (member >= parts) return;
+            for (std::size_t i = 0; i < filled_; ++i) meet(slices_[i], member);
+            graph_.store.roots().make_room(strangers_.size(member) * parts, {member, parts});
         });
     }
 
-    void meet(Slice& slice, std::size_t index, unsigned member) {
-        Slice::Stranger& stranger = slice.strangers[index];
-        const Strangers::Met met = strangers_.meet(member, stranger.root);
-        stranger.entry = met.entry;
-        if (met.fresh) strangers_[met.entry].wanted = slicers_[member].wanted(watch_, words_of(slice, index));
+    /// The strangers of a slice that are of the part, in order.
+    void meet(Slice& slice, unsigned part) {
+        for (Slice::Stranger& stranger : slice.strangers) {
+            if (strangers_.part_of(stranger.shard) != part) continue;
+            const Strangers::Met met = strangers_.meet(part, stranger.root);
+            stranger.entry = met.entry;
+            stranger.first = met.fresh;
+        }
     }
 
-    const Word* words_of(const Slice& slice, std::size_t stranger) const {
-        return slice.words.data() + stranger * graph_.machine.layout().words;
+    /// Of a stranger that is kept.
+    const Word* words_of(const Slice& slice, std::uint32_t stranger) const {
+        const auto at = std::ranges::lower_bound(slice.kept, stranger) - slice.kept.begin();
+        return slice.words.data() + static_cast<std::size_t>(at) * graph_.machine.layout().words;
     }
 
-    /// Looks at the states of a slice, in order.
+    /// Numbers what the states of a slice lead to, in order, and what time leads to from there.
     Obstacle number(const Slice& slice) {
         for (std::uint32_t state = slice.begin; state != slice.end; ++state) {
             if (limits_.too_many(graph_.states())) return Obstacle::Bound;
@@ -181,10 +186,8 @@ private:
                 graph_.levels.push_back(state);
                 level_end_ = static_cast<std::uint32_t>(graph_.states());
             }
-            if (graph_.linked) graph_.links.begin(state);
             visit(slice, state, slice.states[state - slice.begin]);
             graph_.looked_at = state + 1;
-            drop_links_if_many();
         }
         return Obstacle::None;
     }
@@ -195,32 +198,74 @@ private:
             graph_.set_kind(state, StateKind::Open, state);
             return;
         }
-        std::uint32_t onward = 0;    // where an edge leads; a late state, since those lead on
-        std::uint32_t urgently = 0;  // where an urgent one leads
         for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
-            const std::uint32_t next = resolve(slice, slice.targets[i], state);
-            if (graph_.linked) graph_.links.add(next);
-            onward = std::max(onward, next);
-            if ((slice.targets[i] & Slice::urgent) != 0) urgently = std::max(urgently, next);
+            const std::uint32_t target = slice.targets[i];
+            if ((target & Slice::stranger) != 0 && slice.strangers[target & Slice::number].first)
+                resolve(slice, target, state);  // the others of the same state have its number then
         }
         graph_.transitions += at.edges;
         const bool acts = at.edges != 0;
-        if (at.urgent) graph_.set_kind(state, StateKind::Urgent, urgently);
+        // Where edges lead to is filled in by `lead`.
+        if (at.urgent) graph_.set_kind(state, StateKind::Urgent, state);
         else if (graph_.kind(state) == StateKind::Unknown) pass_time(state);
         if (acts && graph_.kind(state) == StateKind::Passes)
             graph_.set_kind(state, StateKind::PassesOrActs, graph_.target(state));
-        if (acts && graph_.kind(state) == StateKind::Stuck) graph_.set_kind(state, StateKind::Acts, onward);
+        if (acts && graph_.kind(state) == StateKind::Stuck) graph_.set_kind(state, StateKind::Acts, state);
         if (at.fault) graph_.set_kind(state, StateKind::Open, state);
+    }
+
+    /// What is new is found from here on, and the states looked at know where their edges lead.
+    void write_down(std::size_t found) {
+        next_slice_ = 0;
+        share(std::max<std::size_t>(found, graph_.looked_at - slices_[0].begin), [&](unsigned member) {
+            if (member < strangers_.parts()) strangers_.index(member, graph_.store.roots());
+            for (std::size_t i = 0; (i = next_slice_.fetch_add(1)) < filled_;) lead(slices_[i]);
+        });
+        try {
+            for (std::size_t i = 0; i < filled_ && graph_.linked; ++i) {
+                graph_.links.append(slices_[i].links);
+                drop_links_if_many();
+            }
+        } catch (const std::bad_alloc&) {
+            drop_links();
+        }
+    }
+
+    /// Where the edges of a slice's states lead, as far as they were looked at. No memory is taken.
+    void lead(Slice& slice) {
+        for (std::uint32_t state = slice.begin; state < std::min(slice.end, graph_.looked_at); ++state) {
+            const Slice::State& at = slice.states[state - slice.begin];
+            if (graph_.linked) slice.links.begin();
+            std::uint32_t last = state;
+            std::uint32_t onward = 0;    // where an edge leads; a late state, since those lead on
+            std::uint32_t urgently = 0;  // where an urgent one leads
+            for (std::uint32_t i = at.first; i != at.first + at.edges; ++i) {
+                const std::uint32_t next = number_of(slice, slice.targets[i]);
+                if (graph_.linked) slice.links.add(std::exchange(last, next), next);
+                onward = std::max(onward, next);
+                if ((slice.targets[i] & Slice::urgent) != 0) urgently = std::max(urgently, next);
+            }
+            const StateKind kind = graph_.kind(state);
+            if (kind == StateKind::Urgent) graph_.set_kind(state, kind, urgently);
+            if (kind == StateKind::Acts) graph_.set_kind(state, kind, onward);
+        }
+    }
+
+    /// Of a target that is numbered.
+    std::uint32_t number_of(const Slice& slice, std::uint32_t target) const {
+        const std::uint32_t number = target & Slice::number;
+        return (target & Slice::stranger) == 0 ? number : strangers_.number(slice.strangers[number].entry);
     }
 
     /// The number of a target; a stranger whom the search has not come to before is new.
     std::uint32_t resolve(const Slice& slice, std::uint32_t target, std::uint32_t parent) {
-        if ((target & Slice::stranger) == 0) return target & Slice::number;
         const std::uint32_t index = target & Slice::number;
-        Strangers::Entry& entry = strangers_[slice.strangers[index].entry];
+        if ((target & Slice::stranger) == 0) return index;
+        const Slice::Stranger& stranger = slice.strangers[index];
+        Strangers::Entry& entry = strangers_[stranger.entry];
         if (entry.number != Store::none) return entry.number;
         entry.number = discover(entry.root, parent);
-        if (entry.wanted) watch_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
+        if (stranger.wanted) watch_.look(graph_.machine, entry.number, words_of(slice, index), registers_);
         return entry.number;
     }
 
@@ -240,7 +285,7 @@ private:
         const Word root = graph_.store.fold(now_.words.data(), {}, next_);
         if (const std::uint32_t known = graph_.store.roots().find(root); known != Store::none) return known;
         Strangers::Entry& entry =
-            strangers_[strangers_.meet(strangers_.part_of(graph_.store.roots(), root), root).entry];
+            strangers_[strangers_.meet(strangers_.part_of(graph_.store.roots().shard_of(root)), root).entry];
         if (entry.number != Store::none) return entry.number;
         entry.number = discover(root, parent);
         if (watch_.wants(graph_.machine, now_.words.data(), registers_))
@@ -282,7 +327,11 @@ private:
     void drop_links_if_many() {
         const std::size_t bytes = graph_.links.list_bytes();
         if (!graph_.linked || bytes < link_grace) return;
-        if (bytes < link_bytes * graph_.states() && bytes < 0xFFFF0000U) return;
+        if (bytes < link_bytes * graph_.states() && bytes < 0xF0000000U) return;
+        drop_links();
+    }
+
+    void drop_links() {
         graph_.linked = false;
         graph_.links.clear();
     }
@@ -313,6 +362,7 @@ private:
     std::vector<Slicer> slicers_ = {};  // per thread
     Strangers strangers_ = {};
     std::size_t filled_ = 0;  // slices of the block at hand
+    std::atomic<std::size_t> next_slice_ = 0;
     std::uint32_t level_end_ = 0;
     Unfolded now_ = {}, next_ = {};
     Watch::Registers registers_ = {};

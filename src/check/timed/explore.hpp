@@ -33,6 +33,15 @@ public:
         });
     }
 
+    /// Calls `work(begin, end)` for ranges that are so many states in all, side by side; no two have a state in one word
+    /// of a set.
+    template <class Work>
+    void share_states(std::size_t states, const Work& work) const {
+        const std::size_t parts = this->parts(states);
+        const auto begin = [&](std::size_t part) { return part == parts ? states : states * part / parts / 64 * 64; };
+        share(parts, [&](std::size_t part) { work(begin(part), begin(part + 1)); });
+    }
+
     double seconds() const;
     /// Whether the user or the deadline ends the check.
     bool stopped() const;

@@ -2,6 +2,9 @@
 #include "check/timed/fixpoints.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
+#include <numeric>
 
 namespace grafverif::timed {
 
@@ -50,25 +53,132 @@ bool sweep(std::vector<std::uint32_t>& open, StateSet& set, std::size_t stall, b
     return true;
 }
 
-/// The states looked at that are not in `set`; those of which nothing is known join it.
-std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set) {
-    std::size_t count = 0;
-    for (std::uint32_t state = 0; state < graph.states(); ++state) {
-        if (graph.open(state)) set.add(state);
-        if (!set.has(state)) ++count;
-    }
-    std::vector<std::uint32_t> open;
-    open.reserve(count);
-    for (std::uint32_t state = 0; state < graph.states(); ++state)
-        if (!set.has(state)) open.push_back(state);
-    return open;
+/// The states of which nothing is known join `set`.
+void join_open(const Graph& graph, StateSet& set, const Limits& limits) {
+    limits.share_states(graph.states(), [&](std::size_t begin, std::size_t end) {
+        for (auto state = static_cast<std::uint32_t>(begin); state != end; ++state)
+            if (graph.open(state)) set.add(state);
+    });
 }
+
+/// In order, the first `states` but those in `set`.
+std::vector<std::uint32_t> all_but(const StateSet& set, std::size_t states, const Limits& limits) {
+    const std::size_t words = (states + 63) / 64;
+    const auto bits = [&](std::size_t word) {
+        const std::uint64_t all =
+            word + 1 == words && states % 64 != 0 ? ~std::uint64_t{0} >> (64 - states % 64) : ~std::uint64_t{0};
+        return ~set.bits(word) & all;
+    };
+    const std::size_t parts = limits.parts(states);
+    std::vector<std::size_t> first(parts + 1);  // in the list
+    limits.share(parts, [&](std::size_t part) {
+        std::size_t count = 0;
+        for (std::size_t word = words * part / parts; word != words * (part + 1) / parts; ++word)
+            count += static_cast<std::size_t>(std::popcount(bits(word)));
+        first[part + 1] = count;
+    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint32_t> list(first[parts]);
+    limits.share(parts, [&](std::size_t part) {
+        std::size_t at = first[part];
+        for (std::size_t word = words * part / parts; word != words * (part + 1) / parts; ++word)
+            for (std::uint64_t rest = bits(word); rest != 0; rest &= rest - 1)
+                list[at++] = static_cast<std::uint32_t>(64 * word + static_cast<std::size_t>(std::countr_zero(rest)));
+    });
+    return list;
+}
+
+/// The states looked at that are not in `set`; those of which nothing is known join it.
+std::vector<std::uint32_t> undecided(const Graph& graph, StateSet& set, const Limits& limits) {
+    join_open(graph, set, limits);
+    return all_but(set, graph.states(), limits);
+}
+
+constexpr std::size_t most_walkers = 4;  // each has a path of its own in memory
+
+/// What sweeps leave, depth first from the roots: a state is left for good, and joins `met`, when all its successors are in
+/// `met`. Several threads walk side by side, from different roots on and into successors in different orders; none goes
+/// where another has been and come back. What avoids `met` is on a cycle of such states, leads to one, or ends: nobody
+/// comes back from there, so that it is found whoever walks.
+class DepthFirst {
+public:
+    DepthFirst(Graph& graph, StateSet& met, const std::vector<std::uint32_t>& roots, const Limits& limits,
+               std::size_t walkers)
+        : graph_(graph), met_(met), roots_(roots), limits_(limits), walkers_(walkers) {}
+
+    /// Whether no run from the roots avoids `met`.
+    bool run() {
+        limits_.share(walkers_, [&](std::size_t walker) { walk(walker); });
+        return !avoided_;
+    }
+
+private:
+    static constexpr std::uint32_t leaving = 1U << 31U;
+
+    struct Path {
+        StateSet states;
+        Column<std::uint32_t> stack = {};
+        std::uint32_t steps = 0;
+        bool in_order = false;  // successors; else the last comes first
+    };
+
+    void walk(std::size_t walker) {
+        Path path{.states = StateSet(graph_.states()), .in_order = walker % 2 != 0};
+        const std::size_t first = roots_.size() * walker / walkers_;
+        for (std::size_t i = 0; i < roots_.size(); ++i) {
+            const std::uint32_t root = roots_[(first + i) % roots_.size()];
+            if (!met_.has(root) && !walk_from(root, path)) return;
+        }
+    }
+
+    /// False: some walker has found a run.
+    bool walk_from(std::uint32_t root, Path& path) {
+        Column<std::uint32_t>& stack = path.stack;
+        stack.push_back(root);
+        while (!stack.empty()) {
+            const std::uint32_t top = stack.back();
+            stack.pop_back();
+            if ((top & leaving) != 0) {
+                path.states.remove(top & ~leaving);
+                walkers_ == 1 ? met_.add(top & ~leaving) : met_.add_beside(top & ~leaving);
+                continue;
+            }
+            if (met_.has(top)) continue;
+            if (++path.steps % 4096 == 0) {
+                if (avoided_) return false;
+                if (limits_.stopped()) throw Limits::Stop{};
+            }
+            path.states.add(top);
+            stack.push_back(top | leaving);
+            const std::size_t first = stack.size();
+            bool avoids = graph_.kind(top) == StateKind::Stuck;
+            graph_.each(top, [&](std::uint32_t next) {
+                avoids = avoids || path.states.has(next);
+                if (!met_.has(next)) stack.push_back(next);
+            });
+            if (avoids) {
+                avoided_ = true;
+                return false;
+            }
+            if (!path.in_order) continue;
+            for (std::size_t low = first, high = stack.size(); low + 1 < high;) std::swap(stack[low++], stack[--high]);
+        }
+        return true;
+    }
+
+    Graph& graph_;
+    StateSet& met_;
+    const std::vector<std::uint32_t>& roots_;
+    const Limits& limits_;
+    std::size_t walkers_;
+    std::atomic<bool> avoided_ = false;
+};
 
 }  // namespace
 
 std::optional<std::vector<std::uint32_t>> out_of_reach(Graph& graph, StateSet& goal, Transitions by,
                                                        const Limits& limits) {
-    std::vector<std::uint32_t> open = undecided(graph, goal);
+    std::vector<std::uint32_t> open = undecided(graph, goal, limits);
     const auto target_leads = [&](std::uint32_t state) {  // without looking at all successors
         const StateKind kind = graph.kind(state);
         const bool has_one = kind == StateKind::Urgent || (kind == StateKind::Acts && by != Transitions::UrgentActions);
@@ -98,39 +208,11 @@ std::optional<bool> unavoidable(Graph& graph, StateSet& met, const std::vector<s
         graph.each(state, [&](std::uint32_t next) { all = all && met.has(next); });
         return all;
     };
-    std::vector<std::uint32_t> open = undecided(graph, met);
+    std::vector<std::uint32_t> open = undecided(graph, met, limits);
     if (graph.linked && !sweep(open, met, 16, true, limits, all_lead)) return {};
     open = {};
-
-    // What is left: depth first from the roots. A state is left for good when all its successors are in `met`.
-    constexpr std::uint32_t leaving = 1U << 31U;
-    StateSet on_path(graph.states());
-    Column<std::uint32_t> stack;
-    std::uint32_t steps = 0;
-    for (const std::uint32_t root : roots) {
-        stack.push_back(root);
-        while (!stack.empty()) {
-            const std::uint32_t top = stack.back();
-            stack.pop_back();
-            if ((top & leaving) != 0) {
-                on_path.remove(top & ~leaving);
-                met.add(top & ~leaving);
-                continue;
-            }
-            if (met.has(top)) continue;
-            if (++steps % 4096 == 0 && limits.stopped()) return {};
-            if (graph.kind(top) == StateKind::Stuck) return false;
-            on_path.add(top);
-            stack.push_back(top | leaving);
-            bool cycle = false;
-            graph.each(top, [&](std::uint32_t next) {
-                cycle = cycle || on_path.has(next);
-                if (!met.has(next)) stack.push_back(next);
-            });
-            if (cycle) return false;
-        }
-    }
-    return true;
+    if (!graph.linked) return DepthFirst(graph, met, roots, limits, 1).run();
+    return DepthFirst(graph, met, roots, limits, std::min(limits.parts(graph.states()), most_walkers)).run();
 }
 
 std::optional<std::uint32_t> first_deadlock(const Graph& graph, const std::function<bool(std::uint32_t)>& judged,

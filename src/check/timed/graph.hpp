@@ -33,17 +33,28 @@ enum class StateKind : std::uint32_t {
 /// Lists of states, one per state, in few bytes.
 class Links {
 public:
-    /// Ends the list of the last state begun and begins that of `state`, the next one.
-    void begin(std::uint32_t state) {
-        ends_.push_back(static_cast<std::uint32_t>(bytes_.size()));
-        last_ = state;
-    }
-    void add(std::uint32_t next) {
-        const auto distance = static_cast<std::int64_t>(next) - static_cast<std::int64_t>(last_);
-        auto rest = static_cast<std::uint64_t>(distance < 0 ? -2 * distance - 1 : 2 * distance);
-        for (; rest >= 128; rest >>= 7U) bytes_.push_back(static_cast<std::uint8_t>(rest | 128U));
-        bytes_.push_back(static_cast<std::uint8_t>(rest));
-        last_ = next;
+    /// The lists of a few states in a row, put together beside others.
+    struct Part {
+        static constexpr std::size_t most = 5;  ///< bytes that one state in a list takes
+        std::vector<std::uint8_t> bytes = {};
+        std::vector<std::uint32_t> begins = {};  ///< in `bytes`, of each list
+
+        /// Begins the list of the next state.
+        void begin() { begins.push_back(static_cast<std::uint32_t>(bytes.size())); }
+        /// `last`: the state put before, or whose list it is.
+        void add(std::uint32_t last, std::uint32_t next) {
+            const auto distance = static_cast<std::int64_t>(next) - static_cast<std::int64_t>(last);
+            auto rest = static_cast<std::uint64_t>(distance < 0 ? -2 * distance - 1 : 2 * distance);
+            for (; rest >= 128; rest >>= 7U) bytes.push_back(static_cast<std::uint8_t>(rest | 128U));
+            bytes.push_back(static_cast<std::uint8_t>(rest));
+        }
+    };
+    /// The lists of the next states.
+    void append(const Part& part) {
+        const auto first = static_cast<std::uint32_t>(bytes_.size());
+        bytes_.append(part.bytes.data(), part.bytes.size());
+        ends_.make_room(part.begins.size());
+        for (const std::uint32_t begin : part.begins) ends_.push_back(first + begin);
     }
 
     template <class Visit>
@@ -73,7 +84,6 @@ public:
 private:
     Column<std::uint8_t> bytes_ = {};
     Column<std::uint32_t> ends_ = {};  // where the list of each state begins
-    std::uint32_t last_ = 0;
 };
 
 /// A set of states. Threads may add to it side by side by `add_beside`, and read it meanwhile.
@@ -84,6 +94,9 @@ public:
     void add(std::uint32_t state) { word(state).store(word(state).load(relaxed) | bit(state), relaxed); }
     void add_beside(std::uint32_t state) { word(state).fetch_or(bit(state), relaxed); }
     void remove(std::uint32_t state) { word(state).store(word(state).load(relaxed) & ~bit(state), relaxed); }
+
+    /// The states from 64 * `index` on, one a bit.
+    std::uint64_t bits(std::size_t index) const { return words_[index].load(relaxed); }
 
 private:
     using Atomic = std::atomic<std::uint64_t>;

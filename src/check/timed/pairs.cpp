@@ -43,20 +43,20 @@ Pairs::Pairs(unsigned shard_bits)
 
 void Pairs::prefetch(Word pair) const {
     const std::uint64_t hash = Pairs::hash(pair);
-    const Shard& shard = shards_[shard_of(hash)];
+    const Shard& shard = shards_[shard_at(hash)];
     __builtin_prefetch(shard.slots.data() + home_of(hash, shard.slots.size()));
 }
 
 void Pairs::prefetch_met(Word pair) const {
     const std::uint64_t hash = Pairs::hash(pair);
-    const Shard& shard = shards_[shard_of(hash)];
+    const Shard& shard = shards_[shard_at(hash)];
     const std::uint32_t slot = shard.slots[home_of(hash, shard.slots.size())];
     if (slot != 0) prefetch_pair((slot & mask_of(shard.number_bits)) - 1);
 }
 
 std::uint32_t Pairs::find(Word pair) const {
     const std::uint64_t hash = Pairs::hash(pair);
-    const Shard& shard = shards_[shard_of(hash)];
+    const Shard& shard = shards_[shard_at(hash)];
     const std::uint32_t print = print_of(hash, shard.number_bits);
     const std::size_t slots = shard.slots.size();
     for (std::size_t place = home_of(hash, slots);; place = place + 1 == slots ? 0 : place + 1) {
@@ -73,14 +73,14 @@ Pairs::Interned Pairs::intern(Word pair) {
     if (known != none) return {known, false};
     const std::uint32_t number = append(pair);
     const std::uint64_t hash = Pairs::hash(pair);
-    put(shards_[shard_of(hash)], hash, number);
+    put(shards_[shard_at(hash)], hash, number);
     return {number, true};
 }
 
 std::uint32_t Pairs::append(Word pair) {
     if (size_ >= most) throw std::bad_alloc();
     if (size_ != 0 && (size_ & (chunk - 1)) == 0 && packed_.size() << shift != size_) pack();
-    count(shards_[shard_of(hash(pair))]);
+    count(shards_[shard_at(hash(pair))]);
     open_[size_ & (chunk - 1)] = pair;
     return static_cast<std::uint32_t>(size_++);
 }
@@ -112,7 +112,7 @@ void Pairs::make_room(std::size_t more, Share share) {
 
 void Pairs::index(Word pair, std::uint32_t number) {
     const std::uint64_t hash = Pairs::hash(pair);
-    put(shards_[shard_of(hash)], hash, number);
+    put(shards_[shard_at(hash)], hash, number);
 }
 
 /// The open chunk is full.

@@ -44,10 +44,8 @@ public:
     };
     /// Room for as many more pairs, unless chance has it that more of them fall into one shard.
     void make_room(std::size_t more, Share share);
-    /// Who of so many members has the shard of the pair.
-    unsigned member_of(Word pair, unsigned members) const {
-        return static_cast<unsigned>(shard_of(hash(pair)) % members);
-    }
+    /// The shard of the pair; of so many members, the one of this number modulo theirs has it.
+    std::uint8_t shard_of(Word pair) const { return static_cast<std::uint8_t>(shard_at(hash(pair))); }
     /// A pair that was appended is found from here on.
     void index(Word pair, std::uint32_t number);
 
@@ -85,7 +83,7 @@ private:
         unsigned number_bits = 0;
     };
 
-    std::size_t shard_of(std::uint64_t hash) const { return hash >> 58U & (shards_.size() - 1); }
+    std::size_t shard_at(std::uint64_t hash) const { return hash >> 58U & (shards_.size() - 1); }
     void count(Shard& shard);
     static void put(Shard& shard, std::uint64_t hash, std::uint32_t number);
     void prefetch_pair(std::uint32_t number) const {

@@ -17,7 +17,8 @@ constexpr std::size_t fetched_ahead = 16;       // entries whose places in the i
 
 std::size_t Slice::bytes() const {
     return states.capacity() * sizeof(State) + targets.capacity() * sizeof(std::uint32_t) +
-           strangers.capacity() * sizeof(Stranger) + words.capacity() * sizeof(Word);
+           strangers.capacity() * sizeof(Stranger) + words.capacity() * sizeof(Word) + links.bytes.capacity() +
+           (kept.capacity() + links.begins.capacity()) * sizeof(std::uint32_t);
 }
 
 std::size_t Slicer::fill(Slice& slice, std::uint32_t begin, std::uint32_t end) {
@@ -25,14 +26,23 @@ std::size_t Slicer::fill(Slice& slice, std::uint32_t begin, std::uint32_t end) {
     slice.states.clear();
     slice.targets.clear();
     slice.strangers.clear();
+    slice.kept.clear();
     slice.words.clear();
+    slice.links.bytes.clear();
+    slice.links.begins.clear();
+    words_.clear();
     slice.stuck_bound.reset();
     slice.locked_bound.reset();
     slice.faults.clear();
     slice.begin = slice.end = begin;
-    while (slice.end != end && slice.words.size() < slice_words) look_at(slice.end++);
-    const std::size_t computed = slice.words.size();
+    while (slice.end != end && words_.size() < slice_words) look_at(slice.end++);
+    const std::size_t computed = words_.size();
     look_up();
+    if (graph_.linked) {
+        slice.links.bytes.reserve(Links::Part::most * slice.targets.size());
+        slice.links.begins.reserve(slice.states.size());
+    }
+    if (words_.size() > 2 * slice_words) words_ = {};
     return computed;
 }
 
@@ -65,9 +75,9 @@ void Slicer::add(const Word* words, std::uint32_t flags) {
     Slice& slice = *slice_;
     const std::optional<Word> root = graph_.store.root_of(words, now_, next_);
     if (root) graph_.store.roots().prefetch(*root);
-    slice.strangers.push_back({root.value_or(0), root.has_value(), 0});
+    slice.strangers.push_back({.root = root.value_or(0), .folded = root.has_value()});
     slice.targets.push_back(flags);
-    slice.words.insert(slice.words.end(), words, words + graph_.machine.layout().words);
+    words_.insert(words_.end(), words, words + graph_.machine.layout().words);
 }
 
 /// Those that the store holds are strangers no more.
@@ -79,15 +89,20 @@ void Slicer::look_up() {
     const std::size_t words = graph_.machine.layout().words;
     std::uint32_t kept = 0;
     for (std::size_t i = 0; i < slice.targets.size(); ++i) {
-        const Slice::Stranger stranger = slice.strangers[i];
+        Slice::Stranger stranger = slice.strangers[i];
         const std::uint32_t known = stranger.folded ? roots.find(stranger.root) : Store::none;
         slice.targets[i] |= known != Store::none ? known : Slice::stranger | kept;
         if (known != Store::none) continue;
-        if (kept != i) std::copy_n(slice.words.data() + i * words, words, slice.words.data() + kept * words);
+        const Word* const at = words_.data() + i * words;
+        stranger.wanted = watch_.wants(graph_.machine, at, moves_.registers);
+        if (stranger.folded) stranger.shard = roots.shard_of(stranger.root);
+        if (stranger.wanted || !stranger.folded) {
+            slice.kept.push_back(kept);
+            slice.words.insert(slice.words.end(), at, at + words);
+        }
         slice.strangers[kept++] = stranger;
     }
     slice.strangers.resize(kept);
-    slice.words.resize(kept * words);
 }
 
 void Strangers::begin(unsigned parts, std::size_t strangers) {
@@ -130,12 +145,6 @@ void Strangers::widen(Part& part, std::size_t slots) {
         while (part.slots[place] != 0) place = (place + 1) & (slots - 1);
         part.slots[place] = entry + 1;
     }
-}
-
-std::size_t Strangers::size() const {
-    std::size_t size = 0;
-    for (const Part& part : parts_) size += part.entries.size();
-    return size;
 }
 
 std::size_t Strangers::bytes() const {

@@ -12,7 +12,10 @@
 
 namespace grafverif::timed {
 
-struct Slice {
+constexpr std::size_t own_lines = 128;  // bytes that no other thread writes to, with the line fetched beside
+
+/// Threads fill neighbours side by side: each has lines of the cache of its own.
+struct alignas(own_lines) Slice {
     static constexpr std::uint32_t stranger = 1U << 31U, urgent = 1U << 30U, number = urgent - 1;
 
     struct State {
@@ -25,9 +28,12 @@ struct Slice {
         bool passes = false;  ///< it does
     };
     struct Stranger {
-        Word root = 0;  ///< where it is `folded`
-        bool folded = false;
+        Word root = 0;            ///< where it is `folded`
         std::uint32_t entry = 0;  ///< in Strangers
+        std::uint8_t shard = 0;   ///< of the root
+        bool folded = false;
+        bool wanted = false;  ///< by the watch
+        bool first = false;   ///< no other of the same state stands before it in the block
     };
 
     std::uint32_t begin = 0, end = 0;  ///< the states looked at
@@ -35,7 +41,9 @@ struct Slice {
     std::vector<std::uint32_t> targets =
         {};  ///< with flags: a state's number or that of a stranger; reached by an urgent edge
     std::vector<Stranger> strangers = {};
-    std::vector<Word> words = {};                                    ///< of the strangers, Layout::words apart
+    std::vector<std::uint32_t> kept = {};                            ///< those not folded, or wanted
+    std::vector<Word> words = {};                                    ///< theirs, Layout::words apart
+    Links::Part links = {};                                          ///< once all have their numbers
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};  ///< the first
     std::vector<FaultAt> faults = {};
 
@@ -43,13 +51,14 @@ struct Slice {
 };
 
 /// What one thread needs to fill slices.
-class Slicer {
+class alignas(own_lines) Slicer {
 public:
-    Slicer(const Graph& graph, const std::vector<Field>& races) : graph_(graph), races_(races) {}
+    Slicer(const Graph& graph, const Watch& watch, const std::vector<Field>& races)
+        : graph_(graph), watch_(watch), races_(races) {}
 
     /// The moves of the states from `begin` on, up to `end` or until they are many. Returns how many words were computed.
     std::size_t fill(Slice& slice, std::uint32_t begin, std::uint32_t end);
-    bool wanted(const Watch& watch, const Word* words) { return watch.wants(graph_.machine, words, moves_.registers); }
+    std::size_t bytes() const { return words_.capacity() * sizeof(Word); }
 
 private:
     void look_at(std::uint32_t state);
@@ -57,9 +66,11 @@ private:
     void look_up();
 
     const Graph& graph_;
+    const Watch& watch_;
     const std::vector<Field>& races_;
     Slice* slice_ = nullptr;
     Moves moves_ = {};
+    std::vector<Word> words_ = {};  // of all states that the slice leads to
     Unfolded now_ = {}, next_ = {};
     std::vector<Word> later_ = {};
 };
@@ -71,14 +82,11 @@ public:
     struct Entry {
         Word root = 0;
         std::uint32_t number = Store::none;  ///< once the search has come to it
-        bool wanted = false;                 ///< by the watch
     };
 
     /// Empties all, for so many parts and about so many strangers.
     void begin(unsigned parts, std::size_t strangers);
-    unsigned part_of(const Pairs& roots, Word root) const {
-        return roots.member_of(root, static_cast<unsigned>(parts_.size()));
-    }
+    unsigned part_of(unsigned shard) const { return shard % parts(); }
     struct Met {
         std::uint32_t entry = 0;
         bool fresh = false;
@@ -91,12 +99,13 @@ public:
         const auto parts = static_cast<std::uint32_t>(parts_.size());
         return parts_[entry % parts].entries[entry / parts];
     }
+    std::uint32_t number(std::uint32_t entry) const { return parts_[entry % parts()].entries[entry / parts()].number; }
     unsigned parts() const { return static_cast<unsigned>(parts_.size()); }
-    std::size_t size() const;
+    std::size_t size(unsigned part) const { return parts_[part].entries.size(); }
     std::size_t bytes() const;
 
 private:
-    struct Part {
+    struct alignas(own_lines) Part {
         std::vector<std::uint32_t> slots = {};  // entry + 1; 0: free
         std::vector<Entry> entries = {};
     };

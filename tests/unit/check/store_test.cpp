@@ -48,7 +48,7 @@ TEST(Pairs, AppendedAreFoundOnceTheyAreIndexed) {
         ASSERT_EQ(pairs.find((made - 1) * 0x10001), Pairs::none);
         for (unsigned member = 0; member < 3; ++member)  // each those of its shards, backwards
             for (std::uint32_t number = first + more; number-- != first;)
-                if (pairs.member_of(pairs[number], 3) == member) pairs.index(pairs[number], number);
+                if (pairs.shard_of(pairs[number]) % 3 == member) pairs.index(pairs[number], number);
         for (std::uint64_t i = 0; i < made; ++i) ASSERT_EQ(pairs.find(i * 0x10001), i);
     }
 }
