@@ -86,6 +86,12 @@ std::vector<Found> Questions::answers(const StateSpace* model, Search& search, c
         }
         all.push_back(std::move(found));
     }
+    // What explains a verdict comes behind them all: it may use up the time or the memory that another one needs.
+    for (Found& found : all) {
+        if (!found.lost) continue;
+        std::string words = what_is_lost(*model, search, *found.lost);
+        if (!words.empty()) found.verdict.notes.push_back(std::move(words));
+    }
     return all;
 }
 
@@ -154,8 +160,7 @@ void Questions::answer_paths(Found& found, const Question& question, const Sets&
         verdict.notes.emplace_back("from the last state of the trace on it is impossible");
         const std::vector<State> way = shortest_way(model, search, lost);
         found.run = run_of(model, {way, {}});
-        if (std::string words = what_is_lost(model, search, way.back()); !words.empty())
-            verdict.notes.push_back(std::move(words));
+        found.lost = way.back();
         return;
     }
     const bool leads = of(question).pattern == Pattern::LeadsTo;
@@ -172,6 +177,8 @@ std::string Questions::what_is_lost(const StateSpace& model, const Search& searc
     try {
         return lost_words(system_, flat_, model, search.reached, from);
     } catch (const BddExhausted&) {
+        return {};
+    } catch (const std::bad_alloc&) {
         return {};
     }
 }

@@ -27,6 +27,7 @@ std::vector<State> shortest_way(const StateSpace& model, Search& search, const B
 struct Found {
     Verdict verdict = {};
     std::optional<FlatRun> run = {};
+    std::optional<State> lost = {};  ///< a state from which what is asked is impossible
 };
 
 class Questions {

@@ -86,6 +86,8 @@ std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std:
         if (question.verdict.outcome == Outcome::Holds) mark_vacuous(question, graph);
         verdicts.push_back(std::move(question.verdict));
     }
+    // What explains a verdict comes behind them all: it may use up the time or the memory that another one needs.
+    for (std::size_t k = 0; k < questions_.size(); ++k) tell_lost(questions_[k], graph, limits, verdicts[k]);
     return verdicts;
 }
 
@@ -214,8 +216,7 @@ void Questions::answer_possible(Question& question, Graph& graph, const Limits& 
     if (!lost) return unknown(question.verdict, Obstacle::Stopped, "stopped");
     if (!lost->empty() && inexact_) return unknown(question.verdict, Obstacle::Inexact, inexact_reason());
     if (!lost->empty()) {
-        std::string words = outcomes_.obstacle == Obstacle::None ? lost_words(graph, lost->front(), limits) : "";
-        if (!words.empty()) question.verdict.notes.push_back(std::move(words));
+        question.lost = lost->front();
         return violated(question.verdict, graph.run_to(lost->front()));
     }
     holds_unless(question, outcomes_.obstacle, outcomes_.reason);
@@ -223,6 +224,19 @@ void Questions::answer_possible(Question& question, Graph& graph, const Limits& 
         unknown(question.verdict, Obstacle::Inexact,
                 "integer time says nothing of the states between two ticks; `--untimed` decides it of a model without "
                 "time");
+}
+
+/// Where it takes more time than there is, or memory, it is not told.
+void Questions::tell_lost(const Question& question, Graph& graph, const Limits& limits, Verdict& verdict) const {
+    if (!question.lost || verdict.outcome != Outcome::Violated || outcomes_.obstacle != Obstacle::None) return;
+    try {
+        if (std::string words = lost_words(graph, *question.lost, limits); !words.empty())
+            verdict.notes.push_back(std::move(words));
+    } catch (const Limits::Stop&) {
+        return;
+    } catch (const std::bad_alloc&) {
+        return;
+    }
 }
 
 void Questions::holds_if_dense(Question& question, Graph& graph, const std::optional<UncoveredAt>& bound) const {

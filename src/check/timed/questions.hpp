@@ -40,6 +40,7 @@ private:
         std::size_t watch = none;  // the state that decides it, or that keeps it from being vacuous
         std::uint32_t p = Program::no, q = Program::no;
         bool at_stable = false;
+        std::optional<std::uint32_t> lost = {};  // a state from which what is asked is impossible
     };
 
     std::uint32_t settled_and(const Property& property, Id<Expr> operand);
@@ -59,6 +60,7 @@ private:
     void answer_deadlock(Question& question, Graph& graph, const Limits& limits);
     void answer_timelock(Question& question, Graph& graph, const Limits& limits);
     void answer_possible(Question& question, Graph& graph, const Limits& limits);
+    void tell_lost(const Question& question, Graph& graph, const Limits& limits, Verdict& verdict) const;
     void holds_unless(Question& question, Obstacle obstacle, const std::string& reason) const;
     void holds_if_dense(Question& question, Graph& graph, const std::optional<UncoveredAt>& bound) const;
     void mark_vacuous(Question& question, const Graph& graph) const;
