@@ -49,9 +49,9 @@ std::optional<Causes> causes_of(const Network& network, const Property& property
 std::optional<Causes> causes_of(const TransitionSystem& system, const Property& property, const SystemRun& run,
                                 std::size_t most = most_terms);
 
-/// Marks the values that the terms read in `run`, which is the projection of the same run (`shown`). What nobody knows by a name of the
-/// loop (whose turn it is) is not marked.
-void mark(const Network& network, const Causes& causes, ChartRun& run);
+/// Marks the values that the terms read in `run`, which is the projection of the same run (`states`, `shown`). What nobody knows by
+/// a name of the loop (whose turn it is, the time of a longer term) is not marked, and the causes are not exact.
+void mark(const Network& network, const std::vector<NetworkState>& states, const Causes& causes, ChartRun& run);
 void mark(const TransitionSystem& system, const SystemRun& shown, const Causes& causes, ChartRun& run);
 
 /// Per state of the run of an untimed model that `run` is the projection of, the moment behind which it stands.

@@ -2,6 +2,7 @@
 // Causes in the words of the charts.
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "explain/causes.hpp"
 
@@ -22,10 +23,51 @@ void append(ChartRun& run, const ChartRun::Cause& cause, std::size_t before) {
     run.causes.push_back(cause);
 }
 
+/// The signal that a timer watches as it is named; nothing: a longer term, or one that has another name in the loop.
+std::optional<Id<ChartRun::Signal>> watched_signal(const ChartRun& run, const ChartRun::Timer& timer) {
+    for (const Id<ChartRun::Signal> id : run.signals.ids()) {
+        const ChartRun::Role role = run.signals[id].role;
+        const bool shared = role == ChartRun::Role::Input || role == ChartRun::Role::Output;
+        const bool own = role == ChartRun::Role::Internal && run.controllers.size() == 1;
+        if ((shared || own) && run.signals[id].name == timer.watched) return id;
+    }
+    return {};
+}
+
+/// Whether what the timer watches is true behind a moment; nothing: nobody knows.
+std::optional<bool> watched_value(const ChartRun& run, Id<ChartRun::Timer> id, std::size_t moment) {
+    const ChartRun::Timer& timer = run.timers[id];
+    const ChartRun::State& after = run.moments[moment].after;
+    if (!timer.step) {
+        const auto signal = watched_signal(run, timer);
+        return signal ? std::optional(after.values[signal->index] != 0) : std::nullopt;
+    }
+    for (const ChartRun::Controller& controller : run.controllers)
+        if (std::ranges::find(controller.timers, id) != controller.timers.end())
+            return std::ranges::find(after.situation, controller.steps[*timer.step]) != after.situation.end();
+    return {};
+}
+
+/// Marks that the end of a timer is `over`, where that is what conditions call it: `3s/v` is `v` and the end, `v/3s` is `v` or the
+/// end. Where it is not, or has no name, the causes are not exact.
+void append_time(ChartRun& run, Id<ChartRun::Timer> id, bool over, ChartRun::Cause cause, std::size_t before) {
+    const ChartRun::Timer& timer = run.timers[id];
+    const std::optional<bool> watched = watched_value(run, id, cause.first);
+    const bool differs = watched && (over ? timer.fall_ms == 0 && !*watched : timer.rise_ms == 0 && *watched);
+    if (!watched || differs) {
+        run.causes_exact = false;
+        return;
+    }
+    cause.timer = id;
+    cause.value = over ? 1 : 0;
+    append(run, cause, before);
+}
+
 /// Where the run has what the leaves of terms read.
 class Marker {
 public:
-    Marker(const Network& network, ChartRun& run) : network_(network), run_(run) {
+    Marker(const Network& network, const std::vector<NetworkState>& states, ChartRun& run)
+        : network_(network), states_(states), run_(run) {
         std::uint32_t instances = 0;
         for (const Network::Process& process : network.processes)
             instances_.push_back(process.kind == Network::ProcessKind::Controller
@@ -45,6 +87,8 @@ public:
                 steps_[words.steps[k].variable.index] = controller.steps[k];
             for (std::size_t k = 0; k < words.internals.size(); ++k)
                 signals_[words.internals[k].variable.index] = controller.internals[k];
+            for (std::size_t k = 0; k < words.timers.size(); ++k)
+                times_[words.timers[k].end.index] = controller.timers[k];
         }
     }
 
@@ -62,14 +106,21 @@ private:
             cause.instance = instances_[at_process(leaf)];
             cause.location = at_location(leaf);
             cause.value = location_of(cause.instance, moment) == cause.location ? 1 : 0;
-            if (!cause.instance.valid()) return;
+            if (!cause.instance.valid()) {
+                run_.causes_exact = false;
+                return;
+            }
         } else if (const auto step = steps_.find(index); step != steps_.end()) {
             cause.step = step->second;
             cause.value = std::ranges::find(after.situation, cause.step) != after.situation.end() ? 1 : 0;
         } else if (const auto signal = signals_.find(index); signal != signals_.end()) {
             cause.signal = signal->second;
             cause.value = after.values[cause.signal.index];
+        } else if (const auto time = times_.find(index); time != times_.end()) {
+            const bool over = states_[std::min(state, states_.size() - 1)].variables[index] != 0;
+            return append_time(run_, time->second, over, cause, moment == 0 ? 0 : moment - 1);
         } else {
+            run_.causes_exact = false;
             return;
         }
         append(run_, cause, moment == 0 ? 0 : moment - 1);
@@ -84,10 +135,12 @@ private:
     }
 
     const Network& network_;
+    const std::vector<NetworkState>& states_;
     ChartRun& run_;
     std::vector<Id<ChartRun::Instance>> instances_ = {};          // per process
     std::map<std::uint32_t, Id<ChartRun::Step>> steps_ = {};      // per variable
     std::map<std::uint32_t, Id<ChartRun::Signal>> signals_ = {};  // per variable
+    std::map<std::uint32_t, Id<ChartRun::Timer>> times_ = {};     // per variable, its end
 };
 
 /// The same of an untimed model, whose leaves are symbols of main.
@@ -126,6 +179,7 @@ private:
         add(words.internals, controller.internals);
         for (std::size_t k = 0; k < words.steps.size(); ++k)
             steps_[words.steps[k].variable.index] = controller.steps[k];
+        for (std::size_t k = 0; k < words.timers.size(); ++k) times_[words.timers[k].end.index] = controller.timers[k];
     }
 
     void mark(const Causes::Pair& pair, std::size_t moment, std::size_t before) {
@@ -142,6 +196,8 @@ private:
         } else if (const auto signal = signals_.find(symbol); signal != signals_.end()) {
             cause.signal = signal->second;
             cause.value = after.values[cause.signal.index];
+        } else if (const auto time = times_.find(symbol); time != times_.end()) {
+            return append_time(run_, time->second, shown_.states[pair.state][symbol] != 0, cause, before);
         } else if (const auto instance = instances_.find(symbol); instance != instances_.end()) {
             const std::int64_t here = shown_.states[pair.state][symbol];
             const std::int64_t asked = compared_with(pair.term, leaf).value_or(here);
@@ -180,12 +236,13 @@ private:
     std::map<std::uint32_t, Id<ChartRun::Signal>> signals_ = {};  // per symbol
     std::map<std::uint32_t, Id<ChartRun::Step>> steps_ = {};
     std::map<std::uint32_t, Id<ChartRun::Instance>> instances_ = {};
+    std::map<std::uint32_t, Id<ChartRun::Timer>> times_ = {};
 };
 
 }  // namespace
 
-void mark(const Network& network, const Causes& causes, ChartRun& run) {
-    Marker marker(network, run);
+void mark(const Network& network, const std::vector<NetworkState>& states, const Causes& causes, ChartRun& run) {
+    Marker marker(network, states, run);
     run.causes_exact = causes.exact;
     for (const Causes::Pair& pair : causes.pairs) marker.mark(pair);
     // The last moment is that before the loop again.

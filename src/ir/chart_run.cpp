@@ -95,7 +95,8 @@ std::vector<std::string> verify(const ChartRun& run) {
     for (const ChartRun::Cause& cause : run.causes) {
         const bool known = (!cause.signal.valid() || run.signals.contains(cause.signal)) &&
                            (!cause.step.valid() || run.steps.contains(cause.step)) &&
-                           (!cause.instance.valid() || run.instances.contains(cause.instance));
+                           (!cause.instance.valid() || run.instances.contains(cause.instance)) &&
+                           (!cause.timer.valid() || run.timers.contains(cause.timer));
         if (!known || cause.first > cause.last || cause.last >= run.moments.size())
             faults.emplace_back("a cause is about something unknown");
     }

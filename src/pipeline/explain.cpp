@@ -53,7 +53,7 @@ void explain_run(const Network& network, const Run& run, Answer& answer) {
     const auto states = replay(network, run);
     const auto causes = states ? causes_of(network, property, *states, run.loop) : std::nullopt;
     if (!causes) return;
-    mark(network, *causes, *answer.trace);
+    mark(network, *states, *causes, *answer.trace);
     const ShortestChange change = shortest_change(network, property, run);
     if (change.found)
         for (const std::size_t move : change.found->left_out) answer.trace->left_out.push_back(move + 1);

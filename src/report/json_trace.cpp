@@ -128,6 +128,7 @@ Json cause_json(const ChartRun& run, const ChartRun::Cause& cause) {
     return {{"signal", place(cause.signal)},
             {"step", place(cause.step)},
             {"instance", place(cause.instance)},
+            {"timer", place(cause.timer)},
             {"location", cause.instance.valid() ? Json(cause.location) : Json(nullptr)},
             {"value", cause.value},
             {"from", cause.first},

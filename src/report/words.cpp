@@ -46,6 +46,19 @@ std::string timer_condition(const ChartRun::Timer& timer, bool value = true) {
     return time_text(timer.rise_ms, timer.watched, timer.fall_ms);
 }
 
+std::string step_words(const ChartRun::Step& step) {
+    return (step.controller.empty() ? "" : step.controller + ".") + step.name.variable();
+}
+
+/// As properties write it: a step of several controllers with the one whose it is.
+std::string timer_in_loop(const ChartRun& run, Id<ChartRun::Timer> id) {
+    ChartRun::Timer timer = run.timers[id];
+    for (const ChartRun::Controller& controller : run.controllers)
+        if (timer.step && std::ranges::find(controller.timers, id) != controller.timers.end())
+            timer.watched = step_words(run.steps[controller.steps[*timer.step]]);
+    return timer_condition(timer);
+}
+
 }  // namespace
 
 std::string timer_words(const ChartRun::Timer& timer, bool value) {
@@ -66,8 +79,8 @@ std::string cause_words(const ChartRun& run, const ChartRun::Cause& cause) {
         const ChartRun::Instance& instance = run.instances[cause.instance];
         return sign + instance.name + "." + instance.locations[cause.location];
     }
-    const ChartRun::Step& step = run.steps[cause.step];
-    return sign + (step.controller.empty() ? "" : step.controller + ".") + step.name.variable();
+    if (cause.timer.valid()) return sign + timer_in_loop(run, cause.timer);
+    return sign + step_words(run.steps[cause.step]);
 }
 
 std::string causes_words(const ChartRun& run) {

@@ -21,7 +21,7 @@ std::string value_words(const ChartRun::Signal& signal, std::int64_t value);
 /// `X`, `!X`, `N 3 -> 4`.
 std::string change_words(const ChartRun::Signal& signal, std::int64_t before, std::int64_t after);
 
-/// What a cause is, as terms have it: `X2`, `!a`, `N = 3`, `H_Act.going_out`.
+/// What a cause is, as terms have it: `X2`, `!a`, `N = 3`, `H_Act.going_out`, `!3s/X2`.
 std::string cause_words(const ChartRun& run, const ChartRun::Cause& cause);
 
 /// All causes of a run in a line: `at 13 s: X2, !a; from 14 s on: !L`; what is beyond some is counted. Empty: there are none.

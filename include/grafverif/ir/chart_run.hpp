@@ -130,11 +130,13 @@ struct ChartRun {
     };
 
     /// A value that makes the property fail that the run shows violated (explain/causes.hpp says what that is): of a signal, of
-    /// a step (1: it is active), or of an instance (1: it is at `location`). The others are not valid.
+    /// a step (1: it is active), of an instance (1: it is at `location`), or of a time that has a name (1: it is over). The
+    /// others are not valid.
     struct Cause {
         Id<Signal> signal = {};
         Id<Step> step = {};
         Id<Instance> instance = {};
+        Id<Timer> timer = {};
         std::size_t location = 0;
         std::int64_t value = 0;
         std::size_t first = 0, last = 0;  ///< behind these moments, and each between them, it is one

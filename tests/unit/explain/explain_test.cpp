@@ -204,6 +204,36 @@ TEST(Explain, WhereInputsAreFreeTheirChangesThatCouldHaveBeenLeftOutAreNamedOneB
     EXPECT_NE(text.find("    without 3s/X1 at 1 the property holds"), std::string::npos) << text;
 }
 
+TEST(Explain, TheEndOfATimeIsACauseAsConditionsWriteIt) {
+    const char* chart = R"(grafcet c {
+    input a;
+    output green, red;
+    initial step 0 { green; }
+    step 1 { red; }
+    transition t0: 0 -> 1 when a;
+    transition t1: 1 -> 0 when 3s/X1 && 2s/(a || X0);
+})";
+    const char* properties =
+        "property short: never 3s/X1; property lit: always green || 3s/X1; property longer: never 2s/(a || X0) && X1;";
+    const Report timed = report_of(chart, properties);
+    EXPECT_NE(json_of(timed).find(R"("words": "!3s/X1")"), std::string::npos);
+    for (const Report& report :
+         {timed, untimed_report_of(chart, properties), untimed_report_of(chart, properties, PlantApproach::Automata)}) {
+        const ChartRun& run = answer(report, "short").trace.value();
+        EXPECT_EQ(verify(run), std::vector<std::string>{});
+        EXPECT_TRUE(run.causes_exact);
+        ASSERT_EQ(run.causes.size(), 2U);
+        const auto time = std::ranges::find_if(run.causes, [](const auto& cause) { return cause.timer.valid(); });
+        ASSERT_NE(time, run.causes.end());
+        EXPECT_EQ(time->value, 1);
+        EXPECT_EQ(run.timers[time->timer].rise_ms, 3000);
+        EXPECT_NE(text_of(report).find("3s/X1"), std::string::npos);
+        EXPECT_NE(json_of(report).find(R"("words": "3s/X1")"), std::string::npos);
+        // The time of a longer term has no name.
+        EXPECT_FALSE(answer(report, "longer").trace.value().causes_exact);
+    }
+}
+
 TEST(Explain, WherePlantAutomataTakeTurnsItsFreeMovesAreThoseOfTheLoop) {
     const Report report = untimed_report_of(lamps, "property dark: never red && X1; property comes: X0 leads to red;",
                                             PlantApproach::Automata);
