@@ -8,6 +8,8 @@
 
 #include "explain/causes.hpp"
 #include "explain/smallest.hpp"
+#include "run/project.hpp"
+#include "run/replay.hpp"
 
 namespace grafverif {
 
@@ -114,6 +116,7 @@ public:
 
     InputChange result() {
         if (!find_free() || !again()) return {};
+        untimely_ = untimely(project(system_, run_)).has_value();
         InputChange found{.events = events()};
         const SmallestSet smallest = smallest_set(found.events.size(), [&](const std::vector<std::size_t>& chosen) {
             std::vector<Event> left_out;  // the last ones come first
@@ -122,8 +125,10 @@ public:
             auto made = without(left_out);
             if (effort_ == 0) return Attempt::Spent;
             if (!made) return Attempt::DoesNot;
+            SystemRun run = system_run(model_.flat(), *made);
+            if (!untimely_ && untimely(project(system_, run))) return Attempt::DoesNot;
             found.left_out = std::move(left_out);
-            found.run = system_run(model_.flat(), *made);
+            found.run = std::move(run);
             return Attempt::Does;
         });
         found.tried = smallest.tried;
@@ -223,7 +228,10 @@ private:
     /// The run made again; nothing where it is none, or bad.
     std::optional<FlatRun> without(const std::vector<Event>& left_out) {
         const std::size_t from = left_out.front().state;
-        if (*bad_ < from) return {};
+        if (*bad_ < from) {
+            if (effort_ > 0) --effort_;
+            return {};
+        }
         FlatRun made{{states_.begin(), states_.begin() + static_cast<std::ptrdiff_t>(from)}, {}};
         Values values = states_[from];
         for (std::size_t state = from; state < length(); ++state) {
@@ -266,6 +274,7 @@ private:
     std::vector<Free> free_ = {};
     std::vector<Values> states_ = {};
     std::optional<std::size_t> bad_ = {};  ///< the first bad state of the run
+    bool untimely_ = false;                ///< no plant gives the run as it is
 };
 
 bool about_states(Pattern pattern) {

@@ -9,11 +9,13 @@
 // changes the next time; a time that is not over is not until it is the next time. Whose turn it is, where there are several
 // controllers, is as it was. Behind its end the run goes on until a state comes again, and so for ever: nothing changes any
 // more, no time is over any more, and each controller has its turn in every step. Constraints on the inputs must hold in each
-// of its states, and the property. What comes later than it did is not looked at.
+// of its states, and the property; and the run may not be untimely (run/replay.hpp) where the one that fails is not: no plant gives a
+// run in which `5s/X1` is over and `3s/X1` is not. What comes later than it did is not looked at.
 //
 // The model gives each step one outcome, so what a smallest set leaves out are causes in the sense of Halpern and Pearl, with
 // the model for their equations and the others of the set for their contingency: without those alone the run is bad still, or
-// a constraint forbids it.
+// it is none that counts: a constraint forbids it, no plant gives it, a value leaves its range, or no state came again among 1000
+// behind its end.
 #pragma once
 
 #include <cstddef>

@@ -204,6 +204,22 @@ TEST(Explain, WhereInputsAreFreeTheirChangesThatCouldHaveBeenLeftOutAreNamedOneB
     EXPECT_NE(text.find("    without 3s/X1 at 1 the property holds"), std::string::npos) << text;
 }
 
+TEST(Explain, NoLongerTimeOverAStepIsOverBeforeAShorterOneWithoutWhatCouldHaveBeenLeftOut) {
+    const Report report = untimed_report_of(R"(grafcet c {
+    input a;
+    output red;
+    initial step 0;
+    step 1 { red if 5s/X1 && 3s/X1; }
+    transition t0: 0 -> 1 when a;
+    transition t1: 1 -> 0 when !a;
+})",
+                                            "property dark: never red;");
+    const ChartRun& run = answer(report, "dark").trace.value();
+    ASSERT_EQ(run.left_out_values.size(), 1U);
+    const ChartRun::LeftOut& left_out = run.left_out_values[0];
+    EXPECT_TRUE(!left_out.timer.valid() || run.timers[left_out.timer].rise_ms == 5000) << text_of(report);
+}
+
 TEST(Explain, TheEndOfATimeIsACauseAsConditionsWriteIt) {
     const char* chart = R"(grafcet c {
     input a;
