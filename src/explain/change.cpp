@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "explain/smallest.hpp"
 #include "ir/network_run.hpp"
 
 namespace grafverif {
@@ -116,21 +115,20 @@ std::optional<Run> without(const Network& network, const Network& timed, const R
 
 }  // namespace
 
-ShortestChange shortest_change(const Network& network, const Property& property, const Run& run, std::size_t effort) {
-    return shortest_change(network, network, property, run, effort);
+ShortestChange shortest_change(const Network& network, const Property& property, const Run& run, std::size_t effort,
+                               const Stopped& stopped) {
+    return shortest_change(network, network, property, run, effort, stopped);
 }
 
 ShortestChange shortest_change(const Network& network, const Network& timed, const Property& property, const Run& run,
-                               std::size_t effort) {
+                               std::size_t effort, const Stopped& stopped) {
     ShortestChange result;
-    if (property.pattern != Pattern::Always && property.pattern != Pattern::Never &&
-        property.pattern != Pattern::ExactlyOneOf)
-        return result;
+    if (!is_about_single_states(property.pattern)) return result;
     std::vector<std::size_t> free;
     for (std::size_t k = 0; k < run.moves.size(); ++k)
         if (is_free(timed, run.moves[k])) free.push_back(k);
     result.free_moves = free.size();
-    const SmallestSet smallest = smallest_set(free.size(), [&](const std::vector<std::size_t>& chosen) {
+    const SmallestSet smallest = smallest_set(free.size(), stopped, [&](const std::vector<std::size_t>& chosen) {
         std::vector<std::size_t> left_out;
         for (const std::size_t each : chosen) left_out.push_back(free[each]);
         auto rest = without(network, timed, run, left_out, effort);

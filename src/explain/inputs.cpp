@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "explain/causes.hpp"
-#include "explain/smallest.hpp"
 #include "run/project.hpp"
 #include "run/replay.hpp"
 
@@ -114,23 +113,24 @@ public:
         effort_ = std::max<std::size_t>(1, effort * few_terms / std::max(few_terms, model_.flat().exprs.size()));
     }
 
-    InputChange result() {
+    InputChange result(const Stopped& stopped) {
         if (!find_free() || !again()) return {};
         untimely_ = untimely(project(system_, run_)).has_value();
         InputChange found{.events = events()};
-        const SmallestSet smallest = smallest_set(found.events.size(), [&](const std::vector<std::size_t>& chosen) {
-            std::vector<Event> left_out;  // the last ones come first
-            for (const std::size_t each : std::views::reverse(chosen))
-                left_out.push_back(found.events[found.events.size() - 1 - each]);
-            auto made = without(left_out);
-            if (effort_ == 0) return Attempt::Spent;
-            if (!made) return Attempt::DoesNot;
-            SystemRun run = system_run(model_.flat(), *made);
-            if (!untimely_ && untimely(project(system_, run))) return Attempt::DoesNot;
-            found.left_out = std::move(left_out);
-            found.run = std::move(run);
-            return Attempt::Does;
-        });
+        const SmallestSet smallest =
+            smallest_set(found.events.size(), stopped, [&](const std::vector<std::size_t>& chosen) {
+                std::vector<Event> left_out;  // the last ones come first
+                for (const std::size_t each : std::views::reverse(chosen))
+                    left_out.push_back(found.events[found.events.size() - 1 - each]);
+                auto made = without(left_out);
+                if (effort_ == 0) return Attempt::Spent;
+                if (!made) return Attempt::DoesNot;
+                SystemRun run = system_run(model_.flat(), *made);
+                if (!untimely_ && untimely(project(system_, run))) return Attempt::DoesNot;
+                found.left_out = std::move(left_out);
+                found.run = std::move(run);
+                return Attempt::Does;
+            });
         found.tried = smallest.tried;
         found.exhausted = smallest.exhausted;
         return found;
@@ -277,16 +277,12 @@ private:
     bool untimely_ = false;                ///< no plant gives the run as it is
 };
 
-bool about_states(Pattern pattern) {
-    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
-}
-
 }  // namespace
 
 InputChange fewest_input_changes(const System& system, const Property& property, const SystemRun& run,
-                                 std::size_t effort) {
-    if (!about_states(property.pattern) || run.states.empty()) return {};
-    return InputSearch(system, property, run, effort).result();
+                                 std::size_t effort, const Stopped& stopped) {
+    if (!is_about_single_states(property.pattern) || run.states.empty()) return {};
+    return InputSearch(system, property, run, effort).result(stopped);
 }
 
 namespace {

@@ -5,7 +5,6 @@
 #include <ranges>
 #include <utility>
 
-#include "explain/smallest.hpp"
 #include "run/interpreter.hpp"
 
 namespace grafverif {
@@ -24,11 +23,11 @@ public:
             if (instants_.empty() || !same(instants_.back(), moment)) instants_.push_back(moment);
     }
 
-    InstantChange result() {
+    InstantChange result(const Stopped& stopped) {
         const std::vector<ChartRun::LeftOut> events = all_events();
         InstantChange found{.events = events.size()};
         if (ends({})) return found;
-        const SmallestSet smallest = smallest_set(events.size(), [&](const std::vector<std::size_t>& chosen) {
+        const SmallestSet smallest = smallest_set(events.size(), stopped, [&](const std::vector<std::size_t>& chosen) {
             std::vector<ChartRun::LeftOut> left_out;  // the last ones come first
             for (const std::size_t each : std::views::reverse(chosen))
                 left_out.push_back(events[events.size() - 1 - each]);
@@ -103,8 +102,9 @@ private:
 
 }  // namespace
 
-InstantChange fewest_changes(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort) {
-    return Instants(chart, mode, run, effort).result();
+InstantChange fewest_changes(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort,
+                             const Stopped& stopped) {
+    return Instants(chart, mode, run, effort).result(stopped);
 }
 
 }  // namespace grafverif

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "explain/smallest.hpp"
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/chart_run.hpp"
 #include "grafverif/ir/execution.hpp"
@@ -23,6 +24,7 @@ struct InstantChange {
 };
 
 /// `run`: of `chart`, as the evidence of `analyse` is. `effort`: about so many evolutions are made in all.
-InstantChange fewest_changes(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort = 20'000);
+InstantChange fewest_changes(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort = 20'000,
+                             const Stopped& stopped = {});
 
 }  // namespace grafverif

@@ -3,11 +3,19 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <vector>
 
+#include "grafverif/ir/property.hpp"
+
 namespace grafverif {
+
+/// Of whose runs it is looked for what could have been left out.
+inline bool is_about_single_states(Pattern pattern) {
+    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
+}
 
 /// What came of trying a set.
 enum class Attempt {
@@ -19,8 +27,11 @@ enum class Attempt {
 struct SmallestSet {
     std::optional<std::vector<std::size_t>> found = {};  ///< increasing
     std::size_t tried = 0;                               ///< sets
-    bool exhausted = false;                              ///< the effort is used up, and there were more to try
+    bool exhausted = false;  ///< the effort is used up or the search stopped, and there were more to try
 };
+
+/// Whether the search is to end, where somebody asks; looked at before every set.
+using Stopped = std::function<bool()>;
 
 /// The next choice of as many out of `count`, in order; false: there is none.
 inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
@@ -35,13 +46,13 @@ inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
 
 /// Of the sets of numbers below `count`, without the empty one. `attempt` tells what a set does.
 template <class Try>
-SmallestSet smallest_set(std::size_t count, const Try& attempt) {
+SmallestSet smallest_set(std::size_t count, const Stopped& stopped, const Try& attempt) {
     SmallestSet result;
     for (std::size_t size = 1; size <= count; ++size) {
         std::vector<std::size_t> chosen(size);
         std::iota(chosen.begin(), chosen.end(), std::size_t{0});
         do {
-            const Attempt what = attempt(chosen);
+            const Attempt what = stopped && stopped() ? Attempt::Spent : attempt(chosen);
             result.exhausted = what == Attempt::Spent;
             if (result.exhausted) return result;
             ++result.tried;

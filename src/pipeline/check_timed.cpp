@@ -87,7 +87,8 @@ public:
                 violations.push_back({report.answers.size(), *verdict.run});
             report.answers.push_back(answer_of(network_, std::move(verdict), detail_));
         }
-        if (!loop_.cures_left_out && !is_watched()) explain(network_, violations, again(result), report);
+        if (!loop_.cures_left_out && !is_watched())
+            explain(network_, violations, again(result), options_.limits, report);
         report.profile = std::move(result.profile);
         report.failures = std::move(failures_);
         return report;

@@ -103,7 +103,7 @@ void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
     std::string carries = carries_words(check_, check_.system.properties[verdict.about], verdict, unproven_);
     Answer answer = answer_of(check_.system, std::move(verdict), run, detail(options_));
     answer.carries = std::move(carries);
-    if (run && answer.verdict.outcome == Outcome::Violated) explain(check_, *run, answer);
+    if (run && answer.verdict.outcome == Outcome::Violated) explain(check_, *run, options_.limits, answer);
     report_.answers.push_back(std::move(answer));
 }
 
@@ -185,7 +185,7 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Limits
         verdict.notes = {unstable->message};
         if (unstable->accepted) verdict.notes.push_back("accepted: " + *unstable->accepted);
         answer.trace = std::move(unstable->evidence);
-        explain(chart, ExecutionMode::StabilitySearch, answer);
+        explain(chart, ExecutionMode::StabilitySearch, limits, answer);
     } else if (analysis.obstacle.empty()) {
         verdict.outcome = Outcome::Holds;
     } else {

@@ -121,12 +121,16 @@ SystemToCheck system_to_check(const TransitionSystem& system, const Model& model
     const ClosedLoop& loop = model.loops[id];
     SystemToCheck check{system, charts_of(model, loop), abstraction_of(how, &loop)};
     if (take_turns(loop, how))
-        check.network = [&model, &loop, how]() -> std::optional<Network> {
+        check.network = [&model, &loop, how, asked = false,
+                         made = std::optional<Network>{}]() mutable -> const std::optional<Network>& {
+            if (std::exchange(asked, true)) return made;
             Diagnostics known;  // the system has been made, so there is nothing to complain about
             const auto equations = equations_of_controllers(model, loop, known);
             const auto plant_network = plant(model, loop, known);
-            if (!equations || !plant_network) return {};
-            return with_observers(*plant_network, loop, *equations, how, known);
+            if (!equations || !plant_network) return made;
+            if (const auto composed = with_observers(*plant_network, loop, *equations, how, known))
+                made = expand(*composed);
+            return made;
         };
     return check;
 }

@@ -32,8 +32,9 @@ struct SystemToCheck {
     const TransitionSystem& system;
     std::vector<const Chart*> charts = {};
     Abstraction abstraction = {};
-    /// Of plant automata that take turns, the network that the system was made of; else empty. Called where a run is explained.
-    std::function<std::optional<Network>()> network = {};
+    /// Of plant automata that take turns, the network that the system was made of, expanded; else empty. Called where a run is
+    /// explained, and made once.
+    std::function<const std::optional<Network>&()> network = {};
 };
 
 /// The properties among `no_race` and `no_out_of_range` that `verdicts` do not prove. Where one of them fails, what
