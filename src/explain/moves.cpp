@@ -127,11 +127,13 @@ std::optional<Moves> moves_of(const Network& network, const TransitionSystem& sy
 
 bool mark(const Moves& moves, const std::vector<std::size_t>& left_out, ChartRun& told) {
     std::vector<std::size_t> found;
-    for (const std::size_t move : left_out)
+    for (const std::size_t move : left_out) {
+        const std::size_t before = found.size();
         for (std::size_t moment = 1; moment < told.moments.size(); ++moment)
             if (told.moments[moment].move == moves.steps[move] && told.moments[moment].instance.valid())
                 found.push_back(moment);
-    if (found.size() != left_out.size()) return false;
+        if (found.size() != before + 1) return false;
+    }
     told.left_out = std::move(found);
     return true;
 }

@@ -28,7 +28,7 @@ struct Moves {
 /// the system goes on.
 std::optional<Moves> moves_of(const Network& network, const TransitionSystem& system, const SystemRun& run);
 
-/// Tells in `told`, the projection of the same run, which moves were left out; false: one of them shows in nothing.
+/// Tells in `told`, the projection of the same run, which moves were left out; false, and nothing told: one of them does not show in one moment.
 bool mark(const Moves& moves, const std::vector<std::size_t>& left_out, ChartRun& told);
 
 }  // namespace grafverif
