@@ -30,6 +30,7 @@
 #include "support/random_chart.hpp"
 #include "support/random_loop.hpp"
 #include "syntax/language/parse.hpp"
+#include "syntax/print/chart.hpp"
 
 namespace grafverif {
 namespace {
@@ -396,12 +397,14 @@ bool is_in(const std::vector<std::string>& names, const std::string& name) {
 /// The network in which everything is left out but `ground.parts`, and `also`.
 Network left_open(const Network& network, const Why::Ground& ground, const std::string& also) {
     Network open = network;
+    const std::vector<std::string> told = told_names(network);
     for (const Id<Network::Process> id : network.processes.ids()) {
         const Network::Process& process = network.processes[id];
+        const std::string& name = told[id.index];
         if (process.kind == Network::ProcessKind::Controller) continue;
-        if (is_in(ground.parts, process.name) && process.name != also) {
+        if (is_in(ground.parts, name) && name != also) {
             const bool timer = process.kind == Network::ProcessKind::Timer;
-            if (!timer && !is_in(ground.timings, process.name)) drop_timing(open, id);
+            if (!timer && !is_in(ground.timings, name)) drop_timing(open, id);
         } else if (process.kind == Network::ProcessKind::Timer) {
             drop_timing(open, id);
         } else {

@@ -306,7 +306,7 @@ std::vector<SystemState> last_two(const System& system, const SystemRun& run) {
 
 TEST(ExplainUntimedLaw, BehindTheFirstStateFromWhichItIsImpossibleNothingIsClearedThatIsSaidToBeLost) {
     std::map<std::string, int> counts;
-    for (int seed = 1; seed <= law_size(30); ++seed) {
+    for (int seed = 1; seed <= law_size(60); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(static_cast<std::uint64_t>(seed));
         const Model model = random_loop_asked(random, 10);
