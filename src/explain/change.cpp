@@ -116,12 +116,12 @@ std::optional<Run> without(const Network& network, const Network& timed, const R
 }  // namespace
 
 ShortestChange shortest_change(const Network& network, const Property& property, const Run& run, std::size_t effort,
-                               const Stopped& stopped) {
+                               const StopAsked& stopped) {
     return shortest_change(network, network, property, run, effort, stopped);
 }
 
 ShortestChange shortest_change(const Network& network, const Network& timed, const Property& property, const Run& run,
-                               std::size_t effort, const Stopped& stopped) {
+                               std::size_t effort, const StopAsked& stopped) {
     ShortestChange result;
     if (!is_about_single_states(property.pattern)) return result;
     std::vector<std::size_t> free;

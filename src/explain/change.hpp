@@ -37,9 +37,9 @@ struct ShortestChange {
 /// Requires that `run` replays and shows that `property` is violated. Nothing is found for properties that are not about
 /// single states. `effort`: at most so many moves are tried in all.
 ShortestChange shortest_change(const Network& network, const Property& property, const Run& run,
-                               std::size_t effort = 5000, const Stopped& stopped = {});
+                               std::size_t effort = 5000, const StopAsked& stopped = {});
 /// The same of a run of `network` without clocks (explain/moves.hpp); `timed` has them, and says what is free.
 ShortestChange shortest_change(const Network& network, const Network& timed, const Property& property, const Run& run,
-                               std::size_t effort = 5000, const Stopped& stopped = {});
+                               std::size_t effort = 5000, const StopAsked& stopped = {});
 
 }  // namespace grafverif

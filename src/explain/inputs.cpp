@@ -113,7 +113,7 @@ public:
         effort_ = std::max<std::size_t>(1, effort * few_terms / std::max(few_terms, model_.flat().exprs.size()));
     }
 
-    InputChange result(const Stopped& stopped) {
+    InputChange result(const StopAsked& stopped) {
         if (!find_free() || !again()) return {};
         untimely_ = untimely(project(system_, run_)).has_value();
         InputChange found{.events = events()};
@@ -280,7 +280,7 @@ private:
 }  // namespace
 
 InputChange fewest_input_changes(const System& system, const Property& property, const SystemRun& run,
-                                 std::size_t effort, const Stopped& stopped) {
+                                 std::size_t effort, const StopAsked& stopped) {
     if (!is_about_single_states(property.pattern) || run.states.empty()) return {};
     return InputSearch(system, property, run, effort).result(stopped);
 }

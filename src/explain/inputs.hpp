@@ -47,7 +47,7 @@ struct InputChange {
 /// about single states, and for systems where something else than inputs and times is free. `effort`: at most so many steps are
 /// made in all, of a system of few terms; of larger ones less.
 InputChange fewest_input_changes(const TransitionSystem& system, const Property& property, const SystemRun& run,
-                                 std::size_t effort = 20'000, const Stopped& stopped = {});
+                                 std::size_t effort = 20'000, const StopAsked& stopped = {});
 
 /// Tells in `told`, the projection of the same run, what was left out.
 void mark(const TransitionSystem& system, const std::vector<InputChange::Event>& left_out, ChartRun& told);

@@ -23,7 +23,7 @@ public:
             if (instants_.empty() || !same(instants_.back(), moment)) instants_.push_back(moment);
     }
 
-    InstantChange result(const Stopped& stopped) {
+    InstantChange result(const StopAsked& stopped) {
         const std::vector<ChartRun::LeftOut> events = all_events();
         InstantChange found{.events = events.size()};
         if (ends({})) return found;
@@ -103,7 +103,7 @@ private:
 }  // namespace
 
 InstantChange fewest_changes(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort,
-                             const Stopped& stopped) {
+                             const StopAsked& stopped) {
     return Instants(chart, mode, run, effort).result(stopped);
 }
 

@@ -25,6 +25,6 @@ struct InstantChange {
 
 /// `run`: of `chart`, as the evidence of `analyse` is. `effort`: about so many evolutions are made in all.
 InstantChange fewest_changes(const Chart& chart, ExecutionMode mode, const ChartRun& run, std::size_t effort = 20'000,
-                             const Stopped& stopped = {});
+                             const StopAsked& stopped = {});
 
 }  // namespace grafverif

@@ -31,7 +31,7 @@ struct SmallestSet {
 };
 
 /// Whether the search is to end, where somebody asks; looked at before every set.
-using Stopped = std::function<bool()>;
+using StopAsked = std::function<bool()>;
 
 /// The next choice of as many out of `count`, in order; false: there is none.
 inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
@@ -46,7 +46,7 @@ inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
 
 /// Of the sets of numbers below `count`, without the empty one. `attempt` tells what a set does.
 template <class Try>
-SmallestSet smallest_set(std::size_t count, const Stopped& stopped, const Try& attempt) {
+SmallestSet smallest_set(std::size_t count, const StopAsked& stopped, const Try& attempt) {
     SmallestSet result;
     for (std::size_t size = 1; size <= count; ++size) {
         std::vector<std::size_t> chosen(size);

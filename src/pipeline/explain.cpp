@@ -49,7 +49,7 @@ std::string gave_up(std::size_t count, std::string_view what, std::size_t tried)
 }
 
 /// Asked by a search whether it is to end; `limits` outlives it.
-Stopped stopped_by(const Limits& limits) {
+StopAsked stopped_by(const Limits& limits) {
     return [&limits] {
         if (limits.stop != nullptr && limits.stop->load(std::memory_order_relaxed)) return true;
         return limits.deadline && std::chrono::steady_clock::now() >= *limits.deadline;
