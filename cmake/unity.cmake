@@ -11,10 +11,9 @@ function(grafverif_group_by_room target)
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
         get_filename_component(folder "${source}" DIRECTORY)
-        if(CMAKE_CXX_FLAGS MATCHES "file-prefix-map")  # no path of this machine is in what is built, names of units neither
-            string(REPLACE "${PROJECT_BINARY_DIR}/" "" folder "${folder}")
-            string(REPLACE "${PROJECT_SOURCE_DIR}/" "" folder "${folder}")
-        endif()
+        # Whatever the tree and the preset are called: no path of this machine is in the names of units.
+        string(REPLACE "${PROJECT_BINARY_DIR}/" "" folder "${folder}")
+        string(REPLACE "${PROJECT_SOURCE_DIR}/" "" folder "${folder}")
         string(MAKE_C_IDENTIFIER "${folder}" room)
         math(EXPR count_${room} "${count_${room}} + 1")
         math(EXPR batch "(${count_${room}} - 1) / ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
