@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "derivation.hpp"
+#include "ir/time_condition.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif {
@@ -47,8 +48,7 @@ Id<Expr> edge(Derivation& derivation, Id<Expr> now, bool rises, Reading reading,
     return rises ? exprs.conjunction(now, exprs.negation(before)) : exprs.conjunction(before, exprs.negation(now));
 }
 
-/// `t1/v/t2`. The end of a timer is that of the level after the last cycle; an input may have changed it since, and an
-/// untimed model ends timers whether v is true or not: without t2, v itself must be true now.
+/// `t1/v/t2`, and the timer that it waits for.
 Id<Expr> timed(Derivation& derivation, Id<Chart::TimeCondition> id) {
     Exprs& exprs = derivation.equations.exprs;
     const Chart::TimeCondition& written = derivation.chart.time_conditions[id];
@@ -56,9 +56,7 @@ Id<Expr> timed(Derivation& derivation, Id<Chart::TimeCondition> id) {
     const Id<Equations::Variable> variable = level(derivation, watched, written.origin);
     const Id<Equations::Timer> running = timer(derivation, variable, written.rise_ms, written.fall_ms, written.origin);
     derivation.equations.conditions[id.index] = running;
-    const Id<Expr> end = end_leaf(derivation, running);
-    if (written.fall_ms > 0) return written.rise_ms > 0 ? end : exprs.disjunction(watched, end);
-    return exprs.conjunction(watched, end);
+    return time_condition(exprs, written.rise_ms, watched, written.fall_ms, end_leaf(derivation, running));
 }
 
 /// A term of the chart in the equations, under one reading.

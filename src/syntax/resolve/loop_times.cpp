@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "ir/time_condition.hpp"
 #include "support/messages.hpp"
 #include "support/overloaded.hpp"
-#include "syntax/print/dialect.hpp"
+#include "syntax/print/chart.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 
 namespace grafverif {
@@ -21,10 +22,7 @@ struct Times {
     bool operator==(const Times&) const = default;
 };
 
-std::string text_of(const Times& times) {
-    const std::string rise = times.rise_ms > 0 ? duration_text(times.rise_ms) + '/' : "";
-    return '`' + rise + "..." + (times.fall_ms > 0 ? '/' + duration_text(times.fall_ms) : "") + '`';
-}
+std::string text_of(const Times& times) { return '`' + time_text(times.rise_ms, "...", times.fall_ms) + '`'; }
 
 /// Whether a leaf of the chart of `controller` is what `symbol` stands for.
 bool is(const LoopScope& scope, Id<Controller> controller, const Expr& leaf, const ClosedLoop::Symbol& symbol) {
@@ -110,11 +108,8 @@ std::optional<Term> time_term(LoopScope& scope, const tree::Expr& node) {
         scope.diagnostics.add(messages::ambiguous_time(node.where, name(found[0]), name(found[1])));
     } else if (found.empty()) scope.diagnostics.add(messages::unknown_time(node.where, others));
     if (found.size() != 1) return Term{};
-    // What a controller reads: see `timed` in derive/terms.cpp.
-    Exprs& exprs = scope.loop.exprs;
     const Id<Expr> end = symbol_leaf(scope, found.front().symbol);
-    if (times.fall_ms == 0) return Term{exprs.conjunction(watched, end), Kind::Boolean};
-    return Term{times.rise_ms > 0 ? end : exprs.disjunction(watched, end), Kind::Boolean};
+    return Term{time_condition(scope.loop.exprs, times.rise_ms, watched, times.fall_ms, end), Kind::Boolean};
 }
 
 }  // namespace grafverif
