@@ -53,14 +53,12 @@ Sighting sighting(const Network& network, const Run& run) {
 std::map<Id<Network::Variable>, std::string> told_variables(const Network& network) {
     std::map<Id<Network::Variable>, std::string> told;
     for (const Network::Controller& controller : network.controllers) {
-        const std::string owner = network.controllers.size() > 1 ? controller.words.name + '.' : "";
+        const std::string owner = prefix_of(network, controller);
         for (const auto& step : controller.words.steps) told[step.variable] = owner + step.name.variable();
         for (const auto& internal : controller.words.internals) told[internal.variable] = owner + internal.name;
-        for (std::size_t k = 0; k < controller.timers.size(); ++k) {
-            const auto& times = controller.words.timers[k];
-            const std::string& watched = controller.timers[k].watched;
-            if (!watched.empty()) told[times.end] = time_text(times.rise_ms, owner + watched, times.fall_ms);
-        }
+        for (std::size_t k = 0; k < controller.timers.size(); ++k)
+            if (const std::string timer = time_text(network, controller, k); !timer.empty())
+                told[controller.words.timers[k].end] = timer;
     }
     return told;
 }

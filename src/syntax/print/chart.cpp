@@ -43,16 +43,24 @@ std::string time_text(const Chart& chart, const ClosedLoop::TimeSymbol& symbol) 
     return time_text(symbol.rise_ms, step_variable(chart, symbol.step), 0);
 }
 
+std::string prefix_of(const Network& network, const Network::Controller& controller) {
+    return network.controllers.size() > 1 ? controller.words.name + '.' : "";
+}
+
+std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer) {
+    const std::string& watched = controller.timers[timer].watched;
+    const auto& times = controller.words.timers[timer];
+    return watched.empty() ? "" : time_text(times.rise_ms, prefix_of(network, controller) + watched, times.fall_ms);
+}
+
 std::vector<std::string> told_names(const Network& network) {
     std::vector<std::string> names;
     for (const Network::Process& process : network.processes) names.push_back(process.name);
     for (const Network::Controller& controller : network.controllers)
         for (std::size_t k = 0; k < controller.timers.size(); ++k) {
-            const Network::Timer& timer = controller.timers[k];
-            const auto& times = controller.words.timers[k];
-            if (!timer.process.valid() || timer.watched.empty()) continue;
-            const std::string owner = network.controllers.size() > 1 ? controller.words.name + '.' : "";
-            names[timer.process.index] = time_text(times.rise_ms, owner + timer.watched, times.fall_ms);
+            const Id<Network::Process> process = controller.timers[k].process;
+            const std::string told = time_text(network, controller, k);
+            if (process.valid() && !told.empty()) names[process.index] = told;
         }
     return names;
 }

@@ -23,6 +23,10 @@ std::string time_text(const Chart& chart, const Chart::TimeCondition& time,
                       const std::function<std::string(Id<Expr>)>& text);
 /// The same of a timer, `watched` as conditions write it.
 std::string time_text(std::int64_t rise_ms, const std::string& watched, std::int64_t fall_ms);
+/// What stands before the names of a controller's own things, where there are several: `press.`.
+std::string prefix_of(const Network& network, const Network::Controller& controller);
+/// A timer as conditions write it, index in `controller.timers`; of what is no name empty.
+std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer);
 /// Per process of the network what it is called: a timer as conditions write it, where that is a name; else its own name.
 std::vector<std::string> told_names(const Network& network);
 /// The same of what a property reads.
