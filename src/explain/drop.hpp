@@ -48,12 +48,18 @@ std::vector<TermPlace> terms_of(const Chart& chart);
 Id<Expr> term_at(const Chart& chart, const TermPlace& place);
 void drop_term(Chart& chart, const TermPlace& place);
 
-/// In the model the instance gets a component of its own, the same without the edge, and without the invariant of the location
-/// where it starts. True where the loop may do something new then: it had to be taken, or something had to be there.
-bool drop_edge(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
+/// Whether a loop without the edge may do something new: it has to be taken, or something has to be where it starts.
+bool is_forced(const Component& component, Id<Component::Edge> edge);
 
-/// Likewise. False, and nothing done: its guard is true, and it need not be taken.
-bool drop_guard(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
+/// In the model the instance gets a component of its own, the same without the edge, and without the invariant of the location
+/// where it starts.
+void drop_edge(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
+
+/// Whether there is a guard to leave out: it is not always true, or makes the edge urgent.
+bool is_guarded(const Component& component, Id<Component::Edge> edge);
+
+/// Likewise; without its guard the edge need not be taken.
+void drop_guard(Model& model, Id<ClosedLoop> loop, Id<ClosedLoop::Instance> instance, Id<Component::Edge> edge);
 
 /// Instances of one component share ranges that are wide enough for all; one with a component of its own would have others. So
 /// `changed`, the network of a loop without an edge or a guard, is expanded and given the ranges of `network`, its original.

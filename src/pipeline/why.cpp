@@ -264,31 +264,28 @@ private:
     /// assigns something, the model may break off without the guard.
     void leave_out_guards(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, Thing thing) {
-            Model without = model_;
-            if (!drop_guard(without, loop_, id, edge)) return;
-            const Id<Component> component = model_.loops[loop_].instances[id].component;
-            const bool assigns = !model_.components[component].edges[edge].assignments.empty();
+            const Component& component = model_.components[model_.loops[loop_].instances[id].component];
+            if (!is_guarded(component, edge) || std::ranges::none_of(why_.grounds, &Ground::about_states)) return;
+            const bool assigns = !component.edges[edge].assignments.empty();
             const auto asked = [&](const Ground& ground) {
                 const auto names = [&](const Names& list) { return std::ranges::find(list, thing.of) != list.end(); };
                 return ground.about_states &&
                        (assigns || names(ground.parts) || names(ground.open) || !why_.ended.empty());
             };
-            if (std::ranges::none_of(why_.grounds, &Ground::about_states)) return;
             thing.kind = Why::Kind::Guard;
             leave_out(
-                thing, names_of(asked), [&](Model& changed) { changed = without; }, &original);
+                thing, names_of(asked), [&](Model& without) { drop_guard(without, loop_, id, edge); }, &original);
         });
     }
 
     /// Where nothing forces an edge to be taken, a loop without it does nothing new: what holds in all states does still.
     void leave_out_edges(const Network& original) {
         for_each_edge([&](Id<ClosedLoop::Instance> id, Id<Component::Edge> edge, Thing thing) {
-            Model without = model_;
-            const bool forced = drop_edge(without, loop_, id, edge);
+            const bool forced = is_forced(model_.components[model_.loops[loop_].instances[id].component], edge);
             thing.kind = Why::Kind::Edge;
             leave_out(
                 thing, names_of([&](const Ground& ground) { return forced || !ground.about_states; }),
-                [&](Model& changed) { changed = without; }, &original);
+                [&](Model& without) { drop_edge(without, loop_, id, edge); }, &original);
         });
     }
 

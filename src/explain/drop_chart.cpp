@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// What is left out of charts.
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "explain/drop.hpp"
+#include "support/overloaded.hpp"
+
+namespace grafverif {
+
+namespace {
+
+/// The entities of `table` that are not of `step`.
+template <class Entity>
+Table<Entity> without(const Table<Entity>& table, Id<Chart::Step> step) {
+    Table<Entity> rest;
+    for (const Entity& entity : table)
+        if (entity.step != step) rest.add(entity);
+    return rest;
+}
+
+bool has_edge(const Exprs& exprs, Id<Expr> term) {
+    const Op op = exprs[term].op;
+    return op == Op::Rise || op == Op::Fall ||
+           std::ranges::any_of(exprs.operands(term), [&](Id<Expr> operand) { return has_edge(exprs, operand); });
+}
+
+bool is_list(Op op) { return op == Op::And || op == Op::Or; }
+
+/// The condition that `place` is in.
+template <class ChartOrConst>
+auto& condition_of(ChartOrConst& chart, const TermPlace& place) {
+    switch (place.of) {
+    case TermPlace::Of::Transition: return chart.transitions[{place.index}].condition;
+    case TermPlace::Of::Action: return chart.continuous[{place.index}].condition;
+    case TermPlace::Of::Event: return chart.stored[{place.index}].event;
+    }
+    unreachable();
+}
+
+/// Adds the operands of lists at and below `place`, where `term` stands.
+void collect_operands(const Exprs& exprs, Id<Expr> term, const TermPlace& place, std::vector<TermPlace>& found) {
+    const Op op = exprs[term].op;
+    if (!is_list(op) && op != Op::Not) return;
+    for (std::uint32_t k = 0; k < exprs[term].count; ++k) {
+        const Id<Expr> operand = exprs.operands(term)[k];
+        TermPlace below = place;
+        below.path.push_back(k);
+        if (is_list(op) && (place.of != TermPlace::Of::Event || !has_edge(exprs, operand))) found.push_back(below);
+        collect_operands(exprs, operand, below, found);
+    }
+}
+
+void collect_terms(const Exprs& exprs, Id<Expr> condition, const TermPlace& place, std::vector<TermPlace>& found) {
+    const Op op = exprs[condition].op;
+    if (!is_list(op) && !is_constant(op) && place.of != TermPlace::Of::Event) found.push_back(place);
+    collect_operands(exprs, condition, place, found);
+}
+
+/// `term` without what stands at the end of `path`.
+Id<Expr> without_term(Exprs& exprs, Id<Expr> term, std::span<const std::uint32_t> path) {
+    if (path.empty()) return exprs.constant(true);
+    const Op op = exprs[term].op;
+    std::vector<Id<Expr>> operands(exprs.operands(term).begin(), exprs.operands(term).end());
+    if (path.size() == 1) operands.erase(operands.begin() + path.front());
+    else operands[path.front()] = without_term(exprs, operands[path.front()], path.subspan(1));
+    return exprs.apply(op, operands);
+}
+
+}  // namespace
+
+void drop_transition(Chart& chart, Id<Chart::Transition> transition) {
+    chart.transitions[transition].condition = chart.exprs.constant(false);
+}
+
+bool drop_actions(Chart& chart, Id<Chart::Step> step) {
+    const std::size_t had = chart.continuous.size() + chart.forcing.size();
+    chart.continuous = without(chart.continuous, step);
+    chart.forcing = without(chart.forcing, step);
+    bool any = chart.continuous.size() + chart.forcing.size() != had;
+    // A variable that actions store in stays one, whose value is kept: the action waits for what never happens.
+    for (Chart::StoredAction& action : chart.stored) {
+        if (action.step != step || action.on == Chart::StoredOn::Clearing) continue;
+        action.on = Chart::StoredOn::Event;
+        action.event = chart.exprs.constant(false);
+        any = true;
+    }
+    return any;
+}
+
+std::vector<TermPlace> terms_of(const Chart& chart) {
+    std::vector<TermPlace> found;
+    const auto collect = [&](TermPlace::Of of, std::uint32_t index, Id<Expr> condition) {
+        if (condition.valid()) collect_terms(chart.exprs, condition, {of, index, {}}, found);
+    };
+    for (const auto id : chart.transitions.ids())
+        collect(TermPlace::Of::Transition, id.index, chart.transitions[id].condition);
+    for (const auto id : chart.continuous.ids())
+        collect(TermPlace::Of::Action, id.index, chart.continuous[id].condition);
+    for (const auto id : chart.stored.ids()) collect(TermPlace::Of::Event, id.index, chart.stored[id].event);
+    return found;
+}
+
+Id<Expr> term_at(const Chart& chart, const TermPlace& place) {
+    Id<Expr> term = condition_of(chart, place);
+    for (const std::uint32_t operand : place.path) term = chart.exprs.operands(term)[operand];
+    return term;
+}
+
+void drop_term(Chart& chart, const TermPlace& place) {
+    condition_of(chart, place) = without_term(chart.exprs, condition_of(chart, place), place.path);
+}
+
+}  // namespace grafverif
