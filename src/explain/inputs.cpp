@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <utility>
 
 #include "explain/causes.hpp"
@@ -119,9 +118,7 @@ public:
         InputChange found{.events = events()};
         const SmallestSet smallest =
             smallest_set(found.events.size(), stopped, [&](const std::vector<std::size_t>& chosen) {
-                std::vector<Event> left_out;  // the last ones come first
-                for (const std::size_t each : std::views::reverse(chosen))
-                    left_out.push_back(found.events[found.events.size() - 1 - each]);
+                std::vector<Event> left_out = chosen_from_the_end(found.events, chosen);
                 auto made = without(left_out);
                 if (effort_ == 0) return Attempt::Spent;
                 if (!made) return Attempt::DoesNot;

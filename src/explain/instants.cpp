@@ -2,7 +2,6 @@
 #include "explain/instants.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "run/interpreter.hpp"
@@ -28,9 +27,7 @@ public:
         InstantChange found{.events = events.size()};
         if (ends({})) return found;
         const SmallestSet smallest = smallest_set(events.size(), stopped, [&](const std::vector<std::size_t>& chosen) {
-            std::vector<ChartRun::LeftOut> left_out;  // the last ones come first
-            for (const std::size_t each : std::views::reverse(chosen))
-                left_out.push_back(events[events.size() - 1 - each]);
+            std::vector<ChartRun::LeftOut> left_out = chosen_from_the_end(events, chosen);
             const bool so = ends(left_out);
             if (effort_ == 0) return Attempt::Spent;
             if (so) found.left_out = std::move(left_out);

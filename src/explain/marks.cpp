@@ -63,6 +63,42 @@ void append_time(ChartRun& run, Id<ChartRun::Timer> id, bool over, ChartRun::Cau
     append(run, cause, before);
 }
 
+/// Where the run has what a model calls otherwise, per variable of the model.
+struct Places {
+    std::map<std::uint32_t, Id<ChartRun::Step>> steps = {};
+    std::map<std::uint32_t, Id<ChartRun::Signal>> signals = {};
+    std::map<std::uint32_t, Id<ChartRun::Timer>> times = {};  ///< their ends
+
+    template <class Variable>
+    void add(const ControllerWords<Variable>& words, const ChartRun::Controller& told) {
+        for (std::size_t k = 0; k < words.steps.size(); ++k) steps[words.steps[k].variable.index] = told.steps[k];
+        for (std::size_t k = 0; k < words.internals.size(); ++k)
+            signals[words.internals[k].variable.index] = told.internals[k];
+        for (std::size_t k = 0; k < words.timers.size(); ++k) times[words.timers[k].end.index] = told.timers[k];
+    }
+
+    /// Marks the value that `variable` has at the moment of `cause`; of the end of a time `over` says whether it is. False: it is
+    /// not here.
+    bool append_value(ChartRun& run, std::uint32_t variable, bool over, ChartRun::Cause cause,
+                      std::size_t before) const {
+        const ChartRun::State& after = run.moments[cause.first].after;
+        if (const auto step = steps.find(variable); step != steps.end()) {
+            cause.step = step->second;
+            cause.value = std::ranges::find(after.situation, cause.step) != after.situation.end() ? 1 : 0;
+        } else if (const auto signal = signals.find(variable); signal != signals.end()) {
+            cause.signal = signal->second;
+            cause.value = after.values[cause.signal.index];
+        } else if (const auto time = times.find(variable); time != times.end()) {
+            append_time(run, time->second, over, cause, before);
+            return true;
+        } else {
+            return false;
+        }
+        append(run, cause, before);
+        return true;
+    }
+};
+
 /// Where the run has what the leaves of terms read.
 class Marker {
 public:
@@ -78,18 +114,10 @@ public:
                 return each.role != ChartRun::Role::Image && each.name == network.variables[id].told_name();
             });
             if (signal != run.signals.end())
-                signals_[id.index] = {static_cast<std::uint32_t>(signal - run.signals.begin())};
+                places_.signals[id.index] = {static_cast<std::uint32_t>(signal - run.signals.begin())};
         }
-        for (const Id<Network::Controller> id : network.controllers.ids()) {
-            const auto& words = network.controllers[id].words;
-            const ChartRun::Controller& controller = run.controllers[{id.index}];
-            for (std::size_t k = 0; k < words.steps.size(); ++k)
-                steps_[words.steps[k].variable.index] = controller.steps[k];
-            for (std::size_t k = 0; k < words.internals.size(); ++k)
-                signals_[words.internals[k].variable.index] = controller.internals[k];
-            for (std::size_t k = 0; k < words.timers.size(); ++k)
-                times_[words.timers[k].end.index] = controller.timers[k];
-        }
+        for (const Id<Network::Controller> id : network.controllers.ids())
+            places_.add(network.controllers[id].words, run.controllers[{id.index}]);
     }
 
     void mark(const Causes::Pair& pair) {
@@ -98,32 +126,22 @@ public:
 
 private:
     void add(const Expr& leaf, std::size_t state) {
-        const std::size_t moment = std::min(state, run_.moments.size() - 1);
-        const ChartRun::State& after = run_.moments[moment].after;
+        const std::size_t moment = std::min(state, run_.moments.size() - 1), before = moment == 0 ? 0 : moment - 1;
         ChartRun::Cause cause{.first = moment, .last = moment};
-        const auto index = static_cast<std::uint32_t>(leaf.value);
-        if (leaf.op == Op::At) {
-            cause.instance = instances_[at_process(leaf)];
-            cause.location = at_location(leaf);
-            cause.value = location_of(cause.instance, moment) == cause.location ? 1 : 0;
-            if (!cause.instance.valid()) {
-                run_.causes_exact = false;
-                return;
-            }
-        } else if (const auto step = steps_.find(index); step != steps_.end()) {
-            cause.step = step->second;
-            cause.value = std::ranges::find(after.situation, cause.step) != after.situation.end() ? 1 : 0;
-        } else if (const auto signal = signals_.find(index); signal != signals_.end()) {
-            cause.signal = signal->second;
-            cause.value = after.values[cause.signal.index];
-        } else if (const auto time = times_.find(index); time != times_.end()) {
+        if (leaf.op != Op::At) {
+            const auto index = static_cast<std::uint32_t>(leaf.value);
             const bool over = states_[std::min(state, states_.size() - 1)].variables[index] != 0;
-            return append_time(run_, time->second, over, cause, moment == 0 ? 0 : moment - 1);
-        } else {
+            if (!places_.append_value(run_, index, over, cause, before)) run_.causes_exact = false;
+            return;
+        }
+        cause.instance = instances_[at_process(leaf)];
+        if (!cause.instance.valid()) {
             run_.causes_exact = false;
             return;
         }
-        append(run_, cause, moment == 0 ? 0 : moment - 1);
+        cause.location = at_location(leaf);
+        cause.value = location_of(cause.instance, moment) == cause.location ? 1 : 0;
+        append(run_, cause, before);
     }
 
     std::size_t location_of(Id<ChartRun::Instance> instance, std::size_t moment) const {
@@ -137,10 +155,8 @@ private:
     const Network& network_;
     const std::vector<NetworkState>& states_;
     ChartRun& run_;
-    std::vector<Id<ChartRun::Instance>> instances_ = {};          // per process
-    std::map<std::uint32_t, Id<ChartRun::Step>> steps_ = {};      // per variable
-    std::map<std::uint32_t, Id<ChartRun::Signal>> signals_ = {};  // per variable
-    std::map<std::uint32_t, Id<ChartRun::Timer>> times_ = {};     // per variable, its end
+    std::vector<Id<ChartRun::Instance>> instances_ = {};  // per process
+    Places places_ = {};
 };
 
 /// The same of an untimed model, whose leaves are symbols of main.
@@ -155,7 +171,7 @@ public:
             for (const TransitionSystem::Named& named : component.variables)
                 for (const Id<ChartRun::Signal> id : run.signals.ids())
                     if (run.signals[id].role == ChartRun::Role::Plant && run.signals[id].name == named.name)
-                        signals_[named.variable.index] = id;
+                        places_.signals[named.variable.index] = id;
         }
     }
 
@@ -171,15 +187,11 @@ private:
     void add_words(std::uint32_t index) {
         const auto& words = system_.controllers[index].words;
         const ChartRun::Controller& controller = run_.controllers[{index}];
-        const auto add = [&](const auto& named, const std::vector<Id<ChartRun::Signal>>& told) {
-            for (std::size_t k = 0; k < named.size(); ++k) signals_[named[k].variable.index] = told[k];
-        };
-        add(words.inputs, controller.inputs);
-        add(words.outputs, controller.outputs);
-        add(words.internals, controller.internals);
-        for (std::size_t k = 0; k < words.steps.size(); ++k)
-            steps_[words.steps[k].variable.index] = controller.steps[k];
-        for (std::size_t k = 0; k < words.timers.size(); ++k) times_[words.timers[k].end.index] = controller.timers[k];
+        for (std::size_t k = 0; k < words.inputs.size(); ++k)
+            places_.signals[words.inputs[k].variable.index] = controller.inputs[k];
+        for (std::size_t k = 0; k < words.outputs.size(); ++k)
+            places_.signals[words.outputs[k].variable.index] = controller.outputs[k];
+        places_.add(words, controller);
     }
 
     void mark(const Causes::Pair& pair, std::size_t moment, std::size_t before) {
@@ -188,26 +200,16 @@ private:
 
     void add(Id<Expr> leaf, const Causes::Pair& pair, std::size_t moment, std::size_t before) {
         const auto symbol = static_cast<std::uint32_t>(system_.exprs[leaf].value);
-        const ChartRun::State& after = run_.moments[moment].after;
+        const std::int64_t here = shown_.states[pair.state][symbol];
         ChartRun::Cause cause{.first = moment, .last = moment};
-        if (const auto step = steps_.find(symbol); step != steps_.end()) {
-            cause.step = step->second;
-            cause.value = std::ranges::find(after.situation, cause.step) != after.situation.end() ? 1 : 0;
-        } else if (const auto signal = signals_.find(symbol); signal != signals_.end()) {
-            cause.signal = signal->second;
-            cause.value = after.values[cause.signal.index];
-        } else if (const auto time = times_.find(symbol); time != times_.end()) {
-            return append_time(run_, time->second, shown_.states[pair.state][symbol] != 0, cause, before);
-        } else if (const auto instance = instances_.find(symbol); instance != instances_.end()) {
-            const std::int64_t here = shown_.states[pair.state][symbol];
-            const std::int64_t asked = compared_with(pair.term, leaf).value_or(here);
-            const Type type = system_.modules[system_.main].symbols[{symbol}].type;
-            cause.instance = instance->second;
-            cause.location = static_cast<std::size_t>(asked - type.low);
-            cause.value = here == asked ? 1 : 0;
-        } else {
-            return look_through(symbol, pair, moment, before);
-        }
+        if (places_.append_value(run_, symbol, here != 0, cause, before)) return;
+        const auto instance = instances_.find(symbol);
+        if (instance == instances_.end()) return look_through(symbol, pair, moment, before);
+        const std::int64_t asked = compared_with(pair.term, leaf).value_or(here);
+        const Type type = system_.modules[system_.main].symbols[{symbol}].type;
+        cause.instance = instance->second;
+        cause.location = static_cast<std::size_t>(asked - type.low);
+        cause.value = here == asked ? 1 : 0;
         append(run_, cause, before);
     }
 
@@ -233,10 +235,8 @@ private:
     const SystemRun& shown_;
     ChartRun& run_;
     std::vector<std::size_t> moments_;
-    std::map<std::uint32_t, Id<ChartRun::Signal>> signals_ = {};  // per symbol
-    std::map<std::uint32_t, Id<ChartRun::Step>> steps_ = {};
-    std::map<std::uint32_t, Id<ChartRun::Instance>> instances_ = {};
-    std::map<std::uint32_t, Id<ChartRun::Timer>> times_ = {};
+    std::map<std::uint32_t, Id<ChartRun::Instance>> instances_ = {};  // per symbol
+    Places places_ = {};
 };
 
 }  // namespace

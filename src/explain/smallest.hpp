@@ -6,6 +6,7 @@
 #include <functional>
 #include <numeric>
 #include <optional>
+#include <ranges>
 #include <vector>
 
 #include "grafverif/ir/property.hpp"
@@ -42,6 +43,14 @@ inline bool next_choice(std::vector<std::size_t>& chosen, std::size_t count) {
         return true;
     }
     return false;
+}
+
+/// The chosen elements of `all`, in its order, where `chosen` counts from its end: so its last ones are tried first.
+template <class T>
+std::vector<T> chosen_from_the_end(const std::vector<T>& all, const std::vector<std::size_t>& chosen) {
+    std::vector<T> elements;
+    for (const std::size_t each : std::views::reverse(chosen)) elements.push_back(all[all.size() - 1 - each]);
+    return elements;
 }
 
 /// Of the sets of numbers below `count`, without the empty one. `attempt` tells what a set does.
