@@ -123,7 +123,7 @@ ShortestChange shortest_change(const Network& network, const Property& property,
 ShortestChange shortest_change(const Network& network, const Network& timed, const Property& property, const Run& run,
                                std::size_t effort, const StopAsked& stopped) {
     ShortestChange result;
-    if (!is_about_single_states(property.pattern)) return result;
+    if (!is_about_all_states(property.pattern)) return result;
     std::vector<std::size_t> free;
     for (std::size_t k = 0; k < run.moves.size(); ++k)
         if (is_free(timed, run.moves[k])) free.push_back(k);

@@ -278,7 +278,7 @@ private:
 
 InputChange fewest_input_changes(const System& system, const Property& property, const SystemRun& run,
                                  std::size_t effort, const StopAsked& stopped) {
-    if (!is_about_single_states(property.pattern) || run.states.empty()) return {};
+    if (!is_about_all_states(property.pattern) || run.states.empty()) return {};
     return InputSearch(system, property, run, effort).result(stopped);
 }
 

@@ -55,9 +55,7 @@ std::string cycle_of(const ChartRun& run, Id<ChartRun::Controller> controller) {
 }  // namespace
 
 bool is_violated_at_power_on(const Network& network, const Property& property, const Run& run) {
-    const bool of_states = property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
-                           property.pattern == Pattern::ExactlyOneOf;
-    if (!of_states || property.at_stable || !network.settled.valid()) return false;
+    if (!is_about_all_states(property.pattern) || property.at_stable || !network.settled.valid()) return false;
     NetworkState state = initial_state(network);
     if (value(network, state, network.settled) != 0) return false;
     return std::ranges::all_of(run.moves, [&](const Move& move) {

@@ -9,14 +9,7 @@
 #include <ranges>
 #include <vector>
 
-#include "grafverif/ir/property.hpp"
-
 namespace grafverif {
-
-/// Of whose runs it is looked for what could have been left out.
-inline bool is_about_single_states(Pattern pattern) {
-    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
-}
 
 /// What came of trying a set.
 enum class Attempt {

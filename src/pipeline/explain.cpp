@@ -117,7 +117,7 @@ void explain(const SystemToCheck& check, const SystemRun& run, const Limits& lim
     const auto causes = causes_of(system, property, run);
     if (!causes) return;
     mark(system, run, *causes, *answer.trace);
-    if (!is_about_single_states(property.pattern)) return;
+    if (!is_about_all_states(property.pattern)) return;
     const std::optional<Network>* const network = check.network ? &check.network() : nullptr;
     if (network != nullptr && *network) explain_moves(**network, system, property, run, limits, answer);
     else explain_inputs(system, property, run, limits, answer);

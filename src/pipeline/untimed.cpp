@@ -10,10 +10,6 @@ namespace grafverif {
 
 namespace {
 
-bool is_about_all_states(Pattern pattern) {
-    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
-}
-
 bool is_liveness(Pattern pattern) { return pattern == Pattern::Inevitable || pattern == Pattern::LeadsTo; }
 
 /// Whether the value of `term` depends on what a free variable is at that very moment.
@@ -73,7 +69,7 @@ std::string carried(const SystemToCheck& check, const Property& property, const 
     if (verdict.outcome == Outcome::Unknown) return {};
     const bool holds = verdict.outcome == Outcome::Holds;
     const bool all_runs = is_about_all_states(property.pattern) || is_liveness(property.pattern);
-    const bool about_states = is_about_all_states(property.pattern) || property.pattern == Pattern::Reachable;
+    const bool about_states = is_about_single_states(property.pattern);
     if (check.abstraction.fair && !about_states) return "it says nothing beyond this model";
     const bool observed = reads_observer(check.system, property);
     switch (check.abstraction.carries) {

@@ -45,11 +45,6 @@ Outcome outcome_of(const std::vector<Verdict>& verdicts, const std::string& name
     return any && all ? Outcome::Holds : Outcome::Unknown;
 }
 
-bool about_states(const Property& property) {
-    return property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
-           property.pattern == Pattern::ExactlyOneOf;
-}
-
 /// What `always !p or q` asks of: p. Not valid: it is no such property.
 Id<Expr> left_side(const Property& property, Exprs& exprs) {
     if (property.pattern != Pattern::Always || exprs[property.operands[0]].op != Op::Or) return {};
@@ -111,7 +106,8 @@ public:
         for (const Answer& answer : report.answers) found.push_back(answer.verdict);
         for (const Property& property : network->properties)
             if (property.pattern != Pattern::Watched && outcome_of(found, property.name) == Outcome::Holds)
-                why_.grounds.push_back({.property = property.name, .about_states = about_states(property)});
+                why_.grounds.push_back(
+                    {.property = property.name, .about_states = is_about_all_states(property.pattern)});
         if (why_.grounds.empty()) return std::move(why_);
         ask_left_sides(*network);
         leave_out_transitions();

@@ -38,11 +38,6 @@ std::optional<System> system_for(const Model& model, const ScheduleOptions& opti
     }
 }
 
-bool about_states(const Property& property) {
-    return property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
-           property.pattern == Pattern::ExactlyOneOf;
-}
-
 bool is_possible(const Property& property) { return property.pattern == Pattern::AlwaysPossible; }
 
 /// Those of its properties; the memory bounds how long the law takes.
@@ -277,7 +272,7 @@ TEST(ExplainUntimedLaw, TheFewestChangesOfInputsAreThoseOfAllSetsMadeAgainByTheR
             const auto run = random_run(*system, random);
             if (!run) continue;
             for (const Property& property : system->properties)
-                if (about_states(property)) expect_fewest(*system, charts, property, *run, counts);
+                if (is_about_all_states(property.pattern)) expect_fewest(*system, charts, property, *run, counts);
             counts["constraints"] += plant == PlantApproach::Constraints ? 1 : 0;
         }
         if (HasFatalFailure()) return;

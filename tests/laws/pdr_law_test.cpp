@@ -42,11 +42,6 @@ PdrResult patient(const System& system, PdrOptions options = {}) {
     return check_pdr(system, options);
 }
 
-bool about_states(Pattern pattern) {
-    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf ||
-           pattern == Pattern::Reachable;
-}
-
 bool says(const std::vector<std::string>& notes, const char* what) {
     return std::ranges::find(notes, what) != notes.end();
 }
@@ -62,7 +57,7 @@ void compare_bounded(const System& system, const SymbolicResult& symbolic, std::
     for (std::size_t i = 0; i < found.verdicts.size(); ++i) {
         const Verdict &verdict = found.verdicts[i], &expected = symbolic.verdicts[i];
         SCOPED_TRACE(verdict.property);
-        if (!about_states(verdict.pattern) || expected.obstacle != Obstacle::None) continue;
+        if (!is_about_single_states(verdict.pattern) || expected.obstacle != Obstacle::None) continue;
         if (symbolic.runs[i] && symbolic.runs[i]->states.size() <= steps + 1) {
             ASSERT_EQ(verdict.outcome, expected.outcome);
             EXPECT_EQ(found.runs[i]->states.size(), symbolic.runs[i]->states.size());
@@ -102,7 +97,7 @@ void compare(const System& system, const std::optional<SystemGraph>& graph, cons
         SCOPED_TRACE(property.name);
         const Verdict& verdict = found.verdicts[id.index];
         ASSERT_EQ(verdict.property, property.name);
-        if (!about_states(property.pattern)) {
+        if (!is_about_single_states(property.pattern)) {
             EXPECT_EQ(verdict.obstacle, Obstacle::Unsupported);
             continue;
         }
@@ -299,7 +294,7 @@ TEST(PdrLaw, BoundsEndInUnknown) {
         const PdrResult result = check_pdr(system, options);
         ASSERT_FALSE(result.verdicts.empty());
         for (const Verdict& verdict : result.verdicts)
-            if (about_states(verdict.pattern)) {
+            if (is_about_single_states(verdict.pattern)) {
                 EXPECT_EQ(verdict.outcome, Outcome::Unknown);
                 EXPECT_EQ(verdict.obstacle, obstacle);
             }

@@ -21,11 +21,6 @@ using Cells = std::vector<std::uint32_t>;
 
 const char* const settled_probe = "some state is settled";
 
-bool about_single_states(const Property& property) {
-    return property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
-           property.pattern == Pattern::ExactlyOneOf || property.pattern == Pattern::Reachable;
-}
-
 bool wanted(const Property& property) { return property.pattern == Pattern::Reachable; }
 
 /// Some cells, and what is asked of them: indices of verdicts.
@@ -114,7 +109,7 @@ void ByCells::look_at_whole() {
     TimedOptions first = options_;
     first.max_states = std::min(options_.max_states, limits_.whole);
     const bool at_stable = std::ranges::any_of(network_.properties, [&](const Property& property) {
-        return property.at_stable && about_single_states(property) && timed::asked(options_, property);
+        return property.at_stable && is_about_single_states(property.pattern) && timed::asked(options_, property);
     });
     if (!at_stable) return void(result_ = whole_(network_, first));
     Network probed = network_;
@@ -141,7 +136,7 @@ void ByCells::ask() {
         questions_.emplace_back();
         if (verdict.obstacle != Obstacle::Bound || !verdict.about.valid()) continue;
         Property property = network_.properties[verdict.about];
-        if (!about_single_states(property)) continue;
+        if (!is_about_single_states(property.pattern)) continue;
         if (property.at_stable && !ever_settled_) continue;
         const Cells read = cells_read(network_, cells_, property);
         if (about_race(property)) race_ = k;
@@ -348,7 +343,7 @@ TimedResult with_time_told(TimedResult result) {
 TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options, const CellLimits& limits,
                                  const LocalAblations& ablations, const WholeSearch& whole) {
     const bool asked = std::ranges::any_of(network.properties, [&](const Property& property) {
-        return timed::asked(options, property) && about_single_states(property);
+        return timed::asked(options, property) && is_about_single_states(property.pattern);
     });
     if (!asked) return with_time_told(whole(network, options));
     Network flat = expand(network);

@@ -7,17 +7,12 @@ namespace grafverif {
 
 namespace {
 
-bool about_single_states(Pattern pattern) {
-    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf ||
-           pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps;
-}
-
 std::string objection(const Neighbour& other, const Verdict& verdict, bool at_stable) {
     const Claim claim = claim_of(verdict);
     const std::string name = "`" + other.name + "` ";
     if (claim == Claim::Everywhere && !at_stable) return {};
     if (!other.searched) return name + "could not be searched to its end";
-    if (other.faulty && (at_stable || !about_single_states(verdict.pattern))) return name + "breaks off somewhere";
+    if (other.faulty && (at_stable || !settled_apart(verdict.pattern))) return name + "breaks off somewhere";
     if (claim == Claim::Somewhere || claim == Claim::Everywhere) {
         if (!other.diverges) return name + "cannot let time pass for ever";
         return at_stable && !other.settles ? "time passes in " + name + "while it is not settled" : "";
@@ -81,7 +76,7 @@ std::string because(const Verdict& verdict, bool at_stable) {
     return "shares only time with it and never locks time";
 }
 
-bool settled_apart(Pattern pattern) { return about_single_states(pattern); }
+bool settled_apart(Pattern pattern) { return is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps; }
 
 void mark_vacuous(Verdict& verdict, const std::vector<const Neighbour*>& left_out) {
     const char* const why = "time stands still in this model";

@@ -18,11 +18,6 @@ void unknown(Verdict& verdict, Obstacle obstacle, std::string reason) {
     verdict.reason = std::move(reason);
 }
 
-bool about_states(Pattern pattern) {
-    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf ||
-           pattern == Pattern::Reachable;
-}
-
 }  // namespace
 
 std::vector<State> shortest_way(const StateSpace& model, Search& search, const Bdd& goal) {
@@ -119,7 +114,7 @@ Found Questions::answer(const Question& question, const StateSpace& model, Searc
         unknown(verdict, Obstacle::Faulty, "its condition divides by zero in some reachable state");
         return found;
     }
-    if (about_states(pattern)) answer_state(found, question, here, model, search);
+    if (is_about_single_states(pattern)) answer_state(found, question, here, model, search);
     else if (search.obstacle != Obstacle::None) unknown(verdict, search.obstacle, search.reason);
     else answer_paths(found, question, here, model, search);
     if (verdict.outcome == Outcome::Holds) mark_vacuous(verdict, question, here, model, search);
@@ -199,14 +194,12 @@ void Questions::mark_vacuous(Verdict& verdict, const Question& question, const S
         verdict.vacuous = true;
         verdict.notes.emplace_back(why);
     };
-    const bool universal = property.pattern == Pattern::Always || property.pattern == Pattern::Never ||
-                           property.pattern == Pattern::ExactlyOneOf;
-    if (universal && property.at_stable) {
+    if (is_about_all_states(property.pattern) && property.at_stable) {
         BddTerms terms = model.terms();
         if ((search.reached & terms(settled_).bits.front()).is_false()) vacuous("no state is ever settled");
     }
     if (property.pattern == Pattern::LeadsTo && sets.operands.front().is_false()) vacuous("the left side never holds");
-    if (!about_states(property.pattern) && !justice_.empty() && (fair_ & model.initial()).is_false())
+    if (!is_about_single_states(property.pattern) && !justice_.empty() && (fair_ & model.initial()).is_false())
         vacuous("no run is fair: its fairness conditions exclude each other");
 }
 

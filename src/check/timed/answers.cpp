@@ -269,8 +269,7 @@ void Questions::mark_vacuous(Question& question, const Graph& graph) const {
     if (!graph.time_passes) vacuous("time stands still in this model");
     if (pattern == Pattern::LeadsTo && watch_.found(question.watch) == Watch::none)
         vacuous("the left side never holds");
-    const bool universal = pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
-    if (universal && question.at_stable && watch_.found(settled_watch_) == Watch::none)
+    if (is_about_all_states(pattern) && question.at_stable && watch_.found(settled_watch_) == Watch::none)
         vacuous("no state is ever settled");
 }
 

@@ -26,10 +26,6 @@ ModelOptions untimed(const SuperviseAsk& ask) {
 
 namespace {
 
-bool is_kept_by(Pattern pattern) {
-    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
-}
-
 /// The outputs that the chart reads itself: what they are now is what they were told by its last conditions.
 std::vector<bool> read_outputs(const Chart& chart) {
     std::vector<bool> read(chart.variables.size());
@@ -118,7 +114,7 @@ std::optional<std::vector<Id<Property>>> kept(const System& system, const Superv
     std::vector<std::string> known;
     for (const Id<Property> id : system.properties.ids()) {
         const Property& property = system.properties[id];
-        if (!is_kept_by(property.pattern) || property.name == marked) continue;
+        if (!is_about_all_states(property.pattern) || property.name == marked) continue;
         known.push_back(property.name);
         const bool asked = ask.properties.empty()
                                ? !property.expected_violated
