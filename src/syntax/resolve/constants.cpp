@@ -172,7 +172,7 @@ std::optional<Term> constant_named(LoopScope& scope, std::string_view name) {
 
 Terms constant_terms(LoopScope& scope, std::string_view user) {
     Terms terms(scope.file, scope.loop.exprs, scope.diagnostics);
-    terms.name = [&scope, user](const tree::Expr& node) {
+    terms.name = [&scope, user = std::string(user)](const tree::Expr& node) {
         const bool simple = node.op == tree::Op::Name;
         const std::string_view name = scope.file.text(node.word);
         if (simple)

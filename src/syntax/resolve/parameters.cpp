@@ -93,7 +93,7 @@ Terms all_terms(ComponentScope& scope) {
 
 Terms constant_terms(ComponentScope& scope, std::string_view user) {
     Terms terms(scope.file, scope.component.exprs, scope.diagnostics);
-    terms.name = [&scope, user](const tree::Expr& node) {
+    terms.name = [&scope, user = std::string(user)](const tree::Expr& node) {
         const auto found = node.op == tree::Op::Name ? scope.symbols.find(node.word) : scope.symbols.end();
         if (found == scope.symbols.end()) return unknown_name(scope, node);
         if (is_constant_symbol(scope.component, found->second)) return symbol_term(scope, found->second);

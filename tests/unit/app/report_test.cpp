@@ -194,7 +194,8 @@ TEST(Report, TellsWhichMomentsAreNoStatesOfTheModel) {
         told += inside.size();
     }
     EXPECT_GE(told, 4U);
-    for (const auto& run : player_data(grafverif({"report", file}).out)["runs"])
+    const nlohmann::json timed = player_data(grafverif({"report", file}).out);
+    for (const auto& run : timed["runs"])
         EXPECT_TRUE(run["inside"].empty()) << "a timed run tells each move of the network";
 }
 
