@@ -6,13 +6,22 @@
 #include <algorithm>
 #include <array>
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SANITIZED                                                  // they have an allocator of their own
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();  // NOLINT: its name
+#endif
+
 namespace grafverif::pdr {
 
 namespace {
 
 std::uint64_t allocated() {
+#ifdef SANITIZED
+    return __sanitizer_get_current_allocated_bytes();
+#else
     const struct mallinfo2 info = ::mallinfo2();
     return info.uordblks + info.hblkhd;
+#endif
 }
 
 }  // namespace
