@@ -49,8 +49,9 @@ std::string prefix_of(const Network& network, const Network::Controller& control
 
 std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer) {
     const std::string& watched = controller.timers[timer].watched;
+    if (watched.empty()) return "";  // so are they all in a part of a network, which has no words
     const auto& times = controller.words.timers[timer];
-    return watched.empty() ? "" : time_text(times.rise_ms, prefix_of(network, controller) + watched, times.fall_ms);
+    return time_text(times.rise_ms, prefix_of(network, controller) + watched, times.fall_ms);
 }
 
 std::vector<std::string> told_names(const Network& network) {
