@@ -105,9 +105,10 @@ LineEditor::LineEditor(std::string prompt, Complete complete, std::size_t (*last
     el_set(editor, EL_EDITOR, "emacs");
     el_set(editor, EL_SIGNAL, 1);  // the terminal is as it was before when one ends us
     el_set(editor, EL_HIST, history, parts_->history);
-    el_set(editor, EL_ADDFN, "grafverif-complete", "complete the word", Parts::tab);
-    el_set(editor, EL_ADDFN, "grafverif-give-up", "give the line up", Parts::give_up);
-    el_set(editor, EL_ADDFN, "grafverif-stop", "stop until the shell goes on with it", Parts::suspend);
+    // Of narrow names the library makes copies that it keeps for ever.
+    el_wset(editor, EL_ADDFN, L"grafverif-complete", L"complete the word", Parts::tab);
+    el_wset(editor, EL_ADDFN, L"grafverif-give-up", L"give the line up", Parts::give_up);
+    el_wset(editor, EL_ADDFN, L"grafverif-stop", L"stop until the shell goes on with it", Parts::suspend);
     el_set(editor, EL_BIND, "^I", "grafverif-complete", nullptr);
     el_set(editor, EL_BIND, "^R", "em-inc-search-prev", nullptr);
     el_source(editor, nullptr);
