@@ -17,6 +17,8 @@
 #include "app/system/process.hpp"
 #include "check/together.hpp"
 #include "grafverif/grafverif.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
 
 namespace {
 
@@ -41,15 +43,15 @@ std::string column(Options options, const std::string& property, double limit, c
     options.properties = {property};
     options.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limit));
     const double before = processor_seconds();
-    const auto result = check(options);
-    const Verdict& verdict = result.verdicts.at(0);
+    const Verdict verdict = check(options);
     const std::string seconds = fmt::format("{:.2f}", processor_seconds() - before);
     return fmt::format(" {} |", verdict.outcome == Outcome::Unknown ? ">" + seconds : seconds);
 }
 
-std::string row(const TransitionSystem& system, const std::string& property, double limit,
+std::string row(const SystemToCheck& check, const std::string& property, double limit,
                 const std::optional<std::filesystem::path>& abc) {
-    const auto by_circuit = [&](const PdrOptions& options) { return check_pdr(system, options); };
+    const TransitionSystem& system = check.system;
+    const auto by_circuit = [&](const PdrOptions& options) { return check_pdr(system, options).verdicts.at(0); };
     PdrOptions bmc, theirs;
     bmc.method = PdrOptions::Method::Bmc;
     std::string words = fmt::format("| `{}` |", property) + column(PdrOptions(), property, limit, by_circuit);
@@ -57,15 +59,12 @@ std::string row(const TransitionSystem& system, const std::string& property, dou
     words += abc ? column(theirs, property, limit, by_circuit) : std::string(" |");
     words += column(bmc, property, limit, by_circuit);
     words += column(SymbolicOptions(), property, limit,
-                    [&](const SymbolicOptions& options) { return check_symbolic(system, options); });
-    return words + column(TogetherOptions(), property, limit,
-                          [&](const TogetherOptions& options) { return check_together(system, options); });
-}
-
-bool about_states(const Property& property) {
-    using enum Pattern;
-    return property.pattern == Always || property.pattern == Never || property.pattern == ExactlyOneOf ||
-           property.pattern == Reachable;
+                    [&](const SymbolicOptions& options) { return check_symbolic(system, options).verdicts.at(0); });
+    return words + column(TogetherOptions(), property, limit, [&](const TogetherOptions& asked) {
+               CheckOptions options{.properties = asked.properties};
+               options.limits.deadline = asked.deadline;
+               return check_together(check, options).answers.at(0).verdict;
+           });
 }
 
 }  // namespace
@@ -82,9 +81,10 @@ int main(int count, char** arguments) {
                             : std::optional<TransitionSystem>();
     std::cerr << reading.complaints();
     if (!system) return 2;
+    const SystemToCheck check = system_to_check(*system, *reading.model, Id<ClosedLoop>{0}, how);
     const auto abc = app::find_program("berkeley-abc");
     const std::set<std::string> asked(arguments + std::min(count, 3), arguments + count);
     for (const Property& property : system->properties)
-        if (about_states(property) && (asked.empty() || asked.contains(property.name)))
-            std::cout << row(*system, property.name, limit, abc) << std::endl;
+        if (is_about_single_states(property.pattern) && (asked.empty() || asked.contains(property.name)))
+            std::cout << row(check, property.name, limit, abc) << std::endl;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analyse/analyse.hpp"
+#include "check/cells/cells.hpp"
 #include "check/pdr/check.hpp"
 #include "grafverif/grafverif.hpp"
 #include "ir/flat_system.hpp"
@@ -89,7 +90,14 @@ struct StateSearch {
 StateSearch bounded_search(std::optional<std::uint64_t> max_steps);
 Report check_states(const SystemToCheck& check, const CheckOptions& options, const StateSearch& search = {});
 
-/// The same by the embedded engines beside each other.
+/// Of what is asked about single states, what cells decide (check/cells/cells.hpp): the verdicts of the system, without runs.
+/// Where its automata take turns the system has the runs of the network that it was made of, clocks having no say where time is
+/// abstract, up to where that breaks off; and cells tell nothing where something may break off. Sizes as these are tried in a
+/// second or so, most often in much less.
+std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
+                                      const CellLimits& limits = {.whole = 1U << 15U, .local = 1U << 18U});
+
+/// The same by the embedded engines beside each other, of what cells do not decide.
 Report check_together(const SystemToCheck& check, const CheckOptions& options);
 
 /// Has `decide` answer what a chart alone is asked; under stability search the search of `analyse` adds whether it stabilises,

@@ -2,6 +2,7 @@
 // The embedded engines on circuits at work, and programs in their place.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "check/pdr/check.hpp"
@@ -56,16 +57,30 @@ Report check_together(const SystemToCheck& check, const CheckOptions& options) {
     TogetherOptions all;
     all.witnesses = options.witnesses;
     all.whole = options.whole;
-    all.properties = names_asked(check.system, options.properties);
     set_limits(all, options.limits);
     if (options.limits.progress)
         all.progress = [&options](const TogetherProgress& now) {
             options.limits.progress(
                 {[&now] { return fmt::format("symbolic: {} steps deep; {}", now.symbolic.depth, words_of(now.pdr)); }});
         };
-    const bool asks = options.properties.empty() || !all.properties.empty();
-    return reported(asks ? check_together(check.system, all) : PdrResult(), check, SystemReporter::Of::EmbeddedEngine,
-                    "auto", options);
+    std::vector<Verdict> decided = decided_by_cells(check, options);
+    for (std::string& name : names_asked(check.system, options.properties))
+        if (std::ranges::find(decided, name, &Verdict::property) == decided.end())
+            all.properties.push_back(std::move(name));
+    PdrResult result;
+    if (!all.properties.empty()) result = check_together(check.system, all);  // no names would ask for all
+    if (result.fault && !decided.empty()) {                                   // then nothing is decided
+        all.properties = names_asked(check.system, options.properties);
+        result = check_together(check.system, all);
+        decided.clear();
+    }
+    for (Verdict& verdict : decided) {
+        const auto place = std::ranges::upper_bound(result.verdicts, verdict.about.index, {},
+                                                    [](const Verdict& each) { return each.about.index; });
+        result.runs.insert(result.runs.begin() + (place - result.verdicts.begin()), std::nullopt);
+        result.verdicts.insert(place, std::move(verdict));
+    }
+    return reported(std::move(result), check, SystemReporter::Of::EmbeddedEngine, "auto", options);
 }
 
 }  // namespace grafverif

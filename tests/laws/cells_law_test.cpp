@@ -7,8 +7,11 @@
 #include <map>
 
 #include "check/cells/cells.hpp"
+#include "check/symbolic/symbolic.hpp"
 #include "ir/network_cells.hpp"
 #include "ir/network_run.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
 #include "support/law_size.hpp"
 #include "support/random_parts.hpp"
 #include "support/read_loop.hpp"
@@ -19,11 +22,6 @@ namespace grafverif {
 namespace {
 
 constexpr std::uint64_t whole_limit = 20'000;
-
-bool about_single_states(Pattern pattern) {
-    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::Reachable ||
-           pattern == Pattern::ExactlyOneOf;
-}
 
 /// What cells decide of the network, where the whole is hardly looked at.
 TimedResult by_cells(const Network& network, const LocalAblations& ablations = {}) {
@@ -72,7 +70,7 @@ Network random_network_of_cells(std::uint64_t seed) {
     ask_of_parts(network, random);
     Table<Property> safety;
     for (Property& property : network.properties)
-        if (about_single_states(property.pattern)) safety.add(std::move(property));
+        if (is_about_single_states(property.pattern)) safety.add(std::move(property));
     network.properties = std::move(safety);
     return network;
 }
@@ -196,6 +194,46 @@ TEST(CellsLaw, CellsOfLoopsGiveTheVerdictsOfTheWhole) {
     }
     tell(seen);
     EXPECT_GT(seen["by cells: holds"], law_size(20));
+}
+
+/// What cells decide of an untimed model, hardly looking at the whole, against the symbolic engine.
+void compare_untimed(const SystemToCheck& check, std::map<std::string, int>& seen) {
+    const std::vector<Verdict> decided = decided_by_cells(check, {.jobs = 1}, {.whole = 50, .local = whole_limit});
+    if (decided.empty()) return;
+    SymbolicOptions options;
+    for (const Verdict& verdict : decided) options.properties.push_back(verdict.property);
+    const SymbolicResult whole = check_symbolic(check.system, options);
+    EXPECT_FALSE(whole.fault);
+    EXPECT_EQ(whole.verdicts.size(), decided.size());
+    for (const Verdict& here : decided) {
+        EXPECT_TRUE(here.scope.cells);
+        const Verdict& there = *std::ranges::find(whole.verdicts, here.property, &Verdict::property);
+        EXPECT_EQ(here.about, there.about);
+        EXPECT_EQ(here.outcome, there.outcome) << here.property << ' ' << there.reason;
+        EXPECT_EQ(here.vacuous, there.vacuous) << here.property;
+        ++seen[std::string(check.system.ticks.valid() ? "discrete: " : "abstract: ") + std::string(word(here.outcome))];
+    }
+}
+
+TEST(CellsLaw, CellsOfUntimedLoopsGiveTheVerdictsOfTheSymbolicEngine) {
+    std::map<std::string, int> seen;
+    for (int seed = 1; seed <= law_size(40) && !testing::Test::HasFailure(); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(static_cast<std::uint64_t>(seed));
+        const Reading reading = read_string(loop_of_cells(random), "cells");
+        ASSERT_TRUE(reading.model) << reading.complaints();
+        for (const TimeModel time : {TimeModel::Abstract, TimeModel::Discrete}) {
+            ModelOptions how{.grain = seed % 2 == 0 ? Grain::Atomic : Grain::Phased};
+            how.untimed = {.plant = PlantApproach::Automata, .time = time};
+            Diagnostics diagnostics;
+            const auto system = transition_system_of(*reading.model, Id<ClosedLoop>{0}, how, diagnostics);
+            ASSERT_TRUE(system);
+            compare_untimed(system_to_check(*system, *reading.model, Id<ClosedLoop>{0}, how), seen);
+        }
+    }
+    tell(seen);
+    EXPECT_GT(seen["abstract: holds"], law_size(20));
+    EXPECT_GT(seen["discrete: holds"], law_size(20));
 }
 
 struct Premise {

@@ -127,8 +127,9 @@ Verb check_usage() {
         "the PATH; so is a chart that belongs to no loop, with free inputs. What that says of the real plant stands\n"
         "before the verdicts. Of properties about states alone ask `--engine pdr`, embedded, where the states are too "
         "many,\n"
-        "and `--engine bmc` for the shortest way to what is wrong, as far as it gets; `--engine auto` asks all three;\n"
-        "`--engine abc` and `--engine-command` ask hardware model checkers.\n"
+        "and `--engine bmc` for the shortest way to what is wrong, as far as it gets; `--engine auto` looks at cells "
+        "by\n"
+        "themselves, then asks all three; `--engine abc` and `--engine-command` ask hardware model checkers.\n"
         "Formats: text, JSON (--format json, --json-lines), JUnit XML (--junit), SARIF (--sarif); traces also as VCD "
         "and SVG.\n"
         "Reports are of this run or not there, whatever ends it; docs/ci.md tells what build servers make of them.",

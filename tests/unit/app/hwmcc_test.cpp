@@ -125,6 +125,29 @@ TEST(Auto, SaysWhichEngineGaveAVerdictAndTakesTimedModelsToTheTimedOne) {
     EXPECT_EQ(grafverif({"check", file, "--engine", "auto"}).out, grafverif({"check", file}).out);
 }
 
+TEST(Auto, DecidesByCellsWhatTheyTellAndTheRestByEngines) {
+    const std::string line = (root / "samples/transfer_line/transfer_line.grafcet").string();
+    const std::vector<std::string> command = {"check",    line,      "--untimed", "--engine", "auto", "--plant",
+                                              "automata", "--grain", "atomic",    "--format", "json"};
+    const Result ran = grafverif(command);
+    EXPECT_EQ(ran.code, ExitCode::Unknown) << "there is no time in this model that could be locked";
+    const auto properties = nlohmann::json::parse(ran.out)["properties"];
+    const std::vector<std::string> names = {"held_1", "released_1", "held_2",      "released_2",
+                                            "held_3", "released_3", "no_timelock", "no_out_of_range"};
+    ASSERT_EQ(properties.size(), names.size());
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        SCOPED_TRACE(names[k]);
+        EXPECT_EQ(properties[k]["name"], names[k]);
+        EXPECT_EQ(properties[k]["verdict"], k == 6 ? "unknown" : "holds");
+        EXPECT_EQ(properties[k].contains("cells"), k < 6);
+        if (k < 6) EXPECT_EQ(properties[k]["notes"], nlohmann::json{"decided by cells"});
+    }
+    std::vector<std::string> whole = command;
+    whole.insert(whole.end(),
+                 {"--whole", "--property", "no_out_of_range", "--property", "held_2", "--timeout", "300ms"});
+    EXPECT_EQ(grafverif(whole).out.find("decided by cells"), std::string::npos);
+}
+
 TEST(Pdr, TimeAndMemoryEndInUnknown) {
     for (const std::string engine : {"pdr", "bmc", "auto"}) {
         const Result late = grafverif({"check", tanks, "--untimed", "--engine", engine, "--timeout", "0ms"});

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Cells of untimed models.
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "explain/moves.hpp"
+#include "pipeline/check.hpp"
+#include "pipeline/models.hpp"
+
+namespace grafverif {
+
+std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
+                                      const CellLimits& limits) {
+    if (options.whole || !check.network || !check.network()) return {};
+    const Network network = check.system.ticks.valid() ? *check.network() : without_clocks(*check.network());
+    const auto is_observer = [](const Network::Process& process) {
+        return process.kind == Network::ProcessKind::Observer;
+    };
+    if (std::ranges::any_of(network.processes, is_observer)) return {};  // they look at the whole
+    TimedOptions timed;
+    set_limits(timed, options.limits);
+    timed.max_states = limits.local;
+    timed.jobs = options.jobs;
+    timed.timelock = false;
+    std::map<std::string_view, Id<Property>> asked;
+    for (const std::size_t index : asked_properties(check.system, options.properties)) {
+        const Id<Property> id{static_cast<std::uint32_t>(index)};
+        const Property& property = check.system.properties[id];
+        const auto same = [&](const Property& other) {
+            return other.name == property.name && other.pattern == property.pattern;
+        };
+        if (!is_about_single_states(property.pattern) || std::ranges::none_of(network.properties, same)) continue;
+        asked.emplace(property.name, id);
+        timed.properties.push_back(property.name);
+    }
+    if (asked.empty()) return {};
+    std::vector<Verdict> decided;
+    for (Verdict& found : check_timed_by_cells(network, timed, limits).verdicts) {
+        if (!found.scope.cells || found.outcome == Outcome::Unknown) continue;
+        const Id<Property> id = asked.at(found.property);
+        Verdict& verdict = decided.emplace_back(verdict_on(id, check.system.properties[id]));
+        verdict.outcome = found.outcome;
+        verdict.states = std::move(found.states);
+        verdict.transitions = found.transitions;
+        verdict.seconds = found.seconds;
+        verdict.scope = std::move(found.scope);
+        verdict.notes.emplace_back("decided by cells");
+    }
+    return decided;
+}
+
+}  // namespace grafverif
