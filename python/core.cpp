@@ -288,7 +288,8 @@ public:
         return made([&](const std::atomic<bool>&, Diagnostics& diagnostics) -> std::optional<std::string> {
             const auto network = network_of(model(), id, options, diagnostics);
             if (!network) return {};
-            return uppaal_project(*network, diagnostics).project;
+            UppaalProject made = uppaal_project(*network, diagnostics);
+            return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(made.project));
         });
     }
     std::string nusmv(const std::string& loop, const How& how) const {
@@ -297,7 +298,8 @@ public:
         return made([&](const std::atomic<bool>&, Diagnostics& diagnostics) -> std::optional<std::string> {
             const auto system = transition_system_of(model(), id, options, diagnostics);
             if (!system) return {};
-            return nusmv_model(*system, diagnostics);
+            std::string made = nusmv_model(*system, diagnostics);
+            return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(made));
         });
     }
     std::string structured_text(const std::string& chart, const How& how, bool plcopen_xml) const {

@@ -106,7 +106,7 @@ struct UppaalProject {
     std::string project = {};  ///< XML, its queries in it
     std::string queries = {};  ///< the queries alone, for `verifyta`
 };
-/// Warns of properties that the tool cannot be asked.
+/// Warns of properties that the tool cannot be asked. Empty after an error: integers of more than 32 bits, which neither has.
 UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics);
 std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics);
 

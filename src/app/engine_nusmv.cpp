@@ -7,6 +7,7 @@
 #include "app/system/process.hpp"
 #include "check/external/nusmv.hpp"
 #include "emit/nusmv/nusmv.hpp"
+#include "emit/wide.hpp"
 #include "support/messages.hpp"
 
 namespace grafverif::app {
@@ -18,6 +19,7 @@ std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::stri
         diagnostics.add(messages::missing_program(program, "--engine symbolic"));
         return {};
     }
+    if (!fits(check.system, program, diagnostics)) return {};
     const SystemSpelling spelling = nusmv::spelling(check.system);
     const std::vector<std::size_t> properties = asked_properties(check.system, options.properties);
     std::ostringstream model;

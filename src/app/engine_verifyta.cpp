@@ -16,7 +16,8 @@ std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOpti
         diagnostics.add(messages::missing_program("verifyta", "--engine timed"));
         return {};
     }
-    const UppaalQuestions uppaal = uppaal_questions(loop.network);
+    const UppaalQuestions uppaal = uppaal_questions(loop.network, diagnostics);
+    if (diagnostics.has_errors()) return {};
     const TemporaryFolder folder;
     folder.write("model.xml", uppaal.project);
     const ProgramLimits limits{.deadline = check.limits.deadline, .stop = check.limits.stop, .folder = folder.path()};

@@ -52,9 +52,9 @@ Interval remainder(Interval a, Interval b) {
     return {a.low < 0 ? -bound : 0, a.high > 0 ? bound : 0};
 }
 
-}  // namespace
-
-Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
+/// Of a term whose operands have these.
+template <class OfOperand>
+Interval interval_of(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of, const OfOperand& of) {
     const Expr& node = exprs[term];
     if (node.op == Op::Integer || node.op == Op::Duration) return {node.value, node.value};
     if (is_leaf(node.op)) {
@@ -64,9 +64,9 @@ Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
     if (!is_arithmetic(node.op) && node.op != Op::Conditional) return {0, 1};
 
     const std::span<const Id<Expr>> operands = exprs.operands(term);
-    const Interval right = interval(exprs, operands.back(), type_of);
+    const Interval right = of(operands.back());
     if (node.op == Op::Negate) return {difference(0, right.high), difference(0, right.low)};
-    const Interval left = interval(exprs, operands[operands.size() - 2], type_of);
+    const Interval left = of(operands[operands.size() - 2]);
     switch (node.op) {
     case Op::Plus: return {sum(left.low, right.low), sum(left.high, right.high)};
     case Op::Minus: return {difference(left.low, right.high), difference(left.high, right.low)};
@@ -76,6 +76,28 @@ Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
     case Op::Conditional: return {std::min(left.low, right.low), std::max(left.high, right.high)};
     default: unreachable();
     }
+}
+
+}  // namespace
+
+Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
+    return interval_of(exprs, term, type_of, [&](Id<Expr> operand) { return interval(exprs, operand, type_of); });
+}
+
+std::vector<bool> wide_terms(const Exprs& exprs, const TypeOf& type_of) {
+    constexpr std::int64_t least_narrow = std::numeric_limits<std::int32_t>::min();
+    constexpr std::int64_t greatest_narrow = std::numeric_limits<std::int32_t>::max();
+    std::vector<Interval> intervals;  // operands come before terms
+    std::vector<bool> wide;
+    for (std::uint32_t index = 0; index < exprs.size(); ++index) {
+        const Interval own =
+            interval_of(exprs, {index}, type_of, [&](Id<Expr> operand) { return intervals[operand.index]; });
+        wide.push_back(own.low < least_narrow || own.high > greatest_narrow ||
+                       std::ranges::any_of(exprs.operands(Id<Expr>{index}),
+                                           [&](Id<Expr> operand) { return wide[operand.index]; }));
+        intervals.push_back(own);
+    }
+    return wide;
 }
 
 }  // namespace grafverif

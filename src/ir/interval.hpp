@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "grafverif/ir/expr.hpp"
 #include "grafverif/ir/type.hpp"
@@ -19,5 +20,9 @@ struct Interval {
 
 /// An interval that holds every value of `term`; bounds outside 64 bits are cut there.
 Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of);
+
+/// Per term of the table, whether something in it may need an integer of more than 32 bits. A program that computes with 32
+/// (NuSMV 2.6, UPPAAL, an `int` of C) finds another value then, and says nothing.
+std::vector<bool> wide_terms(const Exprs& exprs, const TypeOf& type_of);
 
 }  // namespace grafverif

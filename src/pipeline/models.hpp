@@ -39,14 +39,15 @@ struct UppaalQuestions {
     std::string project = {};
     std::vector<ExternalQuestion> questions = {};
 };
-UppaalQuestions uppaal_questions(const Network& network);
+UppaalQuestions uppaal_questions(const Network& network, Diagnostics& diagnostics);
+
+/// The network as a C file for LTSmin. Empty after an error, as those of other programs are.
+std::string pins_model(const Network& network, Diagnostics& diagnostics);
 
 /// TransitionSystem -> AIGER, and what its names are to the charts, as JSON. Warns of properties that it cannot be asked.
 struct AigerModel {
     std::string text = {}, map = {};
 };
-/// The network as a C file for LTSmin.
-std::string pins_model(const Network& network);
 AigerModel aiger_model(const TransitionSystem& system, aiger::Form form, Diagnostics& diagnostics);
 
 /// TransitionSystem -> BTOR2, likewise.

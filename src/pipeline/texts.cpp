@@ -10,6 +10,7 @@
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/pins/pins.hpp"
 #include "emit/uppaal/uppaal.hpp"
+#include "emit/wide.hpp"
 #include "pipeline/models.hpp"
 #include "support/messages.hpp"
 
@@ -28,6 +29,7 @@ std::string written(Write write) {
 
 UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics) {
     const Network lowered = uppaal::lower(observed(network, watched(network)));
+    if (!fits(lowered, "UPPAAL", diagnostics)) return {};
     for (const uppaal::Inexpressible& left_out : uppaal::inexpressible(lowered)) {
         const Property& property = lowered.properties[left_out.property];
         diagnostics.add(messages::not_expressible(property.origin, property.name, "UPPAAL", left_out.reason));
@@ -36,12 +38,15 @@ UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics) {
             written([&](std::ostream& out) { uppaal::emit_queries(lowered, out); })};
 }
 
-std::string pins_model(const Network& network) {
-    return written([&](std::ostream& out) { pins::emit(observed(network, watched(network)), out); });
+std::string pins_model(const Network& network, Diagnostics& diagnostics) {
+    const Network with_observers = observed(network, watched(network));
+    if (!fits(with_observers, "C", diagnostics)) return {};
+    return written([&](std::ostream& out) { pins::emit(with_observers, out); });
 }
 
-UppaalQuestions uppaal_questions(const Network& network) {
+UppaalQuestions uppaal_questions(const Network& network, Diagnostics& diagnostics) {
     const Network lowered = uppaal::lower(observed(network, watched(network)));
+    if (!fits(lowered, "UPPAAL", diagnostics)) return {};
     const std::vector<uppaal::Inexpressible> left_out = uppaal::inexpressible(lowered);
     UppaalQuestions result;
     for (const uppaal::Formula& formula : uppaal::formulas(lowered)) {
@@ -87,6 +92,7 @@ std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics
 }
 
 std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics) {
+    if (!fits(system, "NuSMV", diagnostics)) return {};
     for (const TransitionSystem::Omitted& omitted : system.omitted)
         diagnostics.add(
             messages::not_expressible(omitted.property.origin, omitted.property.name, "NuSMV", omitted.reason));

@@ -104,6 +104,13 @@ Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std:
                  fmt::format("the file has several {}s: {}; choose with `{}`", kind, listed(known), option));
 }
 
+Diagnostic too_wide(Span where, std::string_view what, std::string_view target) {
+    return error("too-wide", where,
+                 fmt::format("{} may need integers of more than 32 bits, which {} does not have: it would find another "
+                             "value and not say so; make the ranges or the constants smaller",
+                             what, target));
+}
+
 Diagnostic not_expressible(Span property, std::string_view name, std::string_view target, std::string_view reason) {
     return warning("not-expressible", property,
                    fmt::format("property `{}` is left out of the {} model; {}", name, target, reason));

@@ -267,5 +267,49 @@ TEST(CheckUntimed, ATimeLimitEndsInUnknown) {
     EXPECT_NE(result.out.find("stopped at the time limit of 0 s"), std::string::npos) << result.out;
 }
 
+/// NuSMV, UPPAAL and C compute with 32 bits, and would say that N * 500000000 never exceeds 2100000000.
+TEST(Models, ThatNeedMoreThan32BitsAreRefusedByNameAndDecidedByUs) {
+    const Folder folder;
+    const std::string file =
+        folder.write("counter.grafcet",
+                     "grafcet counter { input A; output L; internal N: int 0..10 = 0; initial step 0;\n"
+                     "step 1 { N := N + 1 on activation; } transition up: 0 -> 1 when A && N < 10; transition down: 1 "
+                     "-> 0 when !A; }\n"
+                     "closed_loop room { controller counter; environment a = push_button(OUT = A);\n"
+                     "property small: never N * 500000000 > 2100000000; }\n");
+    for (const std::string verb : {"nusmv", "uppaal", "pins", "build"}) {
+        SCOPED_TRACE(verb);
+        const std::string out = folder.file(verb + ".out");
+        const Result refused = grafverif({verb, file, "-o", out});
+        EXPECT_EQ(refused.code, ExitCode::Input);
+        EXPECT_NE(
+            refused.err.find("counter.grafcet:4:10: error: property `small` may need integers of more than 32 bits"),
+            std::string::npos)
+            << refused.err;
+        EXPECT_NE(refused.err.find("[too-wide]"), std::string::npos);
+        EXPECT_FALSE(std::filesystem::exists(out));
+    }
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"check", file}, {"check", file, "--untimed"}})
+        EXPECT_NE(grafverif(command).out.find("small: violated"), std::string::npos);
+}
+
+TEST(Models, WhatIsTooWideIsNamedWhereItStands) {
+    const Folder folder;
+    const std::string file =
+        folder.write("wide.grafcet",
+                     "component lift(output S; constant D: duration) { clock t; variable X: int 0..3000000000;\n"
+                     "initial location down invariant t <= D; location up;\n"
+                     "timed down -> up when t >= D do X := X + 1, S := true; }\n"
+                     "grafcet counter { input A; output L; internal N: int 0..10 = 0; initial step 0;\n"
+                     "step 1 { N := N * 300000000 / 1000000000 on activation; }\n"
+                     "transition up: 0 -> 1 when A; transition down: 1 -> 0 when !A; }\n"
+                     "closed_loop room { controller counter; plant lift1 = lift(S = A, D = 2s); time unit 1s; }\n");
+    const Result refused = grafverif({"uppaal", file});
+    EXPECT_EQ(refused.code, ExitCode::Input);
+    for (const char* place : {"wide.grafcet:3:", "`lift1.X` may need", "`N` may need"})
+        EXPECT_NE(refused.err.find(place), std::string::npos) << place << '\n' << refused.err;
+}
+
 }  // namespace
 }  // namespace grafverif::app
