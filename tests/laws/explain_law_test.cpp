@@ -671,7 +671,9 @@ TEST(ExplainLaw, EveryStateOfALoopIsOneOfTheLoopWithoutAGuardAndOneWithAnEdgeMor
                 if (const auto more = places_of(*network_for(less, how))) {
                     EXPECT_TRUE(std::ranges::includes(*more, *with)) << loop.instances[id].name << edge.index;
                     guards += is_guarded(component, edge) ? 1 : 0;
-                    if (!is_guarded(component, edge)) EXPECT_EQ(*more, *with);
+                    if (!is_guarded(component, edge)) {
+                        EXPECT_EQ(*more, *with);
+                    }
                 }
                 if (is_forced(component, edge)) continue;
                 less = model;

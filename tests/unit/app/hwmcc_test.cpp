@@ -140,7 +140,9 @@ TEST(Auto, DecidesByCellsWhatTheyTellAndTheRestByEngines) {
         EXPECT_EQ(properties[k]["name"], names[k]);
         EXPECT_EQ(properties[k]["verdict"], k == 6 ? "unknown" : "holds");
         EXPECT_EQ(properties[k].contains("cells"), k < 6);
-        if (k < 6) EXPECT_EQ(properties[k]["notes"], nlohmann::json{"decided by cells"});
+        if (k < 6) {
+            EXPECT_EQ(properties[k]["notes"], nlohmann::json{"decided by cells"});
+        }
     }
     std::vector<std::string> whole = command;
     whole.insert(whole.end(),

@@ -84,7 +84,9 @@ TEST(Interval, TermsThatAreNotWideAreTheSameWith32Bits) {
                                         [&](const Expr& leaf) { return values[static_cast<std::size_t>(leaf.value)]; });
             const std::int64_t found = computed_with_32_bits(terms.exprs, term, values);
             other = other || exact != found;
-            if (!wide) EXPECT_EQ(exact, found) << "seed " << seed;
+            if (!wide) {
+                EXPECT_EQ(exact, found) << "seed " << seed;
+            }
         }
         wide_and_other += wide && other ? 1 : 0;
     }
