@@ -35,8 +35,12 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
         timed.properties.push_back(property.name);
     }
     if (asked.empty()) return {};
+    const auto first_look = [&](const Network& whole, TimedOptions look) {  // there are others for the whole
+        look.max_states = std::min(look.max_states, limits.whole);
+        return check_timed_by_parts(whole, look);
+    };
     std::vector<Verdict> decided;
-    for (Verdict& found : check_timed_by_cells(network, timed, limits).verdicts) {
+    for (Verdict& found : check_timed_by_cells(network, timed, limits, {}, first_look).verdicts) {
         if (!found.scope.cells || found.outcome == Outcome::Unknown) continue;
         const Id<Property> id = asked.at(found.property);
         Verdict& verdict = decided.emplace_back(verdict_on(id, check.system.properties[id]));
