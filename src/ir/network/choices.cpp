@@ -32,6 +32,9 @@ Id<Expr> Choices::leaf(std::vector<Id<Expr>> terms, Op op, std::size_t writes) {
             made.low = values.low;
             made.high = values.high;
         }
+        for (const Id<Expr> term : made.terms)
+            for (const Id<Expr> read : leaves(whole_.exprs, term))
+                made.reads.push_back({static_cast<std::uint32_t>(whole_.exprs[read].value)});
         choices_.push_back(std::move(made));
     }
     return to_.leaf(Op::Parameter, index);
@@ -77,15 +80,23 @@ Id<Expr> Choices::chosen(Id<Expr> term) const {
 std::optional<std::int64_t> Choices::value_of(const Choice& choice, const Values& values) const {
     const bool any = choice.op == Op::Or;
     std::optional<std::int64_t> all;
+    for (const Id<Network::Variable> read : choice.reads)
+        if (!values.contains(read)) return {};
     for (const Id<Expr> term : choice.terms) {
-        for (const Id<Expr> leaf : leaves(whole_.exprs, term))
-            if (!values.contains({static_cast<std::uint32_t>(whole_.exprs[leaf].value)})) return {};
         const std::optional<std::int64_t> value = evaluate(
             whole_.exprs, term, [&](const Expr& leaf) { return values.at({static_cast<std::uint32_t>(leaf.value)}); });
         if (!value) return {};
         all = !all ? *value : any ? std::max(*all, *value) : std::min(*all, *value);
     }
     return all;
+}
+
+bool Choices::tell_of(const std::vector<Id<Network::Variable>>& variables) const {
+    return std::ranges::any_of(choices_, [&](const Choice& choice) {
+        return choice.writes == 0 && std::ranges::all_of(choice.reads, [&](Id<Network::Variable> read) {
+                   return std::ranges::find(variables, read) != variables.end();
+               });
+    });
 }
 
 std::optional<std::vector<Choices::Values>> Choices::possible_before(

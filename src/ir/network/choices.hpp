@@ -30,6 +30,8 @@ public:
     /// A term over choices, with the values at hand.
     Id<Expr> chosen(Id<Expr> term) const;
     using Values = std::map<Id<Network::Variable>, std::int64_t>;
+    /// Whether some choice reads nothing but these, as the edge leaves them.
+    bool tell_of(const std::vector<Id<Network::Variable>>& variables) const;
     /// All values that some variables may have in the state that the edge leaves, with the values at hand; nothing where
     /// these say nothing of them, or there are too many.
     std::optional<std::vector<Values>> possible_before(const std::vector<Id<Network::Variable>>& variables) const;
@@ -41,6 +43,7 @@ private:
         std::vector<Id<Expr>> terms = {};
         Op op = Op::And;
         std::size_t writes = 0;
+        std::vector<Id<Network::Variable>> reads = {};
         std::int64_t low = 0, high = 1;
         bool boolean = true;
 

@@ -92,7 +92,7 @@ private:
     Id<Expr> choice(std::vector<Id<Expr>> terms, Op op);
     std::optional<Network::Assignment> assignment(const Network::Assignment& written);
     std::vector<Id<Network::Variable>> free_in(Id<Expr> invariant) const;
-    Id<Expr> known_of_choices();
+    Id<Expr> known_of_choices(const std::vector<std::size_t>& telling);
     Id<Expr> enabled_by_all(Id<Expr> guard);
 
     const Network& whole_;
@@ -307,6 +307,9 @@ void LocalBuilder::add_edge(const Slots& slots, const Network::Edge& edge, bool 
 
 void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Network::Template& to) {
     Exprs& exprs = made_.network.exprs;
+    std::vector<std::size_t> telling;
+    for (std::size_t i = 0; i < invariants_.size(); ++i)
+        if (choices_.tell_of(free_in_[i])) telling.push_back(i);
     choices_.begin();
     do {
         if (ablations_.steady && !choices_.as_at_first()) continue;
@@ -324,7 +327,7 @@ void LocalBuilder::add_copies(const Network::Edge& free, Id<Expr> always, Networ
             copy.urgent = urgent;
             to.edges.add(copy);
         };
-        const Id<Expr> guard = exprs.conjunction(choices_.chosen(free.guard), known_of_choices());
+        const Id<Expr> guard = exprs.conjunction(choices_.chosen(free.guard), known_of_choices(telling));
         add(exprs.conjunction(always, guard), true);
         if (guard != always) add(guard, false);
     } while (choices_.next());
@@ -338,11 +341,11 @@ std::vector<Id<Network::Variable>> LocalBuilder::free_in(Id<Expr> invariant) con
     return free;
 }
 
-/// What invariants say of what is kept, in the state that the edge leaves, where the choices have the values at hand.
-Id<Expr> LocalBuilder::known_of_choices() {
+/// What these invariants say of what is kept, in the state that the edge leaves, where the choices have the values at hand.
+Id<Expr> LocalBuilder::known_of_choices(const std::vector<std::size_t>& telling) {
     Exprs& exprs = made_.network.exprs;
     std::vector<Id<Expr>> all;
-    for (std::size_t i = 0; i < invariants_.size(); ++i) {
+    for (const std::size_t i : telling) {
         const std::optional<std::vector<Choices::Values>> possible = choices_.possible_before(free_in_[i]);
         if (!possible) continue;
         std::vector<Id<Expr>> cases;
