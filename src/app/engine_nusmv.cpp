@@ -12,14 +12,16 @@
 
 namespace grafverif::app {
 
-std::optional<Report> check_by_nusmv(const SystemToCheck& check, const std::string& program,
+std::optional<Report> check_by_nusmv(const SystemToCheck& whole, const std::string& program,
                                      const CheckOptions& options, Diagnostics& diagnostics) {
     const auto path = find_program(program);
     if (!path) {
         diagnostics.add(messages::missing_program(program, "--engine symbolic"));
         return {};
     }
-    if (!fits(check.system, program, diagnostics)) return {};
+    if (!fits(whole.system, program, diagnostics)) return {};
+    const TransitionSystem narrow = nusmv::narrow(whole.system);
+    const SystemToCheck check{narrow, whole.charts, whole.abstraction, whole.network};
     const SystemSpelling spelling = nusmv::spelling(check.system);
     const std::vector<std::size_t> properties = asked_properties(check.system, options.properties);
     std::ostringstream model;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "emit/wide.hpp"
 
+#include <algorithm>
 #include <string>
-#include <vector>
 
-#include "ir/flat_system.hpp"
 #include "ir/interval.hpp"
 #include "support/messages.hpp"
 
@@ -19,9 +18,9 @@ public:
         : target_(target), diagnostics_(diagnostics), errors_(diagnostics.errors()) {}
 
     void add(Span where, const std::string& what) {
-        if (where == last_ && diagnostics_.errors() != errors_) return;
+        if (where == last_ && !none()) return;
         last_ = where;
-        diagnostics_.add(messages::too_wide(where, what, target_));
+        diagnostics_.add(messages::beyond_32_bits(where, what, target_));
     }
     bool none() const { return diagnostics_.errors() == errors_; }
 
@@ -32,82 +31,100 @@ private:
     Span last_ = {};
 };
 
-std::string of_property(const Property& property) { return "property `" + property.name + '`'; }
+Type type_of(const Network& network, const Expr& leaf) {
+    return leaf.op == Op::Variable ? network.variables[{static_cast<std::uint32_t>(leaf.value)}].type : Type{};
+}
 
-class NetworkPlaces {
+/// One template: its terms are computed as they stand, whatever its constants are.
+class TemplatePlaces {
 public:
-    NetworkPlaces(const Network& network, Places& places)
-        : network_(network), places_(places), wide_(wide_terms(network.exprs, [&](const Expr& leaf) {
-              return leaf.op == Op::Variable ? network.variables[{static_cast<std::uint32_t>(leaf.value)}].type
-                                             : Type{};
-          })) {}
+    TemplatePlaces(const Network& network, Id<Network::Template> id, Places& places)
+        : network_(network), automaton_(network.templates[id]), places_(places) {
+        for (const Network::Parameter& parameter : automaton_.parameters) types_.push_back(parameter.type);
+        fit_constants(id);
+        wide_ = wide_terms(network.exprs, [&](const Expr& leaf) {
+            return leaf.op == Op::Parameter ? types_[static_cast<std::size_t>(leaf.value)] : type_of(network, leaf);
+        });
+    }
 
     void add_all() {
-        for (const Network::Template& automaton : network_.templates) {
-            for (const Network::Location& location : automaton.locations) add(location.invariant, location.origin);
-            for (const Network::Procedure& procedure : automaton.procedures)
-                add(procedure.assignments, automaton.origin);
-            for (const Network::Edge& edge : automaton.edges) {
-                if (wide_[edge.guard.index]) places_.add(edge.origin, "the guard of an edge");
-                add(edge.constraint, edge.origin);
-                add(edge.assignments, edge.origin);
-            }
+        for (std::size_t k = 0; k < types_.size(); ++k)
+            if (!types_[k].boolean && is_wide(types_[k].low, types_[k].high))
+                places_.add(automaton_.origin, '`' + automaton_.parameters[{static_cast<std::uint32_t>(k)}].name + '`');
+        for (const Network::Location& location : automaton_.locations) add(location.invariant, location.origin);
+        for (const Network::Procedure& procedure : automaton_.procedures) add(procedure.assignments, automaton_.origin);
+        for (const Network::Edge& edge : automaton_.edges) {
+            if (wide_[edge.guard.index]) places_.add(edge.origin, "the guard of an edge");
+            add(edge.constraint, edge.origin);
+            add(edge.assignments, edge.origin);
         }
-        for (const Property& property : network_.properties)
-            for (const Id<Expr> operand : property.operands)
-                if (wide_[operand.index]) places_.add(property.origin, of_property(property));
     }
 
 private:
+    /// Of constants the values that processes give.
+    void fit_constants(Id<Network::Template> id) {
+        std::vector<bool> given(types_.size());
+        for (const Network::Process& process : network_.processes)
+            for (std::size_t k = 0; process.automaton == id && k < process.arguments.size(); ++k) {
+                const auto* const value = std::get_if<std::int64_t>(&process.arguments[k]);
+                if (value == nullptr || types_[k].boolean) continue;
+                types_[k].low = given[k] ? std::min(types_[k].low, *value) : *value;
+                types_[k].high = given[k] ? std::max(types_[k].high, *value) : *value;
+                given[k] = true;
+            }
+    }
+
     void add(const std::vector<Network::ClockConstraint>& constraints, Span where) {
-        constexpr std::int64_t longest = (std::int64_t{1} << 30U) - 2;
-        for (const Network::ClockConstraint& constraint : constraints) {
-            const Expr& bound = network_.exprs[constraint.bound];
-            if (wide_[constraint.bound.index] || bound.value > longest)
-                places_.add(where, "what a clock is compared with");
-        }
+        for (const Network::ClockConstraint& constraint : constraints)
+            if (wide_[constraint.bound.index]) places_.add(where, "what a clock is compared with");
     }
 
     void add(const std::vector<Network::Assignment>& assignments, Span where) {
         for (const Network::Assignment& assignment : assignments) {
             if (!wide_[assignment.target.index] && !wide_[assignment.value.index]) continue;
             const Expr& target = network_.exprs[assignment.target];
-            places_.add(where, '`' + network_.variables[{static_cast<std::uint32_t>(target.value)}].told_name() + '`');
+            const auto index = static_cast<std::uint32_t>(target.value);
+            places_.add(where, '`' +
+                                   (target.op == Op::Parameter ? automaton_.parameters[{index}].name
+                                                               : network_.variables[{index}].told_name()) +
+                                   '`');
         }
     }
 
     const Network& network_;
+    const Network::Template& automaton_;
     Places& places_;
-    std::vector<bool> wide_;
+    std::vector<Type> types_ = {};  // per parameter
+    std::vector<bool> wide_ = {};
 };
 
 }  // namespace
 
+std::vector<bool> wide_terms(const Network& network) {
+    return wide_terms(network.exprs, [&](const Expr& leaf) { return type_of(network, leaf); });
+}
+
+std::vector<bool> wide_terms(const FlatSystem& flat) {
+    return wide_terms(flat.exprs,
+                      [&](const Expr& leaf) { return flat.variables[{static_cast<std::uint32_t>(leaf.value)}].type; });
+}
+
 bool fits(const Network& network, std::string_view target, Diagnostics& diagnostics) {
     Places places(target, diagnostics);
-    NetworkPlaces(expand(network), places).add_all();
+    for (const Id<Network::Template> id : network.templates.ids()) TemplatePlaces(network, id, places).add_all();
     return places.none();
 }
 
 bool fits(const TransitionSystem& system, std::string_view target, Diagnostics& diagnostics) {
     Places places(target, diagnostics);
-    FlatSystem flat = flattened(system);
-    std::vector<std::vector<Id<Expr>>> asked;  // per property
-    for (const Property& property : system.properties) {
-        std::vector<Id<Expr>>& operands = asked.emplace_back();
-        for (const Id<Expr> operand : property.operands) operands.push_back(flattened(system, flat, operand));
-    }
-    const std::vector<bool> wide = wide_terms(
-        flat.exprs, [&](const Expr& leaf) { return flat.variables[{static_cast<std::uint32_t>(leaf.value)}].type; });
+    const FlatSystem flat = flattened(system);
+    const std::vector<bool> wide = wide_terms(flat);
     for (const FlatSystem::Variable& variable : flat.variables)
         for (const auto& term : {variable.initial, variable.next})
             if (term && wide[term->index]) places.add(variable.origin, '`' + variable.name + '`');
     for (const auto* terms : {&flat.invariants, &flat.transitions, &flat.justice})
         for (const Id<Expr> term : *terms)
-            if (wide[term.index]) places.add({}, "what the steps of the model keep to");
-    for (const Id<Property> id : system.properties.ids())
-        for (const Id<Expr> operand : asked[id.index])
-            if (wide[operand.index]) places.add(system.properties[id].origin, of_property(system.properties[id]));
+            if (wide[term.index]) places.add({}, "a guard of the plant");
     return places.none();
 }
 

@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: MIT
-// What programs that compute with 32 bits cannot be given.
+// What programs that compute with 32 bits (NuSMV 2.6, UPPAAL) cannot be given: they find other values, and say nothing.
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "grafverif/ir/network.hpp"
-#include "grafverif/ir/transition_system.hpp"
 #include "grafverif/support/diagnostic.hpp"
+#include "ir/flat_system.hpp"
 
 namespace grafverif {
 
-/// Whether integers of 32 bits hold all values in the model; an error (`too-wide`) for each place of it where they may not. Of
-/// clocks: constants up to 2^30 - 2 time units, which difference bounds of 32 bits hold (UPPAAL DBM library: `dbm_INFINITY`).
+/// Why a property is left out.
+inline constexpr const char* too_wide = "it may need integers of more than 32 bits";
+
+/// Per term of the table, whether something in it may need more than 32 bits. Of a network: terms without parameters.
+std::vector<bool> wide_terms(const Network& network);
+std::vector<bool> wide_terms(const FlatSystem& flat);
+
+/// Whether 32 bits do for all that the model does, its properties apart; an error (`beyond-32-bits`) for each place where they may
+/// not. Parameters of templates have the values of their arguments.
 bool fits(const Network& network, std::string_view target, Diagnostics& diagnostics);
 bool fits(const TransitionSystem& system, std::string_view target, Diagnostics& diagnostics);
 

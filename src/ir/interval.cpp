@@ -84,15 +84,17 @@ Interval interval(const Exprs& exprs, Id<Expr> term, const TypeOf& type_of) {
     return interval_of(exprs, term, type_of, [&](Id<Expr> operand) { return interval(exprs, operand, type_of); });
 }
 
+bool is_wide(std::int64_t low, std::int64_t high) {
+    return low < std::numeric_limits<std::int32_t>::min() || high > std::numeric_limits<std::int32_t>::max();
+}
+
 std::vector<bool> wide_terms(const Exprs& exprs, const TypeOf& type_of) {
-    constexpr std::int64_t least_narrow = std::numeric_limits<std::int32_t>::min();
-    constexpr std::int64_t greatest_narrow = std::numeric_limits<std::int32_t>::max();
     std::vector<Interval> intervals;  // operands come before terms
     std::vector<bool> wide;
     for (std::uint32_t index = 0; index < exprs.size(); ++index) {
         const Interval own =
             interval_of(exprs, {index}, type_of, [&](Id<Expr> operand) { return intervals[operand.index]; });
-        wide.push_back(own.low < least_narrow || own.high > greatest_narrow ||
+        wide.push_back(is_wide(own.low, own.high) ||
                        std::ranges::any_of(exprs.operands(Id<Expr>{index}),
                                            [&](Id<Expr> operand) { return wide[operand.index]; }));
         intervals.push_back(own);

@@ -92,8 +92,8 @@ Report check_states(const SystemToCheck& check, const CheckOptions& options, con
 
 /// Of what is asked about single states, what cells decide (check/cells/cells.hpp): the verdicts of the system, without runs.
 /// Where its automata take turns the system has the runs of the network that it was made of, clocks having no say where time is
-/// abstract, up to where that breaks off; and cells tell nothing where something may break off. Sizes as these are tried in a
-/// second or so, most often in much less.
+/// abstract, up to where that breaks off; and cells tell nothing where something may break off. They have a third of the time
+/// that there is, and 20 seconds at most.
 std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
                                       const CellLimits& limits = {.whole = 1U << 15U, .local = 1U << 18U});
 

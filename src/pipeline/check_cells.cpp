@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Cells of untimed models.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <utility>
 
@@ -9,6 +12,17 @@
 #include "pipeline/models.hpp"
 
 namespace grafverif {
+
+namespace {
+
+/// A third of the time that there is, and never long: there are others.
+std::chrono::steady_clock::time_point share_of(std::optional<std::chrono::steady_clock::time_point> deadline) {
+    constexpr std::chrono::seconds most(20);
+    const auto now = std::chrono::steady_clock::now();
+    return deadline ? std::min(now + most, now + (*deadline - now) / 3) : now + most;
+}
+
+}  // namespace
 
 std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOptions& options,
                                       const CellLimits& limits) {
@@ -20,6 +34,11 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
     if (std::ranges::any_of(network.processes, is_observer)) return {};  // they look at the whole
     TimedOptions timed;
     set_limits(timed, options.limits);
+    timed.deadline = share_of(options.limits.deadline);
+    if (options.limits.progress)
+        timed.progress = [&options](const TimedProgress& now) {
+            options.limits.progress({[&now] { return fmt::format("cells: {} states", now.states); }});
+        };
     timed.max_states = limits.local;
     timed.jobs = options.jobs;
     timed.timelock = false;

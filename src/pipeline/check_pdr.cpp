@@ -67,9 +67,11 @@ Report check_together(const SystemToCheck& check, const CheckOptions& options) {
     for (std::string& name : names_asked(check.system, options.properties))
         if (std::ranges::find(decided, name, &Verdict::property) == decided.end())
             all.properties.push_back(std::move(name));
+    // No names would ask for all. Where cells decide nothing breaks off, and without properties that is all that is asked.
     PdrResult result;
-    if (!all.properties.empty()) result = check_together(check.system, all);  // no names would ask for all
-    if (result.fault && !decided.empty()) {                                   // then nothing is decided
+    if (!all.properties.empty() || (decided.empty() && options.properties.empty()))
+        result = check_together(check.system, all);
+    if (result.fault && !decided.empty()) {  // then nothing is decided
         all.properties = names_asked(check.system, options.properties);
         result = check_together(check.system, all);
         decided.clear();

@@ -41,8 +41,8 @@ struct UppaalQuestions {
 };
 UppaalQuestions uppaal_questions(const Network& network, Diagnostics& diagnostics);
 
-/// The network as a C file for LTSmin. Empty after an error, as those of other programs are.
-std::string pins_model(const Network& network, Diagnostics& diagnostics);
+/// The network as a C file for LTSmin.
+std::string pins_model(const Network& network);
 
 /// TransitionSystem -> AIGER, and what its names are to the charts, as JSON. Warns of properties that it cannot be asked.
 struct AigerModel {

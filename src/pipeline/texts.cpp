@@ -38,10 +38,8 @@ UppaalProject uppaal_project(const Network& network, Diagnostics& diagnostics) {
             written([&](std::ostream& out) { uppaal::emit_queries(lowered, out); })};
 }
 
-std::string pins_model(const Network& network, Diagnostics& diagnostics) {
-    const Network with_observers = observed(network, watched(network));
-    if (!fits(with_observers, "C", diagnostics)) return {};
-    return written([&](std::ostream& out) { pins::emit(with_observers, out); });
+std::string pins_model(const Network& network) {
+    return written([&](std::ostream& out) { pins::emit(observed(network, watched(network)), out); });
 }
 
 UppaalQuestions uppaal_questions(const Network& network, Diagnostics& diagnostics) {
@@ -93,10 +91,11 @@ std::string btor2_model(const TransitionSystem& system, Diagnostics& diagnostics
 
 std::string nusmv_model(const TransitionSystem& system, Diagnostics& diagnostics) {
     if (!fits(system, "NuSMV", diagnostics)) return {};
-    for (const TransitionSystem::Omitted& omitted : system.omitted)
+    const TransitionSystem narrow = nusmv::narrow(system);
+    for (const TransitionSystem::Omitted& omitted : narrow.omitted)
         diagnostics.add(
             messages::not_expressible(omitted.property.origin, omitted.property.name, "NuSMV", omitted.reason));
-    return written([&](std::ostream& out) { nusmv::emit(system, out); });
+    return written([&](std::ostream& out) { nusmv::emit(narrow, out); });
 }
 
 std::optional<std::string> structured_text_of(const Equations& equations, ExecutionMode mode, Diagnostics& diagnostics,

@@ -104,8 +104,8 @@ Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std:
                  fmt::format("the file has several {}s: {}; choose with `{}`", kind, listed(known), option));
 }
 
-Diagnostic too_wide(Span where, std::string_view what, std::string_view target) {
-    return error("too-wide", where,
+Diagnostic beyond_32_bits(Span where, std::string_view what, std::string_view target) {
+    return error("beyond-32-bits", where,
                  fmt::format("{} may need integers of more than 32 bits, which {} does not have: it would find another "
                              "value and not say so; make the ranges or the constants smaller",
                              what, target));

@@ -28,7 +28,7 @@ Diagnostic cure_left_out(std::string_view cure);
 Diagnostic missing_program(std::string_view program, std::string_view instead);
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known);
 Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std::span<const std::string> known);
-Diagnostic too_wide(Span where, std::string_view what, std::string_view target);
+Diagnostic beyond_32_bits(Span where, std::string_view what, std::string_view target);
 Diagnostic not_expressible(Span property, std::string_view name, std::string_view target, std::string_view reason);
 
 // -- reading ---------------------------------------------------------------------------------------------------------

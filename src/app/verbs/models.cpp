@@ -32,7 +32,7 @@ ExitCode uppaal(Job& job, const Streams& streams) {
 ExitCode pins(Job& job, const Streams& streams) {
     const auto network = timed_model(job);
     if (!network) return ExitCode::Input;
-    const std::string text = pins_model(*network, job.diagnostics);
+    const std::string text = pins_model(*network);
     if (!job.diagnostics.has_errors()) deliver(text, job, streams);
     return ExitCode::Done;
 }

@@ -3,6 +3,7 @@
 // one name that it does not know.
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -10,6 +11,7 @@
 
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/nusmv/text.hpp"
+#include "emit/wide.hpp"
 #include "syntax/print/formula.hpp"
 
 namespace grafverif::nusmv {
@@ -81,12 +83,8 @@ private:
     std::unordered_set<std::string> values_ = {};
 };
 
-}  // namespace
-
-System sayable(System system) {
-    const auto passed_through = [](const Property& property) { return formula_language(property.pattern).has_value(); };
-    if (std::ranges::none_of(system.properties, passed_through)) return system;
-    const KnownNames names(system);
+/// `system` with those properties omitted that `fault` says something of.
+System without_faulty(System system, const std::function<std::optional<std::string>(const Property&)>& fault) {
     Table<Property> kept;
     std::vector<System::Omitted> omitted;
     auto before = system.omitted.begin();
@@ -95,11 +93,13 @@ System sayable(System system) {
             omitted.push_back(*before);
             omitted.back().before = kept.size();
         }
-        const Property& property = system.properties[id];
-        const auto language = formula_language(property.pattern);
-        const auto fault = language ? formula_fault(*language, property.raw, std::cref(names)) : std::nullopt;
-        if (fault) omitted.push_back({property, fault->what, kept.size()});
-        else kept.add(property);
+        Property property = system.properties[id];
+        if (auto what = fault(property)) {
+            property.operands.clear();
+            omitted.push_back({std::move(property), std::move(*what), kept.size()});
+        } else {
+            kept.add(std::move(property));
+        }
     }
     for (; before != system.omitted.end(); ++before) {
         omitted.push_back(*before);
@@ -108,6 +108,33 @@ System sayable(System system) {
     system.properties = std::move(kept);
     system.omitted = std::move(omitted);
     return system;
+}
+
+}  // namespace
+
+System sayable(System system) {
+    const auto passed_through = [](const Property& property) { return formula_language(property.pattern).has_value(); };
+    if (std::ranges::none_of(system.properties, passed_through)) return system;
+    const KnownNames names(system);
+    return without_faulty(system, [&](const Property& property) -> std::optional<std::string> {
+        const auto language = formula_language(property.pattern);
+        const auto fault = language ? formula_fault(*language, property.raw, std::cref(names)) : std::nullopt;
+        return fault ? std::optional(fault->what) : std::nullopt;
+    });
+}
+
+System narrow(System system) {
+    FlatSystem flat = flattened(system);
+    std::vector<Id<Expr>> terms;
+    for (const Property& property : system.properties)
+        for (const Id<Expr> operand : property.operands) terms.push_back(flattened(system, flat, operand));
+    const std::vector<bool> wide = wide_terms(flat);
+    if (std::ranges::none_of(terms, [&](Id<Expr> term) { return wide[term.index]; })) return system;
+    return without_faulty(system, [&](const Property& property) -> std::optional<std::string> {
+        const bool any = std::ranges::any_of(
+            property.operands, [&](Id<Expr> operand) { return wide[flattened(system, flat, operand).index]; });
+        return any ? std::optional<std::string>(too_wide) : std::nullopt;
+    });
 }
 
 }  // namespace grafverif::nusmv

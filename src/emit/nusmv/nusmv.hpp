@@ -28,7 +28,11 @@ namespace grafverif::nusmv {
 /// has not, by the names it is written with, or use it for what it is not.
 TransitionSystem sayable(TransitionSystem system);
 
-/// Requires verify(system).empty().
+/// `system` with those properties omitted that may need integers of more than 32 bits: NuSMV would find other values, and say
+/// nothing. Formulas that are passed through say what they say.
+TransitionSystem narrow(TransitionSystem system);
+
+/// Requires verify(system).empty(), and that the system fits (emit/wide.hpp).
 void emit(const TransitionSystem& system, std::ostream& out);
 
 /// The names that stand in the model that `emit` writes.

@@ -2,11 +2,13 @@
 // Pattern by pattern: what each property means as a formula of UPPAAL, or why it has none.
 #include "emit/uppaal/queries.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <unordered_set>
 
 #include "emit/uppaal/text.hpp"
 #include "emit/uppaal/uppaal.hpp"
+#include "emit/wide.hpp"
 #include "ir/step_names.hpp"
 #include "support/overloaded.hpp"
 #include "support/printable.hpp"
@@ -45,7 +47,8 @@ std::string_view remark(const Property& property) {
 
 class Writer {
 public:
-    Writer(const Network& network, const Names& names) : network_(network), terms_(network, names), names_(names) {}
+    Writer(const Network& network, const Names& names)
+        : network_(network), terms_(network, names), names_(names), wide_(wide_terms(network)) {}
 
     std::vector<Query> all() {
         std::vector<Query> list;
@@ -58,6 +61,8 @@ private:
         const Property& property = network_.properties[id];
         std::string why(reason(property.pattern));
         if (property.pattern == Pattern::RawUppaal) why = what_it_lacks(property.raw);
+        if (std::ranges::any_of(property.operands, [&](Id<Expr> operand) { return wide_[operand.index]; }))
+            why = too_wide;
         if (!why.empty()) {
             list.push_back({id, property.name, {}, headline(property, property.name) + ": left out; " + why, {}, why});
             return;
@@ -162,6 +167,7 @@ private:
     const Network& network_;
     Terms terms_;
     const Names& names_;
+    std::vector<bool> wide_;
     std::unordered_set<std::string> known_ = {};  ///< what formulas may name; made when one asks
 };
 
