@@ -17,6 +17,7 @@
 #include "app/system/process.hpp"
 #include "check/together.hpp"
 #include "grafverif/grafverif.hpp"
+#include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 

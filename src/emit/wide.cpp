@@ -43,7 +43,9 @@ public:
         for (const Network::Parameter& parameter : automaton_.parameters) types_.push_back(parameter.type);
         fit_constants(id);
         wide_ = wide_terms(network.exprs, [&](const Expr& leaf) {
-            return leaf.op == Op::Parameter ? types_[static_cast<std::size_t>(leaf.value)] : type_of(network, leaf);
+            if (leaf.op != Op::Parameter) return type_of(network, leaf);
+            const auto index = static_cast<std::size_t>(leaf.value);  // of this template, or of another with more
+            return index < types_.size() ? types_[index] : Type{};
         });
     }
 

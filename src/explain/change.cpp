@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ir/network_run.hpp"
+#include "ir/patterns.hpp"
 
 namespace grafverif {
 

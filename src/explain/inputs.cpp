@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "explain/causes.hpp"
+#include "ir/patterns.hpp"
 #include "run/project.hpp"
 #include "run/replay.hpp"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ir/network_run.hpp"
+#include "ir/patterns.hpp"
 
 namespace grafverif {
 

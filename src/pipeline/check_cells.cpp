@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "explain/moves.hpp"
+#include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 

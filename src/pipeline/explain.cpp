@@ -15,6 +15,7 @@
 #include "explain/moves.hpp"
 #include "explain/settling.hpp"
 #include "ir/network_run.hpp"
+#include "ir/patterns.hpp"
 
 namespace grafverif {
 

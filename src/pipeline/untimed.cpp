@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ir/flat_system.hpp"
+#include "ir/patterns.hpp"
 
 namespace grafverif {
 

@@ -15,6 +15,7 @@
 #include "check/cells/cells.hpp"
 #include "check/timed/timed.hpp"
 #include "explain/drop.hpp"
+#include "ir/patterns.hpp"
 #include "pipeline/models.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/chart.hpp"

@@ -10,6 +10,7 @@
 #include "check/symbolic/symbolic.hpp"
 #include "ir/network_cells.hpp"
 #include "ir/network_run.hpp"
+#include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "support/law_size.hpp"

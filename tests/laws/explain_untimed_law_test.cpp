@@ -15,6 +15,7 @@
 #include "check/symbolic/symbolic.hpp"
 #include "explain/inputs.hpp"
 #include "grafverif/grafverif.hpp"
+#include "ir/patterns.hpp"
 #include "run/interpreter.hpp"
 #include "run/project.hpp"
 #include "run/replay.hpp"

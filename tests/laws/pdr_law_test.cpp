@@ -10,6 +10,7 @@
 #include "check/pdr/check.hpp"
 #include "check/pdr/pdr.hpp"
 #include "check/symbolic/symbolic.hpp"
+#include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
 #include "run/project.hpp"
 #include "run/replay.hpp"

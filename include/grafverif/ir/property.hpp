@@ -29,16 +29,6 @@ enum class Pattern {
     RawLtl,  ///< `raw`, passed through to the target that speaks it
 };
 
-/// Whether it says something of every state by itself: a run to one state violates it.
-inline bool is_about_all_states(Pattern pattern) {
-    return pattern == Pattern::Always || pattern == Pattern::Never || pattern == Pattern::ExactlyOneOf;
-}
-
-/// Likewise of every state, or of some state: what decides it is which states there are, not how runs go on.
-inline bool is_about_single_states(Pattern pattern) {
-    return is_about_all_states(pattern) || pattern == Pattern::Reachable;
-}
-
 /// The greatest count of a sentence: its observer has two places for each.
 inline constexpr std::int64_t greatest_count = 100;
 

@@ -12,6 +12,7 @@
 
 #include "check/cells/faults.hpp"
 #include "check/timed/questions.hpp"
+#include "ir/patterns.hpp"
 
 namespace grafverif {
 

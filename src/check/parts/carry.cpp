@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ir/patterns.hpp"
+
 namespace grafverif {
 
 namespace {

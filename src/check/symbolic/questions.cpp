@@ -7,6 +7,7 @@
 
 #include "check/refusal.hpp"
 #include "check/symbolic/lost.hpp"
+#include "ir/patterns.hpp"
 
 namespace grafverif::symbolic {
 

@@ -8,6 +8,7 @@
 
 #include "check/timed/lost.hpp"
 #include "check/timed/questions.hpp"
+#include "ir/patterns.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif::timed {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "ir/patterns.hpp"
 #include "support/messages_choice.hpp"
 #include "syntax/resolve/nearest_of.hpp"
 

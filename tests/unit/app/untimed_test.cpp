@@ -272,8 +272,8 @@ std::string counter(const std::string& step, const std::string& properties) {
            "step 1 { " +
            step +
            " } transition up: 0 -> 1 when A && N < 10; transition down: 1 -> 0 when !A; }\n"
-           "component mover(output S; constant K = 1) { variable X: int 0..10;\n"
-           "initial location off; location on; off -> on when X < K * K / 100000000 do S := true; }\n"
+           "component mover(output S; K = 1) { variable X: int 0..10;\n"
+           "initial location off; location on; urgent off -> on when X < K * K / 100000000 do S := true; }\n"
            "closed_loop room { controller counter; plant m = mover(S = A);\n" +
            properties + " }\n";
 }
