@@ -307,7 +307,7 @@ TEST(Models, WhatNeedsMoreThan32BitsIsRefusedWhereItStands) {
          {std::vector<std::string>{"nusmv", chart}, {"uppaal", chart}, {"build", chart}}) {
         const Result refused = grafverif(command);
         EXPECT_EQ(refused.code, ExitCode::Input) << command.front();
-        EXPECT_NE(refused.err.find("`N` may need integers of more than 32 bits"), std::string::npos) << refused.err;
+        EXPECT_NE(refused.err.find("N` may need integers of more than 32 bits"), std::string::npos) << refused.err;
         EXPECT_NE(refused.err.find("[beyond-32-bits]"), std::string::npos);
         EXPECT_EQ(refused.out, "");
     }
