@@ -94,8 +94,11 @@ public:
            const Report& report)
         : model_(model), loop_(loop), how_(how), options_(options) {
         std::uint64_t states = 0;
-        for (const Answer& answer : report.answers)
+        for (const Answer& answer : report.answers) {
             states = std::max<std::uint64_t>(states, std::stoull("0" + answer.verdict.states));
+            // What cells have decided they decide again, most often: the whole need not be looked at for long before.
+            if (answer.verdict.scope.cells) cells_.whole = std::uint64_t{1} << 12U;
+        }
         most_states_ = std::max<std::uint64_t>(8 * states, 100'000);
     }
 
@@ -131,7 +134,8 @@ private:
         timed.timelock = false;
         if (stopped()) return {};
         ++why_.searches;
-        TimedResult result = options_.whole ? check_timed(network, timed) : check_timed_by_cells(network, timed);
+        TimedResult result =
+            options_.whole ? check_timed(network, timed) : check_timed_by_cells(network, timed, cells_);
         return std::move(result.verdicts);
     }
 
@@ -395,6 +399,7 @@ private:
     const ModelOptions& how_;
     const CheckOptions& options_;
     std::uint64_t most_states_ = 0;
+    CellLimits cells_ = {};
     std::vector<std::string> told_ = {};  // per process of the network
     Why why_ = {};
 };
