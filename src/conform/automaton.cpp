@@ -18,7 +18,7 @@
 #include "conform/moves.hpp"
 #include "ir/words_of.hpp"
 #include "support/messages.hpp"
-#include "syntax/print/dialect.hpp"
+#include "syntax/print/chart.hpp"
 
 namespace grafverif {
 
@@ -295,9 +295,7 @@ private:
 /// As conditions write it: `3s/X2`, `3s/a/2s`.
 std::string name_of(const Equations& equations, const Equations::Timer& timer) {
     const std::string watched = watched_name(equations, timer);
-    return (timer.rise_ms > 0 ? duration_text(timer.rise_ms) + "/" : "") +
-           (watched.empty() ? equations.variables[timer.watched].name : watched) +
-           (timer.fall_ms > 0 ? "/" + duration_text(timer.fall_ms) : "");
+    return time_text(timer.rise_ms, watched.empty() ? equations.variables[timer.watched].name : watched, timer.fall_ms);
 }
 
 /// Inputs of the chart, then the ends of its timers; per variable of the equations which input it is.

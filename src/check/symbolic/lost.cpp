@@ -23,10 +23,9 @@ class Lost {
 public:
     Lost(const System& system, FlatSystem& flat, const StateSpace& model, Bdd behind)
         : system_(system), flat_(flat), model_(model), behind_(std::move(behind)) {
-        const bool several = system.controllers.size() > 1;
         for (const System::Controller& controller : system.controllers) {
-            const std::string prefix = several ? controller.words.name + "." : "";
-            for (const auto& step : controller.words.steps) add_name(step.variable, prefix + step.name.variable());
+            for (const auto& step : controller.words.steps)
+                add_name(step.variable, prefix_of(controller) + step.name.variable());
             for (const auto* list : {&controller.words.inputs, &controller.words.outputs, &controller.words.internals})
                 for (const System::Named& named : *list) add_name(named.variable, named.name);
         }
@@ -38,7 +37,7 @@ public:
             for (const System::Named& transition : controller.words.transitions) {
                 if (is_cleared(controller, transition)) continue;
                 text += text.empty() ? "" : ", ";
-                text += (system_.controllers.size() > 1 ? controller.words.name + "." : "") + transition.name;
+                text += prefix_of(controller) + transition.name;
                 const std::string why = false_part(flat_.symbols[transition.variable.index]);
                 if (!why.empty()) text += " (" + why + " stays false)";
             }
@@ -46,6 +45,10 @@ public:
     }
 
 private:
+    std::string prefix_of(const System::Controller& controller) const {
+        return system_.controllers.size() > 1 ? controller.words.name + "." : "";
+    }
+
     void add_name(Id<System::Symbol> symbol, const std::string& name) {
         const Expr& value = flat_.exprs[flat_.symbols[symbol.index]];
         if (value.op == Op::Variable) names_.emplace(value.value, name);

@@ -6,6 +6,7 @@
 
 #include "check/lost_text.hpp"
 #include "ir/step_names.hpp"
+#include "syntax/print/chart.hpp"
 
 namespace grafverif::timed {
 
@@ -124,7 +125,7 @@ std::string lost_words(Graph& graph, std::uint32_t from, const Limits& limits) {
             if (still[id.index][k]) continue;
             const Named& transition = controller.words.transitions[k];
             text += text.empty() ? "" : ", ";
-            text += (network.controllers.size() > 1 ? controller.words.name + "." : "") + transition.name;
+            text += prefix_of(network, controller) + transition.name;
             const std::string why = false_part(graph, condition_of(network, controller, transition), states);
             if (!why.empty()) text += " (" + why + " stays false)";
         }
