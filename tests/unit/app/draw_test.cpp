@@ -27,7 +27,7 @@ std::string class_of(const pugi::xml_node& node) { return node.attribute("class"
 
 TEST(Draw, NothingLiesOnAnythingElseInAnySampleOrElementOfTheStandard) {
     int drawn = 0;
-    for (const fs::path& folder : {root / "samples", root / "tests/unit/app/elements"})
+    for (const fs::path& folder : {root / "samples", root / "bench/stations", root / "tests/unit/app/elements"})
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
             if (entry.path().extension() != ".grafcet") continue;
             const Reading reading = read_file(entry.path().string());

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Times `check` on the stations of this folder: bench/stations/measure.sh [PROGRAM [SECONDS [OPTION...]]].
+# For each station: all properties in one run with default options, then each property in its own run. PROGRAM is
+# build/release/bin/grafverif; SECONDS (60) limits each run, and each may use 2 GiB; options are passed to `check`.
+# A line has the elapsed seconds and the summary of the run.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+program=${1:-build/release/bin/grafverif} limit=${2:-60}
+shift $(($# < 2 ? $# : 2))
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# run NAME OPTIONS...: one line about one run
+run() {
+    local name=$1 begin end
+    shift
+    begin=$(date +%s%N)
+    "$program" check "$@" --timeout "${limit}s" --max-memory 2G >"$folder/out" 2>"$folder/err" || true
+    end=$(date +%s%N)
+    printf '%-40s %6s s  %s\n' "$name" "$(bc <<<"scale=1; $((end - begin)) / 1000000000")" "$(tail -1 "$folder/out")"
+}
+
+for station in bench/stations/*.grafcet; do
+    run "$(basename "$station")" "$station" "$@"
+    "$program" check "$station" --list | cut -f3 | while read -r property; do
+        run "    $property" "$station" --property "$property" "$@"
+    done
+done
