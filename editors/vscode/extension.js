@@ -4,6 +4,7 @@
 const vscode = require("vscode");
 const { LanguageClient } = require("vscode-languageclient/node");
 
+/** @type {LanguageClient | undefined} */
 let client;
 
 function made() {
@@ -12,7 +13,7 @@ function made() {
     return new LanguageClient("grafverif", "grafverif", server, {
         documentSelector: [{ language: "grafcet" }],
         middleware: {
-            // From the palette a command says nothing of what it is for: then it is for the file one looks at.
+            // The palette gives a command no arguments: then it is for the file in the active editor.
             executeCommand: (command, given, next) => {
                 const editor = vscode.window.activeTextEditor;
                 return next(command, given.length > 0 || !editor ? given : [editor.document.uri.toString()]);
@@ -26,7 +27,8 @@ async function start() {
     try {
         await client.start();
     } catch (failure) {
-        const what = `grafverif does not start: ${failure.message || failure}. Install it, or say where it is.`;
+        const reason = failure instanceof Error ? failure.message : String(failure);
+        const what = `grafverif does not start: ${reason}. Install it, or say where it is.`;
         if ((await vscode.window.showErrorMessage(what, "Settings")) === "Settings")
             await vscode.commands.executeCommand("workbench.action.openSettings", "grafverif.path");
     }
@@ -38,6 +40,7 @@ async function stop() {
     if (old) await old.dispose().catch(() => undefined);
 }
 
+/** @param {vscode.ExtensionContext} context */
 exports.activate = async (context) => {
     const restart = async () => {
         await stop();

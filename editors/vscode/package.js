@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: MIT
-// npm run package [-- FILE]: the extension as FILE (default: grafcet-VERSION.vsix), with what it needs at run time from
-// node_modules. The same sources give the same bytes.
+// npm run package [-- FILE]: packs the extension as FILE (default: grafcet-VERSION.vsix). Its code, with the modules that it
+// needs at run time, is one file, written by esbuild. The same sources give the same bytes.
 "use strict";
 const fs = require("fs");
 const path = require("path");
+const { buildSync } = require("esbuild");
 const { zipSync, strToU8 } = require("fflate");
 
 const own = __dirname;
 const about = JSON.parse(fs.readFileSync(path.join(own, "package.json"), "utf8"));
 const modules = path.resolve(process.env.GRAFVERIF_NODE_MODULES || path.join(own, "node_modules"));
 
-const types = { js: "application/javascript", json: "application/json", md: "text/markdown", svg: "image/svg+xml",
+// The address of the repository is declared in one place, CMakeLists.txt; without one, the extension names none.
+const [, repository] = /HOMEPAGE_URL "([^"]*)"/.exec(fs.readFileSync(path.join(own, "../../CMakeLists.txt"), "utf8"));
+if (repository) about.repository = { type: "git", url: `${repository}.git`, directory: "editors/vscode" };
+delete about.scripts;
+delete about.devDependencies;
+delete about.dependencies;  // bundled
+
+const types = { js: "application/javascript", json: "application/json", md: "text/markdown", png: "image/png", svg: "image/svg+xml",
     txt: "text/plain", sh: "application/x-sh", vsixmanifest: "text/xml" };
 
 const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
@@ -28,9 +36,11 @@ const manifest = `<?xml version="1.0" encoding="utf-8"?>
       <Property Id="Microsoft.VisualStudio.Code.Engine" Value="${escaped(about.engines.vscode)}" />
       <Property Id="Microsoft.VisualStudio.Code.ExtensionDependencies" Value="" />
       <Property Id="Microsoft.VisualStudio.Code.ExtensionPack" Value="" />
-      <Property Id="Microsoft.VisualStudio.Code.ExtensionKind" Value="workspace" />
+      <Property Id="Microsoft.VisualStudio.Code.ExtensionKind" Value="workspace" />${repository ? `
+      <Property Id="Microsoft.VisualStudio.Services.Links.Source" Value="${escaped(repository)}" />` : ""}
     </Properties>
     <License>extension/LICENSE.txt</License>
+    <Icon>extension/${about.icon}</Icon>
   </Metadata>
   <Installation>
     <InstallationTarget Id="Microsoft.VisualStudio.Code" />
@@ -39,7 +49,9 @@ const manifest = `<?xml version="1.0" encoding="utf-8"?>
   <Assets>
     <Asset Type="Microsoft.VisualStudio.Code.Manifest" Path="extension/package.json" Addressable="true" />
     <Asset Type="Microsoft.VisualStudio.Services.Content.Details" Path="extension/README.md" Addressable="true" />
+    <Asset Type="Microsoft.VisualStudio.Services.Content.Changelog" Path="extension/CHANGELOG.md" Addressable="true" />
     <Asset Type="Microsoft.VisualStudio.Services.Content.License" Path="extension/LICENSE.txt" Addressable="true" />
+    <Asset Type="Microsoft.VisualStudio.Services.Icons.Default" Path="extension/${about.icon}" Addressable="true" />
   </Assets>
 </PackageManifest>
 `;
@@ -61,27 +73,37 @@ function filesBelow(folder, wanted) {
 }
 
 const files = { "extension.vsixmanifest": strToU8(manifest), "[Content_Types].xml": strToU8(contentTypes) };
-function put(name, file) {
-    const mode = name.endsWith(".sh") ? 0o100755 : 0o100644;
-    files[`extension/${name.split(path.sep).join("/")}`] = [fs.readFileSync(file), { os: 3, attrs: mode << 16 }];
+function add(name, bytes, mode = 0o100644) {
+    files[`extension/${name.split(path.sep).join("/")}`] = [bytes, { os: 3, attrs: mode << 16 }];
 }
+function put(name, file) { add(name, fs.readFileSync(file)); }
 
-for (const name of ["package.json", "extension.js", "language-configuration.json", "README.md"]) put(name, path.join(own, name));
-for (const folder of ["icons", "snippets", "syntaxes"])
+add("package.json", strToU8(`${JSON.stringify(about, null, 4)}\n`));
+for (const name of ["language-configuration.json", "README.md", "CHANGELOG.md"]) put(name, path.join(own, name));
+for (const folder of ["icons", "pictures", "snippets", "syntaxes"])
     for (const file of filesBelow(path.join(own, folder), () => true)) put(path.relative(own, file), file);
 put("LICENSE.txt", path.join(own, "../../LICENSE"));
 
-// What the lock file does not call a tool of developers is needed at run time: its code and its licence.
+const bundle = buildSync({
+    entryPoints: [path.join(own, "extension.js")], bundle: true, minify: true, write: false, metafile: true,
+    absWorkingDir: own, nodePaths: [modules], platform: "node", target: "node18", external: ["vscode"], legalComments: "none",
+});
+add("extension.js", bundle.outputFiles[0].contents);
+// The language client runs this script, next to its code, to end a server that does not end.
+const script = "terminateProcess.sh";
+add(script, fs.readFileSync(path.join(modules, "vscode-languageclient/lib/node", script)), 0o100755);
+
+// The licences of the modules that the bundle contains.
 const lock = JSON.parse(fs.readFileSync(path.join(own, "package-lock.json"), "utf8"));
-const needed = (name) => Object.hasOwn(types, path.extname(name).slice(1)) || /^licen[cs]e/i.test(name);
-for (const [place, module] of Object.entries(lock.packages)) {
-    if (!place || module.dev) continue;
-    const folder = path.join(modules, path.relative("node_modules", place));
-    for (const file of filesBelow(folder, needed)) {
-        const inside = path.join(place, path.relative(folder, file));
-        put(path.extname(file) ? inside : `${inside}.txt`, file);  // the table of types goes by extensions
-    }
+const bundled = new Set(Object.keys(bundle.metafile.inputs)
+    .map((input) => /^.*?(node_modules\/(?:.*node_modules\/)?(?:@[^/]+\/)?[^/]+)\//.exec(input)?.[1]).filter(Boolean));
+let notices = "The extension contains these modules.\n";
+for (const name of [...bundled].sort()) {
+    const folder = path.join(modules, path.relative("node_modules", name));
+    const licence = filesBelow(folder, (file) => /^licen[cs]e/i.test(file)).find((file) => path.dirname(file) === folder);
+    notices += `\n---- ${path.relative("node_modules", name)} ${lock.packages[name].version} ----\n\n${fs.readFileSync(licence, "utf8").trim()}\n`;
 }
+add("ThirdPartyNotices.txt", strToU8(notices));
 
 const target = process.argv[2] || path.join(own, `${about.name}-${about.version}.vsix`);
 fs.writeFileSync(target, zipSync(files, { level: 9, mtime: new Date(1980, 0, 1) }));

@@ -19,6 +19,22 @@ const slip = "grafcet lamp {\n    input BUTTON;\n    initial step 0;\n    transi
 const contributed = JSON.parse(fs.readFileSync(path.join(process.env.GRAFVERIF_EXTENSION, "package.json"), "utf8"))
     .contributes.commands.map((one) => one.command);
 
+test("the package has what a marketplace shows, and its code in one file", () => {
+    const inside = (name) => path.join(process.env.GRAFVERIF_EXTENSION, name);
+    const about = JSON.parse(fs.readFileSync(inside("package.json"), "utf8"));
+    const icon = fs.readFileSync(inside(about.icon));
+    assert.deepStrictEqual([icon.toString("latin1", 1, 4), icon.readUInt32BE(16), icon.readUInt32BE(20)], ["PNG", 128, 128]);
+    assert.ok(fs.readFileSync(inside("CHANGELOG.md"), "utf8").includes(`## ${about.version}`));
+    const pictures = [...fs.readFileSync(inside("README.md"), "utf8").matchAll(/!\[[^\]]+\]\(([^)]+)\)/g)].map((found) => found[1]);
+    assert.ok(pictures.length > 0 && pictures.every((picture) => fs.existsSync(inside(picture))), `${pictures}`);
+    assert.ok(!fs.existsSync(inside("node_modules")) && about.dependencies === undefined);
+    const required = [...fs.readFileSync(inside(about.main), "utf8").matchAll(/\brequire\("([^"]+)"\)/g)].map((found) => found[1]);
+    const builtin = require("node:module").builtinModules;
+    assert.deepStrictEqual([...new Set(required)].filter((name) => !builtin.includes(name)), ["vscode"]);
+    const notices = fs.readFileSync(inside("ThirdPartyNotices.txt"), "utf8");
+    for (const name of ["vscode-languageclient", "vscode-jsonrpc"]) assert.ok(notices.includes(`---- ${name} `), name);
+});
+
 // What the server says that it can do, and what VS Code has to be asked for then.
 const providers = {
     completionProvider: "Completion", hoverProvider: "Hover", definitionProvider: "Definition", referencesProvider: "Reference",
