@@ -24,6 +24,8 @@ Setting setting(const std::string& name) {
     if (name == "level_sensors") return {{{"LOW_min", 1}, {"HIGH_min", 3}}, "empty", 4};
     if (name == "tank_level") return {{{"LEVEL_max", 5}, {"D_LEVEL", 2}}};
     if (name == "free_integer") return {{{"HIGH", 3}}};
+    if (name == "rotary_selector") return {{{"POSITIONS", 3}}};
+    if (name == "lift_car") return {{{"TOP", 2}}};
     if (name == "cylinder_5_3" || name == "cylinder_5_3_stuck" || name == "cylinder_monostable")
         return {{{"X_max", 5}, {"D_X", 2}}};
     return {};
