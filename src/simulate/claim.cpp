@@ -59,9 +59,9 @@ struct Now {
 };
 
 /// The variable, step variable or location of that name now; empty: `problem` says why none is meant.
-std::optional<Now> now_of(const ChartRun& run, std::string_view name, const LocationOf& location_of,
+std::optional<Now> now_of(const ChartRun& run, std::size_t moment, std::string_view name, const LocationOf& location_of,
                           std::string& problem) {
-    const ChartRun::State& state = run.moments.back().after;
+    const ChartRun::State& state = run.moments[moment].after;
     const std::vector<Id<ChartRun::Signal>> signals = signals_called(run, name);
     const std::vector<Id<ChartRun::Step>> steps = step_variables_called(run, name);
     std::vector<std::string> meant;
@@ -134,8 +134,8 @@ std::variant<Claim, std::string> claim_of(std::string_view text) {
     return claim;
 }
 
-std::optional<std::string> unmet_part(const Claim& claim, const ChartRun& run, const LocationOf& location_of,
-                                      std::string& problem) {
+std::optional<std::string> unmet_part(const Claim& claim, const ChartRun& run, std::size_t moment,
+                                      const LocationOf& location_of, std::string& problem) {
     std::string unmet;
     for (const Claim::Part& part : claim.parts) {
         if (part.relation == Relation::In || part.relation == Relation::NotIn) {
@@ -151,11 +151,16 @@ std::optional<std::string> unmet_part(const Claim& claim, const ChartRun& run, c
             if (!holds && unmet.empty()) unmet = fmt::format("`{}` is in `{}`", part.name, *location);
             continue;
         }
-        const auto now = now_of(run, part.name, location_of, problem);
+        const auto now = now_of(run, moment, part.name, location_of, problem);
         if (!now) return std::nullopt;
         if (unmet.empty() && !compare(now->value, part.relation, part.value)) unmet = is_so(part.name, *now);
     }
     return unmet;
+}
+
+bool names_only_steps(const Claim& claim, const ChartRun& run) {
+    return std::ranges::all_of(
+        claim.parts, [&](const Claim::Part& part) { return step_variables_called(run, part.name).size() == 1; });
 }
 
 }  // namespace grafverif

@@ -9,6 +9,7 @@
 // and several of these with `and` or `,` between them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -43,12 +44,15 @@ std::optional<std::int64_t> value_of(std::string_view text);
 /// Or what is wrong with the text.
 std::variant<Claim, std::string> claim_of(std::string_view text);
 
-/// Where the instance of that name is now; empty: there is none.
+/// Location of the instance of that name after the event in question; empty: there is no such instance.
 using LocationOf = std::function<std::optional<std::string>(std::string_view instance)>;
 
-/// The first part that does not hold behind the last moment of `run`, with what is so instead (`X3 is not active`);
-/// empty: all hold. Nothing: `problem` says which name there is not.
-std::optional<std::string> unmet_part(const Claim& claim, const ChartRun& run, const LocationOf& location_of,
-                                      std::string& problem);
+/// The first part that does not hold after `moment` of `run`, with the actual value (`X3 is not active`); empty: all
+/// hold. Nothing: `problem` names what does not exist.
+std::optional<std::string> unmet_part(const Claim& claim, const ChartRun& run, std::size_t moment,
+                                      const LocationOf& location_of, std::string& problem);
+
+/// True if each part names a step: such a claim has a value in transient situations, where outputs are not yet written.
+bool names_only_steps(const Claim& claim, const ChartRun& run);
 
 }  // namespace grafverif

@@ -153,14 +153,21 @@ bool LoopSimulation::move(const Move& move, std::string& problem) {
 
 std::optional<Fire> LoopSimulation::next_by_itself() const {
     const std::vector<Fire> moves = enabled(network_, state_);
-    std::vector<std::size_t> options(network_.processes.size(), 0);
-    for (const Fire& fire : moves) ++options[fire.process.index];
+    std::vector<std::size_t> options(network_.processes.size(), 0), urgent_options = options;
+    for (const Fire& fire : moves) {
+        ++options[fire.process.index];
+        if (edge_of(network_, fire).urgent) ++urgent_options[fire.process.index];
+    }
     const std::vector<Id<Network::Process>> hurried = impatient(network_, state_);
     const auto first = [&](const auto& wanted) -> std::optional<Fire> {
         const auto found = std::ranges::find_if(moves, wanted);
         return found == moves.end() ? std::nullopt : std::optional(*found);
     };
-    const auto alone = [&](const Fire& fire) { return of_plant(network_, fire) && options[fire.process.index] == 1; };
+    // An instance with one urgent edge takes it: its timed edges are alternatives that need not be taken.
+    const auto alone = [&](const Fire& fire) {
+        const auto& count = edge_of(network_, fire).urgent ? urgent_options : options;
+        return of_plant(network_, fire) && count[fire.process.index] == 1;
+    };
     const auto of_kind = [&](Network::ProcessKind kind) {
         return first([&](const Fire& fire) { return network_.processes[fire.process].kind == kind; });
     };
@@ -300,13 +307,20 @@ std::optional<std::int64_t> LoopSimulation::soonest_ms() const {
     return std::min(way.limit.value_or(*way.change), way.change.value_or(*way.limit)) * network_.time_unit_ms;
 }
 
-std::optional<std::string> LoopSimulation::location_of(std::string_view instance) const {
-    for (const Id<Network::Process> id : network_.processes.ids()) {
-        const Network::Process& process = network_.processes[id];
-        if (process.name == instance)
-            return network_.templates[process.automaton].locations[state_.locations[id.index]].name;
+std::optional<std::string> LoopSimulation::location_of(std::string_view instance, std::size_t moment) const {
+    const auto process = std::ranges::find(network_.processes, instance, &Network::Process::name);
+    if (process == network_.processes.end()) return {};
+    const Network::Template& automaton = network_.templates[process->automaton];
+    if (moment + 1 == told_.moments.size()) {
+        const auto index = static_cast<std::size_t>(process - network_.processes.begin());
+        return automaton.locations[state_.locations[index]].name;
     }
-    return {};
+    for (std::size_t k = moment + 1; k > 0; --k) {
+        const ChartRun::Moment& event = told_.moments[k - 1];
+        if (event.location && event.instance.valid() && told_.instances[event.instance].name == instance)
+            return told_.instances[event.instance].locations[*event.location];
+    }
+    return automaton.locations[process->initial].name;
 }
 
 std::string LoopSimulation::behind_port(std::string_view name) const {

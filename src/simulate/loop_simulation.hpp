@@ -62,8 +62,8 @@ public:
     std::optional<std::size_t> trial_row() const { return trial_row_; }
     /// How long until something happens by itself, or can be chosen; empty: for ever.
     std::optional<std::int64_t> soonest_ms() const;
-    /// Where the instance is; empty: there is none of that name.
-    std::optional<std::string> location_of(std::string_view instance) const;
+    /// Location of the instance after the event `moment` of `told`; empty: there is no such instance.
+    std::optional<std::string> location_of(std::string_view instance, std::size_t moment) const;
     /// What the variable behind a port is called: of `Main.FLOW` that what the output writes, of an input what it reads;
     /// empty: there is no such port, or what it reads is a term.
     std::string behind_port(std::string_view name) const;

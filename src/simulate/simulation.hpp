@@ -55,9 +55,16 @@ private:
     std::size_t moves() const;
     std::string choose(std::size_t number);
     std::string expect(const ExpectCommand& wish);
+    std::optional<std::string> unmet_at(const Claim& claim, std::size_t moment, std::string& problem) const;
+    /// True if the claim has become true in the current instant, after the event `examined_`.
+    bool met_in_passing(const Claim& claim);
 
     std::variant<LoopSimulation, ChartSimulation> of_;
-    std::vector<std::size_t> commands_ = {};  ///< of each that can be undone: how many moves there were before
+    struct Before {
+        std::size_t moves = 0, examined = 0;
+    };
+    std::vector<Before> commands_ = {};  ///< the values before each command that can be undone
+    std::size_t examined_ = 0;           ///< the event of `told` after which `wait until` begins to examine
     bool unmet_ = false;
 };
 
