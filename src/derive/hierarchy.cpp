@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <set>
+#include <tuple>
 
 #include "derive/derivation.hpp"
 #include "support/messages.hpp"
+#include "support/messages_notation.hpp"
 
 namespace grafverif {
 
@@ -189,7 +192,8 @@ private:
         if (first.forced != forced && second.forced != forced) return;
         const bool together =
             first.step == second.step || (result_.initial[first.step.index] && result_.initial[second.step.index]);
-        if (!together || !conflict(chart_, result_, one, other)) return;
+        if (!conflict(chart_, result_, one, other)) return;
+        if (!together) return check_parallel(first, second);
         if (first.forced == second.forced) {
             diagnostics_.add(messages::forced_twice(second.origin, partial(forced).name, first.origin));
             return;
@@ -201,9 +205,27 @@ private:
             messages::forced_beside(inner.origin, partial(forced).name, partial(whole.forced).name, whole.origin));
     }
 
+    /// Orders of partial charts that evolve in parallel; once for two partial charts.
+    void check_parallel(const Chart::ForcingOrder& first, const Chart::ForcingOrder& second) {
+        if (first.forced != second.forced || !in_parallel(first.step, second.step)) return;
+        const auto key = std::minmax(chart_.steps[first.step].chart.index, chart_.steps[second.step].chart.index);
+        if (parallel_.emplace(first.forced.index, key.first, key.second).second)
+            diagnostics_.add(messages::forced_differently(second.origin, partial(first.forced).name, first.origin));
+    }
+
+    /// Steps of one partial chart can exclude each other, and so can what is inside different steps of it.
+    bool in_parallel(Id<Chart::Step> one, Id<Chart::Step> other) const {
+        for (Id<Chart::Step> above = one; above.valid(); above = partial(chart_.steps[above].chart).owner)
+            for (Id<Chart::Step> beyond = other; beyond.valid(); beyond = partial(chart_.steps[beyond].chart).owner)
+                if (chart_.steps[above].chart == chart_.steps[beyond].chart) return above == beyond;
+        return true;
+    }
+
     const Chart& chart_;
     Diagnostics& diagnostics_;
     Hierarchy result_ = {};
+    std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> parallel_ =
+        {};  ///< forced chart, two that force it
 };
 
 }  // namespace

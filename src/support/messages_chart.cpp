@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "support/messages.hpp"
+#include "support/messages_notation.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
@@ -91,6 +92,16 @@ Diagnostic forcing_cycle(Span where, std::string_view chart) {
 Diagnostic forced_twice(Span where, std::string_view chart, Span first) {
     Diagnostic diagnostic = error(
         "forced-twice", where, fmt::format("`{}` is forced to two situations at once; keep one order", clipped(chart)));
+    diagnostic.notes.push_back(note(first, "the other order is here"));
+    return diagnostic;
+}
+
+Diagnostic forced_differently(Span where, std::string_view chart, Span first) {
+    Diagnostic diagnostic = warning(
+        "forced-differently", where,
+        fmt::format("two partial charts force `{}` to different situations; make sure that their orders are never "
+                    "active together",
+                    clipped(chart)));
     diagnostic.notes.push_back(note(first, "the other order is here"));
     return diagnostic;
 }

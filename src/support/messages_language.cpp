@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "support/messages.hpp"
+#include "support/messages_notation.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
@@ -87,6 +88,88 @@ Diagnostic unexpected(Span where, std::string_view seen, std::string_view expect
 
 Diagnostic unexpected_end(Span where, std::string_view expected) {
     return error("unexpected-end", where, fmt::format("the input ends too early; expected {}", expected));
+}
+
+Diagnostic missing_brace(Span heading, std::string_view text, Span next, Span place) {
+    Diagnostic diagnostic = error("missing-brace", heading,
+                                  fmt::format("the block of `{}` is not closed; write `}}` at its end", clipped(text)));
+    if (next.source.valid()) diagnostic.notes.push_back(note(next, "this cannot be within the block"));
+    return place.source.valid() ? with_fix(std::move(diagnostic), place, "\n}") : diagnostic;
+}
+
+Diagnostic expected_before_sentence(Span where) {
+    return error(
+        "misplaced-expectation", where,
+        "`expected violated` follows the sentence of the property; write `property NAME \"...\" expected violated: "
+        "PATTERN;`");
+}
+
+Diagnostic expected_after_colon(Span where) {
+    return error("misplaced-expectation", where,
+                 "`expected violated` precedes the colon; write `property NAME expected violated: PATTERN;`");
+}
+
+Diagnostic other_pattern(Span where, std::string_view seen, std::string_view meant) {
+    return with_fix(
+        error("other-spelling", where, fmt::format("`{}` is not a pattern of properties; write `{}`", seen, meant)),
+        where, meant);
+}
+
+Diagnostic other_keyword(Span where, std::string_view seen, std::string_view meant) {
+    return with_fix(
+        error("unexpected", where, fmt::format("unexpected `{}`; did you mean `{}`?", clipped(seen), meant)), where,
+        meant);
+}
+
+Diagnostic step_member(Span where, std::string_view step_variable, std::string_view member) {
+    const bool time = member == "T" || member == "t";
+    return error("other-spelling", where,
+                 fmt::format("`.{0}` of a step is the notation of IEC 61131-3; write {1}{2}`", member,
+                             time ? "a time condition such as `2s/" : "`", clipped(step_variable)));
+}
+
+// -- text that is displayed differently from its meaning ------------------------------------------------------------
+
+namespace {
+
+std::string further(std::size_t more) { return more == 0 ? "" : fmt::format(" (and {} more)", more); }
+
+}  // namespace
+
+Diagnostic line_separator(Span where, std::uint32_t code, std::size_t more) {
+    return warning(
+        "line-separator", where,
+        fmt::format("editors end a line at U+{:04X}{}, but comments and line numbers do not; replace it with a "
+                    "line feed",
+                    code, further(more)));
+}
+
+Diagnostic bidi_control(Span where, std::uint32_t code, std::size_t more) {
+    return warning(
+        "bidi-control", where,
+        fmt::format("U+{:04X}{} changes the displayed order of the text, which can hide parts of it; remove it", code,
+                    further(more)));
+}
+
+Diagnostic control_character(Span where, std::uint32_t code, std::size_t more) {
+    return warning(
+        "control-character", where,
+        fmt::format("the control character U+{:04X}{} can hide text when displayed; remove it", code, further(more)));
+}
+
+Diagnostic fullwidth_character(Span where, std::string_view name, std::string_view ascii) {
+    return warning("fullwidth-character", where,
+                   fmt::format("`{}` has fullwidth letters or digits and is not `{}`; write them in ASCII",
+                               clipped(name), clipped(ascii)));
+}
+
+Diagnostic confusable_names(Span where, std::string_view name, std::string_view characters, std::string_view what,
+                            std::string_view other, Span first) {
+    Diagnostic diagnostic = warning("confusable-names", where,
+                                    fmt::format("`{}` ({}) looks like the {} `{}` but differs from it; rename it",
+                                                clipped(name), characters, what, clipped(other)));
+    if (first.source.valid()) diagnostic.notes.push_back(note(first, fmt::format("the {} is here", what)));
+    return diagnostic;
 }
 
 }  // namespace grafverif::messages

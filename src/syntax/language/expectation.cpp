@@ -2,6 +2,10 @@
 #include "syntax/language/expectation.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "syntax/resolve/nearest_of.hpp"
 
 namespace grafverif::tree {
 
@@ -76,6 +80,54 @@ bool contains(std::span<const Symbol> symbols, Symbol symbol) {
     return std::ranges::find(symbols, symbol) != symbols.end();
 }
 
+std::string pattern_of(std::string_view word) {
+    constexpr std::array<std::array<std::string_view, 2>, 15> notations = {{{"eventually", "inevitable"},
+                                                                            {"finally", "inevitable"},
+                                                                            {"F", "inevitable"},
+                                                                            {"AF", "inevitable"},
+                                                                            {"A<>", "inevitable"},
+                                                                            {"<>", "inevitable"},
+                                                                            {"globally", "always"},
+                                                                            {"invariant", "always"},
+                                                                            {"G", "always"},
+                                                                            {"AG", "always"},
+                                                                            {"A[]", "always"},
+                                                                            {"[]", "always"},
+                                                                            {"possibly", "reachable"},
+                                                                            {"EF", "reachable"},
+                                                                            {"E<>", "reachable"}}};
+    const auto* const found = std::ranges::find(notations, word, [](const auto& each) { return each[0]; });
+    if (found != notations.end()) return std::string((*found)[1]);
+    return nearest_of(word, std::array<std::string_view, 4>{"always", "never", "reachable", "inevitable"});
+}
+
+std::string keyword_of(std::string_view word, std::span<const Symbol> expected) {
+    constexpr std::array<std::array<std::string_view, 2>, 10> notations = {{{"if", "when"},
+                                                                            {"then", "do"},
+                                                                            {"chart", "grafcet"},
+                                                                            {"sfc", "grafcet"},
+                                                                            {"template", "component"},
+                                                                            {"system", "closed_loop"},
+                                                                            {"import", "include"},
+                                                                            {"var", "variable"},
+                                                                            {"place", "step"},
+                                                                            {"assert", "property"}}};
+    Nearest nearest(word);
+    for (const Symbol symbol : expected) {
+        if (symbol < Symbols::S_GRAFCET || symbol > Symbols::S_FALL) continue;
+        const std::string keyword = Parser::symbol_name(symbol);
+        if (std::ranges::find(notations, std::array<std::string_view, 2>{word, keyword}) != notations.end())
+            return keyword;
+        nearest.offer(keyword);
+    }
+    const std::string& best = nearest.best();
+    constexpr std::size_t shortest = 4;  // shorter words are near to many
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
+    return word.size() >= shortest || std::ranges::equal(word, best, same) ? best : "";
+}
+
 std::string expectation(std::span<const Symbol> expected) {
     std::vector<std::string> items;
     const bool names = contains(expected, Symbols::S_IDENTIFIER);
@@ -91,7 +143,9 @@ std::string expectation(std::span<const Symbol> expected) {
     else if (names) items.emplace_back("a name");
     if (operators) items.emplace_back("an operator");
 
+    const bool patterns = contains(expected, Symbols::S_ALWAYS);
     for (const Symbol symbol : expected) {
+        if (patterns && (symbol == Symbols::S_NO || symbol == Symbols::S_EXACTLY)) items.push_back(shown(symbol));
         if (symbol == Symbols::S_RESUME || (names && is_word(symbol))) continue;
         if (expressions && begins_expression(symbol)) continue;
         if (operators && is_operator(symbol)) continue;

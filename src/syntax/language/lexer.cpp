@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/messages.hpp"
+#include "support/messages_notation.hpp"
 #include "support/printable.hpp"
 #include "support/text/identifier.hpp"
 #include "syntax/language/builder.hpp"
@@ -44,6 +45,20 @@ std::optional<std::int64_t> milliseconds_in(std::string_view unit) {
     if (unit == "s") return 1000;
     if (unit == "min") return 60'000;
     return {};
+}
+
+/// Words before the name of a block.
+bool begins_block(Parser::symbol_kind_type kind) {
+    switch (kind) {
+    case Symbols::S_GRAFCET:
+    case Symbols::S_COMPONENT:
+    case Symbols::S_CLOSED_LOOP:
+    case Symbols::S_PARTIAL:
+    case Symbols::S_EXPANSION:
+    case Symbols::S_OBSERVER:
+    case Symbols::S_STEP: return true;
+    default: return false;
+    }
 }
 
 /// `digits`.`decimals` times `factor`; empty when that is no whole number, or too large to be a duration.
@@ -134,6 +149,7 @@ Token Lexer::word(Parser::token_kind_type kind) {
         text = text.substr(0, longest_name);
     }
     last_name_ = {words_.intern(text), here_};
+    if (last_name_.word.index == first_places_.size()) first_places_.push_back(here_);
     return {kind, last_name_, here_};
 }
 
@@ -180,8 +196,23 @@ Token Lexer::decimal_without_unit() {
     return broken(messages::decimal_number(here_, match_));
 }
 
+/// Where a path operator of CTL or UPPAAL with brackets (`A[]`, `<>`) begins a pattern: its letter, if any, and the
+/// brackets. Not valid anywhere else.
+Span Lexer::operator_of_ctl() const {
+    const std::string_view brackets = std::string_view(source_->text).substr(here_.begin, 2);
+    if (brackets != "[]" && brackets != "<>") return {};
+    const Span both{here_.source, here_.begin, here_.begin + 2};
+    if (before_ == Symbols::S_COLON) return both;
+    const std::string_view letter = seen_text(before_where_);
+    const bool is_letter = before_ == Symbols::S_IDENTIFIER && (letter == "A" || letter == "E");
+    return is_letter && earlier_ == Symbols::S_COLON ? spanning(before_where_, both) : Span{};
+}
+
 Token Lexer::other_spelling(Parser::token_kind_type kind, std::string_view meant) {
     begin_thing();
+    if (const Span where = operator_of_ctl(); where.source.valid())
+        if (const std::string pattern = pattern_of(seen_text(where)); !pattern.empty())
+            return broken(messages::other_pattern(where, seen_text(where), pattern));
     report(messages::other_spelling(here_, match_, meant));
     return {kind, here_};
 }
@@ -198,6 +229,9 @@ Token Lexer::unterminated_string() {
 
 Token Lexer::unexpected_character() {
     begin_thing();
+    if (const Span where = operator_of_ctl(); where.source.valid())
+        if (const std::string pattern = pattern_of(seen_text(where)); !pattern.empty())
+            return broken(messages::other_pattern(where, seen_text(where), pattern));
     return broken(messages::unexpected_character(here_, match_));
 }
 
@@ -242,13 +276,19 @@ void Lexer::consumed() {
         if (last_ == Symbols::S_SEMICOLON || last_ == Symbols::S_OPEN || last_ == Symbols::S_CLOSE) brackets_ = 0;
         prefixes_ = 0;
     }
+    if (begins_block(before_) && heading_.end == before_where_.end) heading_ = spanning(heading_, last_where_);
+    if (begins_block(last_)) heading_ = last_where_;
     switch (last_) {
     case Symbols::S_OPEN:
-        if (before_ == Symbols::S_ASSIGN || before_ == Symbols::S_OF) blocks_.push_back(Block::Set);
-        else blocks_.push_back(declaring_ == Symbols::S_STEP ? Block::Actions : Block::Body);
+        if (before_ == Symbols::S_ASSIGN || before_ == Symbols::S_OF) blocks_.push_back({BlockKind::Set, last_where_});
+        else blocks_.push_back({declaring_ == Symbols::S_STEP ? BlockKind::Actions : BlockKind::Body, heading_});
         break;
     case Symbols::S_CLOSE:
+        if (!blocks_.empty() && !less_indented_.source.valid() && seen_text(last_where_) == "}" &&
+            begins_line(last_where_) && indentation(last_where_.begin) < indentation(blocks_.back().heading.begin))
+            less_indented_ = blocks_.back().heading;
         if (!blocks_.empty()) blocks_.pop_back();
+        if (blocks_.empty()) less_indented_ = {};
         [[fallthrough]];
     case Symbols::S_SEMICOLON: declaring_ = Symbols::S_YYEMPTY; break;
     case Symbols::S_STEP:
@@ -257,6 +297,7 @@ void Lexer::consumed() {
     case Symbols::S_TRANSITION: declaring_ = last_; break;
     default: break;
     }
+    earlier_ = before_;
     before_ = last_;
     before_where_ = last_where_;
 }

@@ -22,6 +22,9 @@
 
 namespace grafverif::tree {
 
+/// From the beginning of `first` to the end of `last`.
+inline Span spanning(Span first, Span last) { return {first.source, first.begin, last.end}; }
+
 /// What the generated scanner keeps.
 class Scanner {
 public:
@@ -44,6 +47,8 @@ public:
     /// Reads `part` of `source`.
     Lexer(const Source& source, Span part, tree::File& file, Diagnostics& diagnostics);
 
+    /// Where each word of the file is first written.
+    std::span<const Span> first_places() const { return first_places_; }
     /// The next token for the parser.
     Token next();
     /// Reports the token last handed out, and goes on with the next declaration.
@@ -65,7 +70,11 @@ public:
     Token unexpected_character();
 
 private:
-    enum class Block { Body, Actions, Set };
+    enum class BlockKind { Body, Actions, Set };
+    struct Block {
+        BlockKind kind = BlockKind::Body;
+        Span heading = {};  ///< `grafcet press`: the word and the name that the block belongs to
+    };
 
     Token broken(Diagnostic diagnostic);
     void report(Diagnostic diagnostic);
@@ -75,12 +84,17 @@ private:
     void resynchronise();
     void close_blocks(std::size_t count);
     bool begins_line(Span where) const;
+    std::size_t indentation(std::uint32_t place) const;
+    bool report_missing_brace(Kind seen, Span where, std::span<const Kind> expected);
+    bool report_other_notation(Kind seen, Span where, std::span<const Kind> expected);
+    Span operator_of_ctl() const;
     std::string_view seen_text(Span where) const;
 
     const Source* source_;
     Scanner scanner_;
     tree::File* file_;
     tree::Words words_;
+    std::vector<Span> first_places_ = {};
     Diagnostics* diagnostics_;
 
     std::string_view match_ = {};  ///< what the scanner has just found
@@ -98,8 +112,11 @@ private:
     tree::Name last_name_ = {};
     Kind before_ = Parser::symbol_kind::S_YYEMPTY;  ///< the one before it, consumed
     Span before_where_ = {};
+    Kind earlier_ = Parser::symbol_kind::S_YYEMPTY;    ///< the one before that
     Kind declaring_ = Parser::symbol_kind::S_YYEMPTY;  ///< the last word that begins a block
+    Span heading_ = {};                                ///< that word and the name after it
     std::vector<Block> blocks_ = {};                   ///< open ones
+    Span less_indented_ = {};  ///< heading of the first block whose `}` is indented less than its heading
     std::size_t brackets_ = 0, prefixes_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "support/messages.hpp"
+#include "support/messages_notation.hpp"
 #include "syntax/language/builder.hpp"
 #include "syntax/language/expectation.hpp"
 #include "syntax/language/lexer.hpp"
@@ -84,6 +85,48 @@ bool Lexer::begins_line(Span where) const {
     return true;
 }
 
+/// Width of the white space before the first word of the line of `place`.
+std::size_t Lexer::indentation(std::uint32_t place) const {
+    const std::string_view before = std::string_view(source_->text).substr(0, place);
+    const std::string_view line = before.substr(before.rfind('\n') + 1);
+    return std::min(line.find_first_not_of(" \t"), line.size());
+}
+
+/// A declaration that cannot be in the block at hand, or the end of the text, where `}` could be.
+bool Lexer::report_missing_brace(Kind seen, Span where, std::span<const Kind> expected) {
+    if (blocks_.empty() || !contains(expected, Symbols::S_CLOSE)) return false;
+    const bool at_end = seen == Symbols::S_YYEOF, in_file = declares_in_file(seen);
+    const bool in_chart = blocks_.back().kind == BlockKind::Actions && declares_in_chart(seen);
+    if (!at_end && !((in_file || in_chart) && begins_line(where))) return false;
+    const bool by_indentation = less_indented_.source.valid() && !in_chart;
+    const Span heading = by_indentation ? less_indented_ : blocks_.back().heading;
+    diagnostics_->add(messages::missing_brace(heading, seen_text(heading), at_end ? Span{} : where,
+                                              by_indentation ? Span{} : after(before_where_)));
+    return true;
+}
+
+/// Words of other languages, and of this one in the wrong place.
+bool Lexer::report_other_notation(Kind seen, Span where, std::span<const Kind> expected) {
+    const std::string_view text = seen_text(where), before = seen_text(before_where_);
+    const bool in_pattern = contains(expected, Symbols::S_PRECEDES);
+    if (seen == Symbols::S_STRING && before_ == Symbols::S_VIOLATED && contains(expected, Symbols::S_COLON))
+        return diagnostics_->add(messages::expected_before_sentence(spanning(before_where_, where))), true;
+    const bool after_colon = (seen == Symbols::S_VIOLATED && before_ == Symbols::S_EXPECTED) ||
+                             (seen == Symbols::S_EXPECTED && contains(expected, Symbols::S_AT));
+    if (after_colon) return diagnostics_->add(messages::expected_after_colon(where)), true;
+    if (seen == Symbols::S_ARROW && before_ == Symbols::S_MINUS && before_where_.end == where.begin)
+        return diagnostics_->add(messages::other_spelling(spanning(before_where_, where), "-->", "leads to")), true;
+    if (seen == Symbols::S_ARROW && contains(expected, Symbols::S_IMPLIES) && contains(expected, Symbols::S_AT))
+        return diagnostics_->add(messages::other_spelling(where, text, "=>")), true;
+    if (in_pattern && before_ == Symbols::S_IDENTIFIER && earlier_ == Symbols::S_COLON) {
+        const std::string meant = pattern_of(before);
+        if (!meant.empty()) return diagnostics_->add(messages::other_pattern(before_where_, before, meant)), true;
+    }
+    const std::string keyword = declares_in_file(seen) || declares_in_block(seen) ? "" : keyword_of(text, expected);
+    if (!keyword.empty()) return diagnostics_->add(messages::other_keyword(where, text, keyword)), true;
+    return false;
+}
+
 void Lexer::report_unexpected(Kind seen, Span where, std::span<const Kind> expected) {
     recovering_ = true;
     if (seen == Symbols::S_CUT_OFF) seen = Symbols::S_YYEOF;
@@ -95,13 +138,14 @@ void Lexer::report_unexpected(Kind seen, Span where, std::span<const Kind> expec
         return diagnostics_->add(messages::single_equals(where, "comparison", "=="));
     if (seen == Symbols::S_IS && contains(expected, Symbols::S_ASSIGN))
         return diagnostics_->add(messages::single_equals(where, "assignment", ":="));
-    const bool too_late = seen == Symbols::S_YYEOF || seen == Symbols::S_CLOSE || begins_line(where);
-    if (too_late && contains(expected, Symbols::S_SEMICOLON))
-        return diagnostics_->add(messages::missing_semicolon(after(before_where_)));
     if (seen == Symbols::S_IDENTIFIER && contains(expected, Symbols::S_AND)) {
         if (text == "AND" || text == "And") return diagnostics_->add(messages::other_spelling(where, text, "&&"));
         if (text == "OR" || text == "Or") return diagnostics_->add(messages::other_spelling(where, text, "||"));
     }
+    if (report_missing_brace(seen, where, expected) || report_other_notation(seen, where, expected)) return;
+    const bool too_late = seen == Symbols::S_YYEOF || seen == Symbols::S_CLOSE || begins_line(where);
+    if (too_late && contains(expected, Symbols::S_SEMICOLON))
+        return diagnostics_->add(messages::missing_semicolon(after(before_where_)));
     const std::string words = expectation(expected);
     if (seen == Symbols::S_YYEOF) return diagnostics_->add(messages::unexpected_end(after(before_where_), words));
     diagnostics_->add(messages::unexpected(where, text, words));
@@ -120,7 +164,7 @@ void Lexer::resynchronise() {
         return;
     }
     std::size_t nested = 0;
-    while (!blocks_.empty() && blocks_.back() == Block::Set) {
+    while (!blocks_.empty() && blocks_.back().kind == BlockKind::Set) {
         blocks_.pop_back();
         ++nested;
     }
@@ -174,7 +218,7 @@ void Lexer::resynchronise() {
             break;
         }
         if (declares_in_block(kind) && begins_line(where)) {
-            const bool in_actions = blocks_.back() == Block::Actions;
+            const bool in_actions = blocks_.back().kind == BlockKind::Actions;
             if (in_actions && !declares_in_chart(kind)) continue;
             resume(in_actions ? 1 : 0);
             hand_back();

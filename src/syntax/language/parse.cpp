@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "syntax/language/builder.hpp"
+#include "syntax/language/display.hpp"
 #include "syntax/language/lexer.hpp"
 #include "syntax/language/readable.hpp"
 
@@ -17,9 +18,11 @@ tree::File parse_file(Id<Source> source, const Sources& sources, Diagnostics& di
     const Span whole = without_mark({source, 0, static_cast<std::uint32_t>(size)}, sources);
     const std::size_t errors = diagnostics.errors();
     if (is_readable(whole, sources, diagnostics)) {
+        check_controls(whole, sources, diagnostics);
         tree::Builder build(file, diagnostics);
         tree::Lexer lexer(sources[source], whole, file, diagnostics);
         file.lost = tree::Parser(lexer, build).parse() != 0 || file.lost;
+        check_confusables(file, lexer.first_places(), diagnostics);
     } else {
         file.lost = true;
     }

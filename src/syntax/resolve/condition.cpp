@@ -5,6 +5,7 @@
 #include <string>
 
 #include "support/messages.hpp"
+#include "support/messages_notation.hpp"
 #include "syntax/resolve/chart_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
 
@@ -24,7 +25,7 @@ Term unknown_name(ChartScope& scope, Span where, std::string_view name) {
     Nearest nearest(name);
     if (!step_like)
         for (const Chart::Variable& variable : scope.chart.variables) nearest.offer(variable.name);
-    if (name[0] == 'X')
+    if (name[0] == 'X' || name[0] == 'x')
         for (const Chart::Step& step : scope.chart.steps) nearest.offer('X', step.name);
     scope.diagnostics.add(messages::unknown(where, step_like ? "step" : "variable", name, nearest.best()));
     return {};
@@ -62,6 +63,17 @@ Term name_term(ChartScope& scope, const tree::Expr& node) {
     return term;
 }
 
+/// `Fill.T`, `X2.T`, `Fill.X` of IEC 61131-3, where `Fill` and `2` are steps.
+bool report_step_member(ChartScope& scope, const tree::Expr& node) {
+    const std::string_view owner = scope.text({scope.file.exprs[node.first].word, {}}),
+                           member = scope.file.text(node.word);
+    const bool is_variable = owner.starts_with('X') && scope.steps_by_name.contains(owner.substr(1));
+    if (!is_step_member(member) || !(is_variable || scope.steps_by_name.contains(owner))) return false;
+    scope.diagnostics.add(
+        messages::step_member(node.where, is_variable ? std::string(owner) : 'X' + std::string(owner), member));
+    return true;
+}
+
 /// `G2.X2`; the name of the chart stands for the steps written directly in it.
 Term member_term(ChartScope& scope, const tree::Expr& node) {
     const tree::Expr& owner = scope.file.exprs[node.first];
@@ -72,6 +84,7 @@ Term member_term(ChartScope& scope, const tree::Expr& node) {
     }
     Id<Chart::PartialChart> partial;
     if (scope.partials.contains(owner.word)) partial = scope.partials.at(owner.word);
+    else if (report_step_member(scope, node)) return {};
     else if (scope.file.text(owner.word) == scope.chart.name) partial = Id<Chart::PartialChart>{0};
     else partial = partial_named(scope, {owner.word, owner.where});
     if (!partial.valid()) return {};

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "support/messages.hpp"
+#include "support/messages_notation.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/resolve/loop_scope.hpp"
 #include "syntax/resolve/nearest.hpp"
@@ -64,7 +65,7 @@ Term unknown_name(LoopScope& scope, Span where, std::string_view name) {
         const Chart& chart = scope.chart(controller);
         for (const Chart::Variable& variable : chart.variables)
             if (variable.kind == Chart::VariableKind::Internal) nearest.offer(variable.name);
-        if (name[0] == 'X')
+        if (name[0] == 'X' || name[0] == 'x')
             for (const Chart::Step& step : chart.steps) nearest.offer('X', step.name);
     }
     const bool step_like = name.size() > 1 && name[0] == 'X' && name[1] >= '0' && name[1] <= '9';
@@ -198,6 +199,18 @@ Term inside_or_unknown(LoopScope& scope, Id<Controller> controller, std::string_
     return unknown_name(scope, where, name);
 }
 
+/// `X2.T`, `Fill.T`, `Fill.X` of IEC 61131-3, where a controller has the steps `2` and `Fill`.
+bool report_step_member(LoopScope& scope, std::string_view owner, std::string_view member, Span where) {
+    if (!is_step_member(member)) return false;
+    for (const LoopScope::Inside& inside : scope.inside) {
+        const bool is_variable = owner.starts_with('X') && inside.steps.contains(owner.substr(1));
+        if (!is_variable && !inside.steps.contains(owner)) continue;
+        const std::string variable = is_variable ? std::string(owner) : 'X' + std::string(owner);
+        return scope.diagnostics.add(messages::step_member(where, variable, member)), true;
+    }
+    return false;
+}
+
 /// `G2.X2` where one controller has a partial chart `G2`.
 Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_view name, Span where) {
     const std::string_view partial = scope.file.text(owner.word);
@@ -212,6 +225,7 @@ Term in_partial_chart(LoopScope& scope, const tree::Expr& owner, std::string_vie
         found = controller;
     }
     if (found) return inside_or_unknown(scope, *found, name, scope.inside[found->index].partials.at(partial), where);
+    if (report_step_member(scope, partial, name, where)) return {};
     Nearest nearest(partial);
     for (const auto& instance : scope.loop.instances) nearest.offer(instance.name);
     for (const auto& observer : scope.loop.observers) nearest.offer(observer.name);
@@ -264,6 +278,7 @@ Term member_name(LoopScope& scope, const tree::Expr& node) {
     const auto& partials = scope.inside[controller->second.index].partials;
     const auto partial = partials.find(scope.file.text(owner.word));
     if (partial == partials.end()) {
+        if (report_step_member(scope, scope.file.text(owner.word), name, node.where)) return {};
         Nearest nearest(scope.file.text(owner.word));
         for (const Chart::PartialChart& known : scope.chart(controller->second).partial_charts)
             if (!known.name.empty()) nearest.offer(known.name);

@@ -40,7 +40,14 @@ std::size_t distance(std::string_view a, std::string_view b, std::size_t bound) 
 
 namespace {
 
-/// How far a candidate may be: numbers and single letters are near to everything, and tell nothing.
+std::string folded(std::string_view name) {
+    std::string text(name);
+    for (char& byte : text)
+        if (byte >= 'A' && byte <= 'Z') byte = static_cast<char>(byte - 'A' + 'a');
+    return text;
+}
+
+/// Maximal distance of a candidate: numbers and single letters are near to everything, so only their case may differ.
 std::size_t tolerance(std::string_view name) {
     if (name.size() < 2 || name.find_first_not_of("0123456789") == std::string_view::npos) return 0;
     return name.size() < 6 ? 1 : 2;
@@ -48,7 +55,7 @@ std::size_t tolerance(std::string_view name) {
 
 }  // namespace
 
-Nearest::Nearest(std::string_view name) : name_(name.substr(0, longest + 1)), distance_(tolerance(name) + 1) {}
+Nearest::Nearest(std::string_view name) : name_(name.substr(0, longest + 1)), distance_(2 * tolerance(name) + 2) {}
 
 void Nearest::offer(char prefix, std::string_view candidate) {
     if (distance_ == 1) return;
@@ -58,10 +65,14 @@ void Nearest::offer(char prefix, std::string_view candidate) {
 }
 
 void Nearest::offer(std::string_view candidate) {
-    if (distance_ == 1) return;  // nothing is nearer, or nothing is wanted
-    const std::size_t found = distance(name_, candidate, distance_);
-    if (found >= distance_) return;
-    distance_ = found;
+    if (distance_ == 1 || candidate == name_) return;  // only the case differs: no other candidate is nearer
+    const std::size_t bound = (distance_ + 1) / 2;
+    if (std::max(name_.size(), candidate.size()) - std::min(name_.size(), candidate.size()) >= bound) return;
+    const std::size_t edits = distance(folded(name_), folded(candidate), bound);
+    if (edits >= bound) return;
+    const std::size_t rank = 2 * edits + (distance(name_, candidate, edits + 1) > edits ? 1 : 0);
+    if (rank >= distance_) return;
+    distance_ = rank;
     best_ = candidate;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Nearest: the name that a misspelt one may have meant. Distance: insertions, deletions, replacements and swaps of
-// neighbours, at most two of them, so that a comparison costs little more than looking at the length.
+// neighbours, at most two of them, so that a comparison costs little more than comparing lengths. The case of letters
+// decides between equal distances only.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,8 @@ private:
     std::string name_;
     std::string best_ = {};
     std::string prefixed_ = {};
-    std::size_t distance_;  ///< of the best so far, plus what is needed to beat it: only less is of interest
+    std::size_t
+        distance_;  ///< only a lower rank is of interest: twice the distance without case, plus 1 if case differs
 };
 
 }  // namespace grafverif

@@ -72,6 +72,9 @@ WrittenTime written_time(const tree::File& file, const tree::Expr& node);
 /// Of a duration; 0 of none. One of nothing is reported.
 std::int64_t milliseconds(const tree::File& file, Id<tree::Expr> duration, Diagnostics& diagnostics);
 
+/// The time and the flag of a step in IEC 61131-3: `Fill.T`, `Fill.X`.
+inline bool is_step_member(std::string_view name) { return name == "T" || name == "t" || name == "X" || name == "x"; }
+
 Op ir_op(tree::Op op);
 /// `&&`, `rise`, ... as messages show them.
 std::string_view spelling(tree::Op op);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Skeletons of names (UTS 39, section 4): equal for names that look the same.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace grafverif {
+
+bool all_ascii(std::string_view text);
+
+/// Requires UTF-8. The tables are those of ICU.
+std::string skeleton(std::string_view name);
+
+}  // namespace grafverif
