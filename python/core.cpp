@@ -12,6 +12,7 @@
 #include <exception>
 #include <initializer_list>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <sstream>
@@ -22,6 +23,7 @@
 #include <vector>
 
 #include "grafverif/grafverif.hpp"
+#include "report_page.hpp"
 
 namespace py = pybind11;
 
@@ -152,10 +154,14 @@ struct How {
     throw py::error_already_set();
 }
 
-/// A report, and what the model was read from.
+/// A report, and the loop or chart that it is about.
 struct Checked {
     Report report;
     Sources sources;
+    std::shared_ptr<const Reading> reading = {};
+    Id<ClosedLoop> loop = {};
+    Id<Chart> chart = {};
+    std::optional<ExecutionMode> mode = {};
 };
 
 /// A simulator, which other threads of Python may use too: the lock of the interpreter is kept.
@@ -164,16 +170,16 @@ struct Moved {
 };
 
 class File {
-    Reading reading_;
+    std::shared_ptr<const Reading> reading_;
 
-    const Model& model() const { return *reading_.model; }
+    const Model& model() const { return *reading_->model; }
 
     /// What `make` makes; its errors as an exception, its warnings as warnings of Python.
     template <class Make>
     auto made(Make make) const {
         Diagnostics diagnostics;
         auto result = uninterrupted([&](const std::atomic<bool>& stop) { return make(stop, diagnostics); });
-        if (!result) refuse(diagnostics, reading_.sources);
+        if (!result) refuse(diagnostics, reading_->sources);
         for (const Diagnostic& each : diagnostics.all())
             if (PyErr_WarnEx(PyExc_UserWarning, (each.message + " [" + each.code + "]").c_str(), 2) != 0)
                 throw py::error_already_set();
@@ -190,7 +196,7 @@ public:
 
     std::vector<std::string> charts() const { return names(model().charts); }
     std::vector<std::string> loops() const { return names(model().loops); }
-    py::list warnings() const { return listed(reading_.diagnostics.all(), reading_.sources); }
+    py::list warnings() const { return listed(reading_->diagnostics.all(), reading_->sources); }
     std::vector<std::string> properties(const std::string& loop) const {
         return names(model().loops[loop_of(loop)].properties);
     }
@@ -205,7 +211,7 @@ public:
             return untimed ? check_untimed(model(), id, options, check, diagnostics)
                            : grafverif::check(model(), id, options, check, diagnostics);
         });
-        return {std::move(report), reading_.sources};
+        return {std::move(report), reading_->sources, reading_, id, {}, options.mode};
     }
     Checked check_chart(const std::string& chart, const How& how, const Bounds& bounds) const {
         const ModelOptions options = how.options();
@@ -215,7 +221,7 @@ public:
             check.limits = bounds.limits(stop);
             return check_untimed(model(), id, options, check, diagnostics);
         });
-        return {std::move(report), reading_.sources};
+        return {std::move(report), reading_->sources, reading_, {}, id, options.mode};
     }
     std::pair<std::string, std::string> analyse(const std::string& chart, const How& how, const Bounds& bounds) const {
         const auto mode = mode_of(how.mode);
@@ -223,7 +229,7 @@ public:
         const Analysis found = made([&](const std::atomic<bool>& stop, Diagnostics& diagnostics) {
             return analysis_of(model(), id, mode, bounds.limits(stop), diagnostics);
         });
-        return {text_of(found, reading_.sources), json_of(found, reading_.sources)};
+        return {text_of(found, reading_->sources), json_of(found, reading_->sources)};
     }
     std::string draw(const std::string& chart, const std::string& notation) const {
         DrawOptions options;
@@ -313,8 +319,8 @@ public:
     }
 
 private:
-    explicit File(Reading reading) : reading_(std::move(reading)) {
-        if (!reading_.model) refuse(reading_.diagnostics, reading_.sources);
+    explicit File(Reading reading) : reading_(std::make_shared<const Reading>(std::move(reading))) {
+        if (!reading_->model) refuse(reading_->diagnostics, reading_->sources);
     }
 
     template <class Things>
@@ -339,6 +345,18 @@ private:
     }
 };
 
+std::string html_of(const Checked& checked, const std::string& date) {
+    Diagnostics diagnostics;
+    auto page = uninterrupted([&](const std::atomic<bool>& stop) {
+        Limits limits;
+        limits.stop = &stop;
+        return report_page(*checked.reading, checked.loop, checked.chart, checked.report, checked.mode, date, limits,
+                           diagnostics);
+    });
+    if (!page) refuse(diagnostics, checked.reading->sources);
+    return std::move(*page);
+}
+
 const ChartRun& run_of(const Checked& checked, std::size_t answer) {
     const auto& trace = checked.report.answers.at(answer).trace;
     if (!trace) throw py::key_error("the verdict has no trace");
@@ -349,6 +367,7 @@ const ChartRun& run_of(const Checked& checked, std::size_t answer) {
 
 PYBIND11_MODULE(_core, module) {
     module.doc() = "The library grafverif; use the package `grafverif`, which makes objects of what this gives.";
+    module.attr("__version__") = GRAFVERIF_VERSION;
     py::class_<How>(module, "How")
         .def(py::init([](std::optional<std::string> mode, std::optional<std::string> grain,
                          std::optional<std::string> plant, std::optional<std::string> schedule,
@@ -379,7 +398,8 @@ PYBIND11_MODULE(_core, module) {
             [](const Checked& checked, std::size_t answer) {
                 return svg_of(run_of(checked, answer), checked.report.answers.at(answer).verdict.property);
             },
-            py::arg("answer"));
+            py::arg("answer"))
+        .def("html", &html_of, py::arg("date"));
     py::class_<Moved>(module, "Simulator")
         .def("obey", [](Moved& moved, const std::string& command) { return moved.simulator.obey(command); })
         .def("problem", [](const Moved& moved) { return moved.simulator.problem(); })

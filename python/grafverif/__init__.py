@@ -7,22 +7,29 @@
     print(report)
 
 What is wrong with a chart is raised as GrafverifError, with its places. Whatever takes long lets other threads run and
-ends with KeyboardInterrupt at Ctrl-C. Times are in seconds where they are asked for, in milliseconds (`_ms`) in runs.
+ends with KeyboardInterrupt at Ctrl-C. Durations are in seconds, as arguments and in results; arguments may also be
+`datetime.timedelta`. Attributes that end in `_ms` are in milliseconds.
 """
 
 from __future__ import annotations
 
+import html
 import importlib
 import json
 import os
 from dataclasses import dataclass, field
-from typing import Any, Iterable, Iterator, Mapping, NamedTuple, TypeVar
+from datetime import timedelta
+from typing import Any, Iterable, Iterator, Mapping, NamedTuple, Sequence, TypeVar, Union
 
 from . import _core
 
 __all__ = ["Analysis", "Automaton", "Chart", "Choice", "Diagnostic", "Drawing", "File", "Finding", "GrafverifError",
-           "Loop", "Mealy", "Report", "SimulationError", "Simulation", "Step", "TestSequence", "TestStep", "Trace",
-           "Verdict", "parse", "read"]
+           "Loop", "Mealy", "NotFoundError", "Report", "SimulationError", "Simulation", "Step", "TestSequence",
+           "TestStep", "Trace", "Verdict", "__version__", "parse", "read"]
+
+__version__: str = _core.__version__
+
+Duration = Union[float, timedelta]  #: seconds
 
 
 class Diagnostic(NamedTuple):
@@ -43,17 +50,50 @@ class GrafverifError(Exception):
         super().__init__(text)
         self.diagnostics = [Diagnostic(*each) for each in diagnostics]
 
+    def __str__(self) -> str:
+        return str(self.args[0])
 
-class SimulationError(Exception):
-    """A command of a simulation that could not be obeyed."""
+
+class SimulationError(GrafverifError):
+    """A command of a simulation that could not be executed."""
 
 
-def _frame(rows: list[dict[str, Any]]) -> Any:
+class NotFoundError(GrafverifError, KeyError):
+    """There is no chart, closed loop or property of that name."""
+
+
+def _seconds(duration: Duration) -> float:
+    return duration.total_seconds() if isinstance(duration, timedelta) else duration
+
+
+def _shown_seconds(seconds: float) -> str:
+    return f"{seconds:.3f}".rstrip("0").rstrip(".") + " s"
+
+
+def _html_table(headings: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
+    def row(cells: Sequence[Any], tag: str) -> str:
+        texts = ("" if cell is None else html.escape(str(cell)) for cell in cells)
+        return "<tr>" + "".join(f'<{tag} style="text-align: left">{text}</{tag}>' for text in texts) + "</tr>"
+
+    return (f"<table><thead>{row(headings, 'th')}</thead><tbody>"
+            + "".join(row(each, "td") for each in rows) + "</tbody></table>")
+
+
+def _dataframe(rows: list[dict[str, Any]]) -> Any:
     try:
         pandas: Any = importlib.import_module("pandas")
     except ImportError as error:
         raise ImportError("tables are made by pandas, which is not installed (Debian: python3-pandas)") from error
     return pandas.DataFrame(rows)
+
+
+class _Tabular:
+    def to_dataframe(self) -> Any:
+        raise NotImplementedError
+
+    def frame(self) -> Any:
+        """The former name of `to_dataframe`."""
+        return self.to_dataframe()
 
 
 @dataclass(frozen=True)
@@ -72,23 +112,26 @@ class Drawing:
 
 @dataclass(frozen=True)
 class Step:
-    """One row of a run: what happened, and how everything stands behind it. In an untimed run `time_ms` counts steps."""
+    """One row of a run: what happened, and the state after it. In an untimed run `time` and `time_ms` count steps."""
 
-    time_ms: int
+    time: float  #: seconds
     kind: str
     component: str | None
     fired: tuple[str, ...]
     situation: tuple[str, ...]
     inputs: dict[str, bool | int]
     outputs: dict[str, bool | int]
+    time_ms: int = field(repr=False, compare=False, default=0)
 
 
-class Trace:
+class Trace(_Tabular):
     """A run of a loop or chart in the words of its charts. From step `loop_from` on it repeats for ever."""
 
     def __init__(self, document: dict[str, Any], text: str, svg: str):
-        self.steps = [Step(each["time"], each["kind"], each["component"], tuple(each["fired"]),
-                           tuple(each["situation"]), each["inputs"], each["outputs"]) for each in document["steps"]]
+        unit = 1000 if document["run"].get("timed", True) else 1
+        self.steps = [Step(each["time"] / unit, each["kind"], each["component"], tuple(each["fired"]),
+                           tuple(each["situation"]), each["inputs"], each["outputs"], each["time"])
+                      for each in document["steps"]]
         self.loop_from: int | None = document["loop_from"]
         self.run: dict[str, Any] = document["run"]  #: all that there is to know: docs/trace.md
         self.drawing = Drawing(svg)  #: a timing diagram
@@ -112,9 +155,14 @@ class Trace:
     def _repr_svg_(self) -> str:
         return self.drawing.svg
 
-    def frame(self) -> Any:
-        """A pandas table, a row per step, a column per input and output."""
-        return _frame([{"time_ms": each.time_ms, "kind": each.kind, "component": each.component,
+    def _repr_html_(self) -> str:
+        rows = [(each.time, each.component, " ".join(each.fired), " ".join(each.situation),
+                 " ".join(name for name, value in each.outputs.items() if value)) for each in self.steps]
+        return self.drawing.svg + _html_table(("time", "component", "cleared", "situation", "outputs"), rows)
+
+    def to_dataframe(self) -> Any:
+        """A pandas DataFrame: a row per step, a column per input and output, times in seconds."""
+        return _dataframe([{"time": each.time, "kind": each.kind, "component": each.component,
                         "fired": " ".join(each.fired), "situation": " ".join(each.situation), **each.inputs,
                         **each.outputs} for each in self.steps])
 
@@ -168,7 +216,7 @@ class Verdict:
         return f"<Verdict {self.name}: {self.verdict}>"
 
 
-class Report:
+class Report(_Tabular):
     """All verdicts on a loop or chart, in the order of the properties."""
 
     def __init__(self, core: _core.Report):
@@ -194,7 +242,8 @@ class Report:
         for each in self.verdicts:
             if each.name == name:
                 return each
-        raise KeyError(f"there is no property `{name}`; there are {', '.join(each.name for each in self.verdicts)}")
+        raise NotFoundError(
+            f"there is no property `{name}`; there are {', '.join(each.name for each in self.verdicts)}")
 
     def __str__(self) -> str:
         return self._core.text()
@@ -202,9 +251,24 @@ class Report:
     def __repr__(self) -> str:
         return f"<Report on {self.model}: {', '.join(f'{each.name} {each.verdict}' for each in self.verdicts)}>"
 
-    def frame(self) -> Any:
-        """A pandas table, a row per property."""
-        return _frame([{key: value for key, value in each.document.items() if key not in ("trace", "notes")}
+    def _repr_html_(self) -> str:
+        rows = [(each.name, each.text, each.verdict + (", vacuously" if each.vacuous else ""), each.expected, each.reason)
+                for each in self.verdicts]
+        heading = f"<p><b>{html.escape(self.model)}</b>: {'as expected' if self.as_expected else 'not as expected'}</p>"
+        return heading + _html_table(("property", "sentence", "verdict", "expected", "reason"), rows)
+
+    def to_html(self, *, date: str = "") -> str:
+        """The page that `grafverif report` writes: verdicts, a player of all traces, charts, analysis, equations."""
+        return self._core.html(date)
+
+    def save(self, path: str | os.PathLike[str], *, date: str = "") -> None:
+        """Writes `to_html` to a file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.to_html(date=date))
+
+    def to_dataframe(self) -> Any:
+        """A pandas DataFrame: a row per property."""
+        return _dataframe([{key: value for key, value in each.document.items() if key not in ("trace", "notes")}
                        for each in self.verdicts])
 
 
@@ -221,7 +285,7 @@ class Finding:
     document: dict[str, Any] = field(repr=False, compare=False)
 
 
-class Analysis:
+class Analysis(_Tabular):
     """What can go wrong in a chart, and what never happens in it."""
 
     def __init__(self, text: str, document: dict[str, Any]):
@@ -243,8 +307,13 @@ class Analysis:
     def __repr__(self) -> str:
         return f"<Analysis: {len(self.findings)} findings>"
 
-    def frame(self) -> Any:
-        return _frame([{"code": each.code, "level": each.level, "subject": each.subject, "message": each.message,
+    def _repr_html_(self) -> str:
+        return _html_table(("level", "code", "line", "message"),
+                           [(each.level, each.code, each.line, each.message) for each in self.findings])
+
+    def to_dataframe(self) -> Any:
+        """A pandas DataFrame: a row per finding."""
+        return _dataframe([{"code": each.code, "level": each.level, "subject": each.subject, "message": each.message,
                         "line": each.line, "accepted": each.accepted} for each in self.findings])
 
 
@@ -261,7 +330,7 @@ class _Machine:
         return self.drawing.svg if self.drawing else None
 
 
-class Automaton(_Machine):
+class Automaton(_Machine, _Tabular):
     """The location automaton of a chart: what a controller that executes it does, cycle by cycle."""
 
     @property
@@ -277,9 +346,9 @@ class Automaton(_Machine):
     def __repr__(self) -> str:
         return f"<Automaton of {len(self.locations)} locations, {len(self.evolutions)} evolutions>"
 
-    def frame(self) -> Any:
-        """A pandas table, a row per evolution."""
-        return _frame(self.evolutions)
+    def to_dataframe(self) -> Any:
+        """A pandas DataFrame: a row per evolution."""
+        return _dataframe(self.evolutions)
 
 
 class Mealy(_Machine):
@@ -296,22 +365,23 @@ class TestStep:
     __test__ = False  # nothing for pytest
     sequence: int
     step: int
-    wait_ms: int
+    wait: float  #: seconds
     cycles: int
     inputs: dict[str, bool | int]
     outputs: dict[str, bool | int]
     situation: str
+    wait_ms: int = field(repr=False, compare=False, default=0)
 
 
-class TestSequence:
+class TestSequence(_Tabular):
     """What to apply to an implementation of a chart and what to expect, from power-on, in one sequence or several."""
 
     __test__ = False
 
     def __init__(self, document: dict[str, Any]):
         self.document = document
-        self.steps = [TestStep(number, each["step"], each["wait_ms"], each["cycles"], each["inputs"], each["outputs"],
-                               each["situation"])
+        self.steps = [TestStep(number, each["step"], each["wait_ms"] / 1000, each["cycles"], each["inputs"],
+                               each["outputs"], each["situation"], each["wait_ms"])
                       for number, sequence in enumerate(document["sequences"], 1) for each in sequence]
         self.proven_least: bool = document["proven_least"]
 
@@ -324,8 +394,9 @@ class TestSequence:
     def __repr__(self) -> str:
         return f"<TestSequence of {len(self.steps)} steps>"
 
-    def frame(self) -> Any:
-        return _frame([{"sequence": each.sequence, "step": each.step, "wait_ms": each.wait_ms, "cycles": each.cycles,
+    def to_dataframe(self) -> Any:
+        """A pandas DataFrame: a row per step, times in seconds."""
+        return _dataframe([{"sequence": each.sequence, "step": each.step, "wait": each.wait, "cycles": each.cycles,
                         **each.inputs, **{f"{name} (expected)": value for name, value in each.outputs.items()},
                         "situation": each.situation} for each in self.steps])
 
@@ -358,9 +429,9 @@ class Simulation:
         words = [f"{name} = {str(value).lower()}" for name, value in inputs.items()]
         return self.do(", ".join(words)) if words else self
 
-    def wait(self, seconds: float | None = None) -> Simulation:
-        """Lets time pass; without a time, until something happens by itself, or can."""
-        return self.do("wait" if seconds is None else f"wait {round(1000 * seconds)}ms")
+    def wait(self, duration: Duration | None = None) -> Simulation:
+        """Lets time pass; without a duration, until something happens by itself, or can."""
+        return self.do("wait" if duration is None else f"wait {round(1000 * _seconds(duration))}ms")
 
     @property
     def choices(self) -> list[Choice]:
@@ -388,7 +459,14 @@ class Simulation:
 
     def __repr__(self) -> str:
         now = self.now
-        return f"<Simulation after {now.time_ms} ms: {', '.join(now.situation)}>"
+        return f"<Simulation after {_shown_seconds(now.time)}: {', '.join(now.situation)}>"
+
+    def _repr_html_(self) -> str:
+        return self.trace._repr_html_()
+
+
+def _bounds(timeout: Duration | None, memory: int | None, states: int | None = None) -> _core.Bounds:
+    return _core.Bounds(timeout=None if timeout is None else _seconds(timeout), memory=memory, states=states)
 
 
 class Chart:
@@ -408,33 +486,33 @@ class Chart:
         """As IEC 60848 draws it; `notation` `text` writes logic as the file does."""
         return Drawing(self._file.draw(self.name, notation))
 
-    def check_untimed(self, *, mode: str | None = None, timeout: float | None = None, memory: int | None = None,
+    def check_untimed(self, *, mode: str | None = None, timeout: Duration | None = None, memory: int | None = None,
                       states: int | None = None) -> Report:
         """The chart alone, its inputs free: whether each step can be reached."""
         return Report(self._file.check_chart(self.name, _core.How(mode=mode),
-                                             _core.Bounds(timeout=timeout, memory=memory, states=states)))
+                                             _bounds(timeout, memory, states)))
 
-    def analyse(self, *, mode: str | None = None, timeout: float | None = None, memory: int | None = None) -> Analysis:
+    def analyse(self, *, mode: str | None = None, timeout: Duration | None = None, memory: int | None = None) -> Analysis:
         text, document = self._file.analyse(self.name, _core.How(mode=mode),
-                                            _core.Bounds(timeout=timeout, memory=memory))
+                                            _bounds(timeout, memory))
         return Analysis(text, json.loads(document))
 
-    def automaton(self, *, mode: str | None = None, timeout: float | None = None, memory: int | None = None,
+    def automaton(self, *, mode: str | None = None, timeout: Duration | None = None, memory: int | None = None,
                   states: int | None = None) -> Automaton:
         return Automaton(self._file.automaton(self.name, _core.How(mode=mode),
-                                              _core.Bounds(timeout=timeout, memory=memory, states=states)))
+                                              _bounds(timeout, memory, states)))
 
-    def mealy(self, *, mode: str | None = None, minimise: bool = False, timeout: float | None = None,
+    def mealy(self, *, mode: str | None = None, minimise: bool = False, timeout: Duration | None = None,
               memory: int | None = None, states: int | None = None) -> Mealy:
         return Mealy(self._file.mealy(self.name, _core.How(mode=mode),
-                                      _core.Bounds(timeout=timeout, memory=memory, states=states), minimise))
+                                      _bounds(timeout, memory, states), minimise))
 
     def test_sequence(self, *, mode: str | None = None, cover: str = "transitions", one_cycle_each: bool = False,
-                      timeout: float | None = None, memory: int | None = None,
+                      timeout: Duration | None = None, memory: int | None = None,
                       states: int | None = None) -> TestSequence:
         """`cover`: `transitions`, `evolutions` or `locations`."""
         return TestSequence(json.loads(self._file.test_sequence(
-            self.name, _core.How(mode=mode), _core.Bounds(timeout=timeout, memory=memory, states=states), cover,
+            self.name, _core.How(mode=mode), _bounds(timeout, memory, states), cover,
             one_cycle_each)))
 
     def simulate(self, *, mode: str | None = None) -> Simulation:
@@ -464,22 +542,22 @@ class Loop:
         return f"<Loop {self.name}>"
 
     def check(self, *properties: str, mode: str | None = None, grain: str | None = None,
-              timeout: float | None = None, memory: int | None = None, states: int | None = None,
+              timeout: Duration | None = None, memory: int | None = None, states: int | None = None,
               whole: bool = False) -> Report:
         """Proves the properties of these names, or all, in real time. `timeout` in seconds, `memory` in bytes; at a
         bound verdicts are unknown."""
         return Report(self._file.check(self.name, _core.How(mode=mode, grain=grain), list(properties),
-                                       _core.Bounds(timeout=timeout, memory=memory, states=states), whole, False))
+                                       _bounds(timeout, memory, states), whole, False))
 
     def check_untimed(self, *properties: str, mode: str | None = None, plant: str | None = None,
                       schedule: str | None = None, time: str | None = None, fairness: bool = False,
-                      timeout: float | None = None, memory: int | None = None, states: int | None = None,
+                      timeout: Duration | None = None, memory: int | None = None, states: int | None = None,
                       whole: bool = False) -> Report:
         """The same of the model without time; what that says of the real plant stands with each verdict."""
         how = _core.How(mode=mode, plant=plant or ("automata" if schedule or time or fairness else None),
                         schedule=schedule, time=time, fairness=fairness)
         return Report(self._file.check(self.name, how, list(properties),
-                                       _core.Bounds(timeout=timeout, memory=memory, states=states), whole, True))
+                                       _bounds(timeout, memory, states), whole, True))
 
     def simulate(self, *, mode: str | None = None, grain: str | None = None) -> Simulation:
         return Simulation(self._file.simulate_loop(self.name, _core.How(mode=mode, grain=grain)))
@@ -529,25 +607,32 @@ class File:
         if name is None and len(things) == 1:
             return next(iter(things.values()))
         there = ", ".join(things) or "none"
-        raise KeyError(f"there is no {what} `{name}`; there is {there}" if name is not None
-                       else f"name the {what}; there is {there}")
+        raise NotFoundError(f"there is no {what} `{name}`; there is {there}" if name is not None
+                            else f"name the {what}; there is {there}")
 
     def __repr__(self) -> str:
         return f"<File: charts {', '.join(self.charts) or 'none'}; loops {', '.join(self.loops) or 'none'}>"
 
 
-def _written(constants: Mapping[str, bool | int | str] | None) -> dict[str, str]:
+Constants = Mapping[str, Union[bool, int, str, timedelta]]
+
+
+def _written(constants: Constants | None) -> dict[str, str]:
     """Values of constants as the language writes them."""
     written = {}
     for name, value in (constants or {}).items():
-        if not isinstance(value, (bool, int, str)):
-            raise TypeError(f"`{name}` is set to a bool, an int, or a str such as '3s'; not to {type(value).__name__}")
-        written[name] = str(value).lower() if isinstance(value, bool) else str(value)
+        if isinstance(value, timedelta):
+            written[name] = f"{round(1000 * value.total_seconds())}ms"
+        elif not isinstance(value, (bool, int, str)):
+            raise TypeError(f"`{name}` is set to a bool, an int, a timedelta, or a str such as '3s'; "
+                            f"not to {type(value).__name__}")
+        else:
+            written[name] = str(value).lower() if isinstance(value, bool) else str(value)
     return written
 
 
 def read(path: str | os.PathLike[str], *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
-         constants: Mapping[str, bool | int | str] | None = None) -> File:
+         constants: Constants | None = None) -> File:
     """Reads a file of any format that grafverif knows, and its includes, which are looked for in `include` too.
 
     `constants` gives constants of closed loops other values, as `--set` does: of every loop that has one of the name.
@@ -556,6 +641,6 @@ def read(path: str | os.PathLike[str], *, include: Iterable[str | os.PathLike[st
 
 
 def parse(text: str, name: str = "text", *, include: Iterable[str | os.PathLike[str]] = (), lossy: bool = False,
-          constants: Mapping[str, bool | int | str] | None = None) -> File:
+          constants: Constants | None = None) -> File:
     """Reads a text; `name` stands for it in errors. `constants`: see `read`."""
     return File(_core.File.parse(text, name, [os.fspath(each) for each in include], lossy, _written(constants)))

@@ -1,21 +1,25 @@
 # SPDX-License-Identifier: MIT
-"""The page on Python says what happens."""
+"""Examples of the documents run as pasted: with nothing imported and no variable set beforehand."""
 import doctest
-import os
 import pathlib
 
 import pytest
 
 root = pathlib.Path(__file__).parents[2]
+pages = sorted(page for page in [root / "README.md", *root.glob("docs/*.md")] if "```python" in page.read_text())
 
 
-def test_the_page_says_what_happens(monkeypatch, tmp_path):
+@pytest.mark.parametrize("page", pages, ids=lambda page: page.stem)
+def test_examples_run_as_pasted(page, monkeypatch, tmp_path):
     pytest.importorskip("pandas")
-    matplotlib = pytest.importorskip("matplotlib")
-    matplotlib.use("Agg")
-    monkeypatch.chdir(root)
-    monkeypatch.setenv("SWEEP", str(tmp_path / "sweep.png"))
-    result = doctest.testfile(str(root / "docs/python.md"), module_relative=False, optionflags=doctest.ELLIPSIS,
-                              globs={"os": os})
+    pytest.importorskip("matplotlib")
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    (tmp_path / "samples").symlink_to(root / "samples")
+    monkeypatch.chdir(tmp_path)
+    result = doctest.testfile(str(page), module_relative=False, optionflags=doctest.ELLIPSIS, globs={})
     assert result.attempted > 10 and result.failed == 0
     assert (tmp_path / "sweep.png").stat().st_size > 5000
+
+
+def test_there_is_a_page():
+    assert root / "docs/python.md" in pages

@@ -76,6 +76,20 @@ def test_nonsense_is_refused_by_name():
         grafverif._core.File()
 
 
+def test_every_error_of_grafverif_has_one_base():
+    assert issubclass(grafverif.SimulationError, grafverif.GrafverifError)
+    assert issubclass(grafverif.NotFoundError, grafverif.GrafverifError)
+    read = grafverif.read(blinker)
+    report = read.loop().check()
+    for find in (lambda: read.chart("other"), lambda: read.loop("other"), lambda: report["P99"]):
+        with pytest.raises(grafverif.NotFoundError, match="^there is no ") as caught:
+            find()
+        assert str(caught.value).startswith("there is no ") and caught.value.diagnostics == []
+        assert isinstance(caught.value, KeyError)
+    with pytest.raises(grafverif.GrafverifError, match="NOTHING"):
+        read.loop().simulate().set(NOTHING=True)
+
+
 def test_a_bound_makes_verdicts_unknown():
     report = grafverif.read(blinker).loop().check(states=10)
     assert all(each.unknown and each.reason for each in report) and not report.as_expected

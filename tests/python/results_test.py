@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """What the module gives is what the program prints."""
+import datetime
 import json
 import os
 import pathlib
+import re
 import subprocess
 import xml.etree.ElementTree
 
@@ -18,6 +20,11 @@ tanks = samples / "tanks/tanks.grafcet"
 def printed(*arguments):
     return subprocess.run([os.environ["GRAFVERIF_PROGRAM"], *map(str, arguments)], capture_output=True, text=True,
                           check=False).stdout
+
+
+def withouttimes(page):
+    """A page without what a clock measured."""
+    return re.sub(r"\d+\.\d+ s\b|\"seconds\":[\d.e-]+", "", page)
 
 
 def timeless(text):
@@ -102,9 +109,9 @@ def test_a_trace_is_drawn_and_tabulated():
     assert xml.etree.ElementTree.fromstring(trace._repr_svg_()).tag.endswith("svg")
     assert "H_Act" in str(trace)
     pandas = pytest.importorskip("pandas")
-    table = trace.frame()
+    table = trace.to_dataframe()
     assert isinstance(table, pandas.DataFrame) and len(table) == len(trace) and "V_G_OUT" in table.columns
-    assert list(grafverif.read(station).loop().check().frame()["name"])[:2] == ["P15", "P16"]
+    assert list(grafverif.read(station).loop().check().to_dataframe()["name"])[:2] == ["P15", "P16"]
 
 
 def test_automata_and_tests_are_those_of_the_program():
@@ -154,3 +161,40 @@ def test_a_script_gives_a_run():
     trace = loop.run("wait 1s\nBUTTON = true\nwait 2s\n")
     assert {"1"} <= {step for row in trace for step in row.situation} and trace.steps[-1].time_ms == 3000
     assert loop.simulate().wait(1).choices[0].command
+
+
+def test_durations_have_one_unit():
+    second = datetime.timedelta(seconds=1)
+    simulation = grafverif.read(samples / "blinker/blinker.grafcet").loop().simulate().wait(second)
+    assert simulation.set(BUTTON=True).wait(0.5 * 4).now.time == 3.0 and simulation.now.time_ms == 3000
+    assert repr(simulation).startswith("<Simulation after 3 s:")
+    constants = {"SHORT": 2 * second}
+    report = grafverif.parse(WITH_CONSTANTS, constants=constants).loop().check("few", timeout=30 * second)
+    assert [each["value"] for each in report.document["constants"]][1] == "2s" and not report["few"].unknown
+    steps = grafverif.read(tanks).chart().test_sequence().steps
+    assert all(step.wait == step.wait_ms / 1000 for step in steps)
+
+
+def test_the_page_of_a_report_is_that_of_the_program(tmp_path):
+    file = samples / "blinker/blinker.grafcet"
+    report = grafverif.read(file).loop().check()
+    report.save(tmp_path / "page.html", date="today")
+    page = (tmp_path / "page.html").read_text()
+    assert page.startswith("<!DOCTYPE html>") and page == report.to_html(date="today")
+    of_program = printed("report", file, "--date", "today", "-o", "-")
+    assert len(page) > 50000 and withouttimes(page) == withouttimes(of_program)
+    alone = grafverif.read(file).chart().check_untimed().to_html()
+    assert "blinker" in alone and "<svg" in alone
+
+
+def test_notebooks_show_tables_of_results():
+    report = grafverif.read(station).loop().check()
+    shown = report._repr_html_()
+    assert "<td" in shown and "P16" in shown and "violated" in shown and "as expected" in shown
+    assert "<svg" in report["P16"].trace._repr_html_()
+    text = grafverif.parse("grafcet g { initial step 0; transition t: 0 -> 0 when true; }\n").chart().analyse()._repr_html_()
+    assert "<table>" in text and "<script" not in text
+
+
+def test_the_version_is_that_of_the_program():
+    assert grafverif.__version__ in printed("--version")

@@ -24,7 +24,7 @@ def test_the_package_is_typed_throughout(tmp_path):
 def test_examples_of_the_page_are_well_typed(tmp_path):
     page = (root / "docs/python.md").read_text()
     examples = tmp_path / "examples.py"
-    examples.write_text("import os\n" + "".join(each.source for each in doctest.DocTestParser().get_examples(page)))
+    examples.write_text("".join(each.source for each in doctest.DocTestParser().get_examples(page)))
     assert mypy(tmp_path, "--follow-imports", "silent", examples) == ""
     examples.write_text("import grafverif\ngrafverif.read(7).loop().check('P15')['P15'].verdict += 1\n")
     wrong = mypy(tmp_path, examples)
