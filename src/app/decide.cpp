@@ -50,7 +50,7 @@ std::optional<Report> system_report(const SystemToCheck& system, Job& job, const
 
 std::optional<Report> untimed_report(const Model& model, Id<ClosedLoop> id, Job& job, const CheckOptions& options) {
     const ModelOptions how = model_options(job.options);
-    const auto system = transition_system_of(model, id, job);
+    const auto system = system_with_probes(model, id, how, job.diagnostics);
     if (!system || !all_known(options.properties, property_names(*system), job.diagnostics)) return {};
     return system_report(system_to_check(*system, model, id, how), job, options);
 }

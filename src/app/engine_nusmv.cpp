@@ -6,6 +6,7 @@
 #include "app/engines.hpp"
 #include "app/system/process.hpp"
 #include "check/external/nusmv.hpp"
+#include "check/vacuity.hpp"
 #include "emit/nusmv/nusmv.hpp"
 #include "emit/wide.hpp"
 #include "support/messages.hpp"
@@ -20,7 +21,8 @@ std::optional<Report> check_by_nusmv(const SystemToCheck& whole, const std::stri
         return {};
     }
     if (!fits(whole.system, program, diagnostics)) return {};
-    const TransitionSystem narrow = nusmv::narrow(whole.system);
+    TransitionSystem narrow = nusmv::narrow(whole.system);
+    add_external_probes(narrow.exprs, narrow.properties, narrow.settled.valid());
     const SystemToCheck check{narrow, whole.charts, whole.abstraction, whole.network};
     const SystemSpelling spelling = nusmv::spelling(check.system);
     const std::vector<std::size_t> properties = asked_properties(check.system, options.properties);
@@ -37,6 +39,7 @@ std::optional<Report> check_by_nusmv(const SystemToCheck& whole, const std::stri
     NusmvResult result = read_nusmv(check.system, spelling, properties, said);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     SystemReporter reporter(check, SystemReporter::Of::Program, program, options, result.verdicts);
+    apply_probes(narrow.properties, result.verdicts);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
         result.verdicts[i].seconds = seconds;
         reporter.add(std::move(result.verdicts[i]), std::move(result.runs[i]));

@@ -16,7 +16,8 @@ std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOpti
         diagnostics.add(messages::missing_program("verifyta", "--engine timed"));
         return {};
     }
-    const UppaalQuestions uppaal = uppaal_questions(loop.network, diagnostics);
+    const Network network = network_with_probes(loop.network);
+    const UppaalQuestions uppaal = uppaal_questions(network, diagnostics);
     if (diagnostics.has_errors()) return {};
     const TemporaryFolder folder;
     folder.write("model.xml", uppaal.project);
@@ -27,9 +28,9 @@ std::optional<Report> check_by_verifyta(const LoopToCheck& loop, const CheckOpti
         folder.write("query.q", formula + '\n');
         return run_program({program->string(), "model.xml", "query.q"}, "", limits);
     };
-    Report report{loop.network.name, basis_of(loop.network, "verifyta")};
-    for (Verdict& verdict : check_verifyta(loop.network, uppaal.questions, options))
-        report.answers.push_back(answer_of(loop.network, std::move(verdict), Detail::Chart));
+    Report report{network.name, basis_of(network, "verifyta")};
+    for (Verdict& verdict : check_verifyta(network, uppaal.questions, options))
+        report.answers.push_back(answer_of(network, std::move(verdict), Detail::Chart));
     return report;
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "check/parts/by_turns.hpp"
+#include "ir/probes.hpp"
 
 namespace grafverif {
 
@@ -120,8 +121,10 @@ private:
         const auto [place, fresh] = first_.try_emplace(verdict.about.index, verdict, run);
         Verdict& first = place->second.first;
         if (fresh) {
-            moot_[verdict.about.index] = true;
-            open_.erase(verdict.about.index);
+            settle(verdict.about);
+            for (const Id<Property> id : system_.properties.ids())  // of what is violated nothing more is to be known
+                if (verdict.outcome == Outcome::Violated && probed_by(system_.properties[id]) == verdict.property)
+                    settle(id);
             if (open_.empty()) stop_ = true;
         } else if (is_decided(first) && first.outcome != verdict.outcome) {
             failures_.push_back("the engines disagree on `" + verdict.property + "`: " + said(first) + ", " +
@@ -131,6 +134,11 @@ private:
             first.reason = "this engine failed";
             place->second.second.reset();
         }
+    }
+
+    void settle(Id<Property> about) {
+        moot_[about.index] = true;
+        open_.erase(about.index);
     }
 
     // -- who asked ---------------------------------------------------------------------------------------------------

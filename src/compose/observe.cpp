@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "compose/observer.hpp"
+#include "compose/vacuity.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif {
@@ -99,7 +100,7 @@ std::vector<Id<Property>> watched(const Network& network) {
     return found;
 }
 
-Network observed(const Network& network, const std::vector<Id<Property>>& chosen) {
+Network observed(const Network& network, const std::vector<Id<Property>>& chosen, Vacuity vacuity) {
     Network made = network;
     made.properties = {};
     UniqueNames names;
@@ -125,6 +126,7 @@ Network observed(const Network& network, const std::vector<Id<Property>>& chosen
         look = made.exprs.leaf(Op::Variable, flag.index);
         show_every_state(made, look);
     }
+    std::vector<Property> probes;
     for (const Property& property : network.properties) {
         if (property.pattern != Pattern::Watched) {
             made.properties.add(property);
@@ -147,9 +149,15 @@ Network observed(const Network& network, const std::vector<Id<Property>>& chosen
                                  .initial = observer.automaton.initial,
                                  .kind = Network::ProcessKind::Observer,
                                  .origin = property.origin};
+        Id<Network::Variable> followed;
+        if (vacuity == Vacuity::Probed) followed = follow_scope(made, names, property, of, observer.automaton);
         process.automaton = made.templates.add(std::move(observer.automaton));
-        made.properties.add(question(made, property, made.processes.add(std::move(process)), observer));
+        const Id<Network::Process> id = made.processes.add(std::move(process));
+        made.properties.add(question(made, property, id, observer));
+        if (vacuity == Vacuity::Probed)
+            for (Property& probe : vacuity_probes(made, property, of, id, followed)) probes.push_back(std::move(probe));
     }
+    for (Property& probe : probes) made.properties.add(std::move(probe));
     assert(verify(made).empty());
     return made;
 }

@@ -22,12 +22,15 @@
 
 namespace grafverif {
 
+/// Whether the network also gets the probes that decide whether its observed properties are vacuous (compose/vacuity.hpp).
+enum class Vacuity { Ignored, Probed };
+
 /// The properties of Pattern::Watched, in order.
 std::vector<Id<Property>> watched(const Network& network);
 
 /// `network` with the observers of `chosen`, and these properties in the terms of their observers, in their places; the
 /// other watched ones are left out, the rest stay as they are. Processes, variables and locations keep their numbers; the
-/// new ones are behind them. Requires verify(network).empty().
-Network observed(const Network& network, const std::vector<Id<Property>>& chosen);
+/// new ones are behind them; probes come after all other properties. Requires verify(network).empty().
+Network observed(const Network& network, const std::vector<Id<Property>>& chosen, Vacuity vacuity = Vacuity::Ignored);
 
 }  // namespace grafverif

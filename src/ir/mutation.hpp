@@ -32,6 +32,7 @@ struct MutantFate {
     std::string reason = {};                   ///< Refused: the code of the error; Unknown: why
     std::vector<std::string> noticed_by = {};  ///< properties
     std::vector<std::string> undecided = {};   ///< properties that were not decided of it
+    std::vector<std::string> vacuous = {};     ///< properties that hold vacuously of it, and not of the original
     std::optional<bool> caught = {};           ///< by the test sequence; empty: there is none, or nobody looked
     std::size_t scans = 0;                     ///< that tell it from the original; 0: none were found
     std::vector<std::string> failures = {};    ///< ours
@@ -43,6 +44,7 @@ struct Mutation {
     std::vector<Mutant> mutants = {};                   ///< those that were asked for
     std::vector<std::optional<MutantFate>> fates = {};  ///< per mutant; empty: the run was stopped before
     std::vector<std::string> properties = {};           ///< as expected of the original
+    std::vector<std::string> vacuous = {};              ///< those of them that hold vacuously
     std::optional<std::size_t> test_steps = {};         ///< of the test sequence
     std::string no_test = {};                           ///< the code of the error, where there is none
 };

@@ -15,4 +15,10 @@ inline bool is_about_single_states(Pattern pattern) {
     return is_about_all_states(pattern) || pattern == Pattern::Reachable;
 }
 
+/// True of a `leads to` that the model declares, false of one between places of an observer, whose premise says nothing of
+/// vacuity.
+inline bool is_declared_response(const Property& property) {
+    return property.pattern == Pattern::LeadsTo && property.watch == Sentence{};
+}
+
 }  // namespace grafverif

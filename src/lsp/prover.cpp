@@ -26,6 +26,7 @@ bool is_of(const Root&, Span origin) { return origin.source.valid() && origin.so
 
 std::string outcome_words(const Verdict& verdict) {
     std::string words(word(verdict.outcome));
+    if (verdict.vacuous) words += ", vacuously";
     if (verdict.outcome != Outcome::Unknown && verdict.expected_violated)
         words += as_expected(verdict) ? ", as expected" : ", which is not expected";
     return words;

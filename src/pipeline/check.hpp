@@ -12,6 +12,7 @@
 #include "analyse/analyse.hpp"
 #include "check/cells/cells.hpp"
 #include "check/pdr/check.hpp"
+#include "check/vacuity.hpp"
 #include "grafverif/grafverif.hpp"
 #include "ir/flat_system.hpp"
 #include "pipeline/untimed.hpp"
@@ -49,12 +50,14 @@ public:
     SystemReporter(const SystemToCheck& check, Of of, std::string engine, const CheckOptions& options,
                    const std::vector<Verdict>& verdicts);
 
+    /// A verdict on a probe is left out.
     void add(Verdict verdict, std::optional<SystemRun> run);
     void add(const SystemFault& fault);
     /// All that an embedded engine found, and what cannot be asked.
     template <class Found>
     void add_all(Found&& found) {
         if (found.fault) add(*found.fault);
+        apply_probes(check_.system.properties, found.verdicts);
         for (std::size_t i = 0; i < found.verdicts.size(); ++i)
             add(std::move(found.verdicts[i]), std::move(found.runs[i]));
         add_omitted();

@@ -8,6 +8,7 @@
 
 #include "check/cells/cells.hpp"
 #include "check/timed/timed.hpp"
+#include "check/vacuity.hpp"
 #include "compose/observe.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/explain.hpp"
@@ -79,7 +80,9 @@ public:
             if (error.kind == ModelError::Kind::ActionRace) name_race(report.breakdowns.back(), error.run);
         }
         std::vector<Violation> violations;
+        apply_probes(network_.properties, result.verdicts);
         for (Verdict& verdict : result.verdicts) {
+            if (verdict.about.valid() && is_probe(network_.properties[verdict.about])) continue;
             if (verdict.outcome == Outcome::Holds && !options_.witnesses) verdict.run.reset();
             if (verdict.run && !replays(*verdict.run, fmt::format("the trace of `{}`", verdict.property)))
                 verdict.run.reset();
@@ -146,12 +149,15 @@ namespace {
 
 /// What a property judged by an observer is found to be: its observer beside the loop, and nobody else's.
 Report check_watched(const LoopToCheck& loop, Id<Property> id, const CheckOptions& options) {
-    Network network = observed(loop.network, {id});
-    const Property asked = *std::ranges::find(network.properties, loop.network.properties[id].name, &Property::name);
-    network.properties = {};
-    network.properties.add(asked);
+    Network network = observed(loop.network, {id}, Vacuity::Probed);
+    const std::string& name = loop.network.properties[id].name;
     CheckOptions own = options;
-    own.properties = {asked.name};
+    own.properties.clear();
+    for (const Property& property : std::exchange(network.properties, {})) {
+        if (property.name != name && probed_by(property) != name) continue;
+        own.properties.push_back(property.name);
+        network.properties.add(property);
+    }
     own.profile = false;
     const LoopToCheck watched_loop{network, loop.charts, loop.cures_left_out, loop.finest};
     TimedResult found = search_watched(watched_loop, own);

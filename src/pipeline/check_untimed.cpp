@@ -61,7 +61,8 @@ std::vector<std::string> property_names(const Network& network) {
 
 std::vector<std::string> property_names(const TransitionSystem& system) {
     std::vector<std::string> names;
-    for (const Property& property : system.properties) names.push_back(property.name);
+    for (const Property& property : system.properties)
+        if (!is_probe(property)) names.push_back(property.name);
     for (const TransitionSystem::Omitted& omitted : system.omitted) names.push_back(omitted.property.name);
     return names;
 }
@@ -88,6 +89,7 @@ SystemReporter::SystemReporter(const SystemToCheck& check, Of of, std::string en
 }
 
 void SystemReporter::add(Verdict verdict, std::optional<SystemRun> run) {
+    if (is_probe(check_.system.properties[verdict.about])) return;
     const bool told = verdict.outcome != Outcome::Holds || options_.witnesses;
     if (run && of_ == Of::Program) {
         if (const auto found = disagreement(project(check_.system, *run), check_.charts))
@@ -117,6 +119,7 @@ void SystemReporter::add_omitted() {
     std::vector<Answer>& answers = report_.answers;
     for (const TransitionSystem::Omitted& omitted : check_.system.omitted | std::views::reverse) {
         const Property& property = omitted.property;
+        if (is_probe(property)) continue;
         if (!asked.empty() && !is_asked(property.name, asked)) continue;
         Answer answer{.text = property.text};
         answer.verdict = verdict_on({}, property);
@@ -202,7 +205,7 @@ void add_stabilises(const Chart& chart, const Equations& equations, const Limits
 
 std::optional<Report> check_untimed(const Model& model, Id<ClosedLoop> id, const ModelOptions& how,
                                     const CheckOptions& options, Diagnostics& diagnostics) {
-    const auto system = transition_system_of(model, id, how, diagnostics);
+    const auto system = system_with_probes(model, id, how, diagnostics);
     if (!system || !all_known(options.properties, property_names(*system), diagnostics)) return {};
     return check(system_to_check(*system, model, id, how), options);
 }

@@ -2,6 +2,7 @@
 // Model -> Equations, Network, TransitionSystem: the only place where the verbs that make models meet, in order.
 #include "pipeline/models.hpp"
 
+#include "check/vacuity.hpp"
 #include "compose/observe.hpp"
 #include "derive/derive.hpp"
 #include "emit/nusmv/nusmv.hpp"
@@ -32,18 +33,18 @@ bool take_turns(const ClosedLoop& loop, const ModelOptions& how) {
 
 /// What the processes that take turns are.
 std::optional<Network> with_observers(const Network& plant_network, const ClosedLoop& loop,
-                                      std::span<const Equations> equations, const ModelOptions& how,
+                                      std::span<const Equations> equations, const ModelOptions& how, Vacuity vacuity,
                                       Diagnostics& diagnostics) {
     const auto network = compose(plant_network, loop, equations, {how.grain, how.mode, {}}, diagnostics);
     if (!network) return {};
     std::vector<Id<Property>> asked = watched(*network);
     if (how.untimed.time == TimeModel::Abstract)  // no clock counts
         std::erase_if(asked, [&](Id<Property> id) { return network->properties[id].watch.duration_ms > 0; });
-    return observed(*network, asked);
+    return observed(*network, asked, vacuity);
 }
 
 std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& loop, const ModelOptions& how,
-                                          Diagnostics& diagnostics) {
+                                          Vacuity vacuity, Diagnostics& diagnostics) {
     ScheduleOptions options = how.untimed;
     options.mode = how.mode;
     const auto equations = equations_of_controllers(model, loop, diagnostics);
@@ -55,7 +56,7 @@ std::optional<TransitionSystem> scheduled(const Model& model, const ClosedLoop& 
     const auto plant_network = plant(model, loop, diagnostics);
     if (!plant_network) return {};
     if (!take_turns(loop, how)) return schedule_together(model, loop, *equations, *plant_network, options, diagnostics);
-    const auto network = with_observers(*plant_network, loop, *equations, how, diagnostics);
+    const auto network = with_observers(*plant_network, loop, *equations, how, vacuity, diagnostics);
     return network ? schedule_network(model, loop, *equations, *network, options, diagnostics) : std::nullopt;
 }
 
@@ -96,12 +97,32 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const
     return network_of(model, loop, ComposeOptions{options.grain, options.mode, {}}, diagnostics);
 }
 
-std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop,
-                                                     const ModelOptions& options, Diagnostics& diagnostics) {
-    auto system = scheduled(model, model.loops[loop], options, diagnostics);
+namespace {
+
+std::optional<TransitionSystem> system_of(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
+                                          Vacuity vacuity, Diagnostics& diagnostics) {
+    auto system = scheduled(model, model.loops[loop], options, vacuity, diagnostics);
     if (system) *system = nusmv::sayable(std::move(*system));
     if (system) system->constants = model.loops[loop].constants;
     return system;
+}
+
+}  // namespace
+
+std::optional<TransitionSystem> transition_system_of(const Model& model, Id<ClosedLoop> loop,
+                                                     const ModelOptions& options, Diagnostics& diagnostics) {
+    return system_of(model, loop, options, Vacuity::Ignored, diagnostics);
+}
+
+std::optional<TransitionSystem> system_with_probes(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
+                                                   Diagnostics& diagnostics) {
+    return system_of(model, loop, options, Vacuity::Probed, diagnostics);
+}
+
+Network network_with_probes(const Network& network) {
+    Network made = observed(network, watched(network), Vacuity::Probed);
+    add_external_probes(made.exprs, made.properties, made.settled.valid());
+    return made;
 }
 
 std::optional<TransitionSystem> transition_system_of(const Model& model, Id<Chart> chart, const ModelOptions& options,
@@ -128,7 +149,7 @@ SystemToCheck system_to_check(const TransitionSystem& system, const Model& model
             const auto equations = equations_of_controllers(model, loop, known);
             const auto plant_network = plant(model, loop, known);
             if (!equations || !plant_network) return made;
-            if (const auto composed = with_observers(*plant_network, loop, *equations, how, known))
+            if (const auto composed = with_observers(*plant_network, loop, *equations, how, Vacuity::Ignored, known))
                 made = expand(*composed);
             return made;
         };

@@ -27,6 +27,12 @@ std::optional<Network> network_of(const Model& model, Id<ClosedLoop> loop, const
 TransitionSystem transition_system_of(const Model& model, Id<Chart> chart, const Equations& equations,
                                       std::optional<ExecutionMode> mode);
 
+/// transition_system_of with the probes that tell which properties are vacuous: a system to check, not to write.
+std::optional<TransitionSystem> system_with_probes(const Model& model, Id<ClosedLoop> loop, const ModelOptions& options,
+                                                   Diagnostics& diagnostics);
+/// `network` with the observers of all its properties and with all probes, for external programs.
+Network network_with_probes(const Network& network);
+
 /// The charts of the loop's controllers, in order.
 std::vector<const Chart*> charts_of(const Model& model, const ClosedLoop& loop);
 

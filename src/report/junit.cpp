@@ -2,6 +2,7 @@
 #include "report/junit.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -61,6 +62,13 @@ std::string result(const Answer& answer, const std::optional<FilePlace>& where) 
     return failure(word(verdict.outcome), message, where, answer.trace ? told(*answer.trace, end_of(verdict)) : "");
 }
 
+/// What is printed of a case whatever its result: the text of the property, and that it holds vacuously.
+std::string output(const Answer& answer) {
+    if (!answer.verdict.vacuous) return answer.text;
+    return fmt::format("{}{}{}, vacuously: {}", answer.text, answer.text.empty() ? "" : "\n",
+                       word(answer.verdict.outcome), fmt::join(answer.verdict.notes, "; "));
+}
+
 struct Case {
     std::string_view suite = {}, name = {}, text = {};
     std::optional<FilePlace> where = {};
@@ -101,8 +109,8 @@ std::string junit_suite(const Report& report, const Written& written) {
     for (const Answer& answer : report.answers) {
         const Verdict& verdict = answer.verdict;
         const auto where = file_place(written.sources, origin(written, verdict));
-        cases +=
-            test_case({report.model, verdict.property, answer.text, where, verdict.seconds}, result(answer, where));
+        const std::string text = output(answer);
+        cases += test_case({report.model, verdict.property, text, where, verdict.seconds}, result(answer, where));
         seconds = std::max(seconds, verdict.seconds);
     }
     return fmt::format(

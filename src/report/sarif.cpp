@@ -82,7 +82,8 @@ Json result(const Finding& finding, std::size_t rule, const Sources& sources) {
 
 // -- verdicts ----------------------------------------------------------------------------------------------------------
 
-constexpr std::string_view violated = "property-violated", holds = "property-holds", unknown = "property-unknown";
+constexpr std::string_view violated = "property-violated", holds = "property-holds", unknown = "property-unknown",
+                           vacuous = "property-vacuous";
 
 /// A row of the table in one line: `3 s: Lamp: dark; cleared t1; situation 2; outputs none`.
 std::string row_text(const ChartRun& run, std::size_t index) {
@@ -117,7 +118,7 @@ Json code_flow(const ChartRun& run, std::string_view end, const Written& written
     return {{"threadFlows", {{{"locations", std::move(locations)}}}}};
 }
 
-/// `kind`: `fail`, or `open` of what is not decided, which has no level.
+/// `kind`: `fail`, or `open` of what is not decided and `review` of what holds vacuously, which have no level.
 Json result(std::string_view rule, std::size_t index, std::string_view kind, std::string_view message, Span where,
             const Written& written) {
     Json object = {{"ruleId", rule},
@@ -131,18 +132,25 @@ Json result(std::string_view rule, std::size_t index, std::string_view kind, std
 
 std::string_view meaning(std::string_view rule) {
     if (rule == violated) return "a property does not hold";
+    if (rule == vacuous) return "a property holds vacuously: there is nothing that it checks";
     if (rule == holds) return "a property holds that is expected to be violated";
     return "a property is not decided";
 }
 
 void add_answer(const Report& report, const Answer& answer, const Written& written, SarifLog& log) {
     const Verdict& verdict = answer.verdict;
-    if (as_expected(verdict)) return;
-    const bool open = verdict.outcome == Outcome::Unknown;
-    const std::string_view rule = open ? unknown : verdict.outcome == Outcome::Holds ? holds : violated;
     std::string message = report.model + ": " + verdict.property;
     if (!answer.text.empty()) message += " \"" + answer.text + '"';
     message += ": " + std::string(word(verdict.outcome));
+    if (verdict.vacuous) {
+        std::string why = message + ", vacuously";
+        for (const std::string& note : verdict.notes) why += "; " + note;
+        const std::size_t index = rule_index(log, vacuous, meaning(vacuous), "note");
+        log.results.push_back(result(vacuous, index, "review", why, origin(written, verdict), written));
+    }
+    if (as_expected(verdict)) return;
+    const bool open = verdict.outcome == Outcome::Unknown;
+    const std::string_view rule = open ? unknown : verdict.outcome == Outcome::Holds ? holds : violated;
     if (open) message += ": " + verdict.reason;
     else if (verdict.outcome == Outcome::Holds) message += ", but expected to be violated";
     const std::size_t index = rule_index(log, rule, meaning(rule), open ? "warning" : "error");

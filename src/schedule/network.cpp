@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ir/probes.hpp"
 #include "ir/slots.hpp"
 #include "ir/words_of.hpp"
 #include "schedule/observers.hpp"
@@ -105,14 +106,18 @@ Offers add_offers(const PlantInstances& plant, const Turn& move, bool discrete) 
 
 // -- what is asked ----------------------------------------------------------------------------------------------------
 
-/// The question that the property has become with its observer in the network (compose/observe.hpp).
+/// The question that the property has become with its observer in the network (compose/observe.hpp), and its probes.
 void add_watched(const LoopMeaning& meaning, const PlantInstances& plant, const Property& property) {
     const Network& network = plant.context.network;
     const auto known = std::ranges::find(network.properties, property.name, &Property::name);
     if (known == network.properties.end()) return add_property(meaning, property);
-    Property translated = *known;
-    for (Id<Expr>& operand : translated.operands) operand = over_main(plant, operand);
-    meaning.main.system.properties.add(std::move(translated));
+    const auto add = [&](Property translated) {
+        for (Id<Expr>& operand : translated.operands) operand = over_main(plant, operand);
+        meaning.main.system.properties.add(std::move(translated));
+    };
+    add(*known);
+    for (const Property& probe : network.properties)
+        if (probed_by(probe) == property.name) add(probe);
 }
 
 /// Those of the network first, then those that ask observers.

@@ -214,7 +214,7 @@ private:
     /// What a verdict is said to be vacuous for.
     static void try_notes(const Verdict& verdict, const Verdicts& all) {
         for (const std::string& note : verdict.notes) {
-            const bool left = has(note, "the left side never holds"), settled = has(note, "no state is ever settled");
+            const bool left = has(note, "the premise is never true"), settled = has(note, "no state is ever settled");
             const bool still = has(note, "time stands still"), unfair = has(note, "no run is fair");
             if (!left && !settled && !still && !unfair) continue;
             const std::string companion = left      ? verdict.property + "_left"

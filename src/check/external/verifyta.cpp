@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "check/vacuity.hpp"
 #include "support/overloaded.hpp"
 
 namespace grafverif {
@@ -128,12 +129,16 @@ std::vector<Verdict> check_verifyta(const Network& network, std::span<const Exte
                std::ranges::find(options.properties, property.name) != options.properties.end();
     };
     std::vector<Verdict> verdicts;
+    const auto holds = [&](std::string_view name) {
+        const auto known = std::ranges::find(verdicts, name, &Verdict::property);
+        return known != verdicts.end() && known->outcome == Outcome::Holds;
+    };
     std::optional<std::size_t> race;  // the verdict on it
     bool stopped = false;
     for (const ExternalQuestion& question : questions) {
         const Property& property = network.properties[question.property];
         if (asks_for_race(network, question)) race = verdicts.size();
-        else if (!asked(property)) continue;
+        else if (is_probe(property) ? !holds(probed_by(property)) : !asked(property)) continue;
         verdicts.push_back(stopped ? unasked(verdict_on(network, question))
                                    : ask(verdict_on(network, question), question, options));
         stopped = stopped || verdicts.back().obstacle == Obstacle::Stopped;
@@ -141,6 +146,8 @@ std::vector<Verdict> check_verifyta(const Network& network, std::span<const Exte
     if (network.race.valid() && (!race || verdicts[*race].outcome != Outcome::Holds))
         for (std::size_t i = 0; i < verdicts.size(); ++i)
             if (i != race) take_back(verdicts[i]);
+    apply_probes(network.properties, verdicts);
+    std::erase_if(verdicts, [&](const Verdict& verdict) { return is_probe(network.properties[verdict.about]); });
     const auto about_time = [](const Property& property) { return property.pattern == Pattern::NoTimelock; };
     if (std::ranges::none_of(network.properties, about_time))
         verdicts.push_back({.property = "no_timelock",

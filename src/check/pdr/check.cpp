@@ -10,6 +10,7 @@
 #include "check/pdr/pdr.hpp"
 #include "check/pdr/unrolling.hpp"
 #include "check/refusal.hpp"
+#include "ir/probes.hpp"
 
 namespace grafverif {
 
@@ -75,6 +76,8 @@ private:
         Question& question = questions_.emplace_back(Question{property, verdict_on(id, property)});
         if (const std::string why = refusal(property.pattern); !why.empty())
             return give_up(question, Obstacle::Unsupported, why);
+        if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // by which nothing holds
+            return give_up(question, Obstacle::Unsupported, "its property is not proved");
         if (fault_obstacle_ != Obstacle::None) return give_up(question, fault_obstacle_, fault_reason_);
         question.target = &*std::ranges::find(circuit_.targets, id, &Circuit::Target::about);
         if (options_.moot != nullptr) question.moot = &(*options_.moot)[id.index];
@@ -216,10 +219,19 @@ private:
 
     bool any_open() const { return std::ranges::any_of(questions_, &Question::is_open); }
 
+    /// False of a probe whose property does not hold.
+    bool matters(const Question& question) const {
+        if (!is_probe(question.property)) return true;
+        const auto of = std::ranges::find(questions_, probed_by(question.property),
+                                          [](const Question& each) { return each.property.name; });
+        return of == questions_.end() || of->open || of->verdict.outcome == Outcome::Holds;
+    }
+
     /// One after the other, each with its share of the time, or for so long; what is open then stays so.
     void by_pdr(std::optional<Clock::duration> time) {
         auto left = static_cast<std::size_t>(std::ranges::count_if(questions_, &Question::is_open));
         for (Question& question : questions_) {
+            if (!matters(question)) give_up(question, Obstacle::Stopped, "its property does not hold");
             if (!question.is_open()) question.search = nullptr;
             if (!question.is_open()) continue;
             const auto start = Clock::now();
@@ -265,7 +277,7 @@ private:
         const bool in_turns = options_.method == PdrOptions::Method::InTurns;
         Answer answer = searched(question.target->bad, property.name, in_turns ? &question.search : nullptr);
         if (answer.reached) {
-            if (!options_.reach) shorten(question, answer, Clock::now() - start);
+            if (!options_.reach && !is_probe(property)) shorten(question, answer, Clock::now() - start);
             return reached(question, answer);
         }
         if (!question.wants() && property.at_stable) is_settled();  // where that is interrupted the question stays open

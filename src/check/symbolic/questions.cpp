@@ -199,7 +199,7 @@ void Questions::mark_vacuous(Verdict& verdict, const Question& question, const S
         BddTerms terms = model.terms();
         if ((search.reached & terms(settled_).bits.front()).is_false()) vacuous("no state is ever settled");
     }
-    if (property.pattern == Pattern::LeadsTo && sets.operands.front().is_false()) vacuous("the left side never holds");
+    if (is_declared_response(property) && sets.operands.front().is_false()) vacuous("the premise is never true");
     if (!is_about_single_states(property.pattern) && !justice_.empty() && (fair_ & model.initial()).is_false())
         vacuous("no run is fair: its fairness conditions exclude each other");
 }

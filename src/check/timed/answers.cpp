@@ -268,8 +268,8 @@ void Questions::mark_vacuous(Question& question, const Graph& graph) const {
     if (pattern == Pattern::Reachable || pattern == Pattern::ReachableAllSteps || pattern == Pattern::NoTimelock)
         return;
     if (!graph.time_passes) vacuous("time stands still in this model");
-    if (pattern == Pattern::LeadsTo && watch_.found(question.watch) == Watch::none)
-        vacuous("the left side never holds");
+    if (is_declared_response(*question.property) && watch_.found(question.watch) == Watch::none)
+        vacuous("the premise is never true");
     if (is_about_all_states(pattern) && question.at_stable && watch_.found(settled_watch_) == Watch::none)
         vacuous("no state is ever settled");
 }

@@ -48,15 +48,19 @@ bool MutantBench::prepare(const Limits& limits) {
         Diagnostics diagnostics;
         const auto report = check(model_, loop, {.mode = mode_}, quiet_check({}, limits), diagnostics);
         if (!report) continue;
-        Asked asked{loop, {}, report->breakdowns.empty()};
+        Asked asked{.loop = loop, .whole = report->breakdowns.empty()};
         for (const Answer& answer : report->answers) {
             if (answer.verdict.obstacle == Obstacle::Stopped) return false;
-            if (as_expected(answer.verdict)) asked.properties.push_back(answer.verdict.property);
+            if (!as_expected(answer.verdict)) continue;
+            asked.properties.push_back(answer.verdict.property);
+            if (answer.verdict.vacuous) asked.vacuous.push_back(answer.verdict.property);
         }
         asked_.push_back(std::move(asked));
     }
-    for (const Asked& asked : asked_)
+    for (const Asked& asked : asked_) {
         for (const std::string& property : asked.properties) properties_.push_back(shown(asked, property));
+        for (const std::string& property : asked.vacuous) vacuous_.push_back(shown(asked, property));
+    }
     Diagnostics diagnostics;
     test_ = test_of(model_, chart_, {.mode = mode_, .limits = limits}, diagnostics);
     if (!test_) no_test_ = first_code(diagnostics);
@@ -83,6 +87,8 @@ void MutantBench::ask(const Model& mutated, const Asked& asked, const Limits& li
         const std::string name = shown(asked, answer.verdict.property);
         if (answer.verdict.outcome == Outcome::Unknown) fate.undecided.push_back(name);
         else if (!as_expected(answer.verdict)) fate.noticed_by.push_back(name);
+        else if (answer.verdict.vacuous && std::ranges::find(vacuous_, name) == vacuous_.end())
+            fate.vacuous.push_back(name);
     }
     fate.failures.insert(fate.failures.end(), report->failures.begin(), report->failures.end());
 }

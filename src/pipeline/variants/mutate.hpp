@@ -22,6 +22,8 @@ public:
     bool prepare(const Limits& limits);
     /// The properties that are as expected of the original, with their loops: `loop.P1`, or `P1` of one loop alone.
     const std::vector<std::string>& properties() const { return properties_; }
+    /// Those of them that hold vacuously.
+    const std::vector<std::string>& vacuous() const { return vacuous_; }
     /// Steps of the test sequence; empty: there is none, for the reason told.
     std::optional<std::size_t> test_steps() const;
     const std::string& no_test() const { return no_test_; }
@@ -32,6 +34,7 @@ private:
     struct Asked {
         Id<ClosedLoop> loop = {};
         std::vector<std::string> properties = {};  ///< as expected of the original
+        std::vector<std::string> vacuous = {};     ///< those of them that hold vacuously
         bool whole = true;                         ///< the original nowhere breaks off
     };
     std::string shown(const Asked& asked, const std::string& property) const;
@@ -43,7 +46,7 @@ private:
     const ReadOptions& read_;
     std::optional<ExecutionMode> mode_;
     std::vector<Asked> asked_ = {};
-    std::vector<std::string> properties_ = {};
+    std::vector<std::string> properties_ = {}, vacuous_ = {};
     std::optional<TestSequence> test_ = {};
     std::string no_test_ = {};
 };

@@ -52,6 +52,10 @@ std::size_t notices(const Mutation& mutation, const std::string& property) {
     }));
 }
 
+bool is_vacuous(const Mutation& mutation, const std::string& property) {
+    return std::ranges::find(mutation.vacuous, property) != mutation.vacuous.end();
+}
+
 std::string percent(const Score& score) {
     return score.judged == 0 ? "" : fmt::format(", {} %", 100 * score.noticed / score.judged);
 }
@@ -72,7 +76,8 @@ void print_scores(const Mutation& mutation, std::ostream& out) {
                            tested.judged, percent(tested));
     else if (!mutation.no_test.empty()) out << fmt::format("no test sequence to catch them [{}]\n", mutation.no_test);
     for (const std::string& property : mutation.properties)
-        out << fmt::format("  {} notices {}\n", printable(property), notices(mutation, property));
+        out << fmt::format("  {} notices {}{}\n", printable(property), notices(mutation, property),
+                           is_vacuous(mutation, property) ? "; holds vacuously" : "");
 }
 
 void print_mutant(const Mutation& mutation, std::size_t index, const Sources& sources, std::ostream& out) {
@@ -82,6 +87,7 @@ void print_mutant(const Mutation& mutation, std::size_t index, const Sources& so
                        line_of(mutant, sources));
     if (!fate.reason.empty()) out << ": " << printable(fate.reason);
     for (const std::string& property : fate.undecided) out << ", " << printable(property) << " undecided";
+    for (const std::string& property : fate.vacuous) out << ", " << printable(property) << " holds vacuously";
     if (fate.caught) out << (*fate.caught ? "; the test sequence catches it" : "; the test sequence does not catch it");
     out << fmt::format("\n      {}\n  now {}\n", printable(mutant.before), printable(mutant.after));
 }
@@ -106,12 +112,14 @@ nlohmann::ordered_json mutant_json(const Mutant& mutant, const std::optional<Mut
     }
     object["before"] = mutant.before;
     object["after"] = mutant.after;
-    for (const char* key : {"fate", "reason", "noticed_by", "undecided", "caught", "scans"}) object[key] = nullptr;
+    for (const char* key : {"fate", "reason", "noticed_by", "undecided", "vacuous", "caught", "scans"})
+        object[key] = nullptr;
     if (!fate) return object;
     object["fate"] = word(fate->kind);
     object["reason"] = text_or_null(fate->reason);
     object["noticed_by"] = fate->noticed_by;
     object["undecided"] = fate->undecided;
+    object["vacuous"] = fate->vacuous;
     if (fate->caught) object["caught"] = *fate->caught;
     if (fate->scans > 0) object["scans"] = fate->scans;
     return object;
@@ -144,7 +152,9 @@ std::string mutation_json(const Mutation& mutation, const Sources& sources) {
     nlohmann::ordered_json object = {{"chart", mutation.chart}, {"possible", mutation.possible}};
     object["properties"] = nlohmann::ordered_json::array();
     for (const std::string& property : mutation.properties)
-        object["properties"].push_back({{"name", property}, {"notices", notices(mutation, property)}});
+        object["properties"].push_back({{"name", property},
+                                        {"notices", notices(mutation, property)},
+                                        {"vacuous", is_vacuous(mutation, property)}});
     object["test_steps"] = nullptr;
     if (mutation.test_steps) object["test_steps"] = *mutation.test_steps;
     object["no_test"] = text_or_null(mutation.no_test);

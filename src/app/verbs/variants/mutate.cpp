@@ -62,6 +62,7 @@ nlohmann::ordered_json stored(const std::string& key, const std::string& bounds,
             {"reason", fate.reason},
             {"noticed_by", fate.noticed_by},
             {"undecided", fate.undecided},
+            {"vacuous", fate.vacuous},
             {"caught", fate.caught ? nlohmann::ordered_json(*fate.caught) : nlohmann::ordered_json(nullptr)},
             {"scans", fate.scans}};
 }
@@ -83,6 +84,7 @@ std::optional<std::pair<std::string, MutantFate>> restored(const std::string& li
         fate.reason = json.at("reason");
         fate.noticed_by = json.at("noticed_by");
         fate.undecided = json.at("undecided");
+        fate.vacuous = json.at("vacuous");
         if (!json.at("caught").is_null()) fate.caught = json.at("caught").get<bool>();
         fate.scans = json.at("scans");
         if (depends_on_bounds(fate) && json.at("bounds") != bounds) return {};
@@ -271,6 +273,7 @@ ExitCode mutate(Job& job, const Streams& streams) {
     if (!stopped) Judging(bench, mutation, job, bounds.limits()).run();
     stopped = stopped || bounds.interrupted();
     mutation.properties = bench.properties();
+    mutation.vacuous = bench.vacuous();
     mutation.test_steps = bench.test_steps();
     mutation.no_test = bench.no_test();
     work_is_done();

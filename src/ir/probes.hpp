@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Vacuity probes: `reachable` properties added to a model that is checked, never to one that is written. If one is violated,
+// the property that it belongs to holds vacuously, and its `text` says why. The name tells both: `answers.(premise)`, which
+// is not a name of the language.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "grafverif/ir/property.hpp"
+
+namespace grafverif {
+
+/// A probe of `property`: it holds vacuously if `term` is never true. `kind`: `premise`, `scope` or `settled`.
+inline Property probe_of(const Property& property, std::string_view kind, Id<Expr> term, std::string never) {
+    return {.name = property.name + ".(" + std::string(kind) + ')',
+            .text = std::move(never),
+            .pattern = Pattern::Reachable,
+            .operands = {term},
+            .origin = property.origin};
+}
+
+inline bool is_probe(const Property& property) { return property.name.ends_with(')'); }
+
+/// The name of the property that a probe belongs to; empty: `property` is not a probe.
+inline std::string_view probed_by(const Property& property) {
+    return is_probe(property) ? std::string_view(property.name).substr(0, property.name.rfind(".("))
+                              : std::string_view();
+}
+
+}  // namespace grafverif
