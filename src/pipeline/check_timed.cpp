@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "check/cells/cells.hpp"
+#include "check/shares.hpp"
 #include "check/timed/timed.hpp"
 #include "check/vacuity.hpp"
 #include "compose/observe.hpp"
@@ -167,7 +168,9 @@ Report check_watched(const LoopToCheck& loop, Id<Property> id, const CheckOption
     return Reporter(watched_loop, own).report(std::move(found));
 }
 
-void take(Report&& found, Report& report) {
+/// Adds what another search found; `earlier`: the states that those before it explored.
+void take(Report&& found, std::uint64_t earlier, Report& report) {
+    for (Answer& answer : found.answers) tell_earlier(answer.verdict, "searches for other properties", earlier);
     std::ranges::move(found.answers, std::back_inserter(report.answers));
     std::ranges::move(found.failures, std::back_inserter(report.failures));
     for (Breakdown& breakdown : found.breakdowns)
@@ -203,11 +206,28 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
         return std::ranges::any_of(by_observers,
                                    [&](Id<Property> id) { return loop.network.properties[id].name == name; });
     });
-    if (rest.properties.empty() && !options.properties.empty()) rest.properties = {"no_timelock"};  // in any case
+    const bool only_watched = rest.properties.empty() && !options.properties.empty();
+    if (only_watched) rest.properties = {"no_timelock"};  // in any case
     const LoopToCheck unwatched{alone, loop.charts, loop.cures_left_out, loop.finest};
-    Report report = Reporter(unwatched, rest).report(search(unwatched, rest));
-    for (const Id<Property> id : by_observers)
-        if (is_asked(id)) take(check_watched(loop, id, options), report);
+    Report report{alone.name, basis_of(alone, "timed")};
+    std::uint64_t states = 0;
+    const auto search_rest = [&] {
+        TimedResult found = search(unwatched, rest);
+        std::uint64_t explored = found.states;  // of the last one of several searches
+        for (const Verdict& verdict : found.verdicts)
+            explored = std::max<std::uint64_t>(explored, std::stoull('0' + verdict.states));
+        Report made = Reporter(unwatched, rest).report(std::move(found));
+        report.profile = std::move(made.profile);
+        take(std::move(made), std::exchange(states, states + explored), report);
+    };
+    if (!only_watched) search_rest();
+    for (const Id<Property> id : by_observers) {
+        if (!is_asked(id)) continue;
+        Report made = check_watched(loop, id, options);
+        const std::uint64_t explored = std::stoull('0' + made.answers.front().verdict.states);
+        take(std::move(made), std::exchange(states, states + explored), report);
+    }
+    if (only_watched) search_rest();  // it is not what was asked for, and may take all the time
     put_in_order(loop.network, report.answers);
     return report;
 }

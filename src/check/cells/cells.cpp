@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "check/cells/faults.hpp"
+#include "check/shares.hpp"
 #include "check/timed/questions.hpp"
 #include "ir/patterns.hpp"
 
@@ -63,6 +64,7 @@ public:
         if (tasks_.empty() && !race_) return search_whole();
         may_err_ = cells_that_may_err(network_, cells_);
         if (may_err_.contains(NetworkCells::none)) return search_whole();
+        local_deadline_ = share_of(options_.deadline, 3);  // the rest is for the complete network
         search_locally();
         for (const std::uint32_t cell : may_err_)
             if (!faultless_.contains(cell) && !ablations_.break_off) return search_whole();
@@ -102,6 +104,8 @@ private:
     std::map<std::size_t, Verdict> found_ = {};  // by cells
     std::optional<std::size_t> race_ = {};       // the verdict that nothing races
     std::set<std::uint32_t> may_err_ = {}, faultless_ = {};
+    Deadline local_deadline_ = {};                                    // of all searches of cells
+    std::uint64_t local_states_ = 0;                                  // of these searches
     std::uint64_t faultless_states_ = 0, faultless_transitions_ = 0;  // of all searches without an error
 };
 
@@ -178,6 +182,7 @@ void ByCells::search_locally() {
 }
 
 void ByCells::search(const Task& task) {
+    if (is_over(local_deadline_)) return;
     std::vector<Property> properties;
     for (const std::size_t k : task.asked) properties.push_back(*questions_[k]);
     std::vector<Id<Expr>> invariants;
@@ -189,9 +194,11 @@ void ByCells::search(const Task& task) {
     options.properties = {};
     options.timelock = false;
     options.many = {};
+    options.deadline = local_deadline_;
     options.max_states = std::min(options_.max_states, limits_.local);
     const TimedResult found = check_timed(local.network, options);
     result_.states += found.states;
+    local_states_ += found.states;
     result_.transitions += found.transitions;
     result_.bytes = std::max(result_.bytes, found.bytes);
     result_.seconds += found.seconds;
@@ -317,9 +324,19 @@ TimedResult ByCells::search_whole() {
         if (by_cells(verdict)) continue;
         const Verdict& found = *std::ranges::find(whole.verdicts, verdict.property, &Verdict::property);
         const bool ended_before = found.outcome == Outcome::Unknown && verdict.outcome != Outcome::Unknown;
-        if (!ended_before) verdict = found;
+        const bool first_was_greater =
+            found.obstacle == Obstacle::Stopped && std::stoull(found.states) < std::stoull(verdict.states);
+        if (!ended_before && first_was_greater) {
+            verdict.obstacle = Obstacle::Stopped;
+            verdict.reason = "stopped after " + verdict.states + " states";
+        } else if (!ended_before) {
+            verdict = found;
+        }
+        tell_earlier(verdict, "localization", local_states_);
     }
     if (whole.errors.empty()) whole.errors = std::move(result_.errors);
+    if (result_.profile && (!whole.profile || whole.profile->states < result_.profile->states))
+        whole.profile = std::move(result_.profile);
     whole.verdicts = std::move(result_.verdicts);
     return whole;
 }

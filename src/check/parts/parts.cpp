@@ -8,6 +8,7 @@
 #include "check/parts/carry.hpp"
 #include "check/parts/join.hpp"
 #include "check/parts/questions.hpp"
+#include "check/shares.hpp"
 #include "check/timed/questions.hpp"
 #include "ir/network_parts.hpp"
 
@@ -46,7 +47,7 @@ public:
 
 private:
     void search_each();
-    Search search(const PartNumbers& chosen, bool premises);
+    Search search(const PartNumbers& chosen, bool premises, const Deadline& deadline);
     const Search& search_of(const PartNumbers& chosen);
     Neighbour neighbour(std::uint32_t part) const;
     bool errors_may_be_out_of_reach() const;
@@ -92,7 +93,7 @@ void ByParts::count(const TimedResult& found) {
 }
 
 /// The parts `chosen`, with the questions that read nothing else and, of single parts, those that each is asked.
-Search ByParts::search(const PartNumbers& chosen, bool premises) {
+Search ByParts::search(const PartNumbers& chosen, bool premises, const Deadline& deadline) {
     SubNetworkBuilder builder(network_, parts_, chosen);
     bool deadlock_asked = false;
     for (const PartQuestion& question : questions_) {
@@ -108,8 +109,8 @@ Search ByParts::search(const PartNumbers& chosen, bool premises) {
     TimedOptions options = options_;
     options.properties = {};
     options.premises = premises;
+    options.deadline = deadline;
     made.result = check_timed(made.of.network, options);
-    count(made.result);
     return made;
 }
 
@@ -117,10 +118,15 @@ void ByParts::search_each() {
     for (PartQuestion& question : questions_)
         if (!question.each && question.reads.empty()) question.reads = {0};
     result_.time_passes = true;
+    for (std::uint32_t part = 0; part < parts_.count; ++part)
+        each_.push_back(search({part}, true, share_of(options_.deadline, parts_.count - part)));
     for (std::uint32_t part = 0; part < parts_.count; ++part) {
-        each_.push_back(search({part}, true));
+        const bool stopped = each_[part].verdict(timelock_probe).obstacle == Obstacle::Stopped;
+        if (stopped && options_.deadline && !is_over(options_.deadline))  // by its share: the others have left time
+            each_[part] = search({part}, true, options_.deadline);
+        count(each_[part].result);
         neighbours_.push_back(neighbour(part));
-        result_.time_passes = result_.time_passes && each_.back().result.time_passes;
+        result_.time_passes = result_.time_passes && each_[part].result.time_passes;
     }
     for (std::uint32_t part = 0; part < parts_.count; ++part)
         for (ModelError error : each_[part].result.errors) {
@@ -157,7 +163,10 @@ bool ByParts::errors_may_be_out_of_reach() const {
 const Search& ByParts::search_of(const PartNumbers& chosen) {
     if (chosen.size() == 1) return each_[chosen.front()];
     const auto found = together_.find(chosen);
-    return found != together_.end() ? found->second : together_.emplace(chosen, search(chosen, false)).first->second;
+    if (found != together_.end()) return found->second;
+    const Search& made = together_.emplace(chosen, search(chosen, false, options_.deadline)).first->second;
+    count(made.result);
+    return made;
 }
 
 PartNumbers ByParts::others(const PartNumbers& chosen) const {
@@ -304,12 +313,14 @@ void ByParts::search_whole() {
         if (const Id<Property> about = questions_[index].verdict.about; about.valid())
             options.properties.push_back(network_.properties[about].name);
     if (options.properties.empty()) options.properties.push_back(timed::undeclared_timelock(network_).name);
+    const std::uint64_t earlier = result_.states;
     const TimedResult whole = check_timed(network_, options);
     count(whole);
     for (const auto& [index, why] : whole_) {
         PartQuestion& question = questions_[index];
         Verdict verdict = *std::ranges::find(whole.verdicts, question.verdict.property, &Verdict::property);
         if (!why.empty()) verdict.notes.push_back("the whole loop was searched: " + why);
+        tell_earlier(verdict, "searches of independent subsystems", earlier);
         take(question, std::move(verdict));
     }
 }

@@ -32,7 +32,7 @@ std::string text_of(Obstacle ended, const Graph& graph, const Limits& limits) {
     if (ended == Obstacle::Memory && !limits.allowed_used()) return "there is no more memory after " + states;
     if (ended == Obstacle::Memory)
         return "the memory allowed, " + std::to_string(limits.max_memory() >> 20U) + " MiB, is used up after " + states;
-    return "stopped after " + states;
+    return graph.states() > 1 ? "stopped after " + states : "stopped before its search began";
 }
 
 /// The states looked at whose kind is one of these.

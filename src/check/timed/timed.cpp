@@ -92,7 +92,8 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     result.time_passes = graph.time_passes;
     if (options.premises && result.complete) result.premises = premises(graph, settled, limits);
     const bool explained = options.profile || !result.complete || result.states >= many_states;
-    if (explained && result.states != 0)
+    if (explained &&
+        result.states > (result.complete ? 0 : 1))  // of a search that did not begin there is nothing to explain
         result.profile =
             measured(graph, options, ended == Obstacle::Stopped ? timed::Effort::Brief : timed::Effort::Full);
     result.seconds = limits.seconds();

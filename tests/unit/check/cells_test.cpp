@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "check/cells/faults.hpp"
+#include "check/shares.hpp"
 #include "support/read_loop.hpp"
 #include "unit/check/networks.hpp"
 
@@ -81,6 +82,31 @@ TEST(Cells, WhatHoldsByANeighbourAloneTakesTheNeighbour) {
     EXPECT_EQ(found.outcome, Outcome::Holds);
     EXPECT_EQ(found.scope.searched, (std::vector<std::string>{"A", "B"}));
     EXPECT_EQ(found.scope.left_out, (std::vector<std::string>{"C"}));
+}
+
+TEST(Cells, LocalizationLeavesTimeForTheCompleteSearchAndIsMentionedIfThatIsStopped) {
+    Sketch s;
+    const auto x = s.boolean("x");
+    const auto a = s.process("A", 1, 1), b = s.process("B", 2, 1), c = s.process("C", 1, 1);
+    s.edge(a, {.when = {{0, Op::Equal, 1}}, .set = {{x, s.no(s.is(x))}}, .reset = {0}});
+    s.edge(b, {.to = 1, .guard = s.is(x)});
+    s.edge(c, {.when = {{0, Op::Equal, 2}}, .reset = {0}});
+    s.property("never_there", Pattern::Never, {s.at(b, 1)});
+    const auto now = std::chrono::steady_clock::now();
+    TimedOptions options;
+    options.deadline = now + std::chrono::hours(1);
+    EXPECT_LT(*share_of(options.deadline, 3), now + std::chrono::minutes(25));
+    std::vector<Deadline> deadlines;
+    const auto whole = [&](const Network& network, TimedOptions how) {
+        deadlines.push_back(how.deadline);
+        if (deadlines.size() > 1) how.deadline = now;  // the second search has no time
+        return check_timed(network, how);
+    };
+    const TimedResult found = check_timed_by_cells(expand(s.network), options, {.whole = 2, .local = 100}, {}, whole);
+    EXPECT_EQ(deadlines, (std::vector<Deadline>{options.deadline, options.deadline}));
+    const Verdict& verdict = grafverif::verdict(found, "never_there");
+    EXPECT_EQ(verdict.obstacle, Obstacle::Stopped);
+    EXPECT_EQ(verdict.reason, "stopped after 4 states; localization explored 14 states before");
 }
 
 TEST(Cells, WhatHoldsOfANeighbourKeepsItFromBreakingIt) {

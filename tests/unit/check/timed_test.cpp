@@ -336,7 +336,10 @@ TEST(TimedEngine, SaysWhichBoundEndedTheSearch) {
     EXPECT_EQ(few.states, 1000u);
     EXPECT_FALSE(few.complete);
     EXPECT_EQ(told(checked(s.network, {.max_memory = 1U << 20U}), "end"), "unknown (memory)");
-    EXPECT_EQ(told(checked(s.network, {.deadline = std::chrono::steady_clock::now()}), "end"), "unknown (stopped)");
+    const TimedResult late = checked(s.network, {.deadline = std::chrono::steady_clock::now()});
+    EXPECT_EQ(told(late, "end"), "unknown (stopped)");
+    EXPECT_EQ(verdict(late, "end").reason, "stopped before its search began");
+    EXPECT_FALSE(late.profile) << "one state explains nothing";
     const std::atomic<bool> stop = true;
     EXPECT_EQ(told(checked(s.network, {.stop = &stop}), "end"), "unknown (stopped)");
 }
