@@ -9,8 +9,8 @@ foreach(property IN LISTS PROPERTIES)
     list(APPEND asked --property "${property}")
 endforeach()
 execute_process(
-    COMMAND "${PROGRAM}" check "${CHART}" --list --format json ${asked} ${OPTIONS}
-            --depfile "${BASE}.d" --depfile-form cmake --depfile-target "${BASE}.cmake"
+    COMMAND "${PROGRAM}" check --list --format json ${asked} ${OPTIONS}
+            --depfile "${BASE}.d" --depfile-form cmake --depfile-target "${BASE}.cmake" -- "${CHART}"
     RESULT_VARIABLE result OUTPUT_VARIABLE listed)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "grafverif takes no chart from ${CHART}, for the reason above")
@@ -49,7 +49,7 @@ if(count GREATER 0)
             string(APPEND name ".${property}")
             string(APPEND which " --property [==[${property}]==]")
         endif()
-        string(APPEND text "add_test([==[${name}]==] [==[${PROGRAM}]==] check [==[${CHART}]==]${options}${which})\n")
+        string(APPEND text "add_test([==[${name}]==] [==[${PROGRAM}]==] check${options}${which} -- [==[${CHART}]==])\n")
         if(NOT LABELS STREQUAL "")
             string(APPEND text "set_tests_properties([==[${name}]==] PROPERTIES LABELS [==[${LABELS}]==])\n")
         endif()

@@ -44,6 +44,14 @@ Option text(Accepts accepts, const char* name, const char* value, Place place, c
     return {accepts, name, value, help, take};
 }
 
+/// A command for the shell.
+template <class Place>
+Option command(Accepts accepts, const char* name, const char* value, Place place, const char* help) {
+    Option option = text(accepts, name, value, place, help);
+    option.is_command = true;
+    return option;
+}
+
 template <class Place>
 Option list(Accepts accepts, const char* name, const char* value, Place place, const char* help) {
     return {accepts,
@@ -217,8 +225,8 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
             &Options::engine,
             "the engine that proves (default: timed, of untimed models symbolic; auto: of untimed models the "
             "embedded ones beside each other)"),
-        text(Accepts::Search, "engine-command", "CMD", &Options::engine_command,
-             "prove with a checker of the hardware model checking competition: the shell runs CMD FILE.aig"),
+        command(Accepts::Search, "engine-command", "CMD", &Options::engine_command,
+                "prove with a checker of the hardware model checking competition: the shell runs CMD FILE.aig"),
         toggle(Accepts::Search, "untimed", &Options::check_untimed,
                "check the untimed model, with the symbolic engine or NuSMV"),
         toggle(Accepts::Search, "whole", &Options::whole,
@@ -240,8 +248,8 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
                "decide nothing: print FILE, loop and property of each check there is, with tabs between"),
         text(Accepts::Sequence, "sequence", "FILE", &Options::sequence,
              "a test sequence of the chart, as CSV (`test`: without it, one is made)"),
-        text(Accepts::Bench, "against", "PROGRAM", &Options::against,
-             "the controller under test: a command for the shell"),
+        command(Accepts::Bench, "against", "PROGRAM", &Options::against,
+                "the controller under test: a command for the shell"),
         toggle(Accepts::Bench, "stop-on-failure", &Options::stop_on_failure,
                "run no step after the first failure (the default)"),
         toggle(Accepts::Bench, "go-on", &Options::go_on, "run on after a failure, as far as the controller can"),

@@ -19,6 +19,7 @@ struct Option {
     /// Puts values given, or that it was given, where they belong; what is wrong with them, or nothing.
     std::function<std::string(const std::vector<std::string>&, Options&)> take = {};
     bool repeated = false;
+    bool is_command = false;  ///< taken as a separate word only: `--NAME=COMMAND` may be the name of a file
 
     std::string long_name() const { return name.substr(0, name.find(',')); }
     std::string letter() const { return name.find(',') == std::string::npos ? "" : name.substr(name.find(',') + 1); }

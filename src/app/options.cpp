@@ -73,6 +73,18 @@ std::string settle_engine(bool modelled, const po::variables_map& values, Option
     return {};
 }
 
+/// Patterns of a shell put names of files in place of operands, and such a name must not run a command.
+std::string adjacent_command(const std::vector<po::option>& given, const std::vector<Option>& known) {
+    for (const po::option& one : given)
+        for (const Option& option : known)
+            if (option.is_command && one.string_key == option.long_name() && one.original_tokens.size() == 1)
+                return fmt::format(
+                    "`--{0}={1}` is not accepted, because a file may have this name; write `--{0} {1}`, "
+                    "and put `--` before names of files",
+                    option.long_name(), option.value);
+    return {};
+}
+
 std::string unknown_option(const std::string& given, const std::vector<Option>& known) {
     std::vector<std::string> names;
     for (const Option& option : known)
@@ -109,12 +121,14 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     po::variables_map values;
     try {
         const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-        po::store(po::command_line_parser(std::vector<std::string>(arguments.begin(), own))
-                      .options(all)
-                      .positional(positional)
-                      .style(style)
-                      .run(),
-                  values);
+        const po::parsed_options parsed = po::command_line_parser(std::vector<std::string>(arguments.begin(), own))
+                                              .options(all)
+                                              .positional(positional)
+                                              .style(style)
+                                              .run();
+        if (std::string complaint = adjacent_command(parsed.options, known); !complaint.empty())
+            return {{}, std::move(complaint)};
+        po::store(parsed, values);
         po::notify(values);
     } catch (const po::unknown_option& failure) {
         return {{}, unknown_option(failure.get_option_name(), known)};

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -65,6 +66,7 @@ public:
         const int status = ::pclose(pipe.get());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
+    bool has(const std::string& name) const { return fs::exists(folder_ / name); }
     std::string read(const std::string& name) const {
         return fs::exists(folder_ / name) ? text_of(folder_ / name) : "";
     }
@@ -121,13 +123,13 @@ std::vector<Step> steps_of_action() {
 
 TEST(Ci, StepsOfTheActionPassOnGoodChartsAndFailOnFaultyOnes) {
     const std::vector<Step> steps = steps_of_action();
-    ASSERT_EQ(steps.size(), 4u);
+    ASSERT_EQ(steps.size(), 5u);
     Project fine(good), wrong(faulty());
     for (const Step& step : steps) {
         SCOPED_TRACE(step.name + "\n" + step.script);
         ASSERT_NE(step.script, "");
         EXPECT_EQ(fine.run(step.script, step.environment), 0) << fine.output;
-        if (step.name.starts_with("Build") || step.name.starts_with("What can go wrong")) continue;
+        if (step.script.find("grafverif fmt") == std::string::npos && step.name != "Properties") continue;
         EXPECT_EQ(wrong.run(step.script, step.environment), 1) << wrong.output;
     }
     EXPECT_NE(wrong.read("grafverif.junit.xml").find("violated (charts/gate.grafcet:"), std::string::npos);
@@ -137,10 +139,66 @@ TEST(Ci, StepsOfTheActionPassOnGoodChartsAndFailOnFaultyOnes) {
     EXPECT_NE(none.run(steps.back().script, steps.back().environment), 0) << "no chart is no success";
 }
 
-TEST(Ci, ScriptsOfTheTemplatePassOnGoodChartsAndFailOnFaultyOnes) {
-    std::string before;
-    std::map<std::string, std::string> variables, jobs;
-    std::string job;
+TEST(Ci, AMisspeltStepOfTheActionIsAnError) {
+    const Step step = steps_of_action().front();
+    const std::map<std::string, std::string> files = {{"check", ""}};
+    for (const char* fine : {"check", "fmt analyse check", " check\n fmt"}) {
+        Project in(files);
+        EXPECT_EQ(in.run(step.script, {{"STEPS", fine}}), 0) << fine;
+    }
+    for (const char* wrong : {"", " ", "chek", "fmt chek", "fmt,check", "*"}) {
+        Project in(files);
+        EXPECT_EQ(in.run(step.script, {{"STEPS", wrong}}), 2) << wrong;
+        EXPECT_NE(in.output.find("name some of fmt, analyse, check"), std::string::npos) << in.output;
+    }
+}
+
+/// Lines of a log that GitHub would obey: those that begin with `::`, or hold `##[`, unless commands are stopped.
+std::vector<std::string> workflow_commands(const std::string& log) {
+    std::vector<std::string> obeyed;
+    std::istringstream in(log);
+    std::string token;
+    for (std::string line; std::getline(in, line);) {
+        const std::string text = line.substr(indent(line));
+        if (!token.empty()) {
+            if (text == "::" + token + "::") token.clear();
+        } else if (const std::string stop = "::stop-commands::"; text.starts_with(stop)) {
+            token = text.substr(stop.size());
+        } else if (text.starts_with("::") || text.find("##[") != std::string::npos) {
+            obeyed.push_back(line);
+        }
+    }
+    if (!token.empty()) obeyed.emplace_back("commands stay stopped");
+    return obeyed;
+}
+
+TEST(Ci, LinesOfChartsAreNoWorkflowCommands) {
+    const std::string line = "    ::error::from a chart ##[error]\n";
+    EXPECT_EQ(workflow_commands(line).size(), 1u);
+    std::size_t quoted = 0;
+    std::set<std::string> tokens;
+    for (const Step& step : steps_of_action()) {
+        const std::map<std::string, std::string> files = {{"broken.grafcet", "grafcet g {\n" + line}};
+        Project project(files);
+        project.run(step.script, step.environment);
+        EXPECT_EQ(workflow_commands(project.output), std::vector<std::string>{}) << project.output;
+        quoted += project.output.find("::error::from a chart") != std::string::npos ? 1U : 0U;
+        if (const std::size_t at = project.output.find("::stop-commands::"); at != std::string::npos)
+            tokens.insert(project.output.substr(at, project.output.find('\n', at) - at));
+    }
+    EXPECT_EQ(quoted, 3u) << "each step that reads charts quotes the line";
+    EXPECT_EQ(tokens.size(), 3u) << "no token is used twice";
+}
+
+/// The scripts of the template for GitLab, by job.
+struct Template {
+    std::map<std::string, std::string> variables = {}, jobs = {};
+};
+
+Template scripts_of_template() {
+    std::string before, job;
+    Template read;
+    auto& [variables, jobs] = read;
     for (const std::string& line : lines_of(root / "ci/grafverif.gitlab-ci.yml")) {
         if (indent(line) == 0 && line.ends_with(':')) job = line.substr(0, line.size() - 1);
         const std::string command = line.starts_with("    - ") ? line.substr(6) + "\n" : "";
@@ -151,30 +209,58 @@ TEST(Ci, ScriptsOfTheTemplatePassOnGoodChartsAndFailOnFaultyOnes) {
             variables[line.substr(2, line.find(':') - 2)] = given.substr(1, given.size() - 2);
         }
     }
+    for (auto& [name, script] : jobs) script = before + script;
+    return read;
+}
+
+TEST(Ci, ScriptsOfTheTemplatePassOnGoodChartsAndFailOnFaultyOnes) {
+    const auto [variables, jobs] = scripts_of_template();
     ASSERT_EQ(jobs.size(), 3u);
     Project fine(good), wrong(faulty());
     for (const auto& [name, script] : jobs) {
         SCOPED_TRACE(name);
-        EXPECT_EQ(fine.run(before + script, variables), 0) << fine.output;
+        EXPECT_EQ(fine.run(script, variables), 0) << fine.output;
         const int expected = name == "grafverif-analyse" ? 0 : 1;
-        EXPECT_EQ(wrong.run(before + script, variables), expected) << wrong.output;
+        EXPECT_EQ(wrong.run(script, variables), expected) << wrong.output;
     }
     EXPECT_NE(wrong.read("grafverif.junit.xml").find("<failure"), std::string::npos);
 }
 
+std::vector<std::string> entries_of_hooks() {
+    std::vector<std::string> entries;
+    for (const std::string& line : lines_of(root / ".pre-commit-hooks.yaml"))
+        if (std::string entry = value(line, "  entry: "); !entry.empty()) entries.push_back(std::move(entry));
+    return entries;
+}
+
 TEST(Ci, HooksTakeTheFilesOfACommit) {
-    std::size_t hooks = 0;
     Project fine(good), wrong(faulty());
-    for (const std::string& line : lines_of(root / ".pre-commit-hooks.yaml")) {
-        const std::string entry = value(line, "  entry: ");
-        if (entry.empty()) continue;
-        ++hooks;
+    const std::vector<std::string> entries = entries_of_hooks();
+    EXPECT_EQ(entries.size(), 3u);
+    for (const std::string& entry : entries) {
         const std::string command = entry + " charts/gate.grafcet charts/gate_controller.grafcet\n";
         EXPECT_EQ(fine.run(command), 0) << command << fine.output;
         const bool finds = entry.find("analyse") == std::string::npos;
         EXPECT_EQ(wrong.run(command), finds ? 1 : 0) << command << wrong.output;
     }
-    EXPECT_EQ(hooks, 3u);
+}
+
+TEST(Ci, NamesOfFilesAreNeverOptions) {
+    const std::string lamp = text_of(root / "samples/integration/lamp.grafcet");
+    const std::string command = "--engine-command=touch PWNED;true #.grafcet", output = "--sarif=kept.grafcet";
+    const std::map<std::string, std::string> files = {{command, lamp}, {output, lamp}, {"kept.grafcet", lamp}};
+    const auto expect_inert = [&](const std::string& script, const std::map<std::string, std::string>& variables) {
+        SCOPED_TRACE(script);
+        Project project(files);
+        EXPECT_EQ(project.run(script, variables), 0) << project.output;
+        EXPECT_FALSE(project.has("PWNED")) << "a name ran a command";
+        EXPECT_EQ(project.read("kept.grafcet"), lamp) << "a name named an output";
+    };
+    for (const Step& step : steps_of_action()) expect_inert(step.script, step.environment);
+    const auto [variables, jobs] = scripts_of_template();
+    for (const auto& [name, script] : jobs) expect_inert(script, variables);
+    for (const std::string& entry : entries_of_hooks())
+        expect_inert(entry + " '" + command + "' '" + output + "' kept.grafcet\n", {});
 }
 
 }  // namespace

@@ -126,6 +126,19 @@ TEST(FirstUse, ANumberWithoutItsUnitIsRefusedWithTheWordToWrite) {
     }
 }
 
+TEST(FirstUse, ACommandIsTakenAsASeparateWordOnly) {
+    const Folder folder;
+    const std::string ran = folder.file("ran");
+    for (const auto& [verb, option] : {std::pair("check", "--engine-command"), std::pair("test", "--against")}) {
+        const Result result = grafverif({verb, station, option + ("=touch " + ran)});
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_TRUE(says(result, "is not accepted, because a file may have this name; write `" + std::string(option)))
+            << result.err;
+        EXPECT_FALSE(fs::exists(ran));
+    }
+    EXPECT_TRUE(says(grafverif({"check", "--", "--engine-command=touch " + ran}), "no such file"));
+}
+
 TEST(FirstUse, AnOptionThatWouldMeanNothingIsRefused) {
     const Folder folder;
     const std::string file = folder.write("one.grafcet", "grafcet c { input x; output o; initial step 0 { o; } }\n");
