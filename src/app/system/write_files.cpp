@@ -162,8 +162,7 @@ public:
     void write() {
         try {
             for (One& one : files_) draft(one);
-            if (files_.size() > 1)
-                for (One& one : files_) back_up(one);
+            for (One& one : files_) back_up(one);  // a single file too: folders are flushed after its renaming
             for (One& one : files_) rename(one);
             for (const Folder& folder : folders_) flush(folder.open, folder.path);
             for (const fs::path& made : made_) flush(opened(made.parent_path(), made).open, made);

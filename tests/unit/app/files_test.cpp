@@ -19,11 +19,14 @@
 
 namespace {
 
-/// The call that fails: the `fail_at`th of those counted, while that is not 0.
+/// The call that fails: the `fail_at`th of those counted, while that is not 0; with `fail_on` all after it, too.
 std::atomic<int> fail_at = 0, calls = 0;
+std::atomic<bool> fail_on = false;
 
 bool fails(int error) {
-    if (fail_at == 0 || ++calls != fail_at) return false;
+    if (fail_at == 0) return false;
+    const int call = ++calls;
+    if (fail_on ? call < fail_at : call != fail_at) return false;
     errno = error;
     return true;
 }
@@ -41,6 +44,9 @@ int linkat(int from, const char* old_name, int to, const char* new_name, int fla
 int fsync(int file) { return fails(EIO) ? -1 : static_cast<int>(::syscall(SYS_fsync, file)); }
 int fchmod(int file, mode_t mode) noexcept {
     return fails(EPERM) ? -1 : static_cast<int>(::syscall(SYS_fchmod, file, mode));
+}
+ssize_t write(int file, const void* text, size_t size) {
+    return fails(ENOSPC) ? -1 : static_cast<ssize_t>(::syscall(SYS_write, file, text, size));
 }
 int mkdir(const char* path, mode_t mode) noexcept {
     return fails(ENOSPC) ? -1 : static_cast<int>(::syscall(SYS_mkdir, path, mode));
@@ -98,7 +104,10 @@ std::string state(const Folder& folder) {
     return text;
 }
 
-TEST(WriteFiles, ASetIsWrittenToTheEndOrNotAtAllWhateverCallFails) {
+/// Runs `work` in a folder with files, each time with another call that fails, until there is no call left. Whether it
+/// threw, and the folder, are given to `look`.
+template <class Work, class Look>
+int with_each_call_failing(const Work& work, const Look& look) {
     int failures = 0;
     for (int k = 1;; ++k) {
         SCOPED_TRACE(k);
@@ -111,20 +120,65 @@ TEST(WriteFiles, ASetIsWrittenToTheEndOrNotAtAllWhateverCallFails) {
         fail_at = k;
         bool thrown = false;
         try {
-            write_files({{folder.file("one"), "new 1"},
-                         {folder.file("three"), "new 3"},
-                         {folder.file("b/two"), "new 2"},
-                         {folder.file("c/d/four"), "new 4"}});
+            work(folder);
         } catch (const std::system_error&) {
             thrown = true;
         }
         fail_at = 0;
-        if (thrown) EXPECT_EQ(state(folder), before);
-        else EXPECT_EQ(state(folder), "b/two=new 2\nb=\nc/d/four=new 4\nc/d=\nc=\none=new 1\nthree=new 3\n");
+        look(folder, before, thrown);
         failures += thrown ? 1 : 0;
-        if (calls < k) break;  // there are no more calls to fail
+        if (calls < k) return failures;  // there are no more calls to fail
     }
-    EXPECT_GE(failures, 10);
+}
+
+std::vector<OutputFile> set_of(const Folder& folder) {
+    return {{folder.file("one"), "new 1"},
+            {folder.file("three"), "new 3"},
+            {folder.file("b/two"), "new 2"},
+            {folder.file("c/d/four"), "new 4"}};
+}
+
+TEST(WriteFiles, ASetIsWrittenToTheEndOrNotAtAllWhateverCallFails) {
+    const int failures = with_each_call_failing(
+        [](const Folder& folder) { write_files(set_of(folder)); },
+        [](const Folder& folder, const std::string& before, bool thrown) {
+            if (thrown) EXPECT_EQ(state(folder), before);
+            else EXPECT_EQ(state(folder), "b/two=new 2\nb=\nc/d/four=new 4\nc/d=\nc=\none=new 1\nthree=new 3\n");
+        });
+    EXPECT_GE(failures, 14);
+}
+
+TEST(WriteFiles, ASingleFileIsReplacedOrStaysWhateverCallFails) {
+    for (const char* name : {"one", "three", "b/two"}) {
+        SCOPED_TRACE(name);
+        const int failures = with_each_call_failing(
+            [&](const Folder& folder) {
+                write_files({{folder.file(name), "new"}});
+            },
+            [&](const Folder& folder, const std::string& before, bool thrown) {
+                if (thrown) EXPECT_EQ(state(folder), before);
+                else EXPECT_EQ(folder.read(name), "new");
+            });
+        EXPECT_GE(failures, 4);
+    }
+}
+
+TEST(WriteFiles, NoFileIsLostWhereEveryCallFailsFromOneOn) {
+    fail_on = true;
+    for (const bool single : {true, false})
+        with_each_call_failing(
+            [&](const Folder& folder) {
+                const std::vector<OutputFile> set = set_of(folder);
+                write_files(single ? std::vector{set.front()} : set);
+            },
+            [](const Folder& folder, const std::string&, bool) {
+                for (const auto& [name, number] : {std::pair("one", "1"), std::pair("b/two", "2")}) {
+                    const std::string text = folder.read(name);
+                    EXPECT_TRUE(text == std::string("old ") + number || text == std::string("new ") + number)
+                        << name << ": " << text;
+                }
+            });
+    fail_on = false;
 }
 
 TEST(WriteFiles, RemovesWhatKilledRunsLeftAndNothingElse) {
