@@ -164,6 +164,13 @@ ParsedOptions parse_options(const Verb& verb, std::span<const std::string> argum
     return {options, {}};
 }
 
+std::vector<NamedPath> named_paths(const Options& options) {
+    std::vector<NamedPath> paths;
+    for (const PathOption& option : path_options)
+        if (const auto& path = options.*option.place) paths.push_back({option.name, *path, option.use});
+    return paths;
+}
+
 std::vector<OptionText> option_texts(const Verb& verb) {
     std::vector<OptionText> texts;
     for (const Option& option : options_of(verb))

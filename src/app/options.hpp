@@ -2,6 +2,7 @@
 // The command line of every verb: one set of options, each verb naming those it takes.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <iosfwd>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compose/compose.hpp"
@@ -123,6 +125,38 @@ struct Options {
     bool open = false;       ///< of `serve`: in a browser, too
     bool stdio = false;      ///< of `lsp`, which knows no other way
 };
+
+/// What a run does with the file that an option names; docs/files.md has the rules of each.
+enum class PathUse { Read, Written, Updated, WrittenFolder };
+
+struct PathOption {
+    std::string_view name = {};
+    std::optional<std::string> Options::*place = nullptr;
+    PathUse use = PathUse::Written;
+};
+
+/// Every option that names a file or folder, except `--include`. `--output` of `build` is a folder.
+inline constexpr std::array path_options = {
+    PathOption{"output", &Options::output, PathUse::Written},
+    PathOption{"junit", &Options::junit, PathUse::Written},
+    PathOption{"sarif", &Options::sarif, PathUse::Written},
+    PathOption{"trace-vcd", &Options::trace_vcd, PathUse::Written},
+    PathOption{"trace-svg", &Options::trace_svg, PathUse::Written},
+    PathOption{"depfile", &Options::depfile, PathUse::Written},
+    PathOption{"state", &Options::state_file, PathUse::Updated},
+    PathOption{"survivors", &Options::survivors, PathUse::WrittenFolder},
+    PathOption{"script", &Options::script, PathUse::Read},
+    PathOption{"sequence", &Options::sequence, PathUse::Read},
+    PathOption{"exclusions", &Options::exclusions, PathUse::Read},
+};
+
+struct NamedPath {
+    std::string_view option = {};
+    std::string path = {};
+    PathUse use = PathUse::Written;
+};
+/// The paths that `options` name, in the order of the list.
+std::vector<NamedPath> named_paths(const Options& options);
 
 /// The groups of options a verb may take besides those that all take; File: those of verbs that read one; Timeout: of those
 /// that have no other; Writes: of those that may write files; Command: of one that takes another verb, to which all that

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <ostream>
 
 #include "app/depfile.hpp"
@@ -19,9 +18,8 @@ namespace {
 
 std::vector<std::string> outputs_of(const Options& options) {
     std::vector<std::string> paths;
-    for (const std::optional<std::string>* one :
-         {&options.output, &options.junit, &options.sarif, &options.trace_vcd, &options.trace_svg, &options.depfile})
-        if (*one) paths.push_back(**one);
+    for (const NamedPath& one : named_paths(options))
+        if (one.use != PathUse::Read) paths.push_back(one.path);
     return paths;
 }
 
@@ -68,9 +66,9 @@ bool names_input(const std::string& path) { return path == "-" || own_descriptor
 bool names_output(const std::string& path) { return path == "-" || own_descriptor(path) == STDOUT_FILENO; }
 
 bool reports_on_output(const Options& options) {
-    return std::ranges::any_of(
-        std::array{options.junit, options.sarif, options.trace_vcd, options.trace_svg, options.depfile},
-        [](const auto& path) { return path && names_output(*path); });
+    return std::ranges::any_of(named_paths(options), [](const NamedPath& one) {
+        return one.use == PathUse::Written && one.option != "output" && names_output(one.path);
+    });
 }
 
 bool writes_files(const Options& options) {
@@ -81,9 +79,11 @@ bool outputs_differ(Job& job) { return differ(outputs_of(job.options), job); }
 
 bool folders_are_there(bool folder, Job& job) {
     if (job.options.create) return true;
-    for (const std::string& path : outputs_of(job.options)) {
-        const std::filesystem::path file(path);
-        const bool is_folder = folder && job.options.output == path;
+    for (const auto& [option, path, use] : named_paths(job.options)) {
+        if (use == PathUse::Read) continue;
+        std::filesystem::path file(path);
+        if (use == PathUse::WrittenFolder && !file.has_filename()) file = file.parent_path();  // `DIR/`
+        const bool is_folder = folder && option == "output";
         const std::filesystem::path needed = is_folder ? file : file.parent_path();
         std::error_code failure;
         if (path == "-" || needed.empty() || std::filesystem::exists(needed, failure)) continue;

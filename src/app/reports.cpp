@@ -51,8 +51,8 @@ bool is_replaceable(const std::string& path, const Job& job) {
     const std::string identity = path == "-" || own_descriptor(path) ? "" : file_identity(path);
     if (identity.empty()) return false;
     std::vector<std::string> named = job.options.operands;
-    for (const auto* one : {&job.options.exclusions, &job.options.sequence, &job.options.script})
-        if (*one) named.push_back(**one);
+    for (const NamedPath& one : named_paths(job.options))
+        if (one.use == PathUse::Read || one.use == PathUse::Updated) named.push_back(one.path);
     for (const std::string& input : named)
         if (file_identity(input) == identity) return false;
     std::error_code failure;

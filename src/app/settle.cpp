@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/outputs.hpp"
+#include "pipeline/files.hpp"
 
 namespace grafverif::app {
 
@@ -25,10 +26,8 @@ std::string settle_input(const Verb& verb, const Options& options) {
     if (accepts(verb, Accepts::File))
         for (const std::string& file : options.operands)
             if (names_input(file)) readers.push_back("`FILE`");
-    for (const auto& [name, path] :
-         {std::pair("`--script`", options.script), std::pair("`--sequence`", options.sequence),
-          std::pair("`--exclusions`", options.exclusions)})
-        if (path && names_input(*path)) readers.push_back(name);
+    for (const auto& [name, path, use] : named_paths(options))
+        if (use == PathUse::Read && names_input(path)) readers.push_back(fmt::format("`--{}`", name));
     if (readers.size() < 2) return {};
     return fmt::format("standard input is read once, and both {} and {} are to come from it; name a file", readers[0],
                        readers[1]);
@@ -38,15 +37,15 @@ std::string settle_streams(const Verb& verb, const Options& options) {
     const bool is_file = accepts(verb, Accepts::File) && !options.operands.empty();
     if (options.in_place && is_file && std::ranges::any_of(options.operands, names_input))
         return "`--in-place` rewrites files, and standard input is none; leave it out";
-    if (options.state_file && (names_input(*options.state_file) || names_output(*options.state_file)))
-        return "`--state` is a file that is read and added to, which a standard stream is not";
-    if (options.survivors == "-") return "`--survivors` writes a folder, which `-` is not";
     std::vector<std::string> documents;
-    for (const auto& [name, path] :
-         {std::pair("`--output`", options.output), std::pair("`--junit`", options.junit),
-          std::pair("`--sarif`", options.sarif), std::pair("`--trace-vcd`", options.trace_vcd),
-          std::pair("`--trace-svg`", options.trace_svg), std::pair("`--depfile`", options.depfile)})
-        if (path && names_output(*path)) documents.push_back(name);
+    for (const auto& [name, path, use] : named_paths(options)) {
+        const bool is_stream = names_input(path) || own_descriptor(path);
+        if (use == PathUse::Updated && is_stream)
+            return fmt::format("`--{}` is a file that is read and rewritten, which a standard stream is not", name);
+        if (use == PathUse::WrittenFolder && is_stream)
+            return fmt::format("`--{}` writes a folder, which `{}` is not", name, path);
+        if (use == PathUse::Written && names_output(path)) documents.push_back(fmt::format("`--{}`", name));
+    }
     const bool is_json = options.format == Format::Json || options.format == Format::JsonLines;
     const bool writes_document = accepts(verb, Accepts::Output) && !accepts(verb, Accepts::Analysis);
     if (!options.output && writes_document && reports_on_output(options))
@@ -84,8 +83,8 @@ std::string settle_outputs(const Verb& verb, const Options& options) {
     if (options.list && (options.junit || options.sarif || options.trace_vcd || options.trace_svg))
         return "`--list` decides nothing, and has nothing to report";
     bool to_file = accepts(verb, Accepts::OutputDirectory);
-    for (const auto* path : {&options.output, &options.junit, &options.sarif, &options.trace_vcd, &options.trace_svg})
-        to_file = to_file || (*path && **path != "-");
+    for (const auto& [name, path, use] : named_paths(options))
+        to_file = to_file || (use == PathUse::Written && name != "depfile" && path != "-");
     if (options.depfile && !options.depfile_target && !to_file)
         return "`--depfile` says what a file was made from: name one (`-o FILE`), or what the build system calls the "
                "result of this run (`--depfile-target NAME`)";

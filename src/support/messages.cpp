@@ -43,6 +43,11 @@ Diagnostic output_is_input(std::string_view output, std::string_view input) {
                           output, input));
 }
 
+Diagnostic no_state_file(std::string_view path) {
+    return error("not-a-state-file", {},
+                 fmt::format("`{}` exists and is not a state file of `mutate`; name another file", path));
+}
+
 Diagnostic output_twice(std::string_view one, std::string_view other) {
     return error(
         "output-twice", {},

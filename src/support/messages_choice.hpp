@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is said where a name on the command line is none that the file has, and of two files that do not go together.
+// What is said where a name on the command line is none that the file has, of two files that do not go together, and of a
+// file or document that is not what it must be.
 #pragma once
 
 #include <span>
@@ -27,5 +28,8 @@ Diagnostic nothing_to_compare(Span where, std::string_view chart);
 Diagnostic no_such_beginning(Span where, std::string_view chart, std::string_view why);
 /// `--resolution` does not divide a duration of the charts.
 Diagnostic coarse_resolution(std::string_view resolution, std::string_view duration, std::string_view divides_all);
+
+/// `--state` names a file that is there and is another one.
+Diagnostic no_state_file(std::string_view path);
 
 }  // namespace grafverif::messages

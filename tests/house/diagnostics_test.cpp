@@ -34,7 +34,8 @@ const std::set<std::string> of_the_world = {
     "ambiguous-choice", "not-expressible", "bad-sequence",   "not-in-structured-text", "cannot-run",
     "nothing-to-test",  "stopped",         "out-of-memory",  "bound-reached",          "nothing-to-import",
     "left-out",         "missing-program", "cure-left-out",  "output-is-input",        "output-twice",
-    "cannot-listen",    "missing-folder",  "not-in-depfile", "not-comparable",         "beyond-32-bits"};
+    "cannot-listen",    "missing-folder",  "not-in-depfile", "not-comparable",         "beyond-32-bits",
+    "not-a-state-file"};
 
 TEST(House, EveryDiagnosticHasAReject) {
     const std::set<std::string> all = codes();

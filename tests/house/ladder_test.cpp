@@ -149,6 +149,7 @@ TEST(Ladder, OnlyTheAppSeesStreamsOfTheProcessAndOnlyThePipelineReadsFilesBeside
     static const std::regex streams(R"(std::c(in|out|err)\b|\bgetenv\b)"),
         files(R"(std::(i|o)?fstream|std::filesystem(?!::path)|[^\w]::open\()");
     for (const fs::path& file : sources({"include/grafverif", "src"})) {
+        EXPECT_EQ(text_of(file).find("#include <fstream>"), std::string::npos) << file << " opens files by other rules";
         if (room_with(file) == "app") continue;
         EXPECT_FALSE(std::regex_search(text_of(file), streams)) << file;
         EXPECT_TRUE(file.parent_path() == root / "src/pipeline" || !std::regex_search(text_of(file), files)) << file;

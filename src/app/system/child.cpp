@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/system/child.hpp"
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -12,7 +13,6 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
-#include <fstream>
 #include <mutex>
 #include <set>
 #include <string_view>
@@ -48,9 +48,9 @@ void strike_out(pid_t pid) {
 
 /// Whose child `pid` is; 0: unknown. /proc/PID/stat is `PID (NAME) STATE PARENT ...`, and NAME may hold anything.
 pid_t parent_of(std::string_view pid) {
-    std::ifstream file("/proc/" + std::string(pid) + "/stat");
-    std::string line;
-    std::getline(file, line, '\0');
+    const Descriptor file(::open(("/proc/" + std::string(pid) + "/stat").c_str(), O_RDONLY | O_CLOEXEC));
+    std::string line(1024, '\0');
+    line.resize(static_cast<std::size_t>(std::max<ssize_t>(0, ::read(file.number(), line.data(), line.size()))));
     const std::size_t end = line.rfind(") ");
     if (end == std::string::npos || end + 4 >= line.size()) return 0;
     pid_t parent = 0;

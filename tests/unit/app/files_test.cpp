@@ -181,6 +181,34 @@ TEST(WriteFiles, NoFileIsLostWhereEveryCallFailsFromOneOn) {
     fail_on = false;
 }
 
+TEST(Mutate, AStateFileThatCannotBeWrittenIsAnErrorAndTheOldOneStays) {
+    const Folder folder;
+    const std::string file = folder.write("c.grafcet",
+                                          "grafcet c { input a; output L; initial step 0; step 1 { L; } transition t: "
+                                          "0 -> 1 when a; transition u: 1 -> 0 "
+                                          "when !a; }\n");
+    const std::vector<std::string> arguments = {"mutate", file, "--limit", "1", "--state", folder.file("state")};
+    fail_on = true;
+    std::size_t refused = 0, with_results = 0;
+    for (int k = 1;; ++k) {
+        folder.write("state", "");
+        calls = 0;
+        fail_at = k;
+        const Result result = grafverif(arguments);
+        fail_at = 0;
+        if (calls < k) break;
+        EXPECT_EQ(result.code, ExitCode::Input) << k;
+        EXPECT_NE(result.err.find("cannot write `"), std::string::npos) << result.err;
+        EXPECT_EQ(folder.read("state").find_first_not_of('{'), folder.read("state").empty() ? std::string::npos : 1U);
+        ++refused;
+        with_results += result.out.empty() ? 0U : 1U;
+    }
+    fail_on = false;
+    EXPECT_GT(refused, with_results);
+    EXPECT_GT(with_results, 0U) << "what was found out is printed though it cannot be kept";
+    EXPECT_EQ(folder.entries(), 2U);
+}
+
 TEST(WriteFiles, RemovesWhatKilledRunsLeftAndNothingElse) {
     const Folder folder;
     folder.write(".grafverif-0123456789abcdef.part", "draft");

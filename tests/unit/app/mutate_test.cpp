@@ -92,6 +92,41 @@ TEST(Mutate, ASampleIsThatOfItsSeedAndARunGoesOnFromItsStateFile) {
     EXPECT_EQ(std::count(later.begin(), later.end(), '{'), 3) << later;
 }
 
+TEST(Mutate, AStateFileIsAFileOfItsRunsAndNoOther) {
+    const Folder folder;
+    const std::string file = folder.write("gate.grafcet", gate), notes = folder.write("notes", "precious\n");
+    const auto error_of = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments = {"mutate", file, "--limit", "1"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Result result = grafverif(arguments);
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_EQ(result.out, "") << "refused before the work";
+        return result.err;
+    };
+    const auto has = [](const std::string& text, const std::string& part) {
+        return text.find(part) != std::string::npos;
+    };
+    EXPECT_TRUE(has(error_of({"--state", file}), "[output-is-input]"));
+    EXPECT_TRUE(has(error_of({"--state", notes}), "`" + notes + "` exists and is not a state file"));
+    EXPECT_TRUE(has(error_of({"--state", notes, "-o", notes}), "[output-twice]"));
+    EXPECT_TRUE(has(error_of({"--state", "/dev/full"}), "it is a device, not a file"));
+    EXPECT_TRUE(has(error_of({"--state", folder.file("")}), "it is a directory"));
+    EXPECT_TRUE(has(error_of({"--state", folder.file("no/state")}), "[missing-folder]"));
+    EXPECT_EQ(folder.read("gate.grafcet"), gate);
+    EXPECT_EQ(folder.read("notes"), "precious\n");
+}
+
+TEST(Mutate, ALineThatWasNotWrittenWholeIsAskedAgain) {
+    const Folder folder;
+    const std::string file = folder.write("gate.grafcet", gate), state = folder.file("state");
+    const std::vector<std::string> arguments = {"mutate", file, "--limit", "2", "--state", state};
+    const Result first = grafverif(arguments);
+    const std::string known = folder.read("state");
+    folder.write("state", known.substr(0, known.size() - 20) + "\n\n{\"k");
+    EXPECT_EQ(grafverif(arguments).out, first.out);
+    EXPECT_NE(folder.read("state").find(known.substr(known.rfind('{'))), std::string::npos);
+}
+
 TEST(Mutate, AStateFileServesTheSameQuestionOnly) {
     const Folder folder;
     const std::string part = "component quiet(output OUT) {\n    initial location there;\n}\n";

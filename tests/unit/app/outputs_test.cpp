@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What build systems ask of outputs: names known beforehand, what they were made from, and that nothing is made by mistake.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
@@ -379,36 +380,78 @@ std::string beginning_of(const std::string& option) {
     return option == "depfile" ? "x:" : "";
 }
 
-TEST(StandardOutput, TakesTheDocumentOfEveryOptionThatNamesAFileOrTheOptionIsRefused) {
-    std::size_t documents = 0;
+/// Each call of a verb with an option that names a file or folder: `look` gets verb, option, use and the call without the
+/// value, which is its last word.
+template <class Look>
+void with_each_path_option(const Folder& folder, const std::string& file, const Look& look) {
     for (const Verb& verb : all_verbs())
         for (const OptionText& option : option_texts(verb)) {
             if ((option.value != "FILE" && option.value != "DIR") || option.name == "include") continue;
             SCOPED_TRACE(verb.name + " --" + option.name);
-            const Folder folder;
-            const std::string file = folder.write("one.grafcet", violated);
+            const auto listed = std::ranges::find(path_options, option.name, &PathOption::name);
+            ASSERT_NE(listed, path_options.end()) << "docs/files.md has rules for every path";
             Words words = call(verb, file, folder);
-            const bool scripted = accepts(verb, Accepts::Walk) && (option.name == "script" || option.name == "junit");
-            if (scripted) words.resize(2);  // a script says what to do, as --random does
-            if (scripted && option.name == "junit")
+            if (accepts(verb, Accepts::Walk) && (option.name == "script" || option.name == "junit")) words.resize(2);
+            if (accepts(verb, Accepts::Walk) && option.name == "junit")
                 words.insert(words.end(), {"--script", folder.write("s.txt", "expect X0\n")});
-            words.insert(words.end(), {"--" + option.name, "-"});
             if (option.name == "depfile") words.insert(words.end(), {"--depfile-target", "x"});
-            const Result result = grafverif(words, option.name == "script" ? "wait 1s\n" : "nothing\n");
-            EXPECT_FALSE(fs::exists("-"));
-            const bool refused = result.err.find("standard input") != std::string::npos ||
-                                 result.err.find("standard stream") != std::string::npos ||
-                                 result.err.find("which `-` is not") != std::string::npos ||
-                                 result.err.find("standard output takes one document") != std::string::npos ||
-                                 result.err.find("specified more than once") != std::string::npos ||
-                                 result.err.find("[nothing-to-import]") != std::string::npos;
-            EXPECT_EQ(result.code == ExitCode::Input, refused) << result.err;
-            if (refused) continue;
-            ++documents;
-            EXPECT_FALSE(result.out.empty()) << result.err;
-            EXPECT_TRUE(result.out.starts_with(beginning_of(option.name))) << result.out;
+            if (option.name == "output" && accepts(verb, Accepts::OutputDirectory)) words.resize(2);
+            words.push_back("--" + option.name);
+            look(verb, listed->use, words);
         }
+}
+
+TEST(StandardOutput, TakesTheDocumentOfEveryOptionThatNamesAFileOrTheOptionIsRefused) {
+    const Folder folder;
+    const std::string file = folder.write("one.grafcet", violated);
+    std::size_t documents = 0;
+    with_each_path_option(folder, file, [&](const Verb&, PathUse, Words words) {
+        const std::string option = words.back().substr(2);
+        words.emplace_back("-");
+        const Result result = grafverif(words, option == "script" ? "wait 1s\n" : "nothing\n");
+        EXPECT_FALSE(fs::exists("-"));
+        const bool refused = result.err.find("standard input") != std::string::npos ||
+                             result.err.find("standard stream") != std::string::npos ||
+                             result.err.find("which `-` is not") != std::string::npos ||
+                             result.err.find("standard output takes one document") != std::string::npos ||
+                             result.err.find("[nothing-to-import]") != std::string::npos;
+        EXPECT_EQ(result.code == ExitCode::Input, refused) << result.err;
+        if (refused) return;
+        ++documents;
+        EXPECT_FALSE(result.out.empty()) << result.err;
+        EXPECT_TRUE(result.out.starts_with(beginning_of(option))) << result.out;
+    });
     EXPECT_GT(documents, 25U);
+}
+
+TEST(Paths, WhatIsReadIsAFileAndNothingWaitsForAPipe) {
+    const Folder folder;
+    const std::string file = folder.write("one.grafcet", violated), pipe = folder.file("pipe");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    std::size_t refused = 0;
+    with_each_path_option(folder, file, [&](const Verb&, PathUse use, Words words) {
+        if (use != PathUse::Read && use != PathUse::Updated) return;
+        words.push_back(pipe);
+        const Result result = grafverif(words);
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find("it is a pipe, not a file"), std::string::npos) << result.err;
+        ++refused;
+    });
+    EXPECT_GE(refused, 5U);
+}
+
+TEST(Paths, NoOptionReplacesTheFileThatIsRead) {
+    const Folder folder;
+    const std::string file = folder.write("one.grafcet", violated);
+    std::size_t refused = 0;
+    with_each_path_option(folder, file, [&](const Verb& verb, PathUse use, Words words) {
+        if (use == PathUse::Read || !accepts(verb, Accepts::File)) return;
+        words.push_back(file);
+        EXPECT_EQ(grafverif(words).code, ExitCode::Input);
+        EXPECT_EQ(folder.read("one.grafcet"), violated);
+        ++refused;
+    });
+    EXPECT_GT(refused, 25U);
 }
 
 TEST(StandardOutput, OfAReportIsItsOwnAndWhatIsSaidGoesToStandardError) {

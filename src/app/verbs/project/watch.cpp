@@ -15,6 +15,7 @@
 #include <system_error>
 #include <thread>
 
+#include "app/outputs.hpp"
 #include "app/system/child.hpp"
 #include "app/system/interrupt.hpp"
 #include "app/verbs.hpp"
@@ -55,8 +56,11 @@ Command command_of(const std::vector<std::string>& words) {
     command.complaint = parsed.complaint;
     if (!parsed.options) return command;
     command.options = *parsed.options;
-    for (const std::string& file : command.options.operands)
-        if (file == "-") command.complaint = "standard input cannot be watched: name a file";
+    std::vector<std::string> files = command.options.operands;
+    for (const NamedPath& one : named_paths(command.options))
+        if (one.use == PathUse::Read) files.push_back(one.path);
+    for (const std::string& file : files)
+        if (names_input(file)) command.complaint = "standard input cannot be watched: name a file";
     return command;
 }
 
@@ -64,9 +68,10 @@ Command command_of(const std::vector<std::string>& words) {
 void note(const Command& command, Watch& seen) {
     Job job{.options = command.options};
     job.watch = &seen;
-    job.options.output = job.options.junit = job.options.sarif = {};  // nothing is written
-    for (const auto* file : {&command.options.sequence, &command.options.exclusions})
-        if (*file) seen.note(**file);
+    for (const auto& [name, place, use] : path_options) {
+        if (use != PathUse::Read) (job.options.*place).reset();  // nothing is written
+        else if (const auto& file = job.options.*place) seen.note(*file);
+    }
     for (const std::string& file : command.options.operands) {
         try {
             read_model(file, job);

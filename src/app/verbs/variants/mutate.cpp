@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -21,12 +20,16 @@
 #include "app/outputs.hpp"
 #include "app/stop_words.hpp"
 #include "app/system/guard.hpp"
+#include "app/system/write_files.hpp"
 #include "app/verbs.hpp"
 #include "compare/mutants.hpp"
 #include "draw/changes.hpp"
+#include "pipeline/files.hpp"
 #include "read/formats.hpp"
 #include "report/charts/mutation.hpp"
 #include "support/json_text.hpp"
+#include "support/messages.hpp"
+#include "support/messages_choice.hpp"
 #include "syntax/language/parse.hpp"
 
 namespace grafverif::app {
@@ -98,33 +101,65 @@ std::chrono::milliseconds each_of(const Options& options) {
     return std::chrono::milliseconds(options.each_ms.value_or(60'000));
 }
 
-/// The fates of a run before, and a file that each new one is added to.
+/// The fates of a run before and of this one. The file is replaced as every output is (see write_files): at once, so that one
+/// that cannot be written is refused before the work, then at most once a second, and in the end.
 class StateFile {
 public:
     explicit StateFile(const Options& options)
-        : bounds_(fmt::format("{} ms, {} bytes", each_of(options).count(), options.max_memory.value_or(0))) {
-        const std::optional<std::string>& path = options.state_file;
-        if (!path) return;
-        std::ifstream in(*path);
-        for (std::string line; std::getline(in, line);)
+        : path_(options.state_file),
+          bounds_(fmt::format("{} ms, {} bytes", each_of(options).count(), options.max_memory.value_or(0))) {}
+
+    /// False after an error: what is there cannot be read, or is another file. Throws std::system_error.
+    bool open(Diagnostics& diagnostics) {
+        if (!path_) return true;
+        std::string why;
+        const bool is_there = !identity_of_existing(*path_).empty();
+        const auto text = is_there ? content_of_file(*path_, why) : std::optional(std::string());
+        if (!text) return diagnostics.add(messages::cannot_read(*path_, why)), false;
+        std::istringstream lines(*text);
+        for (std::string line; std::getline(lines, line);) {
+            if (line.empty()) continue;
+            if (!std::string_view(line).starts_with(line_begin.substr(0, line.size())))
+                return diagnostics.add(messages::no_state_file(*path_)), false;
             if (auto known = restored(line, bounds_)) known_.insert_or_assign(known->first, std::move(known->second));
-        in.close();
-        out_.open(*path, std::ios::app);
-        if (!out_) throw std::system_error(errno, std::generic_category(), *path);
-        out_ << '\n';  // behind a line that was not written whole
+            text_ += line + '\n';
+        }
+        save();
+        return true;
     }
     std::optional<MutantFate> known(const std::string& key) const {
         const auto found = known_.find(key);
         return found == known_.end() ? std::nullopt : std::optional(found->second);
     }
     void add(const std::string& key, const MutantFate& fate) {
-        if (out_.is_open()) out_ << json_text(stored(key, bounds_, fate), -1) << std::endl;
+        if (!path_) return;
+        text_ += json_text(stored(key, bounds_, fate), -1) + '\n';
+        saved_ = false;
+        if (std::chrono::steady_clock::now() < next_save_) return;
+        try {
+            save();
+        } catch (const std::system_error&) {
+            next_save_ = std::chrono::steady_clock::now() + between_saves;  // the last one reports it
+        }
+    }
+    /// Throws std::system_error.
+    void save() {
+        if (!path_ || saved_) return;
+        write_files({{*path_, text_}});
+        saved_ = true;
+        next_save_ = std::chrono::steady_clock::now() + between_saves;
     }
 
 private:
+    static constexpr std::string_view line_begin = R"({"key":)";
+    static constexpr std::chrono::seconds between_saves{1};
+
+    std::optional<std::string> path_;
     std::string bounds_;  ///< of the work on each
     std::map<std::string, MutantFate> known_ = {};
-    std::ofstream out_ = {};
+    std::string text_ = {};
+    bool saved_ = false;
+    std::chrono::steady_clock::time_point next_save_ = {};
 };
 
 // -- a run ---------------------------------------------------------------------------------------------------------------
@@ -145,13 +180,13 @@ void sample(std::vector<Mutant>& all, std::uint64_t most, std::uint64_t seed) {
 /// Judges all, several at once. A fate stays empty where the run was stopped before.
 class Judging {
 public:
-    Judging(const MutantBench& bench, Mutation& mutation, const Job& job, const Limits& limits)
+    Judging(const MutantBench& bench, Mutation& mutation, StateFile& state, const Job& job, const Limits& limits)
         : bench_(bench),
           mutation_(mutation),
           question_(hash_of_question(job)),
           options_(job.options),
           limits_(limits),
-          state_(job.options) {}
+          state_(state) {}
 
     void run() {
         const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
@@ -206,7 +241,7 @@ private:
     std::uint64_t question_;
     const Options& options_;
     const Limits& limits_;
-    StateFile state_;
+    StateFile& state_;
     std::mutex mutex_ = {};
     std::exception_ptr failure_ = {};
     std::atomic<std::size_t> next_ = 0;
@@ -268,15 +303,22 @@ ExitCode mutate(Job& job, const Streams& streams) {
     const ReadOptions read{
         .include_folders = job.options.include_folders, .lossy = job.options.lossy, .constants = job.options.constants};
     MutantBench bench(*model, *chart, path, read, job.options.mode);
+    StateFile state(job.options);
+    if (!state.open(job.diagnostics)) return ExitCode::Input;
     const Bounds bounds(job.options, streams);
     bool stopped = !bench.prepare(bounds.limits());
-    if (!stopped) Judging(bench, mutation, job, bounds.limits()).run();
+    if (!stopped) Judging(bench, mutation, state, job, bounds.limits()).run();
     stopped = stopped || bounds.interrupted();
     mutation.properties = bench.properties();
     mutation.vacuous = bench.vacuous();
     mutation.test_steps = bench.test_steps();
     mutation.no_test = bench.no_test();
     work_is_done();
+    try {
+        state.save();
+    } catch (const std::system_error& failure) {
+        job.diagnostics.add(messages::world_failed(failure.what()));  // the results are printed all the same
+    }
     if (!write_survivors(mutation, *model, *chart, original, read, job, streams)) return ExitCode::Input;
     std::ostringstream out;
     if (job.options.format == Format::Json) out << mutation_json(mutation, job.sources) << '\n';
