@@ -2,31 +2,73 @@
 #include "lsp/board.hpp"
 
 #include <algorithm>
+#include <new>
+#include <optional>
 #include <set>
+#include <system_error>
 #include <utility>
+
+#include "support/messages.hpp"
+#include "support/messages_choice.hpp"
 
 namespace grafverif::lsp {
 
+namespace {
+
+/// What `work` throws where the system refuses something, as a diagnostic.
+template <class Work>
+std::optional<Diagnostic> failure_of(const std::string& path, const Work& work) {
+    try {
+        return work(), std::nullopt;
+    } catch (const std::bad_alloc&) {
+        return messages::out_of_memory({});
+    } catch (const std::system_error& failure) {
+        return messages::cannot_read(path, failure.what());
+    }
+}
+
+}  // namespace
+
 std::vector<std::shared_ptr<const Root>> Board::look(Workspace& workspace) {
     std::set<std::string> wanted;
-    for (const OpenText& open : workspace.open_texts())
-        for (std::string& root : workspace.roots(open.path)) wanted.insert(std::move(root));
+    for (const OpenText& open : workspace.open_texts()) {
+        wanted.insert(open.path);
+        failure_of(open.path, [&] {  // reading it fails for the same reason
+            for (std::string& root : workspace.roots(open.path)) wanted.insert(std::move(root));
+        });
+    }
     std::erase_if(entries_, [&](const auto& entry) { return !wanted.contains(entry.first); });
     std::vector<std::shared_ptr<const Root>> fresh;
     for (const std::string& path : wanted) {
-        Entry& entry = entries_[path];
-        if (entry.root != nullptr && workspace.holds(entry.root->inputs)) continue;
-        auto root = std::make_shared<Root>();
-        root->path = path;
-        root->number = ++readings_;
-        root->reading = workspace.reading(path, root->inputs);
-        root->places = std::make_shared<const Places>(root->reading.sources, path,
-                                                      [&](const std::string& each) { return workspace.shown(each); });
-        root->typed = told(root->reading.diagnostics, *root->places);
-        entry = {root, {}};
-        fresh.push_back(std::move(root));
+        bool holds = false;
+        if (const auto known = root(path)) failure_of(path, [&] { holds = workspace.holds(known->inputs); });
+        if (holds) continue;
+        fresh.push_back(read(path, workspace));
+        entries_.insert_or_assign(path, Entry{fresh.back(), {}});
     }
     return fresh;
+}
+
+std::shared_ptr<const Root> Board::read(const std::string& path, Workspace& workspace) {
+    auto root = std::make_shared<Root>();
+    root->path = path;
+    root->number = ++readings_;
+    const auto shown = [&](const std::string& each) { return workspace.shown(each); };
+    const OpenText* const open = workspace.open_at(path);
+    const auto failure =
+        open != nullptr && open->out_of_step ? std::optional(messages::out_of_step()) : failure_of(path, [&] {
+            root->reading = workspace.reading(path, root->inputs);
+            root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
+            root->typed = told(root->reading.diagnostics, *root->places);
+        });
+    if (!failure) return root;
+    Diagnostics diagnostics;
+    diagnostics.add(*failure);
+    root->reading = {};
+    root->inputs = {{path, nullptr}};  // not what is open: it is read again
+    root->places = std::make_shared<const Places>(root->reading.sources, path, shown);
+    root->typed = told(diagnostics, *root->places);
+    return root;
 }
 
 std::shared_ptr<const Root> Board::root(const std::string& path) const {

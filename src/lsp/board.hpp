@@ -25,7 +25,8 @@ struct Root {
 
 class Board {
 public:
-    /// Reads what has changed; the roots that are new.
+    /// Reads what has changed; the roots that are new. One that cannot be read has this as its only diagnostic, and is read
+    /// again the next time.
     std::vector<std::shared_ptr<const Root>> look(Workspace& workspace);
     std::shared_ptr<const Root> root(const std::string& path) const;
     std::vector<std::shared_ptr<const Root>> roots() const;
@@ -42,7 +43,9 @@ private:
         std::shared_ptr<const Root> root = {};
         std::map<std::string, std::vector<Told>> added = {};
     };
-    std::map<std::string, Entry> entries_ = {};
+    std::shared_ptr<const Root> read(const std::string& path, Workspace& workspace);
+
+    std::map<std::string, Entry> entries_ = {};  ///< their roots are never null
     std::uint64_t readings_ = 0;
 };
 

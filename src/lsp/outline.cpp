@@ -107,7 +107,7 @@ std::vector<std::uint32_t> tokens(const Names& names, const Parsed& file) {
     auto use = uses.begin();
     const auto put = [&](std::size_t begin, std::size_t end, TokenType type, std::uint32_t modifiers) {
         while (begin < end) {  // a token is of one line
-            const std::size_t stop = std::min(text.find('\n', begin), end);
+            const std::size_t stop = std::min(std::string_view(text).substr(0, end).find('\n', begin), end);
             const Position from = file.text->position(begin), to = file.text->position(stop);
             if (from.line == to.line && from.character < to.character) {
                 const bool same = from.line == before.line;

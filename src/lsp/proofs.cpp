@@ -31,12 +31,13 @@ void Session::prove(const std::string& path, const std::string& only) {
 
 void Session::found(Found outcome) {
     if (!board_.is_current(*outcome.root)) return;
+    dirty_ = true;  // until it is published
     board_.add(*outcome.root, outcome.source, std::move(outcome.told));
     Verdicts& known = verdicts_[outcome.root->path];
     if (known.number != outcome.root->number) known = {outcome.root->number, {}};
     const bool news = !outcome.verdicts.empty();
     for (auto& [key, shown] : outcome.verdicts) known.by_key[key] = std::move(shown);
-    publish();
+    settle();
     if (news && can_.refreshes_lenses) ask_client("grafverif/lenses", "workspace/codeLens/refresh", nullptr);
 }
 

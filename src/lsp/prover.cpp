@@ -13,6 +13,7 @@
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "report/terminal.hpp"
+#include "support/messages.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif::lsp {
@@ -89,31 +90,51 @@ void Prover::work() {
         try {
             if (task.what == Task::What::Models) make_models(task);
             else prove(task);
-        } catch (const std::bad_alloc&) {  // nothing is told that was not found out
+            const std::lock_guard hold(door_);
+            const auto proves = [](const Task& other) { return other.what == Task::What::Proofs; };
+            if (std::ranges::none_of(tasks_, proves)) ears_.progress("");
+        } catch (const std::bad_alloc&) {  // not even the failure could be told
         } catch (const std::system_error&) {
         }
-        const std::lock_guard hold(door_);
-        const auto proves = [](const Task& other) { return other.what == Task::What::Proofs; };
-        if (std::ranges::none_of(tasks_, proves)) ears_.progress("");
     }
+}
+
+/// Has `work` fill in what is found of `source`, and tells it; where the system refuses something, that.
+template <class Work>
+void Prover::tell(const Task& task, const std::string& source, const Work& work) {
+    Found outcome{task.root, source, {}, {}};
+    Diagnostics refused;
+    try {
+        work(outcome);
+    } catch (const std::bad_alloc&) {
+        refused.add(messages::out_of_memory({}));
+    } catch (const std::system_error& failure) {
+        refused.add(messages::world_failed(failure.what()));
+    }
+    if (refused.has_errors()) outcome = {task.root, source, told(refused, *task.root->places), {}};
+    if (!stop_) ears_.found(std::move(outcome));
 }
 
 /// What is refused only when a model is made of what was read.
 void Prover::make_models(const Task& task) {
+    tell(task, "models", [&](Found& outcome) { outcome.told = told(refused_models(task), *task.root->places); });
+}
+
+Diagnostics Prover::refused_models(const Task& task) const {
     const Model& model = *task.root->reading.model;
     Diagnostics diagnostics;
     for (const Id<ClosedLoop> loop : model.loops.ids()) {
-        if (stop_) return;
+        if (stop_) break;
         network_of(model, loop, ModelOptions{}, diagnostics);
     }
     for (const Id<Chart> chart : model.charts.ids()) {
-        if (stop_) return;
+        if (stop_) break;
         const bool controls = std::ranges::any_of(model.loops, [&](const ClosedLoop& loop) {
             return std::ranges::any_of(loop.controllers, [&](const auto& each) { return each.chart == chart; });
         });
         if (!controls) equations_of(model, chart, diagnostics);
     }
-    if (!stop_) ears_.found({task.root, "models", told(diagnostics, *task.root->places), {}});
+    return diagnostics;
 }
 
 Limits Prover::limits(const std::string& what) {
@@ -138,9 +159,7 @@ void Prover::prove(const Task& task) {
     const auto each = [&](const std::string& name, Span origin, const char* kind, const auto& find_out) {
         if (stop_ || !wanted(name, origin)) return;
         ears_.progress(name);
-        Found outcome{task.root, kind + name, {}, {}};
-        find_out(outcome);
-        if (!stop_) ears_.found(std::move(outcome));
+        tell(task, kind + name, find_out);
     };
     for (const Id<ClosedLoop> loop : model.loops.ids())
         each(model.loops[loop].name, model.loops[loop].origin, "loop ",

@@ -62,7 +62,10 @@ public:
 
 private:
     void work();
+    template <class Work>
+    void tell(const Task& task, const std::string& source, const Work& work);
     void make_models(const Task& task);
+    Diagnostics refused_models(const Task& task) const;
     void prove(const Task& task);
     void prove_loop(const Root& root, Id<ClosedLoop> loop, Found& outcome);
     void look_into(const Root& root, Id<Chart> chart, Found& outcome);

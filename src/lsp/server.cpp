@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lsp/server.hpp"
 
+#include <atomic>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
@@ -66,7 +68,7 @@ Item item_of(Framed framed) {
 }
 
 /// Until the stream is over, or the client has said that it wants no more.
-void receive_all(const Receive& receive, Inbox& inbox) {
+void receive_all(const Receive& receive, Inbox& inbox, std::atomic<bool>& ending) {
     try {
         Framing framing(receive);
         while (auto framed = framing.next()) {
@@ -86,6 +88,7 @@ void receive_all(const Receive& receive, Inbox& inbox) {
     } catch (const std::bad_alloc&) {  // the stream cannot be held: the client is as good as gone
     } catch (const std::system_error&) {
     }
+    ending = true;
     inbox.close();
 }
 
@@ -93,20 +96,26 @@ void receive_all(const Receive& receive, Inbox& inbox) {
 
 Ending converse(const Receive& receive, const Send& send, const Surroundings& surroundings) {
     Inbox inbox;
-    std::thread receiver([&] { receive_all(receive, inbox); });
-    Session session(send, surroundings, [&](std::function<void()> call) { inbox.put({.call = std::move(call)}); });
+    std::atomic<bool> ending = false;
+    Session session(
+        send, surroundings, [&](std::function<void()> call) { inbox.put({.call = std::move(call)}); }, ending);
+    std::thread receiver([&] { receive_all(receive, inbox, ending); });
     bool gone = false;
     while (!session.over() && !gone) {
-        auto item = inbox.take(0ms);
-        if (!item) {
-            session.settle();
-            item = inbox.take(look_around_every);
+        try {
+            auto item = inbox.take(0ms);
+            if (!item) {
+                session.settle();
+                item = inbox.take(look_around_every);
+            }
+            if (item && item->call) item->call();
+            else if (item && item->message != nullptr) session.take(*item->message, item->cancelled);
+            else if (item) session.refuse(item->complaint);
+            else if (inbox.closed()) gone = true;
+            else if (session.client() && surroundings.is_alive) gone = !surroundings.is_alive(*session.client());
+        } catch (const std::bad_alloc&) {  // one answer is lost: there is no memory to say so
+        } catch (const std::system_error&) {
         }
-        if (item && item->call) item->call();
-        else if (item && item->message != nullptr) session.take(*item->message, item->cancelled);
-        else if (item) session.refuse(item->complaint);
-        else if (inbox.closed()) gone = true;
-        else if (session.client() && surroundings.is_alive) gone = !surroundings.is_alive(*session.client());
     }
     if (surroundings.hang_up) surroundings.hang_up();
     receiver.join();

@@ -18,8 +18,8 @@ const Json& member(const Json& object, const char* name) {
 
 }  // namespace
 
-Session::Session(const Send& send, const Surroundings& surroundings, Later later)
-    : send_(send), surroundings_(surroundings), workspace_(surroundings.include_folders) {
+Session::Session(const Send& send, const Surroundings& surroundings, Later later, const std::atomic<bool>& ending)
+    : send_(send), surroundings_(surroundings), workspace_(surroundings.include_folders, &ending) {
     Prover::Ears ears;
     ears.found = [this, later](Found outcome) {
         auto kept = std::make_shared<Found>(std::move(outcome));
@@ -49,6 +49,12 @@ void Session::take(const Json& message, bool cancelled) {
     }
     const std::string name = method.get<std::string>();
     const bool request = is_id(id);
+    const auto failed = [&](const std::string& why) {
+        if (request) return fail(id, internal_error, why);
+        send({{"jsonrpc", "2.0"},
+              {"method", "window/showMessage"},
+              {"params", {{"type", 1}, {"message", "grafverif: " + name + ": " + why}}}});
+    };
     try {
         if (!request) return notified(name, member(message, "params"));
         if (cancelled) return fail(id, request_cancelled, "cancelled");
@@ -58,9 +64,9 @@ void Session::take(const Json& message, bool cancelled) {
     } catch (const Json::exception&) {
         if (request) fail(id, invalid_params, "the parameters of " + name + " are not as the protocol has them");
     } catch (const std::bad_alloc&) {
-        if (request) fail(id, internal_error, "there is not enough memory");
+        failed("there is not enough memory");
     } catch (const std::system_error& failure) {
-        if (request) fail(id, internal_error, failure.what());
+        failed(failure.what());
     }
 }
 
@@ -99,9 +105,9 @@ void Session::did_open(const Json& params) {
 
 void Session::did_change(const Json& params) {
     const Json& document = params.at("textDocument");
+    dirty_ = true;
     workspace_.change(document.at("uri").get<std::string>(), document.at("version").get<std::int64_t>(),
                       changes_of(params.at("contentChanges")));
-    dirty_ = true;
 }
 
 void Session::notified(const std::string& method, const Json& params) {
@@ -174,13 +180,14 @@ void Session::settle() {
     try {
         dirty_ = workspace_.refresh() || dirty_;
         if (!dirty_) return;
-        dirty_ = false;
-        const auto fresh = board_.look(workspace_);
+        for (auto& root : board_.look(workspace_))
+            if (root->reading.model) unmade_.push_back(std::move(root));
         prover_->keep([this](const Root& root) { return board_.is_current(root); });
         publish();
-        for (const auto& root : fresh)
-            if (root->reading.model) prover_->ask({root, Task::What::Models, ""});
-    } catch (const std::bad_alloc&) {  // it is tried again with the next change
+        for (; !unmade_.empty(); unmade_.pop_back())
+            if (board_.is_current(*unmade_.back())) prover_->ask({unmade_.back(), Task::What::Models, ""});
+        dirty_ = false;
+    } catch (const std::bad_alloc&) {  // it is tried again
     } catch (const std::system_error&) {
     }
 }

@@ -2,6 +2,7 @@
 // Session: what a client has said so far, and the answers to it. Lives on one thread.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -22,7 +23,8 @@ class Session {
 public:
     /// `later` has something called on the thread of the session, from any thread.
     using Later = std::function<void(std::function<void()>)>;
-    Session(const Send& send, const Surroundings& surroundings, Later later);
+    /// `ending`: the client has said that it ends, or is gone.
+    Session(const Send& send, const Surroundings& surroundings, Later later, const std::atomic<bool>& ending);
 
     /// Answers a message, if it asks for an answer.
     void take(const Json& message, bool cancelled);
@@ -114,8 +116,9 @@ private:
     Workspace workspace_;
     std::unique_ptr<const Names> names_ = {};
     Board board_ = {};
-    bool dirty_ = false;                                 ///< some text has changed since the last look
-    std::map<std::string, std::string> published_ = {};  ///< by address: what the client was told last
+    bool dirty_ = false;  ///< some text has changed since the last look, or the client does not know yet what is known
+    std::vector<std::shared_ptr<const Root>> unmade_ = {};  ///< roots whose models are not asked for yet
+    std::map<std::string, std::string> published_ = {};     ///< by address: what the client was told last
 
     struct Client {
         bool takes_snippets = false, shows_documents = false, shows_progress = false, refreshes_lenses = false;

@@ -16,28 +16,38 @@ struct Character {
     std::uint32_t units = 1;  ///< of UTF-16
 };
 
-/// The character that begins with `text`; a byte that begins none stands for itself.
+/// The character that begins with `text`; of one that is cut off, what there is of it.
 Character first_character(std::string_view text) {
     const auto byte = static_cast<unsigned char>(text[0]);
-    const std::size_t bytes = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : byte >= 0xC0 ? 2 : 1;
-    return {std::min(bytes, text.size()), bytes == 4 ? 2U : 1U};
+    const std::size_t most = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : byte >= 0xC0 ? 2 : 1;
+    std::size_t bytes = 1;
+    while (bytes < most && bytes < text.size() && (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) ++bytes;
+    return {bytes, bytes == 4 ? 2U : 1U};
 }
+
+constexpr std::size_t between_anchors = 256;  ///< bytes
 
 }  // namespace
 
 Text::Text(std::string bytes) : bytes_(std::move(bytes)) {
-    for (std::size_t at = 0; at < bytes_.size(); ++at) {
-        const bool ends =
-            bytes_[at] == '\n' || (bytes_[at] == '\r' && (at + 1 == bytes_.size() || bytes_[at + 1] != '\n'));
-        if (ends) starts_.push_back(static_cast<std::uint32_t>(at + 1));
+    const std::string_view text = bytes_;
+    Position here;
+    for (std::size_t at = 0; at < text.size();) {
+        const char byte = text[at];
+        const Character next = first_character(text.substr(at));
+        at += next.bytes;
+        const bool ends = byte == '\n' || (byte == '\r' && !text.substr(at).starts_with('\n'));
+        here = ends ? Position{here.line + 1, 0} : Position{here.line, here.character + next.units};
+        const bool far = byte != '\r' && at - anchors_.back().offset >= between_anchors;
+        if (ends || far) anchors_.push_back({static_cast<std::uint32_t>(at), here});
     }
 }
 
 Position Text::position(std::size_t offset) const {
     offset = std::min(offset, bytes_.size());
-    const auto line = std::prev(std::ranges::upper_bound(starts_, offset));
-    Position found{static_cast<std::uint32_t>(line - starts_.begin()), 0};
-    for (std::size_t at = *line; at < offset;) {
+    const Anchor& anchor = *std::prev(std::ranges::upper_bound(anchors_, offset, {}, &Anchor::offset));
+    Position found = anchor.position;
+    for (std::size_t at = anchor.offset; at < offset;) {
         const Character next = first_character(std::string_view(bytes_).substr(at));
         at += next.bytes;
         if (at <= offset) found.character += next.units;
@@ -46,9 +56,10 @@ Position Text::position(std::size_t offset) const {
 }
 
 std::uint32_t Text::offset(Position position) const {
-    if (position.line >= starts_.size()) return static_cast<std::uint32_t>(bytes_.size());
-    std::size_t at = starts_[position.line];
-    std::uint32_t units = 0;
+    if (position.line >= lines()) return static_cast<std::uint32_t>(bytes_.size());
+    const Anchor& anchor = *std::prev(std::ranges::upper_bound(anchors_, position, {}, &Anchor::position));
+    std::size_t at = anchor.offset;
+    std::uint32_t units = anchor.position.character;
     while (at < bytes_.size() && bytes_[at] != '\n' && bytes_[at] != '\r') {
         const Character next = first_character(std::string_view(bytes_).substr(at));
         units += next.units;

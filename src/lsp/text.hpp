@@ -23,7 +23,7 @@ struct Range {
     auto operator<=>(const Range&) const = default;
 };
 
-/// A text that does not change, and where its lines begin.
+/// A text that does not change. A conversion takes logarithmic time, also in a long line.
 class Text {
 public:
     explicit Text(std::string bytes);
@@ -34,11 +34,18 @@ public:
     /// The byte at `position`; what lies behind the end of the line, or of the text, is that end.
     std::uint32_t offset(Position position) const;
     Range range(std::size_t begin, std::size_t end) const { return {position(begin), position(end)}; }
-    std::size_t lines() const { return starts_.size(); }
+    std::size_t lines() const { return anchors_.back().position.line + std::size_t{1}; }
 
 private:
+    /// The beginning of a line; within a long line, of a character of every so many bytes, so that no conversion walks along
+    /// the line.
+    struct Anchor {
+        std::uint32_t offset = 0;
+        Position position = {};
+    };
+
     std::string bytes_;
-    std::vector<std::uint32_t> starts_ = {0};
+    std::vector<Anchor> anchors_ = {{}};
 };
 
 /// What `change` leaves of a text: without a range all is new.

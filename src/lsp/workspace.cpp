@@ -34,9 +34,17 @@ void Workspace::open(const std::string& uri, std::int64_t version, std::string t
 void Workspace::change(const std::string& uri, std::int64_t version, const std::vector<Change>& changes) {
     const auto found = open_.find(uri);
     if (found == open_.end()) return;
-    for (const Change& change : changes)
-        found->second.text = std::make_shared<const Text>(changed(*found->second.text, change));
-    found->second.version = version;
+    OpenText& open = found->second;
+    open.version = version;
+    try {
+        for (const Change& change : changes) {
+            open.text = std::make_shared<const Text>(changed(*open.text, change));
+            open.out_of_step = open.out_of_step && change.range;
+        }
+    } catch (const std::bad_alloc&) {
+        open.out_of_step = true;
+        throw;
+    }
 }
 
 void Workspace::close(const std::string& uri) {
@@ -88,12 +96,12 @@ bool Workspace::refresh() {
 
 std::shared_ptr<const Text> Workspace::text(const std::string& path) {
     if (const OpenText* const open = open_at(path)) return open->text;
-    const auto [known, fresh] = disk_.try_emplace(path);
-    if (!fresh) return known->second;
+    if (const auto known = disk_.find(path); known != disk_.end()) return known->second;
     watch_.note(path);
     std::string why;
-    if (auto content = content_of_file(path, why)) known->second = std::make_shared<const Text>(std::move(*content));
-    return known->second;
+    auto content = content_of_file(path, why);
+    auto text = content ? std::make_shared<const Text>(std::move(*content)) : nullptr;
+    return disk_.emplace(path, std::move(text)).first->second;
 }
 
 std::shared_ptr<const Parsed> Workspace::parsed(const std::string& path) {
@@ -147,16 +155,16 @@ Files Workspace::closure(const std::string& path) {
 
 void Workspace::scan() {
     if (scanned_) return;
-    scanned_ = true;
     std::size_t most = most_entries;
     std::set<std::string> files;
     for (const std::string& folder : folders_) {
-        FilesBelow below = files_below(folder, ".grafcet", most);
-        for (const std::string& each : below.folders) watch_.note(each);
+        FilesBelow below = files_below(folder, ".grafcet", most, stop_);
+        watch_.note(below.folders);
         files.insert(below.files.begin(), below.files.end());
     }
     cut_short_ = most == 0;
     files_.assign(files.begin(), files.end());
+    scanned_ = true;
 }
 
 std::vector<std::string> Workspace::roots(const std::string& path) {

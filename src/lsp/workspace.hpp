@@ -3,6 +3,7 @@
 // that include it; all other files are read from the disk, and again when they change there.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -23,6 +24,7 @@ struct OpenText {
     std::string identity = {};  ///< of the file on the disk, if there is one
     std::int64_t version = 0;
     std::shared_ptr<const Text> text = {};
+    bool out_of_step = false;  ///< a change was lost: the text is not that of the editor
 };
 
 /// A text on its own: whatever is wrong with it, a tree of what is not. Of other formats than ours the tree is empty.
@@ -43,7 +45,9 @@ using Inputs = std::vector<std::pair<std::string, std::shared_ptr<const Text>>>;
 
 class Workspace {
 public:
-    explicit Workspace(std::vector<std::string> include_folders) : include_folders_(std::move(include_folders)) {}
+    /// `stop`, if any, ends looking through folders.
+    explicit Workspace(std::vector<std::string> include_folders, const std::atomic<bool>* stop = nullptr)
+        : include_folders_(std::move(include_folders)), stop_(stop) {}
 
     /// Files below it are looked through for those that include what is open.
     void add_folder(const std::string& path) { folders_.push_back(path), scanned_ = false; }
@@ -52,6 +56,7 @@ public:
     void change(const std::string& uri, std::int64_t version, const std::vector<Change>& changes);
     void close(const std::string& uri);
     const OpenText* find(const std::string& uri) const;
+    const OpenText* open_at(const std::string& path) const;
     /// The address under which the editor has the file open, or else one made of the path.
     std::string uri_of(const std::string& path) const;
     /// The path of the file as the editor has it, where it is open; else the same.
@@ -78,11 +83,11 @@ public:
 
 private:
     std::string key(const std::string& path) const;
-    const OpenText* open_at(const std::string& path) const;
     std::vector<std::string> includes(const Parsed& file);
     void scan();
 
     std::vector<std::string> include_folders_, folders_ = {};
+    const std::atomic<bool>* stop_;
     std::map<std::string, OpenText> open_ = {};  ///< by address
     Watch watch_ = {};
     std::map<std::string, std::shared_ptr<const Text>> disk_ = {};      ///< by path; null: it cannot be read

@@ -3,10 +3,13 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <istream>
@@ -125,12 +128,27 @@ std::string identity_of_existing(const std::string& path) {
     return ::stat(path.c_str(), &status) == 0 ? device_and_node(status) : std::string();
 }
 
-FilesBelow files_below(const std::string& folder, std::string_view ending, std::size_t& most) {
+namespace {
+
+/// A folder that the kernel makes up, such as those of processes: new with every look, and of no end.
+bool is_made_up(const fs::path& folder) {
+    constexpr std::array made_up = {PROC_SUPER_MAGIC, SYSFS_MAGIC,        DEBUGFS_MAGIC,
+                                    TRACEFS_MAGIC,    CGROUP_SUPER_MAGIC, CGROUP2_SUPER_MAGIC};
+    struct statfs status = {};
+    return ::statfs(folder.c_str(), &status) == 0 && std::ranges::find(made_up, status.f_type) != made_up.end();
+}
+
+}  // namespace
+
+FilesBelow files_below(const std::string& folder, std::string_view ending, std::size_t& most,
+                       const std::atomic<bool>* stop) {
     FilesBelow found;
     std::vector<fs::path> open = {folder};
     while (!open.empty() && most > 0) {
         const fs::path place = std::move(open.back());
         open.pop_back();
+        if (stop != nullptr && *stop) most = 0;
+        if (most == 0 || is_made_up(place)) continue;
         found.folders.push_back(place.string());
         std::error_code failure;
         for (fs::directory_iterator entry(place, failure), end; !failure && entry != end; entry.increment(failure)) {
@@ -149,9 +167,16 @@ FilesBelow files_below(const std::string& folder, std::string_view ending, std::
 }
 
 Reach::Reach(const fs::path& main, const std::vector<std::string>& folders) {
-    roots_.push_back(fs::weakly_canonical(fs::absolute(main).parent_path()));
-    if (auto project = project_of(roots_.front())) roots_.push_back(std::move(*project));
-    for (const std::string& folder : folders) roots_.push_back(fs::weakly_canonical(fs::absolute(folder)));
+    const auto add = [this](const fs::path& folder) {
+        std::error_code failure;
+        const fs::path full = fs::absolute(folder.empty() ? "." : folder, failure);
+        fs::path resolved = failure ? fs::path() : fs::weakly_canonical(full, failure);
+        if (!failure) roots_.push_back(std::move(resolved));  // what cannot be resolved opens nothing
+        return !failure;
+    };
+    if (add(main.parent_path()))
+        if (auto project = project_of(roots_.front())) roots_.push_back(std::move(*project));
+    for (const std::string& folder : folders) add(folder);
 }
 
 std::optional<std::string> Reach::read(const std::string& path, std::string& why) const {

@@ -2,6 +2,7 @@
 // Files are read whole, with a bound; and what tells one file from another.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -33,16 +34,18 @@ std::string file_identity(const std::filesystem::path& path);
 std::string identity_of_existing(const std::string& path);
 
 /// The files below `folder` whose names end in `ending`, in order; hidden folders are left out, links to folders are not
-/// followed. At most `most` files and folders are looked at, in all calls that share it; 0 is left where that was too few.
+/// followed; file systems of the kernel, such as /proc, are left out. At most `most` files and folders are looked at, in all calls
+/// that share it; 0 is left where that was too few, or `stop` became true.
 struct FilesBelow {
     std::vector<std::string> files = {}, folders = {};  ///< all folders that were looked into
 };
-FilesBelow files_below(const std::string& folder, std::string_view ending, std::size_t& most);
+FilesBelow files_below(const std::string& folder, std::string_view ending, std::size_t& most,
+                       const std::atomic<bool>* stop = nullptr);
 
 /// Which files a file may include: those below the folder of the main file, below the folder of its project, and below
 /// folders that the user names. A chart does not decide which other files of the machine are read; the current folder has
 /// no part in it. The folder of the project is the nearest above the main file, its own included, that holds `.git` or
-/// `grafverif.project`.
+/// `grafverif.project`. A folder that cannot be resolved, of a main file that is nowhere on the disk too, opens nothing.
 class Reach {
 public:
     /// `main`: the main file. `folders`: those that the user names.

@@ -28,22 +28,29 @@ Watch::Stamp Watch::stamp(const std::string& path) {
             {nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)}};
 }
 
-/// A file that has just been written may be written again without its time changing: it is given a moment first.
-void Watch::note(const std::string& path) {
+void Watch::note(const std::string& path) { note(std::vector{path}); }
+
+/// A file that has just been written may be written again without its time changing: it is given a moment first, which is
+/// one for all paths.
+void Watch::note(const std::vector<std::string>& paths) {
     constexpr std::int64_t tick = 20'000'000;
-    Stamp seen = stamp(path);
-    for (int tries = 0; tries < 5 && seen.there; ++tries) {
+    std::vector<Stamp> seen(paths.size());
+    for (int tries = 0;; ++tries) {
+        std::ranges::transform(paths, seen.begin(), stamp);
         timespec now = {};
         ::clock_gettime(CLOCK_REALTIME, &now);
         std::int64_t youngest = tick;
-        for (const std::int64_t time : seen.times)
-            if (const std::int64_t age = nanoseconds(now) - time; age >= 0) youngest = std::min(youngest, age);
-        if (youngest >= tick) break;
+        for (const Stamp& each : seen)
+            for (const std::int64_t time : each.times)
+                if (const std::int64_t age = nanoseconds(now) - time; each.there && age >= 0)
+                    youngest = std::min(youngest, age);
+        if (youngest >= tick || tries == 5) break;
         std::this_thread::sleep_for(std::chrono::nanoseconds(tick - youngest));
-        seen = stamp(path);
     }
-    const auto [place, is_new] = seen_.try_emplace(path, seen);
-    if (!is_new && place->second != seen) place->second.times = {-1, -1};  // noted before, and changed since
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+        const auto [place, is_new] = seen_.try_emplace(paths[k], seen[k]);
+        if (!is_new && place->second != seen[k]) place->second.times = {-1, -1};  // noted before, and changed since
+    }
 }
 
 bool Watch::changed() const {

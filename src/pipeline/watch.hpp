@@ -17,6 +17,7 @@ class Watch {
 public:
     /// The file at `path` is about to be read.
     void note(const std::string& path);
+    void note(const std::vector<std::string>& paths);
     /// Forgets all files.
     void clear() { seen_.clear(); }
     /// Whether a noted file is not what it was.

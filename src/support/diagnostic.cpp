@@ -88,15 +88,22 @@ std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::
     return {from, to};
 }
 
-/// Carets stand under the columns that the marked characters take on a terminal; there is one at least.
+/// Carets stand under the columns that the marked characters take on a terminal; there is one at least. Of a long line only
+/// what is near the mark is measured.
 Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, std::size_t columns) {
+    constexpr std::size_t near = 4096;  // bytes: more than is shown
+    std::size_t cut = column > near ? column - near : 0;
+    while (cut < column && (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U) ++cut;  // not within a character
+    const bool goes_on = line.size() > column + near;
+    line = line.substr(cut, column - cut + near);
+    column -= cut;
     const std::vector<Cell> cells = cells_of(line, column, length);
     const std::size_t room = std::max(columns, indentation + least_columns) - indentation;
     const auto first = std::ranges::find_if(cells, [&](const Cell& cell) { return cell.at >= column; });
     const auto first_marked = static_cast<std::size_t>(first - cells.begin());
     const auto [from, to] = window(cells, first_marked, room);
     Excerpt shown;
-    if (from > 0) shown = {"…", " "};
+    if (from + cut > 0) shown = {"…", " "};
     std::size_t carets = 0;
     for (std::size_t i = from; i < to; ++i) {
         const Cell& cell = cells[i];
@@ -105,7 +112,7 @@ Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, s
         else if (i < first_marked && line[cell.at] == '\t') shown.marks += '\t';
         else if (i < first_marked) shown.marks.append(cell.columns, ' ');
     }
-    if (to < cells.size()) shown.text += "…";
+    if (to < cells.size() || goes_on) shown.text += "…";
     shown.marks.append(std::max<std::size_t>(carets, 1), '^');
     return shown;
 }

@@ -43,6 +43,11 @@ Diagnostic output_is_input(std::string_view output, std::string_view input) {
                           output, input));
 }
 
+Diagnostic out_of_step() {
+    return error("out-of-memory", {},
+                 "a change of the editor was lost for lack of memory; close the document and open it again");
+}
+
 Diagnostic no_state_file(std::string_view path) {
     return error("not-a-state-file", {},
                  fmt::format("`{}` exists and is not a state file of `mutate`; name another file", path));

@@ -32,4 +32,7 @@ Diagnostic coarse_resolution(std::string_view resolution, std::string_view durat
 /// `--state` names a file that is there and is another one.
 Diagnostic no_state_file(std::string_view path);
 
+/// Of a document in an editor.
+Diagnostic out_of_step();
+
 }  // namespace grafverif::messages

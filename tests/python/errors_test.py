@@ -35,6 +35,14 @@ def test_damaged_text_is_refused(text):
         grafverif.parse(text).chart()._file.draw("g", "iec")
 
 
+@pytest.mark.parametrize("name", ["", "/", "a" * 5000, "no/such/folder/x"])
+def test_a_text_needs_no_file_for_its_name(name):
+    text = "grafcet g { input i; initial step 0; transition t: 0 -> 0 when i; }"
+    assert grafverif.parse(text, name).chart().name == "g"
+    with pytest.raises(grafverif.GrafverifError, match="cannot-include"):
+        grafverif.parse('include "no_such.grafcet";', name)
+
+
 def test_constants_that_cannot_be_set_are_refused():
     text = "grafcet g { input i; initial step 0; transition t: 0 -> 0 when i; }\n"
     text += "closed_loop l { controller g; constant COUNT: int 1..8 = 2; environment E = push_button(OUT = i); }\n"

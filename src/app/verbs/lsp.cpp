@@ -8,18 +8,18 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <cstdlib>
-#include <filesystem>
 #include <istream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 #include "app/serve/live_page.hpp"
-#include "app/system/write_files.hpp"
+#include "app/system/interrupt.hpp"
+#include "app/system/process.hpp"
 #include "app/verbs.hpp"
 #include "lsp/server.hpp"
 
@@ -27,10 +27,10 @@ namespace grafverif::app {
 
 namespace {
 
-/// Standard input, and a way to stop waiting for it.
+/// Standard input, until `asked_to_end`, and a way to stop waiting for it.
 class Ear {
 public:
-    Ear() {
+    explicit Ear(const std::atomic<bool>& asked_to_end) : asked_to_end_(asked_to_end) {
         if (::pipe(ends_.data()) != 0) throw std::system_error(errno, std::generic_category(), "no pipe");
     }
     ~Ear() {
@@ -41,15 +41,19 @@ public:
     Ear& operator=(const Ear&) = delete;
 
     std::size_t receive(std::span<char> room) const {
-        for (;;) {
+        constexpr int look_every = 200;  // milliseconds: a signal may have come to another thread
+        while (!asked_to_end_) {
             std::array<pollfd, 2> waited = {pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{ends_[0], POLLIN, 0}};
-            if (::poll(waited.data(), waited.size(), -1) < 0 && errno != EINTR) return 0;
+            const int ready = ::poll(waited.data(), waited.size(), look_every);
+            if (ready < 0 && errno != EINTR) return 0;
+            if (ready <= 0) continue;
             if (waited[1].revents != 0) return 0;
             if (waited[0].revents == 0) continue;
             const ssize_t count = ::read(STDIN_FILENO, room.data(), room.size());
             if (count >= 0) return static_cast<std::size_t>(count);
             if (errno != EINTR && errno != EAGAIN) return 0;
         }
+        return 0;
     }
     void stop() const {
         const char any = 0;
@@ -57,6 +61,7 @@ public:
     }
 
 private:
+    const std::atomic<bool>& asked_to_end_;
     std::array<int, 2> ends_ = {};
 };
 
@@ -93,27 +98,17 @@ private:
     std::vector<std::thread> threads_ = {};
 };
 
-/// A folder of our own for what other programs show; gone with us.
+/// A folder for what other programs show.
 class Shelf {
 public:
-    ~Shelf() {
-        std::error_code ignored;
-        if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
-    }
     std::string keep(const std::string& name, const std::string& text) {
-        if (folder_.empty()) {
-            std::string made = (std::filesystem::temp_directory_path() / "grafverif-lsp-XXXXXX").string();
-            if (::mkdtemp(made.data()) == nullptr)
-                throw std::system_error(errno, std::generic_category(), "no folder for temporary files");
-            folder_ = made;
-        }
-        const std::string path = folder_ + "/" + name;
-        write_files({{path, text}});
-        return path;
+        if (!folder_) folder_.emplace();
+        folder_->write(name, text);
+        return (folder_->path() / name).string();
     }
 
 private:
-    std::string folder_ = {};
+    std::optional<TemporaryFolder> folder_ = {};
 };
 
 /// LSP 3.17, "Exit Notification": 0 only where `shutdown` came first.
@@ -136,15 +131,17 @@ ExitCode lsp(Job& job, const Streams& streams) {
         };
         return code_of(grafverif::lsp::converse(receive, send, surroundings));
     }
-    const Ear ear;
+    const Interrupt interrupt;
+    const Ear ear(interrupt.asked());
     Pages pages(job.options);
     Shelf shelf;
     surroundings.is_alive = is_alive;
     surroundings.simulator = [&](const std::string& path) { return pages.address(path); };
     surroundings.keep = [&](const std::string& name, const std::string& text) { return shelf.keep(name, text); };
     surroundings.hang_up = [&] { ear.stop(); };
-    return code_of(
-        grafverif::lsp::converse([&](std::span<char> room) { return ear.receive(room); }, send, surroundings));
+    const auto ending =
+        grafverif::lsp::converse([&](std::span<char> room) { return ear.receive(room); }, send, surroundings);
+    return interrupt.asked() ? ExitCode::Unknown : code_of(ending);
 }
 
 Verb lsp_usage() {

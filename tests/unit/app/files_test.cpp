@@ -339,6 +339,19 @@ std::string chart(const std::string& name) {
            "!x; }\n";
 }
 
+TEST(FilesBelow, LeavesOutTheKernelAndEndsWhenAsked) {
+    const Folder folder;
+    folder.write("one.grafcet", "");
+    std::size_t most = 100;
+    EXPECT_EQ(files_below(folder.file(""), ".grafcet", most).files.size(), 1u);
+    EXPECT_GT(most, 90u);
+    EXPECT_TRUE(files_below("/proc", "", most).files.empty());
+    EXPECT_GT(most, 90u);
+    const std::atomic<bool> stop = true;
+    EXPECT_TRUE(files_below(folder.file(""), ".grafcet", most, &stop).files.empty());
+    EXPECT_EQ(most, 0u) << "not all was looked at";
+}
+
 TEST(Include, AFileIsReadOnceWhateverLeadsToIt) {
     const Folder folder;
     for (const char* link : {"a", "b"}) fs::create_symlink(".", folder.file(link));

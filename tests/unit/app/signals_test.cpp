@@ -104,6 +104,38 @@ TEST(Signals, EndAControllerUnderTestAndAllItHasStarted) {
     }
 }
 
+TEST(Signals, EndTheLanguageServerWithItsDrawings) {
+    for (const int signal : all_signals) {
+        SCOPED_TRACE(::strsignal(signal));
+        const Folder folder;
+        fs::create_directory(folder.file("tmp"));
+        const Variable tmp("TMPDIR", folder.file("tmp"));
+        Pipe in = make_pipe();
+        const Descriptor out(::open(folder.file("out").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+        Child program({GRAFVERIF_PROGRAM, "lsp"}, {in.read.number(), out.number(), out.number()});
+        const auto say = [&](const nlohmann::json& message) {
+            const std::string body = message.dump();
+            const std::string text = "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+            EXPECT_EQ(::write(in.write.number(), text.data(), text.size()), static_cast<ssize_t>(text.size()));
+        };
+        const std::string chart = "grafcet c { initial step 0; step 1; transition t: 0 -> 1 when true; }";
+        say({{"id", 1}, {"method", "initialize"}, {"params", {{"capabilities", nlohmann::json::object()}}}});
+        say({{"method", "textDocument/didOpen"},
+             {"params", {{"textDocument", {{"uri", "file:///no/c"}, {"version", 1}, {"text", chart}}}}}});
+        say({{"id", 2},
+             {"method", "workspace/executeCommand"},
+             {"params", {{"command", "grafverif.draw"}, {"arguments", {"file:///no/c"}}}}});
+        EXPECT_TRUE(waited_for([&] { return folder.read("out").find("<svg") != std::string::npos; }))
+            << folder.read("out");
+        EXPECT_FALSE(fs::is_empty(folder.file("tmp"))) << "a drawing is kept for the browser";
+        program.send(signal);
+        EXPECT_TRUE(waited_for([&] { return program.ended().has_value(); }));
+        ASSERT_TRUE(program.ended());
+        EXPECT_EQ(program.ended()->status, 3);
+        EXPECT_TRUE(fs::is_empty(folder.file("tmp")));
+    }
+}
+
 TEST(Signals, ThatAreIgnoredStayIgnored) {
     EXPECT_EXIT(
         {

@@ -27,6 +27,31 @@ TEST(LspText, CountsUnitsOfUtf16) {
     for (std::uint32_t byte : {0U, 1U, 3U, 7U, 10U, 12U, 14U}) EXPECT_EQ(text.offset(text.position(byte)), byte);
 }
 
+TEST(LspText, CountsAlikeInLongLines) {
+    const std::string some = "ab\u00E9\U0001F600\r";
+    std::string line;
+    while (line.size() < 5000) line += some.substr(0, some.size() - 1);
+    for (const std::string& text :
+         {line, line + "\r\n" + line, line + "\n\n" + line + "\r" + line, line + "\xE2\x82\n" + line}) {
+        const Text long_lines(text);
+        Position expected;
+        for (std::size_t at = 0; at < text.size();) {
+            const auto byte = static_cast<unsigned char>(text[at]);
+            EXPECT_EQ(long_lines.position(at), expected);
+            if (byte != '\n' || at == 0 || text[at - 1] != '\r') {
+                EXPECT_EQ(long_lines.offset(expected), at);
+            }
+            const bool ends = byte == '\n' || (byte == '\r' && (at + 1 == text.size() || text[at + 1] != '\n'));
+            ++at;
+            while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U) ++at;
+            if (ends) expected = {expected.line + 1, 0};
+            else expected.character += byte >= 0xF0 ? 2 : 1;
+        }
+        EXPECT_EQ(long_lines.lines(), expected.line + 1);
+        EXPECT_EQ(long_lines.offset({expected.line, expected.character + 9}), text.size());
+    }
+}
+
 TEST(LspText, IsChangedInPlaces) {
     EXPECT_EQ(changed(Text("one\ntwo\n"), {Range{{1, 0}, {1, 3}}, "drei"}), "one\ndrei\n");
     EXPECT_EQ(changed(Text("one"), {Range{{5, 0}, {9, 9}}, "!"}), "one!");

@@ -43,6 +43,19 @@ TEST(RenderText, KeepsTabsUnderTheCaretAndCountsCharactersNotBytes) {
               "    \t  ^\n");
 }
 
+TEST(RenderText, ClipsAVeryLongLineAsItDoesALongOne) {
+    const auto shown = [](std::size_t before, std::size_t after) {
+        std::string line;
+        while (line.size() < before) line += "字é ";
+        const auto column = static_cast<std::uint32_t>(line.size());
+        const std::string rest(after, 'z');
+        const std::string text = grafverif::text({error_at(column, column + 3)}, one(line + "bad" + rest));
+        return text.substr(text.find('\n'));
+    };
+    EXPECT_EQ(shown(1200, 600), shown(60'000, 60'000));
+    EXPECT_NE(shown(60'000, 0), shown(60'000, 60'000)) << "nothing is cut away behind it";
+}
+
 TEST(RenderText, ClipsALongLineAroundItsCaret) {
     const std::string shown = text({error_at(5000, 5003)}, one(std::string(10000, 'a')));
     std::istringstream lines(shown);
