@@ -148,9 +148,9 @@ SmallPlc::Flow SmallPlc::execute(const st::Statement& statement, Instance& insta
     case st::StatementKind::Return: return Flow::Return;
     case st::StatementKind::If:
     case st::StatementKind::Case: return choose(statement, instance);
-    case st::StatementKind::Repeat: return repeat(statement, instance);
+    case st::StatementKind::While: return repeat(statement, instance);
     case st::StatementKind::For:
-    case st::StatementKind::While:
+    case st::StatementKind::Repeat:  // MATIEC runs it wrongly
     case st::StatementKind::Exit: break;
     }
     refuse("a statement that is never written");
@@ -172,8 +172,8 @@ SmallPlc::Flow SmallPlc::repeat(const st::Statement& statement, Instance& instan
     constexpr int most = 1'000'000;
     const st::Branch& loop = statement.branches.at(0);
     for (int count = 0; count < most; ++count) {
+        if (evaluate(statement.value, instance) == 0) return Flow::Next;
         if (execute(loop.body, instance) == Flow::Return) return Flow::Return;
-        if (evaluate(statement.value, instance) != 0) return Flow::Next;
     }
     refuse("a loop without end");
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // One cycle, every-cycle mode:              with stability search:
 //     sample the timers                         sample the timers
-//     one evolution                             REPEAT  one evolution;  tell the timers  UNTIL stable, fault or bound
+//     one evolution                             WHILE none yet, or unstable  one evolution;  tell the timers
 //     outputs                                   outputs
 //     tell the timers                           tell the timers
 //
 // Time stands still within a cycle, as it does in the equations: the end of a timer is sampled once, at its start; after
 // that it can only follow what the evolutions change. A TON told FALSE and TRUE again within one cycle begins anew.
+//
+// REPEAT is not used: a published version of MATIEC compiles `UNTIL c` as `while (c)`, without the negation.
 #include "emit/structured_text/body.hpp"
 
 #include <fmt/format.h>
@@ -102,7 +104,8 @@ private:
 
     void begin_search() {
         line("{} := 0;", names_.evolutions);
-        line("REPEAT");
+        line("WHILE {0} = 0 OR (NOT {1} AND {2} = 0 AND {0} < {3}) DO", names_.evolutions, names_.stable, names_.fault,
+             names_.limit);
         ++depth_;
     }
 
@@ -110,8 +113,7 @@ private:
         for (std::size_t k = 0; k < equations_.timers.size(); ++k) follow(k);
         line("{} := {} + 1;", names_.evolutions, names_.evolutions);
         --depth_;
-        line("UNTIL {} OR {} <> 0 OR {} >= {}", names_.stable, names_.fault, names_.evolutions, names_.limit);
-        line("END_REPEAT;");
+        line("END_WHILE;");
         line("IF NOT {} AND {} = 0 THEN {} := 1; END_IF;", names_.stable, names_.fault, names_.fault);
     }
 

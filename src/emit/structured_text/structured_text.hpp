@@ -8,7 +8,7 @@
 //   time condition         TON, followed by TOF where it has a fall time; called before the first evolution of the cycle,
 //                          which samples the time, and after each, so that a step left and activated anew within one
 //                          cycle starts its timer anew
-//   stability search       REPEAT ... UNTIL the situation is stable, bounded by MAX_EVOLUTIONS
+//   stability search       WHILE the situation is not stable, bounded by MAX_EVOLUTIONS
 //   what has no meaning    output FAULT: 1 no stable situation within the bound (total instability), 2 a race of stored
 //                          actions, 3 a value outside its range, 4 forcing orders that cannot be obeyed together. From then
 //                          on the block keeps its outputs and does nothing.

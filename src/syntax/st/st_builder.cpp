@@ -103,8 +103,8 @@ Id<Statement> Builder::case_statement(Id<Expr> selector, std::vector<Branch> cas
     return file_->statements.add({StatementKind::Case, {}, selector, std::move(cases), where});
 }
 
-Id<Statement> Builder::loop(StatementKind kind, Block body, Span where, Id<Expr> until) {
-    return file_->statements.add({kind, {}, until, {branch({}, std::move(body), where)}, where});
+Id<Statement> Builder::loop(StatementKind kind, Block body, Span where, Id<Expr> condition) {
+    return file_->statements.add({kind, {}, condition, {branch({}, std::move(body), where)}, where});
 }
 
 Id<Statement> Builder::plain(StatementKind kind, Span where) {

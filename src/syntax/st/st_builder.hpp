@@ -40,7 +40,7 @@ public:
     Id<Statement> if_statement(Id<Expr> condition, Block body, std::vector<Branch> alternatives, Branch otherwise,
                                Span where);
     Id<Statement> case_statement(Id<Expr> selector, std::vector<Branch> cases, Branch otherwise, Span where);
-    Id<Statement> loop(StatementKind kind, Block body, Span where, Id<Expr> until = {});
+    Id<Statement> loop(StatementKind kind, Block body, Span where, Id<Expr> condition = {});
     Id<Statement> plain(StatementKind kind, Span where);
     Branch branch(std::vector<Id<Expr>> conditions, Block body, Span where) const;
 

@@ -84,8 +84,8 @@ enum class StatementKind : std::uint8_t { Assign, Call, If, Case, For, While, Re
 
 struct Statement {
     StatementKind kind = StatementKind::Return;
-    Id<Expr> target = {};  ///< Assign
-    Id<Expr> value = {};   ///< Assign; Call: the call; Case: the selector; Repeat: the condition at its end
+    Id<Expr> target = {};               ///< Assign
+    Id<Expr> value = {};                ///< Assign; Call: the call; Case: the selector; While, Repeat: the condition
     std::vector<Branch> branches = {};  ///< If, Case; the body of a loop
     Span where = {};
 };

@@ -114,7 +114,7 @@ TEST(ParseSt, StatementsAreReadWithTheirBranches) {
     EXPECT_EQ(statements("CASE n OF 1, 3: a := TRUE; 4..6: b := 2; c := 3; ELSE a := FALSE; END_CASE;"),
               "n[1 3 ? a:=TRUE;][(range 4 6) ? b:=2; c:=3;][? a:=FALSE;];");
     EXPECT_EQ(statements("FOR i := 1 TO 3 BY 1 DO a := i; END_FOR; WHILE a DO EXIT; END_WHILE; RETURN;"),
-              "[? a:=i;]; [? ;]; ;");
+              "[? a:=i;]; a[? ;]; ;");
 }
 
 TEST(ParseSt, EverySyntaxErrorIsReported) {
