@@ -23,7 +23,7 @@ struct Agreement {
 
 void expect_agreement(const TransitionSystem& system, Agreement& agreement) {
     const auto program = app::find_program("berkeley-abc");
-    ASSERT_TRUE(program) << "apt-get install berkeley-abc";
+    ASSERT_TRUE(program);
     const PdrResult ours = check_pdr(system);
     PdrOptions options;
     options.reach = app::search_by_abc(program->string(), nullptr);
@@ -47,6 +47,7 @@ void expect_agreement(const TransitionSystem& system, Agreement& agreement) {
 }
 
 TEST(Abc, AgreesWithThePdrEngineOnRandomSystems) {
+    if (!app::find_program("berkeley-abc")) GTEST_SKIP() << "berkeley-abc is not installed";
     Agreement agreement;
     for (int seed = 1; seed <= law_size(6); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -62,6 +63,7 @@ TEST(Abc, AgreesWithThePdrEngineOnRandomSystems) {
 }
 
 TEST(Abc, AgreesWithThePdrEngineOnASample) {
+    if (!app::find_program("berkeley-abc")) GTEST_SKIP() << "berkeley-abc is not installed";
     Agreement agreement;
     ASSERT_NO_FATAL_FAILURE(expect_agreement(untimed_sample("tanks/tanks.grafcet", {}), agreement));
     EXPECT_GT(agreement.proved, 1u);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/system/process.hpp"
 #include "support/read_aiger.hpp"
 #include "support/read_btor2.hpp"
 #include "unit/app/run_program.hpp"
@@ -168,6 +169,7 @@ TEST(Pdr, WhetherAChartAloneStabilisesIsAskedTooAndByWhom) {
                                           "grafcet flutter { input A; output L; initial step 0; step 1 { L; }\n"
                                           "transition t0: 0 -> 1 when A; transition t1: 1 -> 0 when A; }\n");
     for (const std::string engine : {"pdr", "abc"}) {
+        if (engine == "abc" && !find_program("berkeley-abc")) GTEST_SKIP() << "berkeley-abc is not installed";
         const Result result = grafverif({"check", file, "--engine", engine});
         EXPECT_EQ(result.code, ExitCode::Verdict) << result.out << result.err;
         EXPECT_TRUE(holds(result.out, "reachable (2 steps)")) << result.out;
@@ -182,6 +184,7 @@ TEST(Pdr, WhetherAChartAloneStabilisesIsAskedTooAndByWhom) {
 }
 
 TEST(Abc, ProvesWithAnInvariantThatIsCheckedAndShowsRuns) {
+    if (!find_program("berkeley-abc")) GTEST_SKIP() << "berkeley-abc is not installed";
     const Folder folder;
     const std::string file = folder.write(
         "lamp.grafcet", lamp("property one: never L && M; property lit: reachable M; property dark: never M;"));
@@ -284,6 +287,7 @@ TEST(EngineCommand, AProgramThatIsNotThereIsNoVerdict) {
 }
 
 TEST(EngineCommand, ARunThatItShowsIsTold) {
+    if (!find_program("berkeley-abc")) GTEST_SKIP() << "berkeley-abc is not installed";
     const Folder folder;
     const std::string file = folder.write("lamp.grafcet", lamp("property P: never L;"));
     const std::string checker = folder.write("checker",
