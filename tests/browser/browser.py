@@ -114,8 +114,8 @@ def temporary_folder(case):
 class Server:
     """`grafverif serve FILE`, and where it is."""
 
-    def __init__(self, file, **how):
-        self.process = subprocess.Popen([PROGRAM, "serve", str(file)], stdout=subprocess.PIPE, text=True, **how)
+    def __init__(self, file, *options, **how):
+        self.process = subprocess.Popen([PROGRAM, "serve", str(file), *options], stdout=subprocess.PIPE, text=True, **how)
         line = self.process.stdout.readline()
         self.address = line.split()[-1]
         self.port = urllib.parse.urlsplit(self.address).port

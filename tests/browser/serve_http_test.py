@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """`serve` as programs meet it that do not behave: by HTTP, and without."""
 import concurrent.futures
+import contextlib
 import json
 import os
 import pathlib
@@ -135,6 +136,44 @@ class Serve(unittest.TestCase):
                      b"POST /simulate HTTP/1.1\r\nContent-Length: -1\r\n\r\n", b"POST /simulate HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\nzz\r\n"):
             self.assertNotIn(b" 200 ", self.raw(text).split(b"\r\n")[0], text[:40])
         self.alive()
+
+    def test_a_flood_without_token_does_not_displace_requests_with_one(self):
+        done = self.state(lambda state: state["models"] and state["models"][0]["state"] == "done")
+        asks = (f"GET /state?after={done['version']} HTTP/1.1\r\nHost: 127.0.0.1:{self.server.port}\r\n"
+                f"X-Grafverif-Token: {self.server.token}\r\n\r\n").encode()
+        waiting = socket.create_connection(("127.0.0.1", self.server.port), timeout=30)
+        self.addCleanup(waiting.close)
+        waiting.sendall(asks)
+        links = []
+        self.addCleanup(lambda: [link.close() for link in links])
+        for _ in range(5):
+            links += [socket.create_connection(("127.0.0.1", self.server.port), timeout=20) for _ in range(80)]
+            for silent in links[::2]:
+                with contextlib.suppress(OSError):
+                    silent.sendall(b"GET /state HTTP/1.1\r\n")
+            self.alive()
+        self.file.write_text(LAMP + "nonsense")
+        answer = b""
+        while part := waiting.recv(65536):
+            answer += part
+        self.assertIn(b"nonsense", answer)
+
+    def test_open_puts_no_token_on_a_command_line(self):
+        opener = self.work / "bin" / "xdg-open"
+        opener.parent.mkdir()
+        opener.write_text('#!/bin/sh\nstat -c %a "$1" "${1%/*}" > "$OPENED.part"; echo "$@" >> "$OPENED.part"; cat "$1" >> "$OPENED.part"\n'
+                          'mv "$OPENED.part" "$OPENED"\n')
+        opener.chmod(0o755)
+        opened = self.work / "opened"
+        server = browser.Server(self.file, "--open", env={**os.environ, "PATH": f"{opener.parent}:{os.environ['PATH']}", "OPENED": str(opened)})
+        self.addCleanup(server.stop)
+        browser.eventually(opened.exists)
+        file_mode, folder_mode, arguments, *page = opened.read_text().splitlines()
+        self.assertEqual((file_mode, folder_mode), ("600", "700"))
+        self.assertNotIn(server.token, arguments)
+        self.assertIn(f"url={server.address}", "".join(page))
+        server.stop()
+        self.assertFalse(pathlib.Path(arguments).parent.exists())
 
     def test_who_says_nothing_is_not_waited_for_and_many_are_turned_away(self):
         links = [socket.create_connection(("127.0.0.1", self.server.port), timeout=20) for _ in range(200)]

@@ -10,6 +10,7 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <chrono>
+#include <list>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -115,10 +116,21 @@ private:
     class Connection : public std::enable_shared_from_this<Connection> {
     public:
         Connection(Impl& server, Tcp::socket socket)
-            : server_(server), stream_(std::move(socket)), timer_(server.context_) {
-            ++server_.connections_;
+            : server_(server),
+              stream_(std::move(socket)),
+              timer_(server.context_),
+              place_(server.unidentified_.insert(server.unidentified_.end(), this)) {}
+        ~Connection() {
+            if (state_ == State::Unidentified) server_.unidentified_.erase(place_);
+            if (state_ == State::Identified) --server_.identified_;
         }
-        ~Connection() { --server_.connections_; }
+
+        /// Makes room for another connection.
+        void drop() {
+            state_ = State::Dropped;
+            server_.unidentified_.erase(place_);
+            close();
+        }
 
         void begin() {
             parser_.header_limit(largest_header);
@@ -132,7 +144,7 @@ private:
         /// The handler is asked, in one of its threads.
         void ask(bool at_once) {
             timer_.cancel();
-            asio::post(server_.threads_, [self = shared_from_this(), at_once] {
+            asio::post(server_.threads_, [self = shared_from_this(), at_once]() mutable {
                 const std::uint64_t notices = self->server_.notices_;
                 std::optional<HttpAnswer> answer;
                 try {
@@ -142,7 +154,8 @@ private:
                 } catch (const std::exception&) {
                     answer = HttpAnswer{500, "text/plain", "there is no answer: a failure on our side\n"};
                 }
-                asio::post(self->server_.context_, [self, notices, answer = std::move(answer)]() mutable {
+                Impl& server = self->server_;  // whose thread alone releases connections
+                asio::post(server.context_, [self = std::move(self), notices, answer = std::move(answer)]() mutable {
                     if (answer) return self->answer(std::move(*answer));
                     // What has happened while the handler was asked may be what it waits for.
                     self->server_.notices_ == notices ? self->wait() : self->ask(false);
@@ -152,11 +165,13 @@ private:
 
     private:
         void header_is_read(beast::error_code error) {
-            if (error == http::error::end_of_stream || error == beast::error::timeout) return close();
+            if (error == http::error::end_of_stream || error == beast::error::timeout || state_ == State::Dropped)
+                return close();
             if (error == http::error::body_limit) return refuse(413, "the request is too long");
             if (error == http::error::header_limit) return refuse(431, "the header of the request is too long");
             if (error) return refuse(400, "this is no request");
             if (auto [status, why] = server_.objection(parser_.get()); status != 0) return refuse(status, why);
+            if (server_.has_token(parser_.get())) identify();
             http::async_read(stream_, buffer_, parser_,
                              [self = shared_from_this()](beast::error_code failure, std::size_t) {
                                  if (failure == http::error::body_limit)
@@ -164,6 +179,12 @@ private:
                                  if (failure) return self->close();
                                  self->request_is_read();
                              });
+        }
+
+        void identify() {
+            state_ = State::Identified;
+            server_.unidentified_.erase(place_);
+            ++server_.identified_;
         }
 
         void request_is_read() {
@@ -233,9 +254,13 @@ private:
             stream_.socket().close(ignored);
         }
 
+        enum class State { Unidentified, Identified, Dropped };
+
         Impl& server_;
         beast::tcp_stream stream_;
         asio::steady_timer timer_;
+        std::list<Connection*>::iterator place_;
+        State state_ = State::Unidentified;
         beast::flat_buffer buffer_ = beast::flat_buffer(largest_header * 2);
         http::request_parser<http::string_body> parser_ = {};
         http::response<http::string_body> response_ = {};
@@ -276,8 +301,9 @@ private:
 
     void accept(Tcp::acceptor& acceptor) {
         acceptor.async_accept([this, &acceptor](boost::system::error_code error, Tcp::socket socket) {
-            if (!error && connections_ < options_.most_connections)
-                std::make_shared<Connection>(*this, std::move(socket))->begin();
+            const auto full = [this] { return identified_ + unidentified_.size() >= options_.most_connections; };
+            if (!error && full() && !unidentified_.empty()) unidentified_.front()->drop();
+            if (!error && !full()) std::make_shared<Connection>(*this, std::move(socket))->begin();
             if (error == asio::error::operation_aborted) return;
             if (!error) return accept(acceptor);
             // There is no room for it now: the machine, or this program, has too many files open.
@@ -304,15 +330,18 @@ private:
             return {403, "another page asks"};
         if (request.method() != http::verb::get && request.method() != http::verb::post)
             return {405, "only GET and POST are answered"};
+        // The parts of every page are public.
+        if (text_of(request.target()).starts_with("/web/") || has_token(request)) return {0, ""};
+        return {403, "the token is missing; open the address that `grafverif serve` has printed"};
+    }
+
+    template <class Request>
+    bool has_token(const Request& request) const {
         const std::string_view target = text_of(request.target());
-        if (target.starts_with("/web/")) return {0, ""};  // the parts of every page, the same for everybody
         const auto query = query_of(target.substr(std::min(target.find('?'), target.size() - 1) + 1));
         const auto token = query.find("token");
-        const std::string_view given =
-            token != query.end() ? std::string_view(token->second) : text_of(request["X-Grafverif-Token"]);
-        if (!equal(given, options_.token))
-            return {403, "the token is missing; open the address that `grafverif serve` has printed"};
-        return {0, ""};
+        return equal(token != query.end() ? std::string_view(token->second) : text_of(request["X-Grafverif-Token"]),
+                     options_.token);
     }
 
     void look_for(const std::atomic<bool>& stop) {
@@ -324,7 +353,9 @@ private:
     HttpOptions options_;
     HttpHandler handler_;
     std::atomic<std::uint64_t> notices_ = 0;
-    std::size_t connections_ = 0;  ///< of the thread that reads and writes, like all that follows
+    // Of the thread that reads and writes, like all that follows.
+    std::list<Connection*> unidentified_ = {};  ///< connections whose token has not been read, the oldest first
+    std::size_t identified_ = 0;
     asio::io_context context_ = asio::io_context(1);
     std::vector<Tcp::acceptor> acceptors_ = {};
     std::set<std::shared_ptr<Connection>> waiting_ = {};

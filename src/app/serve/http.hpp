@@ -37,8 +37,9 @@ struct HttpOptions {
     std::uint16_t port = 0;  ///< 0: any that is free
     std::string token = {};
     std::size_t largest_body = std::size_t{1} << 20U;
-    std::size_t most_connections = 64;  ///< more are closed as they come
-    int longest_wait = 20;              ///< seconds, of an answer put off
+    /// With more, the oldest whose token has not been read is closed; if there is none, the new one.
+    std::size_t most_connections = 64;
+    int longest_wait = 20;  ///< seconds, of an answer put off
 };
 
 class HttpServer {

@@ -5,7 +5,9 @@
 #include <spawn.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <system_error>
@@ -13,6 +15,7 @@
 #include "app/outputs.hpp"
 #include "app/serve/live_page.hpp"
 #include "app/system/interrupt.hpp"
+#include "app/system/process.hpp"
 #include "app/verbs.hpp"
 #include "pipeline/files.hpp"
 #include "support/messages.hpp"
@@ -22,9 +25,9 @@ namespace grafverif::app {
 
 namespace {
 
-/// In the browser that the user has chosen; it lives on when we end.
-void open_in_browser(const std::string& address, const Streams& streams) {
-    std::string program = "xdg-open", operand = address;
+/// Opens `page` in the browser of the user, which is not ended with this program.
+void open_in_browser(const std::filesystem::path& page, const Streams& streams) {
+    std::string program = "xdg-open", operand = page.string();
     char* arguments[] = {program.data(), operand.data(), nullptr};
     posix_spawn_file_actions_t quiet;
     ::posix_spawn_file_actions_init(&quiet);
@@ -38,6 +41,14 @@ void open_in_browser(const std::string& address, const Streams& streams) {
     ::posix_spawn_file_actions_destroy(&quiet);
     ::posix_spawnattr_destroy(&apart);
     if (failure != 0) streams.err << "note: there is no `xdg-open` to open the page with; open the address by hand\n";
+}
+
+/// A page that leads to `address`: the command line of a browser, which other users can read, must not contain the token.
+std::string redirect_to(const std::string& address) {
+    return fmt::format(
+        "<!doctype html>\n<meta charset=\"utf-8\">\n"
+        "<meta http-equiv=\"refresh\" content=\"0; url={0}\"><title>grafverif</title>\n<a href=\"{0}\">grafverif</a>\n",
+        address);
 }
 
 bool can_be_served(Job& job) {
@@ -69,7 +80,12 @@ ExitCode serve(Job& job, const Streams& streams) {
     const std::string address = page->address();
     streams.out << fmt::format("{} is at {}\nCtrl-C ends it.\n", printable(job.options.operands[0]), address)
                 << std::flush;
-    if (job.options.open) open_in_browser(address, streams);
+    std::optional<TemporaryFolder> folder;  // of this user alone, until the end: the browser may be slow
+    if (job.options.open) {
+        folder.emplace();
+        folder->write("open.html", redirect_to(address));
+        open_in_browser(folder->path() / "open.html", streams);
+    }
     page->run(interrupt.asked());
     return ExitCode::Done;
 }
@@ -87,7 +103,7 @@ Verb serve_usage() {
         "shown at\n"
         "once. Nobody else reaches the page: it is for this machine alone and asks for the token of the address. "
         "Nothing is\n"
-        "written. Ctrl-C ends it.",
+        "written, except a temporary file of this user for --open. Ctrl-C ends it.",
         {"grafverif serve samples/oven_door/oven_door.grafcet", "grafverif serve station.grafcet --port 8060 --open"},
         {Accepts::Serve, Accepts::Constants, Accepts::Mode, Accepts::Grain}};
 }
