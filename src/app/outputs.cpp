@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/outputs.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "app/system/guard.hpp"
 #include "pipeline/files.hpp"
 #include "support/messages.hpp"
+#include "support/messages_choice.hpp"
 #include "support/printable.hpp"
 
 namespace grafverif::app {
@@ -44,6 +46,21 @@ bool is_no_input(const std::string& path, Job& job) {
     return true;
 }
 
+/// The format that the ending of `path` names, if it is one of pictures and documents and is not written: HTML is written
+/// by `report` alone, SVG is not written by it. Empty: another ending.
+std::string foreign_format(const std::filesystem::path& path, bool drawing, bool page) {
+    constexpr std::array<std::string_view, 13> never = {"png",  "jpg", "jpeg", "gif", "webp", "bmp", "tif",
+                                                        "tiff", "pdf", "ps",   "eps", "emf",  "docx"};
+    std::string ending = path.extension().string();
+    if (ending.empty()) return {};
+    ending.erase(0, 1);
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const bool known =
+        std::ranges::find(never, ending) != never.end() || (drawing && ending == "html") || (page && ending == "svg");
+    return known ? ending : std::string();
+}
+
 /// A stream of ours, and what a person sees of it.
 struct Outlet {
     std::ostream* stream = nullptr;
@@ -76,6 +93,35 @@ bool writes_files(const Options& options) {
 }
 
 bool outputs_differ(Job& job) { return differ(outputs_of(job.options), job); }
+
+bool formats_are_written(std::string_view verb, Job& job) {
+    bool fine = true;
+    const auto check = [&](const std::optional<std::string>& path, bool drawing) {
+        const std::string format = path ? foreign_format(*path, drawing, verb == "report") : std::string();
+        if (format.empty()) return;
+        const std::string stem = std::filesystem::path(*path).replace_extension().string();
+        const bool converts = format == "png" || format == "pdf" || format == "ps" || format == "eps";
+        std::string_view written = "text";
+        std::string how = "choose another name";
+        if (drawing) {
+            written = "SVG";
+            how = fmt::format("write `{}.svg`", stem);
+            if (converts) how += fmt::format(" and convert it: `rsvg-convert -f {1} -o {0}.{1} {0}.svg`", stem, format);
+        } else if (verb == "report") {
+            written = "HTML";
+            how = fmt::format("write `{}.html`", stem);
+            if (format == "pdf")
+                how += fmt::format(" and print it: `chromium --headless --print-to-pdf={0}.pdf {0}.html`", stem);
+        }
+        std::string named = format;
+        for (char& c : named) c = static_cast<char>(c - 'a' + 'A');
+        job.diagnostics.add(messages::other_format(*path, named, written, how));
+        fine = false;
+    };
+    check(job.options.output, verb == "draw");
+    check(job.options.trace_svg, true);
+    return fine;
+}
 
 bool folders_are_there(bool folder, Job& job) {
     if (job.options.create) return true;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/job.hpp"
@@ -23,6 +24,8 @@ bool writes_files(const Options& options);
 
 /// The files that the options name as outputs are different ones; false after an error.
 bool outputs_differ(Job& job);
+/// No output is named after a format that `verb` does not write (`draw -o x.png`); false after an error.
+bool formats_are_written(std::string_view verb, Job& job);
 /// Their folders are there, or may be made; false after an error. `folder`: what `-o` names is a folder.
 bool folders_are_there(bool folder, Job& job);
 

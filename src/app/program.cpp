@@ -202,7 +202,7 @@ private:
     }
 
     ExitCode begin() {
-        if (!outputs_differ(job_)) return reported_ = false, ExitCode::Input;
+        if (!outputs_differ(job_) || !formats_are_written(verb_.name, job_)) return reported_ = false, ExitCode::Input;
         begin_reports(accepts(verb_, Accepts::Analysis) || accepts(verb_, Accepts::Date), job_);
         if (folders_are_there(accepts(verb_, Accepts::OutputDirectory), job_)) return ExitCode::Done;
         note_diagnostics(job_, streams_);

@@ -62,6 +62,10 @@ Diagnostic output_twice(std::string_view one, std::string_view other) {
                           other));
 }
 
+Diagnostic other_format(std::string_view path, std::string_view named, std::string_view written, std::string_view how) {
+    return error("other-format", {}, fmt::format("`{}` would contain {}, not {}; {}", path, written, named, how));
+}
+
 Diagnostic missing_folder(std::string_view output, std::string_view folder) {
     return error("missing-folder", {},
                  output == folder

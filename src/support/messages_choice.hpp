@@ -15,6 +15,9 @@ namespace grafverif::messages {
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known,
                           std::string_view nearest);
 
+/// An output is called like a file of the format `named`, and `written` is written there; `how` to get the other.
+Diagnostic other_format(std::string_view path, std::string_view named, std::string_view written, std::string_view how);
+
 /// `--set` of a constant that the closed loop at hand does not have; `nearest`: the one that may be meant.
 Diagnostic no_such_constant(Span loop, std::string_view loop_name, std::string_view name, std::string_view nearest);
 

@@ -311,6 +311,34 @@ TEST(Outputs, AreWrittenIntoFoldersThatAreThere) {
     EXPECT_TRUE(fs::exists(missing + "/deeper/l.xml"));
 }
 
+TEST(Outputs, RejectNamesOfFormatsThatAreNotWrittenWithRemedy) {
+    const Folder folder;
+    const std::string file = folder.write("one.grafcet", chart("c") + loop("first", "c"));
+    const std::string x = folder.file("x");
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{"draw", file, "-o", x + ".png"},
+         "`" + x + ".png` would contain SVG, not PNG; write `" + x + ".svg` and convert it: `rsvg-convert -f png -o " +
+             x + ".png " + x + ".svg`"},
+        {{"draw", file, "--output", x + ".PDF"}, "rsvg-convert -f pdf"},
+        {{"draw", file, "-o", x + ".html"}, ".html` would contain SVG, not HTML; write `" + x + ".svg` ["},
+        {{"check", file, "--trace-svg", x + ".jpeg"}, ".jpeg` would contain SVG, not JPEG; write `"},
+        {{"report", file, "-o", x + ".pdf"},
+         ".pdf` would contain HTML, not PDF; write `" + x + ".html` and print it: `chromium --headless "},
+        {{"report", file, "-o", x + ".svg"}, ".svg` would contain HTML, not SVG; write `" + x + ".html` ["},
+        {{"equations", file, "-o", x + ".pdf"}, ".pdf` would contain text, not PDF; choose another name"}};
+    for (const auto& [arguments, said] : cases) {
+        SCOPED_TRACE(arguments.back());
+        const Result result = grafverif(arguments);
+        EXPECT_EQ(result.code, ExitCode::Input);
+        EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
+        EXPECT_NE(result.err.find("[other-format]"), std::string::npos) << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(folder.entries(), 1u);
+    }
+    EXPECT_EQ(grafverif({"draw", file, "-o", x + ".svg"}).code, ExitCode::Done);
+    EXPECT_EQ(grafverif({"draw", file, "-o", x + ".drawing"}).code, ExitCode::Done);
+}
+
 // -- standard streams, of every verb of the table ----------------------------------------------------------------------
 
 using Words = std::vector<std::string>;
