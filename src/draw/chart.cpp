@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "draw/routes.hpp"
 #include "draw/symbols.hpp"
@@ -17,7 +18,7 @@ using Element = Drawing::Element;
 using Point = Drawing::Point;
 
 constexpr int margin = 16, title_height = 22, title_size = 13;
-constexpr int least_page = 1400;  ///< partial charts stand side by side up to this width, or that of the widest
+constexpr int greatest_page = 1400;  ///< partial charts are placed within this width, or that of the widest
 
 void shift(Element& element, Point by) {
     const auto move = [&](Point& point) { point = {point.x + by.x, point.y + by.y}; };
@@ -168,40 +169,81 @@ Panel framed(const Chart& chart, Id<Chart::PartialChart> id, const std::string& 
     return panel;
 }
 
-/// Puts panels side by side, in rows.
-class Page {
+/// Puts each panel where it is highest on the page, then leftmost.
+class Skyline {
 public:
-    Page(std::vector<Panel> panels, int top) : panels_(std::move(panels)), y_(top) {
-        for (const Panel& panel : panels_) widest_ = std::max(widest_, panel.size.width);
-    }
+    Skyline(int top, int right) : levels_({{margin, top}}), right_(right) {}
 
-    void fill(Drawing& drawing) {
-        for (Panel& panel : panels_) {
-            if (x_ > margin && x_ + panel.size.width > margin + std::max(widest_, least_page)) {
-                x_ = margin;
-                y_ += row_ + margin;
-                row_ = 0;
-            }
-            for (Element& element : panel.elements) {
-                shift(element, {x_, y_});
-                drawing.elements.push_back(std::move(element));
-            }
-            x_ += panel.size.width + margin;
-            row_ = std::max(row_, panel.size.height);
-            drawing.size.width = std::max(drawing.size.width, x_);
-        }
-        drawing.size.height = y_ + row_ + margin;
+    /// Where a panel fits below all that is there.
+    Point place(Drawing::Size size) {
+        std::size_t best = 0;
+        int y = std::numeric_limits<int>::max();
+        for (std::size_t k = 0; k < levels_.size() && (k == 0 || levels_[k].x + size.width <= right_); ++k)
+            if (const int lowest = lowest_above(k, size.width); lowest < y) best = k, y = lowest;
+        const int left = levels_[best].x, end = left + size.width + margin;
+        const auto first = levels_.begin() + static_cast<std::ptrdiff_t>(best);
+        auto behind = first;
+        while (behind != levels_.end() && behind->x < end) ++behind;
+        std::vector<Point> made = {{left, y + size.height + margin}};
+        if (behind == levels_.end() || behind->x > end) made.push_back({end, std::prev(behind)->y});
+        levels_.insert(levels_.erase(first, behind), made.begin(), made.end());
+        return {left, y};
     }
 
 private:
-    std::vector<Panel> panels_;
-    int widest_ = 0, x_ = margin, y_, row_ = 0;
+    /// The greatest y above a panel that begins at level `k`.
+    int lowest_above(std::size_t k, int width) const {
+        int lowest = levels_[k].y;
+        for (std::size_t j = k; j < levels_.size() && levels_[j].x < levels_[k].x + width + margin; ++j)
+            lowest = std::max(lowest, levels_[j].y);
+        return lowest;
+    }
+
+    std::vector<Point> levels_;  ///< from x to the next one, the page is free from y on
+    int right_;
 };
+
+struct Packing {
+    std::vector<Point> places = {};
+    Drawing::Size size = {};
+
+    /// The height of a page of the usual proportions that holds it.
+    int page() const { return std::max(size.width * 10 / 14, size.height); }
+};
+
+Packing packed(const std::vector<Panel>& panels, int top, int right) {
+    Skyline skyline(top, right);
+    Packing made{.size = {0, top + margin}};
+    for (const Panel& panel : panels) {
+        const Point at = made.places.emplace_back(skyline.place(panel.size));
+        made.size.width = std::max(made.size.width, at.x + panel.size.width + margin);
+        made.size.height = std::max(made.size.height, at.y + panel.size.height + margin);
+    }
+    return made;
+}
+
+/// Of pages of several widths the smallest.
+void place(std::vector<Panel> panels, int top, Drawing& drawing) {
+    constexpr int tries = 12;
+    int widest = 0;
+    for (const Panel& panel : panels) widest = std::max(widest, panel.size.width);
+    Packing best = packed(panels, top, margin + std::max(widest, greatest_page));
+    for (int k = 0; k < tries && widest < greatest_page; ++k) {
+        Packing other = packed(panels, top, margin + widest + (greatest_page - widest) * k / tries);
+        if (other.page() < best.page()) best = std::move(other);
+    }
+    for (std::size_t k = 0; k < panels.size(); ++k)
+        for (Element& element : panels[k].elements) {
+            shift(element, best.places[k]);
+            drawing.elements.push_back(std::move(element));
+        }
+    drawing.size = {std::max(drawing.size.width, best.size.width), best.size.height};
+}
 
 }  // namespace
 
-Drawing drawing_of(const Chart& chart, const DrawOptions& options) {
-    const Symbols symbols(chart, options);
+Drawing drawing_of(const Chart& chart, const DrawOptions& options, const ChartText& text) {
+    const Symbols symbols(chart, options, text);
     std::vector<Members> members(chart.partial_charts.size());
     for (const Id<Chart::Step> step : chart.steps.ids()) members[chart.steps[step].chart.index].steps.push_back(step);
     for (const Id<Chart::Transition> transition : chart.transitions.ids())
@@ -218,7 +260,7 @@ Drawing drawing_of(const Chart& chart, const DrawOptions& options) {
         Panel panel = PanelMaker(chart, symbols, options, nodes).make(members[partial.index]);
         panels.push_back(framed(chart, partial, symbols.ids().partial_charts[partial.index], std::move(panel)));
     }
-    Page(std::move(panels), 2 * margin + title_size).fill(drawing);
+    place(std::move(panels), 2 * margin + title_size, drawing);
     return drawing;
 }
 

@@ -3,11 +3,12 @@
 // laid out by itself: Flow, Order, Blocks, Columns, Routes. Equal charts give equal drawings, in linear time.
 #pragma once
 
+#include "draw/chart_text.hpp"
 #include "grafverif/ir/chart.hpp"
 #include "grafverif/ir/drawing.hpp"
 
 namespace grafverif::draw {
 
-Drawing drawing_of(const Chart& chart, const DrawOptions& options);
+Drawing drawing_of(const Chart& chart, const DrawOptions& options, const ChartText& text = {});
 
 }  // namespace grafverif::draw

@@ -20,6 +20,8 @@ constexpr int line_height = 15;
 constexpr int text_size = 12, small_size = 11;
 constexpr int widest_text = 260;  ///< longer conditions are broken
 constexpr int widest_row = 280;   ///< of actions; wider ones are stacked
+constexpr int widest_comment = 170;
+constexpr std::size_t longest_comment = 120;  ///< characters
 
 Drawing::Text text_at(int x, int y, Runs runs, int size, Anchor anchor, const char* kind) {
     const int width = width_of(runs, size);
@@ -85,8 +87,9 @@ struct Symbols::Action {
     }
 };
 
-Symbols::Symbols(const Chart& chart, const DrawOptions& options)
+Symbols::Symbols(const Chart& chart, const DrawOptions& options, const ChartText& text)
     : chart_(chart),
+      text_(text),
       writing_(chart, options.notation),
       ids_(element_ids(chart, options.prefix)),
       active_(chart.steps.size(), false),
@@ -102,6 +105,28 @@ Symbols::Symbols(const Chart& chart, const DrawOptions& options)
         if (action.on == Chart::StoredOn::Clearing) on_clearing_[action.transition.index].push_back(id);
         else stored_[action.step.index].push_back(id);
     }
+}
+
+Runs Symbols::runs(const std::vector<std::string>& written, std::uint32_t index, Id<Expr> term) const {
+    if (writing_.notation() == Notation::Text && index < written.size() && !written[index].empty())
+        return {{written[index], false}};
+    return writing_.runs(term);
+}
+
+/// At the right of the step and of its actions, in quotation marks as IEC 60848 has it.
+void Symbols::add_comment(const std::string& comment, Symbol& symbol) const {
+    if (comment.empty()) return;
+    const std::vector<Runs> lines =
+        wrapped({{'"' + shortened(comment, longest_comment) + '"', false}}, small_size, widest_comment);
+    Drawing::Element text{.classes = "comment", .title = comment};
+    const int half_height = static_cast<int>(lines.size()) * (line_height - 1) / 2;
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        text.texts.push_back(text_at(symbol.room.right + 12, 11 - half_height + static_cast<int>(k) * (line_height - 1),
+                                     lines[k], small_size, Anchor::Start, "comment"));
+    symbol.room.right += 12 + widest_of(lines, small_size);
+    symbol.room.up = std::max(symbol.room.up, half_height);
+    symbol.room.down = std::max(symbol.room.down, half_height);
+    symbol.elements.push_back(std::move(text));
 }
 
 std::string Symbols::names_of(const std::vector<Id<Chart::Step>>& steps) const {
@@ -128,7 +153,7 @@ Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     const bool iec = writing_.notation() == Notation::Iec;
     std::vector<Runs> terms;
     if (!is_true(chart_.exprs, action.condition)) {
-        Runs condition = writing_.runs(action.condition);
+        Runs condition = runs(text_.continuous, id.index, action.condition);
         const bool alone = action.delay_ms == 0 && action.limit_ms == 0;
         if (!alone && chart_.exprs[action.condition].op == Op::Or) {
             condition.insert(condition.begin(), {"(", false});
@@ -152,7 +177,7 @@ Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
 
 Symbols::Action Symbols::stored(Id<Chart::StoredAction> id) const {
     const Chart::StoredAction& action = chart_.stored[id];
-    const std::string value = plain_text(writing_.runs(action.value));
+    const std::string value = plain_text(runs(text_.values, id.index, action.value));
     const std::string assignment = chart_.variables[action.target].name + " := " + value;
     Action result{.element = {.id = ids_.stored[id.index], .classes = "action stored"},
                   .label = shortened(assignment, longest_name)};
@@ -168,7 +193,7 @@ Symbols::Action Symbols::stored(Id<Chart::StoredAction> id) const {
         break;
     case Chart::StoredOn::Event: {
         result.sign = Action::Sign::Event;
-        const Runs event = writing_.runs(action.event);
+        const Runs event = runs(text_.events, id.index, action.event);
         result.above = wrapped(event, small_size, widest_text);
         when = "event " + plain_text(event);
         result.element.classes += " event";
@@ -224,9 +249,13 @@ void Symbols::add_actions(std::vector<Action> actions, int left, Symbol& symbol)
 
 void Symbols::add_step_marks(Id<Chart::Step> id, int half, Drawing::Element& element) const {
     const Chart::Step& step = chart_.steps[id];
-    const int cut = step.kind == Chart::StepKind::Enclosing ? 7 : 0;
-    element.boxes.push_back({{-half, -half_step}, {2 * half, 2 * half_step}, cut});
-    if (step.initial) element.boxes.push_back({{4 - half, 4 - half_step}, {2 * half - 8, 2 * half_step - 8}, cut});
+    element.boxes.push_back({{-half, -half_step}, {2 * half, 2 * half_step}});
+    if (step.initial) element.boxes.push_back({{4 - half, 4 - half_step}, {2 * half - 8, 2 * half_step - 8}});
+    if (step.kind == Chart::StepKind::Enclosing) {  // a line across each corner of the innermost square
+        Drawing::Box corners = element.boxes.back();
+        corners.cut = 9;
+        element.boxes.push_back(corners);
+    }
     if (step.kind == Chart::StepKind::Macro)
         for (const int y : {7 - half_step, half_step - 7}) element.lines.push_back({{{-half, y}, {half, y}}});
     if (step.activation_link) element.texts.push_back(text_at(-half - 4, 6, "*", 16, Anchor::End, "activation-link"));
@@ -256,13 +285,14 @@ Symbol Symbols::step(Id<Chart::Step> id) const {
     for (const auto action : stored_[id.index]) actions.push_back(stored(action));
     for (const auto order : forcing_[id.index]) actions.push_back(forcing(order));
     add_actions(std::move(actions), half, symbol);
+    if (id.index < text_.comments.size()) add_comment(text_.comments[id.index], symbol);
     return symbol;
 }
 
 Symbol Symbols::transition(Id<Chart::Transition> id) const {
     const Chart::Transition& transition = chart_.transitions[id];
-    const std::string name = shortened(transition.name, longest_name);
-    const Runs condition = writing_.runs(transition.condition);
+    const std::string name = '(' + shortened(transition.name, longest_name) + ')';
+    const Runs condition = runs(text_.transitions, id.index, transition.condition);
     const std::vector<Runs> lines = wrapped(condition, text_size, widest_text);
     const int text_x = half_bar + 7, width = widest_of(lines, text_size);
     const int half_height = static_cast<int>(lines.size()) * line_height / 2;

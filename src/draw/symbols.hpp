@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Symbols: the steps, transitions, actions and forcing orders of a chart as IEC 60848 draws them (4.3 symbols 1 to 12,
-// 4.5 macro-steps and enclosing steps, 4.7 forcing orders, 4.8 actions), each around a centre of its own.
+// Symbols: the steps, transitions, actions and forcing orders of a chart as IEC 60848 draws them (clause 5; clause 7 for
+// macro-steps, enclosing steps and forcing orders), each around its own centre.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "draw/chart_text.hpp"
 #include "draw/flow.hpp"
 #include "draw/writing.hpp"
 #include "grafverif/ir/chart.hpp"
@@ -22,7 +23,8 @@ struct Symbol {
 
 class Symbols {
 public:
-    Symbols(const Chart& chart, const DrawOptions& options);
+    /// `chart` and `text` outlive the symbols.
+    Symbols(const Chart& chart, const DrawOptions& options, const ChartText& text);
 
     const ElementIds& ids() const { return ids_; }
     Symbol step(Id<Chart::Step> step) const;
@@ -36,11 +38,15 @@ private:
     Action continuous(Id<Chart::ContinuousAction> action) const;
     Action stored(Id<Chart::StoredAction> action) const;
     Action forcing(Id<Chart::ForcingOrder> order) const;
+    /// `term` as the file has it in Notation::Text, if `written` has its text.
+    Runs runs(const std::vector<std::string>& written, std::uint32_t index, Id<Expr> term) const;
+    void add_comment(const std::string& comment, Symbol& symbol) const;
     std::string names_of(const std::vector<Id<Chart::Step>>& steps) const;
     void add_step_marks(Id<Chart::Step> step, int half, Drawing::Element& element) const;
     void add_actions(std::vector<Action> actions, int left, Symbol& symbol) const;
 
     const Chart& chart_;
+    const ChartText& text_;
     Writing writing_;
     ElementIds ids_;
     std::vector<bool> active_ = {};                                          ///< per step

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/verbs.hpp"
+#include "pipeline/chart_text.hpp"
 
 namespace grafverif::app {
 
@@ -21,7 +22,7 @@ ExitCode draw(Job& job, const Streams& streams) {
         .situation = named_steps(model->charts[*chart], job.options.situation, "--situation", job),
         .columns = static_cast<int>(std::min(job.options.columns, most_columns))};
     if (job.diagnostics.has_errors()) return ExitCode::Input;
-    deliver(svg_of(drawing_of(*model, *chart, options)), job, streams);
+    deliver(svg_of(drawing_of(*model, *chart, options, job.sources)), job, streams);
     return ExitCode::Done;
 }
 

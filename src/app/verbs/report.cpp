@@ -13,6 +13,7 @@
 #include "emit/layout/diagram.hpp"
 #include "page/data.hpp"
 #include "page/page.hpp"
+#include "pipeline/chart_text.hpp"
 #include "run/replay_test.hpp"
 #include "support/messages.hpp"
 
@@ -38,7 +39,7 @@ std::optional<ChartContent> content_of(const Model& model, Id<Chart> chart, bool
     analysis->obstacle = with_who_stopped(std::move(analysis->obstacle), bounds.interrupted(), job.options);
     ChartContent content{.chart = chart, .prefix = single ? "" : model.charts[chart].name + "."};
     const DrawOptions options{.prefix = content.prefix};
-    content.drawing = svg_of(drawing_of(model, chart, options));
+    content.drawing = svg_of(drawing_of(model, chart, options, job.sources));
     content.equations = std::move(*equations);
     content.analysis = std::move(*analysis);
     return content;

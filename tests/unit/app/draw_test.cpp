@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "grafverif/grafverif.hpp"
+#include "pipeline/chart_text.hpp"
 #include "run_program.hpp"
 #include "support/drawing_faults.hpp"
 
@@ -34,7 +35,7 @@ TEST(Draw, NothingLiesOnAnythingElseInAnySampleOrElementOfTheStandard) {
             ASSERT_TRUE(reading.model) << reading.complaints();
             for (const Id<Chart> chart : reading.model->charts.ids())
                 for (const Notation notation : {Notation::Iec, Notation::Text}) {
-                    const Drawing drawing = drawing_of(*reading.model, chart, {.notation = notation});
+                    const Drawing drawing = drawing_of(*reading.model, chart, {.notation = notation}, reading.sources);
                     EXPECT_EQ(faults(drawing), std::vector<std::string>()) << entry.path();
                     ++drawn;
                 }
@@ -93,6 +94,95 @@ TEST(Draw, LogicIsWrittenAsTheStandardOrTheFileDoes) {
     EXPECT_EQ(text("iec", "condition-t1"), "(a + {b}) · {c · ¬(a)} · [n ≥ 3]");
     EXPECT_EQ(text("text", "condition-t1"), "(a || !b) && !(c && !a) && n >= 3");
     EXPECT_EQ(text("iec", "condition-t2"), "↑a + 3s/X2");
+}
+
+std::string words_of(const pugi::xml_node& element) {
+    std::string words;
+    for (const pugi::xml_node line : element.children("text"))
+        words += (words.empty() ? "" : " ") + std::string(line.child_value());
+    return words;
+}
+
+TEST(Draw, TextNotationShowsTermsAsWritten) {
+    const Folder folder;
+    const std::string file = folder.write("written.grafcet",
+                                          "grafcet written { input a, b; output L, M; internal n: int 0..9 = 0; "
+                                          "initial step 1 { L if a || a after 2s; }\n"
+                                          "step 2 { M := true && true on event rise(a) && rise(a); }\n"
+                                          "transition t1: 1 -> 2 when a && a && b;\n"
+                                          "transition t2: 2 -> 1 when a => b do n := 1 + 1; }\n");
+    const auto text = [&](const char* notation, const char* id) {
+        pugi::xml_document document;
+        return words_of(group(document, {"draw", file, "--notation", notation}, id));
+    };
+    EXPECT_EQ(text("text", "condition-t1"), "a && a && b");
+    EXPECT_EQ(text("iec", "condition-t1"), "a · b");
+    EXPECT_EQ(text("text", "condition-t2"), "a => b");
+    EXPECT_EQ(text("text", "action-c0"), "L (a || a) && 2s/X1") << "a disjunction beside a delay is in brackets";
+    EXPECT_EQ(text("text", "action-s0"), "M := true && true rise(a) && rise(a)");
+    EXPECT_EQ(text("text", "action-s1"), "n := 1 + 1");
+}
+
+TEST(Draw, CommentsOfStepsAreInQuotationMarks) {
+    const Folder folder;
+    const std::string file = folder.write("comments.grafcet",
+                                          "grafcet comments {\n    input a;\n    output L;\n"
+                                          "    // not of a step\n"
+                                          "    initial step 1;  // rests\n"
+                                          "    step 2 {  /* lit */\n        L;  // of the action\n    }\n"
+                                          "    step 3 {\n        L;  // of the action\n    }  // dark\n"
+                                          "    transition t1: 1 -> 2 when a;  // of the transition\n"
+                                          "    transition t2: 2 -> 3 when a;\n"
+                                          "    transition t3: 3 -> 1 when a;\n}\n");
+    pugi::xml_document document;
+    group(document, {"draw", file}, "step-1");
+    std::vector<std::string> comments;
+    for (const pugi::xml_node element : document.child("svg").children("g"))
+        if (class_of(element) == "comment") comments.push_back(words_of(element));
+    EXPECT_EQ(comments, (std::vector<std::string>{"\"rests\"", "\"lit\"", "\"dark\""}));
+}
+
+TEST(Draw, EnclosingStepsAreSquaresWithALineAcrossEachCorner) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "enclosing.grafcet",
+        "grafcet enclosing { input a; initial step 0; enclosing step 1 encloses G1; transition t1: 0 -> 1 when a;\n"
+        "partial G1 { linked step 2; transition u: 2 -> 2 when a; } }\n");
+    pugi::xml_document document;
+    const pugi::xml_node step = group(document, {"draw", file}, "step-1");
+    ASSERT_TRUE(step.child("rect"));
+    ASSERT_TRUE(step.child("path"));
+    const pugi::xml_node rect = step.child("rect");
+    const int x = rect.attribute("x").as_int(), y = rect.attribute("y").as_int();
+    EXPECT_EQ(std::string(step.child("path").attribute("d").value())
+                  .find("M" + std::to_string(x + 9) + " " + std::to_string(y) + "h"),
+              0U)
+        << "the corners lie within the square";
+    EXPECT_EQ(words_of(document.child("svg").find_child_by_attribute("g", "id", "transition-t1")), "(t1)");
+}
+
+TEST(Draw, FramesOfPartialChartsFillThePage) {
+    const Folder folder;
+    std::string text = "grafcet parts { input a;\n";
+    const auto part = [&](const std::string& name, int steps) {
+        text += "partial " + name + " { initial step 0;";
+        for (int k = 1; k < steps; ++k)
+            text += " step " + std::to_string(k) + "; transition t" + name + std::to_string(k) + ": " +
+                    std::to_string(k - 1) + " -> " + std::to_string(k) + " when a;";
+        text += " transition t" + name + "0: " + std::to_string(steps - 1) + " -> 0 when a; }\n";
+    };
+    part("Long", 9);
+    for (int k = 0; k < 30; ++k) part("P" + std::to_string(k), 2);
+    const Reading reading = read_string(text + "}\n", "parts.grafcet");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    const Drawing drawing = drawing_of(*reading.model, Id<Chart>{0});
+    EXPECT_EQ(faults(drawing), std::vector<std::string>());
+    std::int64_t framed = 0;
+    for (const Drawing::Element& element : drawing.elements)
+        if (element.classes.starts_with("partial-chart"))
+            framed += std::int64_t{element.boxes.at(0).size.width} * element.boxes.at(0).size.height;
+    const std::int64_t page = std::int64_t{drawing.size.width} * drawing.size.height;
+    EXPECT_GT(framed * 100, page * 60) << "rows as high as the longest chart leave more than half of the page empty";
 }
 
 TEST(Draw, AnUpwardLinkFromAFoldedChartIsNamedAtBothEndsOfEachCut) {

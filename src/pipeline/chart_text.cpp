@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/chart_text.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "draw/chart.hpp"
+#include "read/formats.hpp"
+#include "support/overloaded.hpp"
+#include "syntax/language/format.hpp"
+
+namespace grafverif {
+
+namespace {
+
+struct WrittenStep {
+    Span where = {};
+    std::uint32_t name = 0;  ///< where its name begins, as Chart::Step::origin does
+};
+
+/// What is written, by where the element begins.
+struct Written {
+    std::map<std::uint32_t, std::string> conditions = {}, values = {}, events = {};
+    std::vector<WrittenStep> steps = {};
+};
+
+class Collector {
+public:
+    Collector(const tree::File& file, Written& written) : file_(file), written_(written) {}
+
+    void add(const std::vector<tree::ChartItem>& items) {
+        for (const tree::ChartItem& item : items)
+            std::visit(overloaded{
+                           [&](const tree::Step& step) {
+                               written_.steps.push_back({step.where, step.name.where.begin});
+                               for (const tree::Action& action : step.actions) add(action);
+                           },
+                           [&](const tree::Transition& transition) {
+                               note(written_.conditions, transition.where, transition.condition);
+                               for (const tree::Assignment& each : transition.assignments) add(each);
+                           },
+                           [&](const tree::Partial& partial) { add(partial.items); },
+                           [](const auto&) {},
+                       },
+                       item);
+    }
+
+private:
+    void add(const tree::Action& action) {
+        if (const auto* continuous = std::get_if<tree::ContinuousAction>(&action))
+            note(written_.conditions, continuous->where, continuous->condition);
+        if (const auto* stored = std::get_if<tree::StoredAction>(&action)) {
+            add(stored->assignment);
+            note(written_.events, stored->assignment.where, stored->event);
+        }
+    }
+    void add(const tree::Assignment& assignment) { note(written_.values, assignment.where, assignment.value); }
+
+    void note(std::map<std::uint32_t, std::string>& texts, Span where, Id<tree::Expr> term) {
+        if (term.valid()) texts[where.begin] = formatted(file_, term);
+    }
+
+    const tree::File& file_;
+    Written& written_;
+};
+
+/// The words of `// words`, `/* words */`, `(* words *)`.
+std::string words_of(std::string_view comment) {
+    for (const std::string_view begin : {"//", "/*", "(*"})
+        if (comment.starts_with(begin)) comment.remove_prefix(2);
+    for (const std::string_view end : {"*/", "*)"})
+        if (comment.ends_with(end)) comment.remove_suffix(2);
+    while (!comment.empty() && (comment.front() == ' ' || comment.front() == '*')) comment.remove_prefix(1);
+    while (!comment.empty() && comment.back() == ' ') comment.remove_suffix(1);
+    return std::string(comment);
+}
+
+/// By where the name of a step begins, the comment at the end of its first or last line.
+std::map<std::uint32_t, std::string> comments_of(const tree::File& file, std::string_view text,
+                                                 std::vector<WrittenStep> steps) {
+    const auto begin = [](const WrittenStep& step) { return step.where.begin; };
+    std::ranges::sort(steps, {}, begin);
+    const auto one_line = [&](std::uint32_t from, std::uint32_t to) {
+        return from <= to && text.substr(from, to - from).find('\n') == std::string_view::npos;
+    };
+    std::map<std::uint32_t, std::string> found;
+    for (const tree::Comment& comment : file.comments) {
+        if (comment.own_line) continue;
+        const auto behind = std::ranges::upper_bound(steps, comment.where.begin, {}, begin);
+        if (behind == steps.begin()) continue;
+        const WrittenStep& step = *std::prev(behind);
+        if (one_line(step.where.begin, comment.where.begin) || one_line(step.where.end, comment.where.begin))
+            found.try_emplace(step.name, words_of(comment.text));
+    }
+    return found;
+}
+
+template <class Elements>
+std::vector<std::string> texts_of(const Elements& elements, const std::map<std::uint32_t, std::string>& written) {
+    std::vector<std::string> texts;
+    for (const auto& element : elements) {
+        const auto known = written.find(element.origin.begin);
+        texts.push_back(known == written.end() ? std::string() : known->second);
+    }
+    return texts;
+}
+
+}  // namespace
+
+ChartText text_of(const Model& model, Id<Chart> id, const Sources& sources) {
+    const Chart& chart = model.charts[id];
+    if (!sources.contains(chart.origin.source)) return {};
+    Sources copy;  // reading may rewrite a source
+    Diagnostics known;
+    const Id<Source> source = copy.add(sources[chart.origin.source]);
+    const tree::File file = read_any(source, copy, {true}, known);
+    Written written;
+    for (const tree::Declaration& declaration : file.declarations)
+        if (const auto* found = std::get_if<tree::Chart>(&declaration); found != nullptr)
+            Collector(file, written).add(found->items);
+    return {.comments = texts_of(chart.steps, comments_of(file, copy[source].text, written.steps)),
+            .transitions = texts_of(chart.transitions, written.conditions),
+            .continuous = texts_of(chart.continuous, written.conditions),
+            .events = texts_of(chart.stored, written.events),
+            .values = texts_of(chart.stored, written.values)};
+}
+
+Drawing drawing_of(const Model& model, Id<Chart> chart, const DrawOptions& options, const Sources& sources) {
+    return draw::drawing_of(model.charts[chart], options, text_of(model, chart, sources));
+}
+
+}  // namespace grafverif
