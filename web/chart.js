@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The drawn chart of one controller, its steps and transitions lit as they are at a moment of a run.
 import {draw, make} from "./dom.js";
-import {lightStep, lightTransition} from "./marks.js";
+import {follow, lightStep, lightTransition} from "./marks.js";
 
 export class ChartView {
     // `choose(kind, place)`: the reader points at a transition or a step.
@@ -58,14 +58,5 @@ export class ChartView {
 
     mark(group, name, on) { group?.classList.toggle(name, on); }
 
-    // Brings the first active step into sight, without moving the page.
-    follow() {
-        const group = this.steps.find((step) => step?.classList.contains("active") && step.querySelector(".token"));
-        if (!group) return;
-        const view = this.element.getBoundingClientRect(), step = group.getBoundingClientRect();
-        if (step.top < view.top || step.bottom > view.bottom)
-            this.element.scrollTop += (step.top + step.bottom - view.top - view.bottom) / 2;
-        if (step.left < view.left || step.right > view.right)
-            this.element.scrollLeft += (step.left + step.right - view.left - view.right) / 2;
-    }
+    follow() { follow(this.element, this.steps); }
 }

@@ -15,3 +15,6 @@ function fill(element, attributes, children) {
     element.append(...children);
     return element;
 }
+
+// Text in which backticks enclose code.
+export const prose = (text) => text.split("`").map((part, k) => (k % 2 === 1 ? make("code", {}, part) : part));

@@ -21,3 +21,14 @@ function sign(group, on, name, drawn) {
     const box = group.querySelector("rect, polygon, path, line")?.getBBox?.();
     if (box && (box.width > 0 || box.height > 0)) group.append(drawn(box));
 }
+
+// Brings the first active step into sight in `view`, without moving the page.
+export function follow(view, steps) {
+    const group = steps.find((step) => step?.classList.contains("active") && step.querySelector(".token"));
+    if (!group) return;
+    const box = view.getBoundingClientRect(), step = group.getBoundingClientRect();
+    if (step.top < box.top || step.bottom > box.bottom)
+        view.scrollTop += (step.top + step.bottom - box.top - box.bottom) / 2;
+    if (step.left < box.left || step.right > box.right)
+        view.scrollLeft += (step.left + step.right - box.left - box.right) / 2;
+}

@@ -16,7 +16,15 @@ export class Page {
         this.stage = make("div", {});
         this.place.replaceChildren(make("p", {class: "pick-run"}, make("label", {}, "Run: ", this.select)), this.stage);
         window.addEventListener("hashchange", () => this.follow(false));
+        document.addEventListener("keydown", (event) => this.key(event));
         if (data.runs.length > 0 && !this.follow(true)) this.open(data.runs[0].name, null, true);
+    }
+
+    // Arrows move a player that is in sight while nothing has the focus; other keys then scroll the page.
+    key(event) {
+        if (event.target !== document.body || !["ArrowLeft", "ArrowRight"].includes(event.key) || !this.player) return;
+        const {top, bottom} = this.player.element.getBoundingClientRect();
+        if (top < window.innerHeight && bottom > 0) this.player.key(event);
     }
 
     // Where the address leads: `#P16/23`.

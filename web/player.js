@@ -62,12 +62,12 @@ export class Player {
                 make("div", {class: "side"},
                     panel("What happens", this.rows.element),
                     this.property?.operands.length > 0 ? panel(`Why: ${this.property.name}`, this.claim) : "",
-                    panel("Why: a transition", make("label", {class: "pick"}, "transition ", this.picker()), this.why),
                     panel("Inputs, outputs, variables, plant",
                         make("div", {class: "filters"}, this.filter, make("label", {}, this.changedOnly, " changed here only")),
                         this.signals),
-                    this.instance.element ? panel("Of the plant: an automaton", this.instance.element) : "")),
-            panel("Timing diagram", this.timingPlace));
+                    panel("Why: a transition", make("label", {class: "pick"}, "transition ", this.picker()), this.why),
+                    this.instance.element ? panel("Of the plant: an automaton", this.instance.element) : ""),
+                make("section", {class: "panel timing-panel"}, make("h4", {}, "Timing diagram"), this.timingPlace)));
     }
 
     controls() {
@@ -89,7 +89,7 @@ export class Player {
             button("Forward", "▶", () => this.step(1), "right"),
             button("To the end", "▶|", () => this.go(this.run.last), "End"),
             loop === null ? "" : button("To where it repeats for ever", "↻ loop", () => this.go(loop)),
-            this.decisive === null ? "" : button("To what decides it", "! decisive moment", () => this.go(this.decisive)),
+            this.decisive === null ? "" : button("Jump to the violation", "! jump to violation", () => this.go(this.decisive)),
             this.slider, this.place,
             make("label", {title: "The drawing as large as its place, not scrolled"}, whole, " whole chart"),
             make("label", {title: "Each phase of a PLC cycle and each evolution, one by one"}, moves, " every move"));
@@ -209,11 +209,21 @@ export class Player {
     words() {
         const row = this.run.rows[this.run.rowOf(this.moment)];
         const inside = row && row.moment !== this.moment;  // then most of what the row tells is still to come
-        const told = inside ? this.moveWords() : row ? [row.words, row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
+        const told = inside ? this.moveWords() : row ? [row.words, this.inputWords(), row.cleared && `cleared: ${row.cleared}`].filter(Boolean).join(" — ") : "";
         const loop = this.run.loopMoment(), ever = loop !== null && this.moment >= loop ? " From here on for ever." : "";
         const end = this.moment === this.run.last && this.run.data.end ? ` ${this.run.data.end}.` : "";
         const move = this.everyMove && !inside ? ` [${this.moveWords()}]` : "";
         return `${this.run.timeText(this.moment)}: ${told || "power on"}.${move}${ever}${end}`;
+    }
+    // The inputs that change here, each with its new value; at power-on nothing changes.
+    inputWords() {
+        const {from} = this.range(), {run} = this;
+        if (from === 0) return "";
+        return run.trace.signals.flatMap(({name, role, range}, k) => {
+            const now = run.value(k, this.moment);
+            if (role !== "input" || now === run.value(k, from - 1)) return [];
+            return [`${name} := ${range ? now : Boolean(now)}`];
+        }).join(", ");
     }
     moveWords() {
         const moment = this.run.trace.moments[this.moment];
@@ -259,6 +269,7 @@ export class Player {
                     this.run.signalText(k, past), now !== past);
             });
         this.run.trace.instances.forEach((instance, k) => {
+            if (!this.run.isShown(k)) return;
             const text = (m) => instance.locations[this.run.locations[k].value(m)] ?? "–";
             add(instance.kind, instance.name, text(this.moment), text(before), text(this.moment) !== text(before));
         });

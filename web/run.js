@@ -50,6 +50,9 @@ export class Run {
         this.rowMoments = data.rows.map((row) => row.moment);
     }
 
+    // An observer watches for a property: it is not a part of the loop.
+    isShown(instance) { return this.trace.instances[instance].kind !== "observer"; }
+
     readMoments() {
         const {steps, instances, moments} = this.trace;
         this.signals = this.trace.signals.map(() => null);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Why: a term unfolded into its terms, each with its value; a property with the term that made it false.
-import {make} from "./dom.js";
+import {make, prose} from "./dom.js";
 import {ClaimReader, sinceWords} from "./claims.js";
 import {Decision} from "./terms.js";
 
@@ -67,7 +67,8 @@ function verdict(name, cleared, value, missing, {run, number, moment, read}) {
 }
 
 // Where false is what the claim wants, or nothing against it.
-const mayBeFalse = (pattern, operand) => ["never", "exactly-one"].includes(pattern) || (pattern === "leads-to" && operand === 0);
+const mayBeFalse = ({pattern, headings}, operand) =>
+    headings || ["never", "exactly-one"].includes(pattern) || (pattern === "leads-to" && operand === 0);
 
 const wordsOf = {
     always: ["must be true always"],
@@ -82,9 +83,9 @@ const wordsOf = {
 // What a property says, at `moment`, since when, and what made it so. `decisive`: where a counterexample decides it.
 export function whyProperty(claims, moment, decisive, go) {
     const {run, property} = claims;
-    const words = wordsOf[property.pattern] ?? [], when = property.at_stable ? " in settled states" : "";
+    const words = property.headings ?? wordsOf[property.pattern] ?? [], when = property.at_stable ? " in settled states" : "";
     const reader = new ClaimReader(claims, moment);
-    const link = (to, text) => make("button", {type: "button", class: "link", onclick: () => go(to)}, text);
+    const link = (to, text) => make("button", {type: "button", class: "link", onclick: () => go(to)}, ...[text].flat());
     const parts = property.operands.map((term, k) => {
         const since = claims.since(term, moment), value = reader.value(term);
         const so = `${valueWords(property.terms[term], value)} ${sinceWords(run, since)}`;
@@ -94,10 +95,18 @@ export function whyProperty(claims, moment, decisive, go) {
         if (makers.length > 0 && makers[0] !== term)
             heading.append(", made so by ", ...makers.flatMap((each, n) => [n > 0 ? ", " : "",
                 make("code", {}, property.terms[each].text), ` (then ${valueWords(property.terms[each], claims.value(each, since))})`]));
-        return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader, {faulty: !mayBeFalse(property.pattern, k)}))];
+        return [heading, make("ul", {class: "terms"}, termTree(property.terms, term, reader, {faulty: !mayBeFalse(property, k)}))];
     });
-    return make("div", {}, ...(decisive === null ? [] : [standing(property, moment, decisive, link, run)]),
+    return make("div", {}, ...violation(run, link), ...(decisive === null ? [] : [standing(property, moment, decisive, link, run)]),
                 ...parts.flat(), ...causes(run, moment, link));
+}
+
+// How a sentence that an observer checks is violated, event by event.
+function violation({data}, link) {
+    if (!data.violation) return [];
+    const steps = data.violation.steps.flatMap(({moment, words}, k) =>
+        [k > 0 ? "; " : "", ...(moment === null ? prose(words) : [link(moment, prose(words))])]);
+    return [make("p", {class: "violation"}, ...steps, ".")];
 }
 
 // The values that make it fail, each with a way to where it begins, and what could have been left out.
@@ -125,12 +134,14 @@ function causes(run, moment, link) {
 }
 
 // How a violated property stands at the moment.
-function standing({pattern, at_stable}, moment, decisive, link, run) {
+function standing({pattern, at_stable, headings}, moment, decisive, link, run) {
     const there = decisive === 0 ? "power-on" : run.timeText(decisive);
     const said = (before, here, behind) => make("p", {class: "standing"},
         ...(moment < decisive ? [`${before} `, link(decisive, there), "."] : moment === decisive ? [here] : [`${behind} `, link(decisive, there), "."]));
     if (pattern === "leads-to")
         return said("What is never answered comes at", "Here begins what is never answered.", "Not answered since");
+    if (headings)
+        return said("Not violated yet; it will be at", "Here it is violated.", "Violated since");
     if (at_stable || pattern === "exactly-one")
         return said("It is violated where the run ends, at", "Here it is violated.", "Violated since");
     return said("Not violated yet; it will be at", "Here it is violated first.", "First violated at");
@@ -141,6 +152,7 @@ function standing({pattern, at_stable}, moment, decisive, link, run) {
 export function decisiveMoment(claims) {
     const {run, property} = claims;
     if (property.operands.length === 0) return null;
+    if (property.headings) return run.data.violation?.moment ?? (run.loopMoment() === null ? run.last : null);
     const [p, q] = property.operands;
     switch (property.pattern) {
     case "never": return property.at_stable ? run.last : claims.first(p, 1, 0);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "explain/violation.hpp"
 #include "page/terms.hpp"
 #include "report/json_trace.hpp"
 #include "report/report.hpp"
@@ -57,12 +58,54 @@ Json conditions_json(const ChartRun& run) {
     return list;
 }
 
-Json inside_json(const Playable& playable) {
+Json inside_json(const ChartRun& run, const Playable& playable) {
     Json list = Json::array();
-    const std::vector<ChartRun::Moment>& moments = playable.run->moments;
-    for (std::size_t k = 1; k + 1 < moments.size() && !playable.property.empty(); ++k)
-        if (moments[k].move == moments[k + 1].move) list.push_back(k);
+    for (std::size_t k = 1; k + 1 < run.moments.size() && !playable.property.empty(); ++k)
+        if (run.moments[k].move == run.moments[k + 1].move) list.push_back(k);
     return list;
+}
+
+std::optional<SentenceViolation> violation_in(const PageContent& content, const Playable& playable) {
+    if (playable.kind != "counterexample" || !content.loop.valid()) return {};
+    const ClosedLoop& loop = content.model.loops[content.loop];
+    const auto property = std::ranges::find(loop.properties, playable.property, &Property::name);
+    if (property == loop.properties.end() || property->pattern != Pattern::Watched) return {};
+    std::vector<std::string> terms;
+    for (const Id<Expr> operand : property->operands) terms.push_back(term_text(content.model, loop, operand));
+    return violation_of(property->watch, terms, *playable.run);
+}
+
+Json violation_json(const std::optional<SentenceViolation>& violation) {
+    if (!violation) return nullptr;
+    Json steps = Json::array();
+    for (const SentenceViolation::Step& step : violation->steps)
+        steps.push_back({{"moment", step.moment ? Json(*step.moment) : Json(nullptr)}, {"words", step.words}});
+    return {{"moment", violation->moment}, {"steps", std::move(steps)}};
+}
+
+/// Omits the moves of observers, which change nothing in the loop.
+void omit_observers(ChartRun& run, std::optional<SentenceViolation>& violation) {
+    std::vector<ChartRun::Moment> kept;
+    std::vector<std::size_t> places;  // per moment, the last one kept that is not behind it
+    for (ChartRun::Moment& moment : run.moments) {
+        if (moment.kind != ChartRun::Kind::Observer) kept.push_back(std::move(moment));
+        places.push_back(kept.size() - 1);
+    }
+    if (kept.size() == places.size()) {
+        run.moments = std::move(kept);
+        return;
+    }
+    const auto move = [&](std::size_t& moment) { moment = places[moment]; };
+    if (run.loop) run.loop = places[*run.loop - 1] + 1;
+    for (ChartRun::Row& row : run.rows) move(row.moment);
+    for (ChartRun::Cause& cause : run.causes) move(cause.first), move(cause.last);
+    for (std::size_t& moment : run.left_out) move(moment);
+    for (ChartRun::LeftOut& each : run.left_out_values) move(each.moment);
+    run.moments = std::move(kept);
+    if (!violation) return;
+    move(violation->moment);
+    for (SentenceViolation::Step& step : violation->steps)
+        if (step.moment) move(*step.moment);
 }
 
 Json plant_json(const PageContent& content) {
@@ -158,7 +201,9 @@ std::string page_data(const PageContent& content) {
     for (const Playable& playable : playable_runs(content)) {
         const auto named = [&](const Json& property) { return property["name"] == playable.property; };
         const auto property = std::ranges::find_if(properties, named);
-        const ChartRun& run = *playable.run;
+        ChartRun run = *playable.run;
+        std::optional<SentenceViolation> violation = violation_in(content, playable);
+        omit_observers(run, violation);
         runs.push_back(
             {{"name", playable.name},
              {"kind", playable.kind},
@@ -168,7 +213,8 @@ std::string page_data(const PageContent& content) {
              {"conditions", conditions_json(run)},
              {"initial", initial_json(content)},
              {"end", playable.end},
-             {"inside", inside_json(playable)},
+             {"violation", violation_json(violation)},
+             {"inside", inside_json(run, playable)},
              {"loop_from", run.loop_from ? Json(*run.loop_from) : Json(nullptr)},
              {"rows", rows_json(run)},
              {"run", run_json(run)}});

@@ -18,10 +18,12 @@
 //                 or null
 //     initial     per instance, by name, the place of the location where it begins, where that is known
 //     end         what is to be said where the run ends; may be empty
+//     violation   of a sentence that an observer checks: `moment`, from which on it fails, and `steps`, each with `words` and
+//                 its `moment`, or null; null: of another property, or not known
 //     inside      of a run about a property, the moments that are no state of the model: a step of it that the run tells as
 //                 several moments has its state behind the last
 //     run         the run (docs/trace.md), `rows` the same for people: `moment`, `words`, `cleared`, `shown` (false: the next
-//                 row tells it anyhow); `loop_from` as there
+//                 row tells it anyhow); `loop_from` as there. Moves of observers are omitted
 #pragma once
 
 #include <string>

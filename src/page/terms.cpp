@@ -240,6 +240,35 @@ const char* pattern_of(Pattern pattern) {
     unreachable();
 }
 
+/// What the sentence says of each of its operands.
+std::vector<std::string> headings_of(const Sentence& sentence) {
+    const std::string bound = bound_text(sentence);
+    const auto own = [&]() -> std::vector<std::string> {
+        switch (sentence.kind) {
+        case Sentence::Kind::Absence: return {"must not be true"};
+        case Sentence::Kind::Universality: return {"must be true"};
+        case Sentence::Kind::Existence: return {"must become true"};
+        case Sentence::Kind::Response:
+            return {"after this is true", "this must become true" + (bound.empty() ? "" : " within " + bound)};
+        case Sentence::Kind::Precedence: return {"this must be true before", "this becomes true"};
+        case Sentence::Kind::HoldsFor: return {"once true, must stay so for " + bound};
+        case Sentence::Kind::HoldsAtMost: return {"must not stay true for longer than " + bound};
+        case Sentence::Kind::Since: return {"may be true only until " + bound + " after", "this was true"};
+        case Sentence::Kind::Recurrence: return {"must be true at least every " + bound};
+        case Sentence::Kind::Occurrences:
+            return {"must not become true more than " + bound + (bound == "1" ? " time" : " times")};
+        }
+        unreachable();
+    };
+    std::vector<std::string> headings = own();
+    if (sentence.scope == Sentence::Scope::After) headings.emplace_back("from where this is true on");
+    if (sentence.scope == Sentence::Scope::Between || sentence.scope == Sentence::Scope::AfterUntil)
+        headings.emplace_back("from where this is true");
+    if (sentence.scope != Sentence::Scope::Globally && sentence.scope != Sentence::Scope::After)
+        headings.emplace_back("up to where this is true");
+    return headings;
+}
+
 }  // namespace
 
 std::size_t TermList::add(Id<Expr> term) {
@@ -268,11 +297,13 @@ Json property_json(const Model& model, const ClosedLoop& loop, const Property& p
                    [&](const Expr& leaf) { return named(model, loop, symbol_of(loop, leaf)).node; });
     Json operands = Json::array();
     for (const Id<Expr> operand : property.operands) operands.push_back(terms.add(operand));
-    return {{"name", property.name},
-            {"pattern", pattern_of(property.pattern)},
-            {"at_stable", property.at_stable},
-            {"operands", std::move(operands)},
-            {"terms", terms.nodes()}};
+    Json made = {{"name", property.name},
+                 {"pattern", pattern_of(property.pattern)},
+                 {"at_stable", property.at_stable},
+                 {"operands", std::move(operands)},
+                 {"terms", terms.nodes()}};
+    if (property.pattern == Pattern::Watched) made["headings"] = headings_of(property.watch);
+    return made;
 }
 
 std::string term_text(const Model& model, const ClosedLoop& loop, Id<Expr> term) {

@@ -41,7 +41,8 @@ private:
 /// a chart to say why a transition is cleared. `from` of a transition are the steps that enable it, exit steps included.
 nlohmann::ordered_json chart_json(const Chart& chart);
 
-/// `{"name", "pattern", "at_stable", "operands", "terms"}`.
+/// `{"name", "pattern", "at_stable", "operands", "terms"}`; of a sentence with a duration, a count or a scope also
+/// `headings`: what it says of each operand.
 nlohmann::ordered_json property_json(const Model& model, const ClosedLoop& loop, const Property& property);
 
 /// Terms as the file would write them: a condition of the loop, what a property claims.

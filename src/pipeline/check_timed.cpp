@@ -11,6 +11,7 @@
 #include "check/timed/timed.hpp"
 #include "check/vacuity.hpp"
 #include "compose/observe.hpp"
+#include "explain/violation.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/explain.hpp"
 #include "pipeline/models.hpp"
@@ -161,11 +162,14 @@ Report check_watched(const LoopToCheck& loop, Id<Property> id, const CheckOption
     }
     own.profile = false;
     const LoopToCheck watched_loop{network, loop.charts, loop.cures_left_out, loop.finest};
-    TimedResult found = search_watched(watched_loop, own);
-    for (Verdict& verdict : found.verdicts)
-        if (verdict.run && verdict.outcome == Outcome::Violated)
-            verdict.notes.push_back(watched_words(loop.network, loop.network.properties[id], network, *verdict.run));
-    return Reporter(watched_loop, own).report(std::move(found));
+    Report report = Reporter(watched_loop, own).report(search_watched(watched_loop, own));
+    const Property& sentence = loop.network.properties[id];
+    for (Answer& answer : report.answers) {
+        if (answer.verdict.outcome != Outcome::Violated || !answer.trace) continue;
+        if (const auto found = violation_of(sentence.watch, operand_texts(loop.network, sentence), *answer.trace))
+            answer.verdict.notes.insert(answer.verdict.notes.begin(), found->words());
+    }
+    return report;
 }
 
 /// Adds what another search found; `earlier`: the states that those before it explored.

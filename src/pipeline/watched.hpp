@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What an observer saw in a counterexample, in the words of its property.
+// The operands of a property as conditions write them.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "grafverif/ir/network.hpp"
-#include "grafverif/ir/verdict.hpp"
 
 namespace grafverif {
 
-/// `property` is one of `network`; `run` is one of `observed`, whose last process is the observer of the property.
-std::string watched_words(const Network& network, const Property& property, const Network& observed, const Run& run);
+std::vector<std::string> operand_texts(const Network& network, const Property& property);
 
 }  // namespace grafverif

@@ -95,6 +95,33 @@ closed_loop l {
     property p: never N == 2 at stable;
 }
 """
+CROSSING = """
+grafcet traffic_light {
+    input REQ;
+    output C_GREEN, C_YELLOW, C_RED, P_GREEN;
+    initial step 1 { C_GREEN; }
+    step 2 { C_YELLOW; }
+    step 3 { C_RED; }
+    step 4 { C_RED; P_GREEN; }
+    transition t1: 1 -> 2 when REQ && 30s/X1;
+    transition t2: 2 -> 3 when 3s/X2;
+    transition t3: 3 -> 4 when 2s/X3;
+    transition t4: 4 -> 1 when 15s/X4;
+}
+closed_loop crossing {
+    controller traffic_light;
+    environment Button = push_button_released(OUT = REQ, HOLD = 2s);
+    property served "each request is served within 31 s": REQ leads to P_GREEN within 31s;
+    property once: P_GREEN at most 1 time;
+    property between: never C_YELLOW between REQ and P_GREEN;
+    property comes: inevitable P_GREEN after REQ;
+    property often: C_GREEN at least every 10s after P_GREEN;
+    property walks: P_GREEN holds for 16s;
+    property short: C_YELLOW holds at most 2s;
+    property first: C_RED precedes C_YELLOW;
+    property holds: never C_GREEN && P_GREEN;
+}
+"""
 WIDE = """return [...document.querySelectorAll('body *')].filter(e => e.getBoundingClientRect().right > innerWidth + 1)
           .map(e => e.tagName + '.' + e.className).slice(0, 9)"""
 LIT = ".chart-view .step.active"
@@ -205,7 +232,7 @@ class Report(browser.Case):
 
     def test_the_decisive_moment_of_a_claim_is_found(self):
         self.at("")
-        [button] = [b for b in self.page.all(".controls button") if "decisive" in b.text]
+        [button] = [b for b in self.page.all(".controls button") if "violation" in b.text]
         self.page.find(".chart-view").send_keys(Keys.HOME)
         button.click()
         claim = self.page.texts(".why .term.true")
@@ -224,13 +251,13 @@ class Report(browser.Case):
         at = self.report_of(SETTLED)
         at("#p/0")
         self.assertIn("must never be true in settled states", self.page.text(".why .answer"))
-        [button] = [b for b in self.page.all(".controls button") if "decisive" in b.text]
+        [button] = [b for b in self.page.all(".controls button") if "violation" in b.text]
         button.click()
         self.assertEqual(self.place(), "#p/6")
         self.assertEqual(self.lit(), ["step-3"])
         at("#q/0")
         self.assertIn("after this is true in settled states", self.page.text(".why .answer"))
-        self.assertEqual([b.text for b in self.page.all(".controls button") if "decisive" in b.text], [])
+        self.assertEqual([b.text for b in self.page.all(".controls button") if "violation" in b.text], [])
 
     def test_a_delay_that_began_since_timers_were_read_is_not_known(self):
         at = self.report_of(DELAYED, "--untimed")
@@ -290,6 +317,58 @@ class Report(browser.Case):
         self.at("#P16/131")
         self.assertGreater(len(self.page.pdf()), 30000)
 
+    def test_a_sentence_with_a_duration_or_a_scope_is_explained_event_by_event(self):
+        at = self.report_of(CROSSING)
+        for name in ("served", "once", "between", "comes", "often", "walks", "short", "first"):
+            with self.subTest(name):
+                at(f"#{name}/0")
+                headings = self.page.script("return [...page.player.claim.querySelectorAll('.answer')].map(e => e.textContent)")
+                self.assertTrue(headings)
+                self.assertFalse([each for each in headings if each.startswith(":")])
+                self.assertTrue(self.page.text(".violation"))
+                [button] = [b for b in self.page.all(".controls button") if "violation" in b.text]
+                button.click()
+                self.assertIn("Here", self.page.text(".standing"))
+                self.assertNotIn("observer", self.page.text(".signals"))
+                self.page.find(".player").send_keys(Keys.END)
+                self.assertEqual(self.page.script("return page.player.run.trace.moments.filter(m => m.kind === 'observer').length"), 0)
+                self.assertNotIn("+", self.page.text(".place"), "the last row is the last moment")
+        at("#served/0")
+        asked = self.page.script("const {run} = page.player; return run.timeText(run.data.violation.steps[0].moment)")
+        due = int(asked.split()[0]) + 31
+        self.assertEqual(self.page.text(".violation"), f"REQ at {asked}; deadline {due} s; P_GREEN not true by then.")
+        self.page.find(".violation button").click()
+        self.assertIn(f"{asked}: Button: pressed \u2014 REQ := true", self.page.text(".caption"))
+
+    def test_arrow_keys_move_a_player_in_sight_without_a_click(self):
+        at = self.report_of(CROSSING)
+        at("")
+        self.page.script("document.activeElement.blur(); scrollTo(0, 0)")
+        before = self.page.script("return page.player.moment")
+        below = self.page.script("return page.player.element.getBoundingClientRect().top >= innerHeight")
+        if below:
+            self.page.press(Keys.ARROW_RIGHT)
+            self.assertEqual(self.page.script("return page.player.moment"), before, "it is out of sight")
+        self.page.script("page.player.go(0); page.player.element.scrollIntoView()")
+        self.page.press(Keys.ARROW_RIGHT)
+        self.assertGreater(self.page.script("return page.player.moment"), 0)
+
+    def test_timing_diagram_and_values_are_in_sight_beside_the_chart(self):
+        at = self.report_of(CROSSING)
+        self.page.size("laptop")
+        at("#served/3")
+        self.page.script("page.player.element.scrollIntoView()")
+        for selector in (".chart-view", ".timing-view", ".signals"):
+            with self.subTest(selector):
+                self.assertLess(self.page.script("return document.querySelector(arguments[0]).getBoundingClientRect().top + 60 - innerHeight", selector), 0)
+
+    def test_verdicts_are_aligned_with_and_without_prose(self):
+        at = self.report_of(CROSSING)
+        at("")
+        edges = self.page.script("return [...document.querySelectorAll('.property .outcome')].map(e => Math.round(e.getBoundingClientRect().right))")
+        self.assertGreater(len(edges), 5)
+        self.assertEqual(len(set(edges)), 1, edges)
+
     def test_every_moment_tells_since_when_the_terms_of_a_claim_are_as_they_are(self):
         for name in ("P15", "P16"):
             self.at(f"#{name}/0")
@@ -321,7 +400,7 @@ class Report(browser.Case):
         self.at("#P16/0")
         standing = lambda: self.page.text(".standing")
         self.assertIn("What is never answered comes at", standing())
-        [button] = [b for b in self.page.all(".controls button") if "decisive" in b.text]
+        [button] = [b for b in self.page.all(".controls button") if "violation" in b.text]
         button.click()
         self.assertEqual(standing(), "Here begins what is never answered.")
         self.assertIn("true since", self.page.text(".why .answer"))

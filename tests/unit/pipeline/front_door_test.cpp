@@ -164,8 +164,8 @@ TEST(FrontDoor, CounterexamplesTellTheWordsOfTheirSentence) {
     ASSERT_TRUE(reading.model);
     Diagnostics diagnostics;
     for (const auto& [property, words] : std::vector<std::pair<std::string, std::string>>{
-             {"late", "`LAMP` at 1 s, and `!LAMP` does not come within 6s"},
-             {"often", "`LAMP` comes at 1 s, 5 s and at 9 s, more than 2 times"}}) {
+             {"late", "`LAMP` at 1 s; deadline 7 s; `!LAMP` not true by then"},
+             {"often", "`LAMP` at 1 s; `LAMP` at 5 s; `LAMP` at 9 s; more than 2 times"}}) {
         CheckOptions one;
         one.properties = {property};
         const auto report = check(*reading.model, Id<ClosedLoop>{0}, {}, one, diagnostics);
@@ -175,6 +175,91 @@ TEST(FrontDoor, CounterexamplesTellTheWordsOfTheirSentence) {
         EXPECT_EQ(report->answers[0].verdict.notes[0], words);
         EXPECT_EQ(report->answers[1].verdict.property, "no_timelock");
     }
+}
+
+/// Every form of docs/properties.md, violated.
+const std::string forms = R"(grafcet chart {
+    input BUTTON;
+    output LAMP;
+    initial step 0;
+    step 1 { LAMP; }
+    step 2;
+    transition t0: 0 -> 1 when BUTTON;
+    transition t1: 1 -> 2 when 4s/X1;
+    transition t2: 2 -> 0 when 2s/X2;
+}
+closed_loop room {
+    controller chart;
+    environment Button = push_button_released(OUT = BUTTON, HOLD = 1s);
+    property within: LAMP leads to !LAMP within 3s;
+    property holds_for: LAMP holds for 5s;
+    property holds_at_most: LAMP holds at most 3s;
+    property since: LAMP at most 2s since BUTTON;
+    property every: LAMP at least every 5s;
+    property precedes: LAMP precedes BUTTON;
+    property precedes_before: X2 precedes LAMP before X2;
+    property precedes_between: X0 precedes LAMP between X1 and X2;
+    property never_before: never LAMP before X2;
+    property never_after: never X0 after X2;
+    property never_between: never LAMP between X1 and X2;
+    property never_until: never X2 after X1 until X0;
+    property always_between: always BUTTON between X1 and X2;
+    property inevitable_before: inevitable X2 before LAMP;
+    property inevitable_after: inevitable X2 after X0;
+    property inevitable_between: inevitable X0 between X1 and X2;
+    property inevitable_until: inevitable X0 after X1 until X2;
+    property leads_before: BUTTON leads to X2 before LAMP;
+    property leads_after: X0 leads to LAMP after X0;
+    property leads_between: LAMP leads to X0 between X1 and X2;
+    property within_before: X1 leads to X2 within 2s before X2;
+    property within_after: X1 leads to X2 within 2s after BUTTON;
+    property within_between: X1 leads to X0 within 2s between X1 and X0;
+    property every_between: X2 at least every 3s between X1 and X0;
+    property at_most_between: X1 holds at most 3s between X1 and X0;
+    property once: LAMP at most 1 time;
+    property once_after: X2 at most 1 time after LAMP;
+}
+)";
+
+TEST(FrontDoor, ViolationsOfEveryFormAreExplainedEventByEvent) {
+    const std::vector<std::pair<std::string, std::string>> expected = {
+        {"within", "`LAMP` at 1 s; deadline 4 s; `!LAMP` not true by then"},
+        {"holds_for", "`LAMP` from 1 s on; required until 6 s; false at 5 s"},
+        {"holds_at_most", "`LAMP` from 1 s on; deadline 4 s; `LAMP` still true after it"},
+        {"since", "`BUTTON` false from 2 s on; `LAMP` allowed until 4 s; `LAMP` at 5 s"},
+        {"every", "no `LAMP` from 0 s on; deadline 5 s; `LAMP` not true by then"},
+        {"precedes", "`BUTTON` at 1 s; `LAMP` not true before"},
+        {"precedes_before", "`LAMP` at 1 s; `X2` not true before; `X2` at 5 s"},
+        {"precedes_between", "`X1` at 1 s; `LAMP` at 1 s; `X0` not true before; `X2` at 5 s"},
+        {"never_before", "`LAMP` at 1 s; `X2` at 5 s"},
+        {"never_after", "`X2` at 5 s; `X0` at 7 s"},
+        {"never_between", "`X1` at 1 s; `LAMP` at 1 s; `X2` at 5 s"},
+        {"never_until", "`X1` at 1 s; `X2` at 5 s"},
+        {"always_between", "`X1` at 1 s; `BUTTON` false at 2 s; `X2` at 5 s"},
+        {"inevitable_before", "`LAMP` at 1 s; `X2` not true by then"},
+        {"inevitable_after", "`X0` at 0 s; `X2` never true after that"},
+        {"inevitable_between", "`X1` at 1 s; `X2` at 5 s; `X0` not true by then"},
+        {"inevitable_until", "`X1` at 1 s; `X2` at 5 s; `X0` not true by then"},
+        {"leads_before", "`BUTTON` at 1 s; `LAMP` at 1 s; `X2` not true by then"},
+        {"leads_after", "`X0` at 0 s; `X0` at 0 s; `LAMP` never true after that"},
+        {"leads_between", "`X1` at 1 s; `LAMP` at 1 s; `X2` at 5 s; `X0` not true by then"},
+        {"within_before", "`X1` at 1 s; deadline 3 s; `X2` not true by then; `X2` at 5 s"},
+        {"within_after", "`BUTTON` at 1 s; `X1` at 1 s; deadline 3 s; `X2` not true by then"},
+        {"within_between", "`X1` at 1 s; `X1` at 1 s; deadline 3 s; `X0` not true by then; `X0` at 7 s"},
+        {"every_between", "`X1` at 1 s; no `X2` from 1 s on; deadline 4 s; `X2` not true by then; `X0` at 7 s"},
+        {"at_most_between", "`X1` at 1 s; `X1` from 1 s on; deadline 4 s; `X1` still true after it; `X0` at 7 s"},
+        {"once", "`LAMP` at 1 s; `LAMP` at 7 s; more than once"},
+        {"once_after", "`LAMP` at 1 s; `X2` at 5 s; `X2` at 11 s; more than once"}};
+    const Reading reading = read_string(forms, "forms.grafcet");
+    ASSERT_TRUE(reading.model) << reading.complaints();
+    Diagnostics diagnostics;
+    const auto report = check(*reading.model, Id<ClosedLoop>{0}, {}, {}, diagnostics);
+    ASSERT_TRUE(report);
+    std::vector<std::pair<std::string, std::string>> found;
+    for (const Answer& answer : report->answers)
+        if (answer.verdict.outcome == Outcome::Violated && !answer.verdict.notes.empty())
+            found.emplace_back(answer.verdict.property, answer.verdict.notes[0]);
+    EXPECT_EQ(found, expected);
 }
 
 TEST(FrontDoor, IncludesComeFromWhereTheCallerSays) {
