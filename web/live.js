@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The page of `serve`: the newest state of the file, asked for again and again, and shown. Everything is built of text; what
 // anybody wrote in a file is never read as markup, save the drawings, which the server made and the browser reads as SVG.
-import {make} from "./dom.js";
-import {lightStep, lightTransition} from "./marks.js";
+import {make, prose} from "./dom.js";
+import {follow, lightStep, lightTransition} from "./marks.js";
 import {Simulator} from "./simulator.js";
 
 const token = new URLSearchParams(location.search).get("token") ?? "";
@@ -22,7 +22,7 @@ export async function ask(path, body) {
 // The drawings of the charts, in which steps are lit.
 class Drawings {
     constructor(place) {
-        Object.assign(this, {place, reading: null, lit: [], fired: []});
+        Object.assign(this, {place, reading: null, lit: [], fired: [], marks: []});
     }
 
     async show(state) {
@@ -30,6 +30,7 @@ class Drawings {
         this.reading = state.reading;
         const answer = await ask("/drawings");
         if (answer.reading !== this.reading || answer.drawings.length !== state.charts.length) return;  // it has changed again
+        this.marks = (answer.marks ?? []).filter(Boolean);
         this.place.replaceChildren(...state.charts.map((chart, place) => make("figure", {},
             make("figcaption", {}, make("h3", {}, chart.name)),
             answer.drawings[place] === null ? make("p", {class: "remark"}, "It is too large to be drawn here.")
@@ -51,15 +52,28 @@ class Drawings {
             for (const each of this.place.querySelectorAll(`.${name}`)) light(each, false);
             for (const id of ids) light(document.getElementById(id), true);
         };
-        show("active", lit, lightStep);
+        show("step.active", lit, lightStep);
         show("cleared", fired, lightTransition);
+        const active = new Set(lit);
+        for (const {transitions, actions} of this.marks) {
+            for (const {ids, from} of transitions)
+                for (const id of ids)
+                    document.getElementById(id)?.classList.toggle("enabled", lit.length > 0 && from.every((step) => active.has(step)));
+            for (const {id, step} of actions) document.getElementById(id)?.classList.toggle("active", active.has(step));
+        }
+        for (const view of this.place.querySelectorAll(".drawing")) follow(view, [...view.querySelectorAll(".step.active")]);
     }
 }
 
 const outcomes = {holds: "holds", violated: "is violated", unknown: "is not known"};
 
+const kindOf = (property) => property.verdict === "unknown" ? "unknown" : property.as_expected ? "good" : "bad";
+
+// The unexpected first, then what is violated as expected, then what holds.
+const rank = (property) => ({bad: 0, unknown: 1, good: property.verdict === "violated" ? 2 : 3}[kindOf(property)]);
+
 function propertyElement(property) {
-    const kind = property.verdict === "unknown" ? "unknown" : property.as_expected ? "good" : "bad";
+    const kind = kindOf(property);
     const mark = {good: "\u2713", bad: "\u2717", unknown: "?"}[kind];
     const expected = property.expected === "violated" ? ", as is expected of it" : "";
     const words = outcomes[property.verdict] + (property.vacuous ? " vacuously" : "") +
@@ -68,8 +82,8 @@ function propertyElement(property) {
         make("span", {class: "outcome"}, `${mark} ${property.name} ${words}`),
         property.text ? make("p", {}, property.text) : "",
         property.claim ? make("code", {}, property.claim) : "",
-        property.reason ? make("p", {class: "remark"}, property.reason) : "",
-        ...property.notes.map((note) => make("p", {class: "remark"}, note)));
+        property.reason ? make("p", {class: "remark"}, ...prose(property.reason)) : "",
+        ...property.notes.map((note) => make("p", {class: "remark"}, ...prose(note))));
 }
 
 const progress = {waiting: "Its turn comes.", refused: "It cannot be checked."};
@@ -83,7 +97,7 @@ function modelElement(model) {
         running ? make("p", {class: "remark"}, running) : "",
         model.state === "done" ? make("p", {}, make("a", {href: reportAddress(model), target: "_blank", rel: "noopener"}, "The whole report, with a player of its runs")) : "",
         ...model.errors.map((error) => make("p", {class: "problem"}, `\u2717 ${error.message} [${error.code}]`)),
-        ...model.properties.map(propertyElement));
+        ...[...model.properties].sort((a, b) => rank(a) - rank(b)).map(propertyElement));
 }
 
 // Nothing is well while a part of the file is not judged.
@@ -120,6 +134,8 @@ class Page {
         by("status").className = kind;
         by("status").textContent = `${{good: "\u2713 ", bad: "\u2717 ", unknown: "? "}[kind] ?? ""}${words}`;
         by("diagnostics").hidden = state.complaints === "";
+        by("diagnostics").classList.toggle("errors", state.errors > 0);
+        by("diagnostics-title").textContent = state.errors > 0 ? "Errors" : "Warnings";
         if (by("complaints").textContent !== state.complaints) by("complaints").textContent = state.complaints;
         this.drawings.show(state).catch((error) => this.lose(error));
         if (state.readable) by("models").replaceChildren(...state.models.map(modelElement));

@@ -194,10 +194,16 @@ export class Simulator {
             boolean(signal) ? make("span", {}, signal.name) : `${signal.name} = ${signal.value}`,
             boolean(signal) ? make("span", {class: "remark"}, signal.value ? " true" : " false") : "");
         const group = (title, list, element) => list.length === 0 ? [] : [make("h3", {}, title), element];
+        const inputs = (title, id, chosen) => {
+            const list = of("input").filter(chosen);
+            return group(title, list, make("div", {class: "row", id}, ...list.map(input)));
+        };
         const values = (role) => make("ul", {class: "values"}, ...of(role).map(value));
         const choices = answer.choices.filter((choice) => choice.words !== choice.command);
         this.panel.replaceChildren(
-            ...group("Inputs", of("input"), make("div", {class: "row", id: "inputs"}, ...of("input").map(input))),
+            ...inputs("Operator inputs", "inputs", (signal) => signal.by === "environment"),
+            ...inputs("Sensors", "sensors", (signal) => signal.by === "plant"),
+            ...inputs("Inputs", "free-inputs", (signal) => !signal.by),
             ...group("The plant can", choices, make("div", {class: "row", id: "choices"}, ...choices.map((choice) =>
                 make("button", {type: "button", "data-command": choice.command, onclick: () => this.move(choice.command)}, choice.words)))),
             ...group("Outputs", of("output"), values("output")),

@@ -244,6 +244,48 @@ class Serve(browser.Case):
                     self.assertEqual(self.page.script(browser.UNNAMED), [])
                     self.assertLessEqual(self.page.script(browser.EXCESS_WIDTH), 0)
 
+    def test_enabled_transitions_and_active_actions_are_lit_and_the_view_follows(self):
+        steps = range(1, 30)
+        self.serve("grafcet long { input ON; output LAMP; initial step 0 { LAMP; }\n" +
+                   "".join(f"step {k};\ntransition t{k}: {k - 1} -> {k} when ON;\n" for k in steps) +
+                   "transition t30: 29 -> 0 when !ON; }\n")
+        self.page.wait_for("#c0-step-0.active .token")
+        lit = lambda selector: self.page.script("return [...document.querySelectorAll(arguments[0])].map(e => e.id)", selector)
+        self.assertEqual(lit(".transition.enabled, .condition.enabled"), ["c0-transition-t1", "c0-condition-t1"])
+        self.assertEqual(lit(".action.active"), ["c0-action-c0"])
+        self.press("ON is false")
+        self.page.wait_for("#c0-step-29.active .token")
+        self.assertEqual(lit(".transition.enabled"), ["c0-transition-t30"])
+        self.assertEqual(lit(".action.active"), [])
+        outside = """const step = document.getElementById('c0-step-29').getBoundingClientRect(),
+                     view = document.querySelector('.drawing').getBoundingClientRect();
+                     return step.top < view.top || step.bottom > view.bottom"""
+        self.assertFalse(self.page.script(outside))
+
+    def test_unexpected_verdicts_come_first_and_warnings_are_no_errors(self):
+        self.serve("grafcet lamp { input ON; output LAMP; initial step 0; step 1 { LAMP; } step 7;\n"
+                   "transition on: 0 -> 1 when ON; transition off: 1 -> 0 when !ON; }\n"
+                   "closed_loop l { controller lamp with stability_search; environment A = push_button(OUT = ON);\n"
+                   "property HOLDS: never X1 && X0; property EXPECTED expected violated: never LAMP; property BAD: never X1; }\n")
+        browser.eventually(lambda: "not as expected" in self.page.text("#status"), 30, "the verdicts")
+        names = [words.split()[1] for words in self.page.texts(".property .outcome")]
+        self.assertEqual(names[:3], ["BAD", "EXPECTED", "HOLDS"])
+        self.assertEqual(self.page.text("#diagnostics-title"), "Warnings")
+        self.assertFalse(self.page.all("#diagnostics.errors"))
+        self.file.write_text("grafcet")
+        self.page.wait_for_text("#diagnostics-title", "Errors")
+        self.assertTrue(self.page.all("#diagnostics.errors"))
+
+    def test_operator_inputs_are_apart_from_sensors(self):
+        self.serve(OVEN.read_text())
+        self.page.wait_for("#inputs button")
+        environment = set(self.page.script("return page.simulator.answer.signals.filter(s => s.role === 'input' && s.by === 'environment').map(s => s.name)"))
+        shown = lambda place: {words.split()[0] for words in self.page.texts(f"#{place} button")}
+        self.assertIn("START", environment)
+        self.assertEqual(shown("inputs"), environment)
+        self.assertTrue(shown("sensors"))
+        self.assertFalse(shown("inputs") & shown("sensors"))
+
     def test_a_server_that_has_ended_is_said(self):
         server = self.serve(LAMP)
         server.stop()

@@ -2,10 +2,13 @@
 #include "app/serve/play.hpp"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "grafverif/ir/drawing.hpp"
+#include "page/terms.hpp"
+#include "pipeline/chart_text.hpp"
 #include "pipeline/models.hpp"
 #include "report/table.hpp"
 #include "simulate/simulation.hpp"
@@ -66,7 +69,9 @@ std::string line_of(const Command& command, const Simulation& simulation) {
 /// Makes the moves, one after the other, and keeps where each leads.
 class Player {
 public:
-    Player(Simulation& simulation, std::vector<ElementIds> ids) : simulation_(simulation), ids_(std::move(ids)) {}
+    /// `writers`: of a loop, per shared variable, `environment` or `plant`.
+    Player(Simulation& simulation, std::vector<ElementIds> ids, std::map<std::string, std::string> writers)
+        : simulation_(simulation), ids_(std::move(ids)), writers_(std::move(writers)) {}
 
     Json play(const Wish& wish) {
         problem_ = simulation_.begin();
@@ -165,6 +170,7 @@ private:
             if (signal.role == ChartRun::Role::Image) continue;
             list.push_back({{"name", signal.name},
                             {"role", word(signal.role)},
+                            {"by", writers_.contains(signal.name) ? Json(writers_.at(signal.name)) : Json(nullptr)},
                             {"value", signal.type.boolean ? Json(value != 0) : Json(value)},
                             {"low", signal.type.low},
                             {"high", signal.type.high}});
@@ -198,10 +204,42 @@ private:
 
     Simulation& simulation_;
     std::vector<ElementIds> ids_;
+    std::map<std::string, std::string> writers_;
     std::vector<std::string> made_ = {};
     std::vector<std::size_t> ends_ = {};  ///< rows there were behind the power-on, and behind each move
     std::string problem_ = {};
 };
+
+/// Per shared variable that an instance writes, the kind of the instance.
+std::map<std::string, std::string> writers_of(const Model& model, const ClosedLoop& loop) {
+    std::map<std::string, std::string> writers;
+    for (const ClosedLoop::Instance& instance : loop.instances) {
+        const Component& component = model.components[instance.component];
+        for (const Id<Component::Parameter> id : component.parameters.ids())
+            if (const auto* shared = std::get_if<Id<ClosedLoop::Shared>>(&instance.arguments[id.index]);
+                shared != nullptr && component.parameters[id].kind == Component::ParameterKind::Output)
+                writers[loop.shared[*shared].name] = instance.environment ? "environment" : "plant";
+    }
+    return writers;
+}
+
+/// What lights the elements of a drawing: per transition its ids and the steps that enable it, per action its step.
+Json marks_of(const Chart& chart, const ElementIds& ids) {
+    const Json known = chart_json(chart);
+    Json transitions = Json::array(), actions = Json::array();
+    for (std::size_t k = 0; k < ids.transitions.size(); ++k) {
+        Json from = Json::array();
+        for (const Json& step : known["transitions"][k]["from"]) from.push_back(ids.steps[step.get<std::size_t>()]);
+        transitions.push_back({{"ids", {ids.transitions[k], ids.conditions[k]}}, {"from", std::move(from)}});
+    }
+    const auto add = [&](const std::vector<std::string>& list, const Json& owners) {
+        for (std::size_t k = 0; k < list.size(); ++k)
+            actions.push_back({{"id", list[k]}, {"step", ids.steps[owners[k].get<std::size_t>()]}});
+    };
+    add(ids.continuous, known["ownerOfAction"]);
+    add(ids.forcing, known["ownerOfForcing"]);
+    return {{"transitions", std::move(transitions)}, {"actions", std::move(actions)}};
+}
 
 Json played(const Workpiece& piece, const Options& options, const Wish& wish) {
     if (!piece.reading.model) return complaint("the file has errors; nothing can be simulated");
@@ -215,14 +253,14 @@ Json played(const Workpiece& piece, const Options& options, const Wish& wish) {
             ids.push_back(element_ids(model.charts[controller.chart], drawing_prefix(controller.chart)));
         Simulation simulation(*piece.networks[loop->index], charts_of(model, model.loops[*loop]),
                               wish.everything ? Detail::Everything : Detail::Chart);
-        return Player(simulation, std::move(ids)).play(wish);
+        return Player(simulation, std::move(ids), writers_of(model, model.loops[*loop])).play(wish);
     }
     const auto chart = find_chart(model, wish.chart);
     if (!chart || !piece.runs[chart->index])
         return complaint("there is no chart `" + wish.chart + "` that can be simulated");
     Simulation simulation(model.charts[*chart], execution_mode(model, *chart, options.mode),
                           wish.everything ? Detail::Everything : Detail::Chart);
-    return Player(simulation, {element_ids(model.charts[*chart], drawing_prefix(*chart))}).play(wish);
+    return Player(simulation, {element_ids(model.charts[*chart], drawing_prefix(*chart))}, {}).play(wish);
 }
 
 }  // namespace
@@ -231,14 +269,17 @@ std::string drawing_prefix(Id<Chart> chart) { return "c" + std::to_string(chart.
 
 std::string drawings(const Workpiece& piece) {
     constexpr std::size_t most_steps = 5'000;  // nobody looks at more at once
-    Json list = Json::array();
+    Json list = Json::array(), marks = Json::array();
     if (piece.reading.model)
         for (const Id<Chart> id : piece.reading.model->charts.ids()) {
-            const bool is_drawn = piece.reading.model->charts[id].steps.size() <= most_steps;
+            const Chart& chart = piece.reading.model->charts[id];
+            const bool is_drawn = chart.steps.size() <= most_steps;
             const DrawOptions options{.prefix = drawing_prefix(id)};
-            list.push_back(is_drawn ? Json(svg_of(drawing_of(*piece.reading.model, id, options))) : Json(nullptr));
+            marks.push_back(is_drawn ? marks_of(chart, element_ids(chart, options.prefix)) : Json(nullptr));
+            list.push_back(is_drawn ? Json(svg_of(drawing_of(*piece.reading.model, id, options, piece.reading.sources)))
+                                    : Json(nullptr));
         }
-    return json_text({{"reading", piece.number}, {"drawings", std::move(list)}}, -1);
+    return json_text({{"reading", piece.number}, {"drawings", std::move(list)}, {"marks", std::move(marks)}}, -1);
 }
 
 std::string play(const Workpiece& piece, const Options& options, const std::string& request) {
