@@ -230,7 +230,8 @@ void place(std::vector<Panel> panels, int top, Drawing& drawing) {
     Packing best = packed(panels, top, margin + std::max(widest, greatest_page));
     for (int k = 0; k < tries && widest < greatest_page; ++k) {
         Packing other = packed(panels, top, margin + widest + (greatest_page - widest) * k / tries);
-        if (other.page() < best.page()) best = std::move(other);
+        const bool narrower = other.page() == best.page() && other.size.width < best.size.width;
+        if (other.page() < best.page() || narrower) best = std::move(other);
     }
     for (std::size_t k = 0; k < panels.size(); ++k)
         for (Element& element : panels[k].elements) {
