@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,9 +15,11 @@
 
 #include "check/cells/cells.hpp"
 #include "check/timed/timed.hpp"
+#include "compose/observe.hpp"
 #include "explain/drop.hpp"
 #include "ir/patterns.hpp"
 #include "pipeline/models.hpp"
+#include "support/element_of.hpp"
 #include "support/overloaded.hpp"
 #include "syntax/print/chart.hpp"
 #include "syntax/print/component.hpp"
@@ -88,6 +91,15 @@ std::string edge_name(const Component& component, Id<Component::Edge> id) {
     return ways + (guard.empty() ? "" : " when " + guard);
 }
 
+/// `network` with the observer of `property`, which is then its only property.
+Network with_observer(const Network& network, Id<Property> property) {
+    Network made = observed(network, {property});
+    const Property decided = element_of(made.properties, network.properties[property].name, &Property::name);
+    made.properties = {};
+    made.properties.add(decided);
+    return made;
+}
+
 class Seeker {
 public:
     Seeker(const Model& model, Id<ClosedLoop> loop, const ModelOptions& how, const CheckOptions& options,
@@ -109,7 +121,7 @@ public:
         std::vector<Verdict> found;
         for (const Answer& answer : report.answers) found.push_back(answer.verdict);
         for (const Property& property : network->properties)
-            if (property.pattern != Pattern::Watched && outcome_of(found, property.name) == Outcome::Holds)
+            if (outcome_of(found, property.name) == Outcome::Holds)
                 why_.grounds.push_back(
                     {.property = property.name, .about_states = is_about_all_states(property.pattern)});
         if (why_.grounds.empty()) return std::move(why_);
@@ -132,11 +144,22 @@ private:
         set_limits(timed, options_.limits);
         timed.jobs = options_.jobs;
         timed.timelock = false;
-        if (stopped()) return {};
-        ++why_.searches;
-        TimedResult result =
-            options_.whole ? check_timed(network, timed) : check_timed_by_cells(network, timed, cells_);
-        return std::move(result.verdicts);
+        std::vector<Id<Property>> by_observers = watched(network);
+        std::erase_if(by_observers,
+                      [&](Id<Property> id) { return std::erase(timed.properties, network.properties[id].name) == 0; });
+        std::vector<Verdict> found;
+        const auto add = [&](TimedResult result) { std::ranges::move(result.verdicts, std::back_inserter(found)); };
+        if (!timed.properties.empty() && !stopped()) {
+            ++why_.searches;
+            add(options_.whole ? check_timed(network, timed) : check_timed_by_cells(network, timed, cells_));
+        }
+        for (const Id<Property> id : by_observers) {
+            if (stopped()) break;
+            ++why_.searches;
+            timed.properties = {network.properties[id].name};
+            add(check_timed(with_observer(network, id), timed));
+        }
+        return found;
     }
 
     bool stopped() {
@@ -150,13 +173,13 @@ private:
         std::vector<std::string> names;
         std::vector<Property> questions;
         for (const Ground& ground : why_.grounds) {
-            const auto property = std::ranges::find(network.properties, ground.property, &Property::name);
-            const Id<Expr> asked = left_side(*property, network.exprs);
+            const Property& property = element_of(network.properties, ground.property, &Property::name);
+            const Id<Expr> asked = left_side(property, network.exprs);
             if (!asked.valid()) continue;
             questions.push_back({.name = ground.property + " is asked",
                                  .pattern = Pattern::Reachable,
                                  .operands = {asked},
-                                 .at_stable = property->at_stable});
+                                 .at_stable = property.at_stable});
             names.push_back(questions.back().name);
         }
         for (Property& question : questions) network.properties.add(std::move(question));
@@ -351,7 +374,7 @@ private:
     }
 
     bool leave_out_all(const std::vector<Id<Network::Process>>& processes, Network& open, const Ground& ground) {
-        const Property& property = *std::ranges::find(open.properties, ground.property, &Property::name);
+        const Property& property = element_of(open.properties, ground.property, &Property::name);
         Network less = open;
         for (const Id<Network::Process> id : processes)
             if (open.processes[id].kind == Network::ProcessKind::Timer) drop_timing(less, id);
@@ -364,7 +387,7 @@ private:
     /// Leaves as much as can be of a process out of `open`. Holds: that is all; Unknown: nothing is said of it.
     Outcome leave_out(Id<Network::Process> id, Network& open, Ground& ground) {
         const std::string& name = told_[id.index];
-        const Property& property = *std::ranges::find(open.properties, ground.property, &Property::name);
+        const Property& property = element_of(open.properties, ground.property, &Property::name);
         const bool timer = open.processes[id].kind == Network::ProcessKind::Timer;
         const auto without = [&](Network less) {
             const Outcome outcome = outcome_of(search(less, {ground.property}), ground.property);

@@ -14,6 +14,7 @@
 #include "check/shares.hpp"
 #include "check/timed/questions.hpp"
 #include "ir/patterns.hpp"
+#include "support/element_of.hpp"
 
 namespace grafverif {
 
@@ -123,9 +124,8 @@ void ByCells::look_at_whole() {
     probed.properties.add(std::move(probe));
     if (!first.properties.empty()) first.properties.emplace_back(settled_probe);
     result_ = whole_(probed, first);
-    const auto settled = std::ranges::find(result_.verdicts, settled_probe, &Verdict::property);
-    ever_settled_ = settled->outcome == Outcome::Holds;
-    result_.verdicts.erase(settled);
+    ever_settled_ = element_of(result_.verdicts, settled_probe, &Verdict::property).outcome == Outcome::Holds;
+    std::erase_if(result_.verdicts, [](const Verdict& verdict) { return verdict.property == settled_probe; });
 }
 
 /// Whether the bound on the first look is all that ended it.
@@ -318,11 +318,12 @@ TimedResult ByCells::search_whole() {
         for (const Verdict& verdict : result_.verdicts)
             if (!by_cells(verdict) && verdict.about.valid())
                 options.properties.push_back(network_.properties[verdict.about].name);
+        if (options.properties.empty()) options.properties.push_back(timed::undeclared_timelock(network_).name);
     }
     TimedResult whole = whole_(network_, options);
     for (Verdict& verdict : result_.verdicts) {
         if (by_cells(verdict)) continue;
-        const Verdict& found = *std::ranges::find(whole.verdicts, verdict.property, &Verdict::property);
+        const Verdict& found = element_of(whole.verdicts, verdict.property, &Verdict::property);
         const bool ended_before = found.outcome == Outcome::Unknown && verdict.outcome != Outcome::Unknown;
         const bool first_was_greater =
             found.obstacle == Obstacle::Stopped && std::stoull(found.states) < std::stoull(verdict.states);

@@ -11,6 +11,7 @@
 #include "check/shares.hpp"
 #include "check/timed/questions.hpp"
 #include "ir/network_parts.hpp"
+#include "support/element_of.hpp"
 
 namespace grafverif {
 
@@ -25,7 +26,7 @@ struct Search {
     TimedResult result = {};
 
     const Verdict& verdict(const std::string& name) const {
-        return *std::ranges::find(result.verdicts, name, &Verdict::property);
+        return element_of(result.verdicts, name, &Verdict::property);
     }
 };
 
@@ -318,7 +319,7 @@ void ByParts::search_whole() {
     count(whole);
     for (const auto& [index, why] : whole_) {
         PartQuestion& question = questions_[index];
-        Verdict verdict = *std::ranges::find(whole.verdicts, question.verdict.property, &Verdict::property);
+        Verdict verdict = element_of(whole.verdicts, question.verdict.property, &Verdict::property);
         if (!why.empty()) verdict.notes.push_back("the whole loop was searched: " + why);
         tell_earlier(verdict, "searches of independent subsystems", earlier);
         take(question, std::move(verdict));

@@ -52,7 +52,7 @@ void add_steps(const Network& network, const NetworkParts& parts, const PartQues
 std::vector<PartQuestion> part_questions(const Network& network, const NetworkParts& parts,
                                          const TimedOptions& options) {
     std::vector<PartQuestion> list;
-    bool timelock_asked = false;
+    bool timelock_asked = !options.timelock;
     for (const Id<Property> id : network.properties.ids()) {
         const Property& property = network.properties[id];
         if (!timed::asked(options, property)) continue;

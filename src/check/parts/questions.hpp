@@ -22,7 +22,7 @@ struct PartQuestion {
     bool race = false;  ///< then: whether there is an action race
 };
 
-/// Those of the properties asked for, each step of an expanding one by itself, and `no timelock`, which is always told.
+/// The properties asked for, each step of an expanding one separately, and `no timelock` unless `options` exclude it.
 std::vector<PartQuestion> part_questions(const Network& network, const NetworkParts& parts,
                                          const TimedOptions& options);
 

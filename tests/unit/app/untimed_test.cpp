@@ -37,6 +37,26 @@ TEST(CheckUntimed, SaysOfEachVerdictWhatItRestsOn) {
         << result.out;
 }
 
+TEST(CheckUntimed, DecidesIndependentControllersThatNeverBecomeStable) {
+    const Folder folder;
+    const std::string file =
+        folder.write("twins.grafcet",
+                     "grafcet a { initial step 0; transition t0: 0 -> 0 when true; }\n"
+                     "grafcet b { initial step 0; transition t0: 0 -> 0 when true; }\n"
+                     "closed_loop twins { controller a; controller b; property p: always a.X0; }\n");
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{}, {"--time", "discrete"}, {"--max-memory", "512M"}}) {
+        std::vector<std::string> words{"check", file, "--untimed", "--plant", "automata", "--engine", "auto"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Result result = grafverif(words);
+        EXPECT_EQ(result.code, ExitCode::Done) << result.err;
+        EXPECT_NE(result.out.find("p         holds"), std::string::npos) << result.out;
+    }
+    const Result why = grafverif({"check", file, "--why", "--timeout", "20s"});
+    EXPECT_EQ(why.err.find("[out-of-memory]"), std::string::npos) << why.err;
+    EXPECT_NE(why.out.find("why it holds"), std::string::npos) << why.out;
+}
+
 TEST(CheckUntimed, TimesThatPropertiesReadAreFreeWithoutAPlant) {
     const Folder folder;
     const std::string file = folder.write(

@@ -75,6 +75,18 @@ TEST(Parts, WhatCarriesNothingFromOneToAnotherTiesNothing) {
     EXPECT_EQ(parts_of(s.network).of_process, (std::vector<std::uint32_t>{0, 1, 0}));
 }
 
+TEST(Parts, NoTimelockIsNotDecidedIfTheOptionsExcludeIt) {
+    Sketch s;
+    const Pulse lamp(s), other(s, "other");
+    ask_of(s, lamp);
+    TimedOptions options;
+    options.timelock = false;
+    const TimedResult apart = check_timed_by_parts(s.network, options), whole = check_timed(s.network, options);
+    ASSERT_EQ(apart.verdicts.size(), whole.verdicts.size());
+    for (std::size_t k = 0; k < apart.verdicts.size(); ++k)
+        EXPECT_EQ(apart.verdicts[k].property, whole.verdicts[k].property);
+}
+
 TEST(Parts, EachVerdictSaysWhatItLeavesOut) {
     Sketch s;
     const Pulse lamp(s), other(s, "other"), third(s, "third");
