@@ -18,6 +18,7 @@
 #include "app/system/guard.hpp"
 #include "app/verbs.hpp"
 #include "support/messages.hpp"
+#include "support/messages_system.hpp"
 #include "support/printable.hpp"
 #include "support/render.hpp"
 #include "syntax/resolve/nearest.hpp"
@@ -114,7 +115,8 @@ GuardOrders orders(const Job& job, const Streams& streams) {
 
 /// Errors that say nothing of the input: a bound of this run was met, and with another one there may be none.
 bool about_bounds(const Diagnostic& diagnostic) {
-    return diagnostic.code == "stopped" || diagnostic.code == "out-of-memory" || diagnostic.code == "bound-reached";
+    return diagnostic.code == "stopped" || diagnostic.code == "out-of-memory" || diagnostic.code == "threads-refused" ||
+           diagnostic.code == "bound-reached";
 }
 
 /// The code of the verb and that of its errors as one.
@@ -192,8 +194,10 @@ private:
             job_.diagnostics.add(messages::out_of_memory(job_.options.max_memory));
         } catch (const std::system_error& failure) {
             const bool memory = failure.code() == std::errc::not_enough_memory;
-            job_.diagnostics.add(memory ? messages::out_of_memory(job_.options.max_memory)
-                                        : messages::world_failed(failure.what()));
+            const bool thread = failure.code() == std::errc::resource_unavailable_try_again;
+            job_.diagnostics.add(memory   ? messages::out_of_memory(job_.options.max_memory)
+                                 : thread ? messages::threads_refused()
+                                          : messages::world_failed(failure.what()));
         }
         code = exit_code(job_, code);
         failed_ = failed_ || job_.diagnostics.has_errors();

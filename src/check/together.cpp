@@ -96,6 +96,7 @@ private:
     void by_solvers() {
         PdrOptions options;
         options.method = PdrOptions::Method::InTurns;
+        options.equal_latches = options_.equal_latches;
         options.properties = options_.properties;
         options.max_memory = options_.max_memory;
         options.deadline = options_.deadline;

@@ -26,6 +26,7 @@ struct TogetherOptions {
     std::function<void(const TogetherProgress&)> progress = {};  ///< called now and then, by the caller's thread
     bool witnesses = true;                                       ///< a run for each `reachable` that holds
     bool whole = false;                                          ///< the symbolic engine takes nothing apart
+    bool equal_latches = false;                                  ///< see PdrOptions
 };
 
 /// Requires verify(system).empty(). What the system refuses to a thread is thrown here.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -83,6 +84,7 @@ std::string basis_words(const Report& report, const Answer& answer) {
 
 SharedBasis shared_basis(const Report& report, const std::vector<const Answer*>& answers) {
     SharedBasis basis{common_words(report.basis), {}};
+    std::map<std::string, std::size_t> known;  // index of the group with these words
     const auto same = agreed(answers);
     for (const auto& part : same) append(basis.shared, part.value_or(""), "; ");
     for (const Answer* answer : answers) {
@@ -91,9 +93,9 @@ SharedBasis shared_basis(const Report& report, const std::vector<const Answer*>&
         for (std::size_t k = 0; k < parts.size(); ++k)
             if (parts[k] != same[k]) append(own, parts[k], "; ");
         if (own.empty()) continue;
-        auto group = std::ranges::find(basis.groups, own, &SharedBasis::Group::words);
-        if (group == basis.groups.end()) group = basis.groups.insert(group, {own, {}});
-        group->answers.push_back(answer);
+        const auto [place, fresh] = known.try_emplace(own, basis.groups.size());
+        if (fresh) basis.groups.push_back({own, {}});
+        basis.groups[place->second].answers.push_back(answer);
     }
     return basis;
 }
@@ -103,19 +105,21 @@ std::string family_of(const Answer& answer) {
     return dot == std::string::npos ? "" : answer.verdict.property.substr(0, dot);
 }
 
-std::string names_of(const Report& report, const std::vector<const Answer*>& answers) {
-    const auto size = [](const std::string& family, const auto& list, const auto& answer_of) {
-        return std::ranges::count_if(list, [&](const auto& one) { return family_of(answer_of(one)) == family; });
-    };
+FamilySizes family_sizes(const Report& report) {
+    FamilySizes sizes;
+    for (const Answer& answer : report.answers) ++sizes[family_of(answer)];
+    return sizes;
+}
+
+std::string names_of(const FamilySizes& all, const std::vector<const Answer*>& answers) {
+    FamilySizes here;
+    for (const Answer* answer : answers) ++here[family_of(*answer)];
     std::string names;
     std::set<std::string> named;
     for (const Answer* answer : answers) {
         std::string name = answer->verdict.property;
         const std::string family = family_of(*answer);
-        const auto itself = [](const Answer& one) -> const Answer& { return one; };
-        const auto behind = [](const Answer* one) -> const Answer& { return *one; };
-        const auto steps = size(family, answers, behind);
-        if (!family.empty() && steps > 1 && steps == size(family, report.answers, itself)) name = family;
+        if (!family.empty() && here[family] > 1 && here[family] == all.at(family)) name = family;
         if (named.insert(name).second) append(names, name, ", ");
     }
     return names;

@@ -2,6 +2,8 @@
 // What verdicts rest on, in words: of one verdict, or of several, where what they share is said once.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,11 @@ SharedBasis shared_basis(const Report& report, const std::vector<const Answer*>&
 /// The property of which this is one step (`S` of `S.X7`); empty: it is about itself.
 std::string family_of(const Answer& answer);
 
+/// Number of answers of a report per family_of.
+using FamilySizes = std::map<std::string, std::size_t>;
+FamilySizes family_sizes(const Report& report);
+
 /// `P1, P2, S`: the names of the answers, one for a property all steps of which are among them.
-std::string names_of(const Report& report, const std::vector<const Answer*>& answers);
+std::string names_of(const FamilySizes& all, const std::vector<const Answer*>& answers);
 
 }  // namespace grafverif

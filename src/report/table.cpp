@@ -77,13 +77,14 @@ Cells cells(const ChartRun& run, std::size_t index, bool complete) {
     return cells;
 }
 
-std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
+std::vector<std::string> wrapped(std::string_view text, std::size_t width, std::optional<std::size_t> later_width) {
     std::vector<std::string> lines;
     for (std::size_t fit = bytes_within(text, width); fit < text.size(); fit = bytes_within(text, width)) {
         const std::size_t blank = text.rfind(' ', fit);
         const bool at_blank = blank != std::string_view::npos && blank > 0;
         const std::size_t end = at_blank ? blank : std::max(fit, first_glyph(text).bytes);
         lines.emplace_back(text.substr(0, end));
+        width = later_width.value_or(width);
         text.remove_prefix(at_blank ? end + 1 : end);
     }
     if (!text.empty() || lines.empty()) lines.emplace_back(text);

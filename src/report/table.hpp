@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,7 @@ std::string situation_words(const ChartRun& run, const ChartRun::State& state);
 std::string standing_words(const ChartRun& run, ChartRun::Role role, const ChartRun::State& state);
 
 /// The lines of `text` in `width` columns of a terminal, broken at blanks, or between any characters of a word that is too
-/// long; a line has a character at least.
-std::vector<std::string> wrapped(std::string_view text, std::size_t width);
+/// long; a line has a character at least. `later_width`: of all lines but the first, if they have another one.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width, std::optional<std::size_t> later_width = {});
 
 }  // namespace grafverif

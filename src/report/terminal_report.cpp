@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -37,21 +38,27 @@ struct Shared {
     std::string text = {};
     Answers answers = {};
 };
-void share(std::vector<Shared>& all, const std::string& text, const Answer& answer) {
-    auto found = std::ranges::find(all, text, &Shared::text);
-    if (found == all.end()) found = all.insert(found, {text, {}});
-    found->answers.push_back(&answer);
-}
+class SharedTexts {
+public:
+    void add(const std::string& text, const Answer& answer) {
+        const auto [place, fresh] = index_.try_emplace(text, all_.size());
+        if (fresh) all_.push_back({text, {}});
+        all_[place->second].answers.push_back(&answer);
+    }
+    const std::vector<Shared>& all() const { return all_; }
+    /// Of a text that was added.
+    const Shared& operator[](const std::string& text) const { return all_[index_.at(text)]; }
+
+private:
+    std::vector<Shared> all_ = {};
+    std::map<std::string, std::size_t> index_ = {};
+};
 
 /// `text` in lines of 100 columns at most, the second and further ones behind so many blanks.
 std::string folded(const std::string& text, std::size_t indentation) {
     std::string lines;
-    for (std::string_view rest = text; lines.empty() || !rest.empty();) {
-        const std::size_t blanks = lines.empty() ? 0 : indentation;
-        const std::string line = wrapped(rest, widest_line - blanks).front();
-        rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-        lines += std::string(blanks, ' ') + printable(line) + '\n';
-    }
+    for (const std::string& line : wrapped(text, widest_line, widest_line - indentation))
+        lines += std::string(lines.empty() ? 0 : indentation, ' ') + printable(line) + '\n';
     return lines;
 }
 
@@ -64,14 +71,14 @@ struct Row {
 class Printer {
 public:
     Printer(const Report& report, const TextOptions& options, std::ostream& out)
-        : report_(report), options_(options), out_(out) {}
+        : report_(report), options_(options), out_(out), families_(family_sizes(report)) {}
 
     void print() {
         for (const Answer& answer : report_.answers) {
             if (options_.failures_only && !fails(answer)) continue;
             shown_.push_back(&answer);
-            if (is_reason_only(answer)) share(reasons_, answer.verdict.reason, answer);
-            for (const std::string& note : answer.verdict.notes) share(notes_, note, answer);
+            if (is_reason_only(answer)) reasons_.add(answer.verdict.reason, answer);
+            for (const std::string& note : answer.verdict.notes) notes_.add(note, answer);
         }
         for (const Breakdown& breakdown : report_.breakdowns) print(breakdown);
         if (!shown_.empty()) print_basis();
@@ -124,12 +131,12 @@ private:
         const SharedBasis basis = shared_basis(report_, shown_);
         out_ << report_.model << ", checked with: " << printable(basis.shared) << '\n';
         for (const SharedBasis::Group& group : basis.groups)
-            out_ << folded(fmt::format("    {}: {}", names_of(report_, group.answers), group.words), 8);
-        for (const Shared& note : notes_) {
+            out_ << folded(fmt::format("    {}: {}", names_of(families_, group.answers), group.words), 8);
+        for (const Shared& note : notes_.all()) {
             if (!is_told_above(note)) continue;
             const bool all = note.answers.size() == shown_.size();
             out_ << folded(
-                fmt::format("    note{}: {}", all ? "" : " (" + names_of(report_, note.answers) + ")", note.text), 8);
+                fmt::format("    note{}: {}", all ? "" : " (" + names_of(families_, note.answers) + ")", note.text), 8);
         }
     }
 
@@ -154,19 +161,18 @@ private:
         const Verdict& verdict = answer.verdict;
         const bool witness = verdict.outcome == Outcome::Holds && answer.trace && options_.verbose;
         if (in_table_only(answer) && !witness) return {};
-        const auto reason = std::ranges::find(reasons_, verdict.reason, &Shared::text);
-        const bool together = is_reason_only(answer) && reason->answers.size() > 1;
+        const Shared* const reason = is_reason_only(answer) ? &reasons_[verdict.reason] : nullptr;
+        const bool together = reason != nullptr && reason->answers.size() > 1;
         if (together && reason->answers.front() != &answer) return {};
         std::ostringstream out;
         const std::string said = outcome(verdict);
-        std::string head = together ? folded(names_of(report_, reason->answers) + ": " + said, 4)
+        std::string head = together ? folded(names_of(families_, reason->answers) + ": " + said, 4)
                                     : name_in_full(answer) + ": " + said + '\n';
         head.replace(head.size() - said.size() - 1, said.size(), painted(said, colour_of(verdict)));
         out << head;
         if (!verdict.reason.empty()) out << "    why: " << printable(verdict.reason) << '\n';
-        for (const Shared& note : notes_)
-            if (!is_told_above(note) && note.answers.front() == &answer)
-                out << "    note: " << printable(note.text) << '\n';
+        for (const std::string& note : verdict.notes)
+            if (!is_told_above(notes_[note])) out << "    note: " << printable(note) << '\n';
         if (witness) print_told("witness", *answer.trace, end_of(verdict), out);
         if (answer.trace && verdict.outcome != Outcome::Holds)
             print_told("counterexample", *answer.trace, end_of(verdict), out);
@@ -191,6 +197,9 @@ private:
     std::vector<Row> rows() const {
         std::vector<Row> rows;
         std::set<std::string> families;
+        FamilySizes holding;
+        for (const Answer& answer : report_.answers)
+            if (outcome(answer.verdict) == word(Outcome::Holds)) ++holding[family_of(answer)];
         for (const Answer& answer : report_.answers) {
             const Verdict& verdict = answer.verdict;
             const std::string family = family_of(answer), said = outcome(verdict);
@@ -198,7 +207,7 @@ private:
             if (!verdict.declared) row.property += undeclared(verdict);
             if (!family.empty() && said == word(Outcome::Holds)) {
                 if (!families.insert(family).second) continue;
-                row.property = steps_that_hold(answer);
+                row.property = steps_that_hold(answer, holding);
             }
             rows.push_back(std::move(row));
         }
@@ -206,14 +215,9 @@ private:
     }
 
     /// `S (9 of 11 steps)`, or the one step there is.
-    std::string steps_that_hold(const Answer& first) const {
+    std::string steps_that_hold(const Answer& first, const FamilySizes& families_that_hold) const {
         const std::string family = family_of(first);
-        std::size_t holding = 0, all = 0;
-        for (const Answer& answer : report_.answers) {
-            if (family_of(answer) != family) continue;
-            ++all;
-            if (outcome(answer.verdict) == word(Outcome::Holds)) ++holding;
-        }
+        const std::size_t holding = families_that_hold.at(family), all = families_.at(family);
         if (all == 1) return first.verdict.property;
         return fmt::format("{} ({}{} steps)", family, holding == all ? "" : fmt::format("{} of ", holding), all);
     }
@@ -270,8 +274,9 @@ private:
     const Report& report_;
     const TextOptions& options_;
     std::ostream& out_;
+    FamilySizes families_;
     Answers shown_ = {};
-    std::vector<Shared> reasons_ = {}, notes_ = {};
+    SharedTexts reasons_ = {}, notes_ = {};
 };
 
 }  // namespace

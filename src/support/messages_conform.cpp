@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "support/messages.hpp"
+#include "support/messages_system.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
@@ -101,6 +102,12 @@ Diagnostic out_of_memory(std::optional<std::uint64_t> allowed) {
         allowed ? fmt::format("stopped before the end: the memory allowed, {} MiB, is used up; raise `--max-memory`",
                               *allowed >> 20U)
                 : std::string("stopped before the end: the system gives no more memory"));
+}
+
+Diagnostic threads_refused() {
+    return error("threads-refused", {},
+                 "stopped before the end: the system refuses to start a thread or a process; raise its limits (`ulimit "
+                 "-u`, `ulimit -v`) or `--max-memory`");
 }
 
 Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit) {

@@ -4,6 +4,7 @@
 
 #include "support/messages.hpp"
 #include "support/messages_notation.hpp"
+#include "support/messages_system.hpp"
 #include "support/wording.hpp"
 
 namespace grafverif::messages {
@@ -23,6 +24,11 @@ Diagnostic read_as_latin(Span where) {
 
 Diagnostic utf16(Span where) {
     return error("invalid-utf8", where, "this text is UTF-16; save the file as UTF-8 text");
+}
+
+Diagnostic incomplete_utf16(Span where) {
+    return error("invalid-utf8", where,
+                 "this text is UTF-16 with half a character at its end; save the file as UTF-8 text");
 }
 
 Diagnostic unexpected_character(Span where, std::string_view character) {

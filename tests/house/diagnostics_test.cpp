@@ -35,7 +35,7 @@ const std::set<std::string> of_the_world = {
     "nothing-to-test",  "stopped",         "out-of-memory",  "bound-reached",          "nothing-to-import",
     "left-out",         "missing-program", "cure-left-out",  "output-is-input",        "output-twice",
     "cannot-listen",    "missing-folder",  "not-in-depfile", "not-comparable",         "beyond-32-bits",
-    "not-a-state-file", "other-format"};
+    "not-a-state-file", "other-format",    "threads-refused"};
 
 TEST(House, EveryDiagnosticHasAReject) {
     const std::set<std::string> all = codes();

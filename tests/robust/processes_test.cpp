@@ -124,9 +124,12 @@ TEST(Memory, ThatIsShortEndsTheProgramByAnExitCode) {
     while (ran(with(within(least), {"--version"}, folder)).status != 0) least += 1024;
     const std::string large = (root / "samples/testing_station/testing_station.grafcet").string();
     std::vector<Words> runs = verbs();
-    runs.insert(
-        runs.end(),
-        {{"check", large}, {"check", large, "--untimed"}, {"analyse", large}, {"automaton", large, "--counts"}});
+    runs.insert(runs.end(), {{"check", large},
+                             {"check", large, "--untimed"},
+                             {"analyse", large},
+                             {"automaton", large, "--counts"},
+                             {"check", large, "--untimed", "--engine", "bmc", "--timeout", "2s"},
+                             {"check", large, "--untimed", "--engine", "auto", "--timeout", "2s"}});
     std::mt19937 random(7);
     for (int k = 0; k < law_size(1); ++k)
         for (const Words& verb : runs) {
@@ -137,6 +140,19 @@ TEST(Memory, ThatIsShortEndsTheProgramByAnExitCode) {
             EXPECT_EQ(result.end, ProgramResult::End::Exited) << "signal " << result.status << '\n' << result.err;
             EXPECT_LE(result.status, 3) << result.err;
         }
+}
+
+TEST(Memory, OfASmallStackIsEnough) {
+    if (sanitized) GTEST_SKIP() << "sanitizers need a large stack";
+    const Folder folder;
+    for (const std::string limits : {"ulimit -s 2048", "ulimit -s 512", "ulimit -s 2048 -v 1000000"}) {
+        SCOPED_TRACE(limits);
+        for (const Words& verb : {Words{"--version"}, Words{"check", blinker}}) {
+            const ProgramResult result = ran(with({"/bin/bash", "-c", limits + "; exec \"$0\" \"$@\""}, verb, folder));
+            EXPECT_EQ(result.end, ProgramResult::End::Exited) << "signal " << result.status << '\n' << result.err;
+            EXPECT_EQ(result.status, 0) << result.err;
+        }
+    }
 }
 
 TEST(Memory, IsUsedAsValgrindLikesIt) {

@@ -66,19 +66,16 @@ Answer no_answer(const Property& property) {
 class Bench::Work {
 public:
     Work(const Options& options, std::function<void()> changed) : options_(options), changed_(std::move(changed)) {
-        worker_ = std::thread([this] { work(); });
-        watcher_ = std::thread([this] { watch(); });
+        worker_ = std::jthread([this] { work(); });
+        try {
+            watcher_ = std::jthread([this] { watch(); });
+        } catch (...) {
+            end();
+            throw;
+        }
     }
 
-    ~Work() {
-        {
-            const std::lock_guard hold(door_);
-            over_ = stale_ = true;
-        }
-        wake_.notify_all();
-        worker_.join();
-        watcher_.join();
-    }
+    ~Work() { end(); }
 
     std::optional<std::string> newer(std::uint64_t known) const {
         const std::lock_guard hold(door_);
@@ -104,6 +101,14 @@ private:
                 {"properties", properties},           {"errors", breakdowns}};
         }
     };
+
+    void end() {
+        {
+            const std::lock_guard hold(door_);
+            over_ = stale_ = true;
+        }
+        wake_.notify_all();
+    }
 
     // One thread looks whether files have changed ...
 
@@ -311,7 +316,7 @@ private:
     std::vector<Proof> proofs_ = {};
     std::uint64_t readings_ = 0;
 
-    std::thread worker_ = {}, watcher_ = {};
+    std::jthread worker_ = {}, watcher_ = {};  ///< last: they use all of the above
 };
 
 Bench::Bench(const Options& options, std::function<void()> changed)

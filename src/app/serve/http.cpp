@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/serve/http.hpp"
 
+#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/asio/thread_pool.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <chrono>
@@ -14,7 +14,9 @@
 #include <set>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace grafverif::app {
 
@@ -27,7 +29,7 @@ using Tcp = asio::ip::tcp;
 
 constexpr std::size_t largest_header = 16384;
 constexpr auto longest_transfer = std::chrono::seconds(5);
-constexpr int answering_threads = 4;
+constexpr std::size_t answering_threads = 4;
 
 /// The same time for all texts of one length.
 bool equal(std::string_view one, std::string_view other) {
@@ -80,6 +82,36 @@ void set_headers(Message& message) {
     message.set("Referrer-Policy", "no-referrer");
     message.set("Cross-Origin-Resource-Policy", "same-origin");
 }
+
+/// Threads for the handler: as many of `answering_threads` as the system starts. Throws if it starts none.
+/// asio::thread_pool waits forever in its constructor if the first thread is started and another one is refused.
+class HandlerThreads {
+public:
+    HandlerThreads() {
+        threads_.reserve(answering_threads);
+        try {
+            while (threads_.size() < answering_threads) threads_.emplace_back([this] { context_.run(); });
+        } catch (...) {
+            if (threads_.empty()) throw;
+        }
+    }
+    ~HandlerThreads() { join(); }
+    HandlerThreads(const HandlerThreads&) = delete;
+    HandlerThreads& operator=(const HandlerThreads&) = delete;
+
+    asio::io_context& context() { return context_; }
+    void stop() { context_.stop(); }
+    /// Returns when no work is left.
+    void join() {
+        work_.reset();
+        threads_.clear();
+    }
+
+private:
+    asio::io_context context_ = asio::io_context(static_cast<int>(answering_threads));
+    asio::executor_work_guard<asio::io_context::executor_type> work_ = asio::make_work_guard(context_);
+    std::vector<std::jthread> threads_ = {};
+};
 
 }  // namespace
 
@@ -144,7 +176,7 @@ private:
         /// The handler is asked, in one of its threads.
         void ask(bool at_once) {
             timer_.cancel();
-            asio::post(server_.threads_, [self = shared_from_this(), at_once]() mutable {
+            asio::post(server_.threads_.context(), [self = shared_from_this(), at_once]() mutable {
                 const std::uint64_t notices = self->server_.notices_;
                 std::optional<HttpAnswer> answer;
                 try {
@@ -360,7 +392,7 @@ private:
     std::vector<Tcp::acceptor> acceptors_ = {};
     std::set<std::shared_ptr<Connection>> waiting_ = {};
     asio::steady_timer stop_timer_ = asio::steady_timer(context_);
-    asio::thread_pool threads_ = asio::thread_pool(answering_threads);
+    HandlerThreads threads_ = {};
 };
 
 HttpServer::HttpServer(const HttpOptions& options, HttpHandler handler)

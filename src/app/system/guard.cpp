@@ -13,10 +13,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <limits>
 #include <new>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "app/program.hpp"
@@ -39,7 +41,8 @@ constexpr std::size_t kept_back = std::size_t{2} << 20U;        ///< to tell wit
 constexpr auto patience_with_programs = 3s;
 constexpr auto grace = 400ms, longest_grace = 60'000ms, look_every = 25ms;
 
-std::atomic<std::int64_t> telling = 0;  ///< since when, on the steady clock; 0: not yet
+std::atomic<std::int64_t> telling = 0;      ///< since when, on the steady clock; 0: not yet
+std::atomic<std::int64_t> telling_cpu = 0;  ///< the processor time used until then, nanoseconds
 std::atomic<char*> reserve = nullptr;
 
 void write_whole(std::string_view text) {
@@ -99,6 +102,13 @@ void allow_memory(std::uint64_t bytes) {
     ::setrlimit(RLIMIT_DATA, &limit);
 }
 
+/// Of all threads, in nanoseconds.
+std::int64_t processor_time() {
+    timespec now = {};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
 void give_back_reserve() { std::free(reserve.exchange(nullptr)); }
 
 void no_memory() {
@@ -120,17 +130,28 @@ void no_memory() {
     ::_exit(static_cast<int>(code));
 }
 
-/// Lets the stack have its room now, where it may be refused later: a stack that cannot grow ends in a signal.
+/// Touches that many pages of the stack below the caller, page by page: a single large object would be a jump past the
+/// end of a small stack.
+[[gnu::noinline]] void touch_stack(std::size_t pages) {  // NOLINT(misc-no-recursion)
+    std::array<volatile char, 4096> page;
+    page[0] = 0;
+    if (pages > 0) touch_stack(pages - 1);
+    page[1] = page[0];  // after the call, so that it is not a jump in the same frame
+}
+
+/// Takes memory for the stack now, if it may be refused later: a stack that cannot grow ends in a signal.
 void grow_stack() {
-    rlimit limit = {};
-    if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
-    std::array<volatile char, std::size_t{2} << 20U> room;
-    for (std::size_t at = 0; at < room.size(); at += 4096) room[room.size() - 1 - at] = 0;
+    rlimit addresses = {}, stack = {};
+    if (::getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur == RLIM_INFINITY) return;
+    if (::getrlimit(RLIMIT_STACK, &stack) != 0) return;
+    constexpr rlim_t most = rlim_t{2} << 20U;
+    touch_stack(std::min(most, stack.rlim_cur / 2) / 4096);  // arguments and environment take up to a quarter
 }
 
 }  // namespace
 
 void work_is_done() {
+    telling_cpu = processor_time();
     telling = std::max<std::int64_t>(1, std::chrono::steady_clock::now().time_since_epoch().count());
 }
 
@@ -155,9 +176,10 @@ MemoryUnbounded::~MemoryUnbounded() {
 
 Guard::Guard(GuardOrders orders) : orders_(std::move(orders)) {
     telling = 0;
-    if (orders_.timeout)
-        last_moment_ = Steady::now() + *orders_.timeout + grace +
-                       std::min<std::chrono::milliseconds>(*orders_.timeout / 10, longest_grace);
+    if (orders_.timeout) {
+        margin_ = grace + std::min<std::chrono::milliseconds>(*orders_.timeout / 10, longest_grace);
+        last_moment_ = Steady::now() + *orders_.timeout + margin_;
+    }
     if (orders_.max_memory) allow_memory(with_margin(*orders_.max_memory));
     else allow_memory(memory_of_machine() / 10 * 9);
 
@@ -170,7 +192,7 @@ Guard::Guard(GuardOrders orders) : orders_(std::move(orders)) {
     const int failure = ::pthread_create(&thread_, &attributes, watch, this);
     ::pthread_attr_destroy(&attributes);
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    if (failure != 0) throw std::bad_alloc();
+    if (failure != 0) throw std::system_error(failure, std::generic_category(), "no thread for the guard");
 }
 
 Guard::~Guard() {
@@ -198,7 +220,10 @@ const std::string* Guard::reason() {
     if (!interrupted_ && interrupt_.asked()) interrupted_ = now;
     const Steady::time_point told(Steady::duration(telling.load()));  // what is known may still be told
     if (interrupted_ && now - std::max(*interrupted_, told) >= grace) return &orders_.interrupted;
-    if (last_moment_ && now >= *last_moment_ && telling == 0) return &orders_.timed_out;
+    // What is known may be printed after the time limit, for the margin in processor time: neither a reader that is slow
+    // nor a machine that is loaded truncates it.
+    const bool printed = telling == 0 || std::chrono::nanoseconds(processor_time() - telling_cpu) >= margin_;
+    if (last_moment_ && now >= *last_moment_ && printed) return &orders_.timed_out;
     constexpr std::uint64_t times = sanitized ? 4 : 1;
     if (orders_.max_memory && resident() > times * with_margin(*orders_.max_memory)) return &orders_.out_of_memory;
     return nullptr;

@@ -34,7 +34,7 @@ struct GuardOrders {
 
 class Guard {
 public:
-    /// Only where the process is ours to end. Throws std::bad_alloc where there is not even room for the guard.
+    /// Only where the process is ours to end. Throws std::system_error if its thread cannot be started.
     explicit Guard(GuardOrders orders);
     ~Guard();
     Guard(const Guard&) = delete;
@@ -50,6 +50,7 @@ private:
     using Steady = std::chrono::steady_clock;
     GuardOrders orders_;
     Interrupt interrupt_ = {};
+    std::chrono::milliseconds margin_ = {};
     std::optional<Steady::time_point> last_moment_ = {}, interrupted_ = {}, ending_ = {};
     pthread_t thread_ = {};
     std::mutex mutex_ = {};
@@ -57,7 +58,8 @@ private:
     bool done_ = false;
 };
 
-/// What a run found is being told from here on: the time limit has been kept.
+/// From here on, what a run found is printed: after the time limit that may take a tenth and half a second of processor
+/// time.
 void work_is_done();
 
 /// Prepares the process, once and first of all, for a system that has no memory left: something is kept back to tell it

@@ -72,6 +72,7 @@ ExitCode serve(Job& job, const Streams& streams) {
     try {
         page = std::make_unique<LivePage>(job.options);
     } catch (const std::system_error& failure) {
+        if (failure.code() == std::errc::resource_unavailable_try_again) throw;  // a thread was refused
         const bool in_use = failure.code() == std::errc::address_in_use;
         job.diagnostics.add(messages::cannot_listen(
             job.options.port, in_use ? "another program listens there" : failure.code().message()));

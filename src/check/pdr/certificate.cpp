@@ -11,10 +11,7 @@ namespace {
 /// The whole circuit as clauses, gate by gate; variable n + 1 is node n.
 class WholeCircuit {
 public:
-    WholeCircuit(const Circuit& circuit, Watch& watch) : watch_(watch) {
-        solver_.set("quiet", 1);
-        solver_.set("profile", 0);
-        solver_.connect_terminator(&watch);
+    WholeCircuit(const Circuit& circuit, Watch& watch) : solver_(watch) {
         clause({-1});
         for (std::uint32_t node = 1; node < circuit.gates.size(); ++node) {
             if (!circuit.gates.is_gate(node)) continue;
@@ -24,32 +21,16 @@ public:
             clause({out, -left, -right});
         }
     }
-    ~WholeCircuit() { solver_.disconnect_terminator(); }
-    WholeCircuit(const WholeCircuit&) = delete;
-    WholeCircuit& operator=(const WholeCircuit&) = delete;
 
     static int of(Literal literal) {
         const int variable = static_cast<int>(node_of(literal)) + 1;
         return is_inverted(literal) ? -variable : variable;
     }
-    void clause(const std::vector<int>& literals) {
-        for (const int each : literals) solver_.add(each);
-        solver_.add(0);
-    }
-    bool possible(const std::vector<int>& assumptions) {
-        watch_.look();
-        for (const int each : assumptions) solver_.assume(each);
-        const int answer = solver_.solve();
-        if (answer == 0) {
-            watch_.look();
-            throw Exhausted{Exhausted::Cause::Stopped};
-        }
-        return answer != 20;
-    }
+    void clause(const std::vector<int>& literals) { solver_.add(literals); }
+    bool possible(const std::vector<int>& assumptions) { return solver_.solve(assumptions); }
 
 private:
-    Watch& watch_;
-    CaDiCaL::Solver solver_ = {};
+    SatSolver solver_;
 };
 
 }  // namespace

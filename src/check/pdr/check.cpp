@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "check/evidence.hpp"
+#include "check/pdr/equal_latches.hpp"
 #include "check/pdr/pdr.hpp"
 #include "check/pdr/unrolling.hpp"
 #include "check/refusal.hpp"
 #include "ir/probes.hpp"
+#include "support/element_of.hpp"
 
 namespace grafverif {
 
@@ -79,7 +81,7 @@ private:
         if (is_probe(property) && options_.method == PdrOptions::Method::Bmc)  // by which nothing holds
             return give_up(question, Obstacle::Unsupported, "its property is not proved");
         if (fault_obstacle_ != Obstacle::None) return give_up(question, fault_obstacle_, fault_reason_);
-        question.target = &*std::ranges::find(circuit_.targets, id, &Circuit::Target::about);
+        question.target = &element_of(circuit_.targets, id, &Circuit::Target::about);
         if (options_.moot != nullptr) question.moot = &(*options_.moot)[id.index];
     }
 
@@ -164,6 +166,8 @@ private:
             obstacle_ = obstacle(end.cause);
             reason_ = words(end.cause);
         } catch (const std::bad_alloc&) {
+            unrolling_.reset();  // an exception may have left these incomplete
+            equal_latches_.reset();
             obstacle_ = Obstacle::Memory;
             reason_ = words(Exhausted::Cause::Memory);
         } catch (const Undecided& undecided) {
@@ -275,7 +279,9 @@ private:
         if (has_no_value(question)) return;
         const auto start = Clock::now();
         const bool in_turns = options_.method == PdrOptions::Method::InTurns;
-        Answer answer = searched(question.target->bad, property.name, in_turns ? &question.search : nullptr);
+        std::optional<Answer> known = proved_by_equal_latches(question.target->bad);
+        Answer answer = known ? std::move(*known)
+                              : searched(question.target->bad, property.name, in_turns ? &question.search : nullptr);
         if (answer.reached) {
             if (!options_.reach && !is_probe(property)) shorten(question, answer, Clock::now() - start);
             return reached(question, answer);
@@ -286,6 +292,14 @@ private:
                                          (answer.invariant.size() == 1 ? " clause" : " clauses") +
                                          " shows it, checked by " + (options_.reach ? "a solver" : "a second solver"));
         if (!question.wants() && property.at_stable) mark_vacuous(question.verdict);
+    }
+
+    std::optional<Answer> proved_by_equal_latches(Literal bad) {
+        if (!options_.equal_latches) return {};
+        if (!equal_latches_) equal_latches_.emplace(circuit_, watch_);
+        const std::vector<Cube>& cubes = equal_latches_->cubes();
+        if (!flaw(circuit_, bad, cubes, watch_).empty()) return {};
+        return Answer{.invariant = cubes};
     }
 
     bool has_no_value(Question& question) {
@@ -414,6 +428,7 @@ private:
     PdrResult result_ = {};
     std::vector<Question> questions_ = {};
     std::optional<Unrolling> unrolling_ = {};
+    std::optional<EqualLatches> equal_latches_ = {};
     bool without_bmc_ = false;            ///< there is not the memory for it
     Obstacle obstacle_ = Obstacle::None;  ///< met by the work at hand
     std::string reason_ = {};

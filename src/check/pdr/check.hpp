@@ -46,6 +46,8 @@ struct PdrOptions {
         {};  ///< of BMC: of the runs that it looks at; empty: as time and memory allow
     /// Searches in place of PDR, as pdr::reach does; what it finds is checked all the same.
     std::function<pdr::Answer(const Circuit& circuit, pdr::Literal bad, pdr::Watch& watch)> reach = {};
+    bool equal_latches =
+        false;  ///< first try the invariant that latches are equal: for two similar systems side by side
     std::vector<std::string> properties = {};            ///< names; empty: all
     std::uint64_t max_memory = std::uint64_t{2} << 30U;  ///< bytes
     std::optional<std::chrono::steady_clock::time_point> deadline = {};

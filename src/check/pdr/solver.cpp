@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SANITIZED                                                  // they have an allocator of their own
@@ -72,22 +73,69 @@ void Watch::look() {
     if (terminate()) throw Exhausted{*met_};
 }
 
-Solver::Solver(const Circuit& circuit, Watch& watch)
-    : circuit_(circuit),
-      watch_(watch),
-      solver_(std::make_unique<CaDiCaL::Solver>()),
-      variable_(circuit.gates.size()),
-      is_latch_(circuit.gates.size()) {
-    solver_->configure("plain");  // thousands of small questions: nothing pays that looks at the whole
+SatSolver::SatSolver(Watch& watch) : watch_(watch), solver_(std::make_unique<CaDiCaL::Solver>()) {
     solver_->set("quiet", 1);
-    solver_->set("profile", 0);  // it would ask the system for the time in every question
+    solver_->set("profile", 0);  // it would query the clock in every call
     solver_->connect_terminator(&watch);
+}
+
+SatSolver::~SatSolver() {
+    if (broken_) static_cast<void>(solver_.release());
+    else solver_->disconnect_terminator();
+}
+
+template <class Work>
+auto SatSolver::guarded(const Work& work) const {
+    if (broken_) throw std::bad_alloc();
+    try {
+        return work();
+    } catch (...) {
+        broken_ = true;
+        throw;
+    }
+}
+
+void SatSolver::expect_small_queries() {
+    guarded([this] { solver_->configure("plain"); });
+}
+
+void SatSolver::add(std::span<const int> clause) {
+    guarded([&] {
+        for (const int each : clause) solver_->add(each);
+        solver_->add(0);
+    });
+}
+
+bool SatSolver::solve(std::span<const int> assumptions, std::span<const int> one_of) {
+    watch_.look();
+    const int answer = guarded([&] {
+        for (const int each : assumptions) solver_->assume(each);
+        for (const int each : one_of) solver_->constrain(each);
+        if (!one_of.empty()) solver_->constrain(0);
+        return solver_->solve();
+    });
+    if (answer == 0) {
+        watch_.look();
+        throw Exhausted{Exhausted::Cause::Stopped};
+    }
+    return answer == 10;
+}
+
+bool SatSolver::is_true(int literal) const {
+    return guarded([&] { return solver_->val(literal) > 0; });
+}
+
+bool SatSolver::failed(int assumption) {
+    return guarded([&] { return solver_->failed(assumption); });
+}
+
+Solver::Solver(const Circuit& circuit, Watch& watch)
+    : circuit_(circuit), solver_(watch), variable_(circuit.gates.size()), is_latch_(circuit.gates.size()) {
+    solver_.expect_small_queries();
     for (const Circuit::Latch& latch : circuit.latches) is_latch_[latch.node] = true;
     variable_[0] = fresh();
     add(std::array{-variable_[0]});
 }
-
-Solver::~Solver() { solver_->disconnect_terminator(); }
 
 int Solver::variable(std::uint32_t node) {
     const int made = variable_[node] = fresh();
@@ -133,29 +181,12 @@ void Solver::all_false_under(int condition) {
 }
 
 void Solver::add(std::span<const int> clause) {
-    for (const int each : clause) solver_->add(each);
-    solver_->add(0);
+    solver_.add(clause);
     ++clauses_;
 }
 
-bool Solver::solve(std::span<const int> assumptions, std::span<const int> one_of) {
-    watch_.look();
-    for (const int each : assumptions) solver_->assume(each);
-    if (!one_of.empty()) {
-        for (const int each : one_of) solver_->constrain(each);
-        solver_->constrain(0);
-    }
-    const int answer = solver_->solve();
-    if (answer == 0) {
-        watch_.look();
-        throw Exhausted{Exhausted::Cause::Stopped};
-    }
-    return answer == 10;
-}
-
 bool Solver::value(Literal literal) const {
-    const int variable = variable_[node_of(literal)];
-    return (solver_->val(variable) > 0) != is_inverted(literal);
+    return solver_.is_true(variable_[node_of(literal)]) != is_inverted(literal);
 }
 
 }  // namespace grafverif::pdr

@@ -62,13 +62,39 @@ private:
     std::optional<Exhausted::Cause> met_ = {};
 };
 
+/// CaDiCaL with the bounds of a Watch. An exception from it, such as std::bad_alloc, leaves it unusable: it aborts the
+/// process when it is called again, and its destructor may release a wrong address (Internal::enlarge in 1.5.3). After
+/// one, every call throws std::bad_alloc, and the memory of the solver is not released.
+class SatSolver {
+public:
+    explicit SatSolver(Watch& watch);
+    ~SatSolver();
+    SatSolver(const SatSolver&) = delete;
+    SatSolver& operator=(const SatSolver&) = delete;
+
+    /// For thousands of small queries: no technique that inspects all clauses.
+    void expect_small_queries();
+    void add(std::span<const int> clause);
+    /// True if the assumptions can be met, together with one of `one_of` if it is not empty. Throws Exhausted.
+    bool solve(std::span<const int> assumptions, std::span<const int> one_of = {});
+    /// After a query that can be met.
+    bool is_true(int literal) const;
+    /// After a query that cannot be met: true if the assumption was needed to refute it.
+    bool failed(int assumption);
+
+private:
+    template <class Work>
+    auto guarded(const Work& work) const;
+
+    Watch& watch_;
+    std::unique_ptr<CaDiCaL::Solver> solver_;
+    mutable bool broken_ = false;
+};
+
 class Solver {
 public:
     /// All outlive it; the circuit may gain gates.
     Solver(const Circuit& circuit, Watch& watch);
-    ~Solver();
-    Solver(const Solver&) = delete;
-    Solver& operator=(const Solver&) = delete;
 
     /// A literal of the circuit as one of the solver; its gates are clauses from now on.
     int of(Literal literal);
@@ -78,14 +104,16 @@ public:
     void all_false_under(int condition);
 
     void add(std::span<const int> clause);
-    /// Whether the assumptions can be met, together with `one_of` where there is any. Throws Exhausted.
-    bool solve(std::span<const int> assumptions, std::span<const int> one_of = {});
+    /// See SatSolver.
+    bool solve(std::span<const int> assumptions, std::span<const int> one_of = {}) {
+        return solver_.solve(assumptions, one_of);
+    }
     /// Of the last answer: the value of a literal that the solver knows; whether an assumption was needed to refute.
     bool value(Literal literal) const;
     bool knows(Literal literal) const {
         return node_of(literal) < variable_.size() && variable_[node_of(literal)] != 0;
     }
-    bool failed(int assumption) { return solver_->failed(assumption); }
+    bool failed(int assumption) { return solver_.failed(assumption); }
 
     std::uint64_t clauses() const { return clauses_; }
 
@@ -94,8 +122,7 @@ private:
     int literal(Literal literal) const;
 
     const Circuit& circuit_;
-    Watch& watch_;
-    std::unique_ptr<CaDiCaL::Solver> solver_;
+    SatSolver solver_;
     std::vector<int> variable_;   ///< per node; 0: none yet
     std::vector<bool> is_latch_;  ///< per node
     std::vector<int> latches_ = {};

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "support/messages.hpp"
+#include "support/messages_system.hpp"
 #include "support/printable.hpp"
 #include "support/text/encoding.hpp"
 
@@ -17,6 +18,7 @@ void make_utf8(Id<Source> source, Sources& sources, Diagnostics& diagnostics) {
     std::string& text = sources[source].text;
     if (text.size() > largest_text) return;
     if (is_utf16(text)) {
+        if (text.size() % 2 != 0) return;  // is_readable refuses it
         text = utf8_of_utf16(text);
     } else if (is_latin(text)) {
         const auto first = std::ranges::find_if(text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
@@ -34,7 +36,9 @@ bool is_readable(Span part, const Sources& sources, Diagnostics& diagnostics) {
         return false;
     }
     if (is_utf16(text.substr(part.begin))) {
-        diagnostics.add(messages::utf16({part.source, part.begin, part.begin}));
+        const Span where{part.source, part.begin, part.begin};
+        const bool incomplete = (text.size() - part.begin) % 2 != 0;
+        diagnostics.add(incomplete ? messages::incomplete_utf16(where) : messages::utf16(where));
         return false;
     }
     for (std::size_t at = part.begin; at < text.size();) {

@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/system/guard.hpp"
 #include "support/law_size.hpp"
 #include "unit/app/run_program.hpp"
 
@@ -260,6 +261,28 @@ TEST(Bounds, WhatIsKnownByThenIsTold) {
     expect_partial(run_bounded(folder, command, {.interrupt_after = 0.5}), "stopped");
     expect_partial(run_bounded(folder, with(command, {"--max-memory", "50M"}), {}), "memory");
     if (!sanitized) expect_partial(run_bounded(folder, command, {.address_space = std::size_t{100} << 20U}), "memory");
+}
+
+TEST(Bounds, EndlessPrintingEndsAfterTheTimeLimit) {
+    int written[2] = {};
+    ASSERT_EQ(::pipe2(written, O_CLOEXEC), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::dup2(written[1], STDERR_FILENO);
+        const Guard guard({.timeout = 100ms, .timed_out = "too late\n"});
+        work_is_done();
+        volatile std::uint64_t printed = 0;
+        for (;;) printed = printed + 1;
+    }
+    ::close(written[1]);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 3);
+    char text[16] = {};
+    EXPECT_EQ(::read(written[0], text, sizeof text), 9);
+    EXPECT_STREQ(text, "too late\n");
+    ::close(written[0]);
 }
 
 TEST(Bounds, ALimitBeyondEveryClockIsNone) {

@@ -24,6 +24,31 @@ std::string text(const Report& report, bool verbose = false) {
     return out.str();
 }
 
+/// Finishes within the time limit of a test only if the work grows in step with the number of properties.
+TEST(Terminal, ReportsOfVeryManyPropertiesArePrinted) {
+    constexpr std::size_t many = 200'000;
+    Report report{"wide", {}};
+    for (std::size_t k = 0; k < many; ++k) {
+        Answer& answer = report.answers.emplace_back();
+        answer.verdict.property = "reachable.X" + std::to_string(k);
+        answer.verdict.reason = "stopped";
+        answer.verdict.notes = {"note " + std::to_string(k)};
+        answer.verdict.scope.searched = {"part " + std::to_string(k)};
+    }
+    std::ostringstream out;
+    print_report(report, {.failures_only = true}, out);
+    EXPECT_NE(out.str().find("note: note 199999"), std::string::npos);
+    for (Answer& answer : report.answers) answer.verdict.notes.clear(), answer.verdict.scope = {};
+    std::ostringstream shared;
+    print_report(report, {.failures_only = true}, shared);
+    EXPECT_NE(shared.str().find("\nreachable: unknown\n    why: stopped\n"), std::string::npos)
+        << shared.str().substr(0, 1000);
+    report.answers.front().verdict.notes = {"another"};
+    std::ostringstream named;
+    print_report(report, {.failures_only = true}, named);
+    EXPECT_NE(named.str().find("reachable.X1, reachable.X2, reachable.X3"), std::string::npos);
+}
+
 TEST(Terminal, TellsATraceAsATableWithItsLoopMarked) {
     EXPECT_EQ(table(sample_run()),
               "   time  what happened               inputs     cleared     situation  outputs\n"

@@ -15,6 +15,7 @@
 #include <ostream>
 #include <random>
 #include <sstream>
+#include <system_error>
 #include <thread>
 
 #include "app/outputs.hpp"
@@ -193,8 +194,12 @@ public:
         const unsigned jobs = options_.jobs == 0 ? cores : options_.jobs;
         {
             std::vector<std::jthread> threads;
-            for (unsigned k = 0; k < std::min<std::size_t>(jobs, mutation_.mutants.size()); ++k)
-                threads.emplace_back([this] { work(); });
+            try {
+                for (unsigned k = 0; k < std::min<std::size_t>(jobs, mutation_.mutants.size()); ++k)
+                    threads.emplace_back([this] { work(); });
+            } catch (const std::system_error&) {  // the threads that were started do all the work
+                if (threads.empty()) work();
+            }
         }
         if (failure_) std::rethrow_exception(failure_);
     }
