@@ -363,32 +363,42 @@ const ChartRun& run_of(const Checked& checked, std::size_t answer) {
     return *trace;
 }
 
+/// Takes `__new__` from a class: it would make an object without a value, whose methods would crash.
+void forbid_new(py::handle type) {
+    reinterpret_cast<PyTypeObject*>(type.ptr())->tp_new = [](PyTypeObject* of, PyObject*, PyObject*) -> PyObject* {
+        PyErr_Format(PyExc_TypeError, "cannot create '%.100s' instances directly", of->tp_name);
+        return nullptr;
+    };
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_core, module) {
     module.doc() = "The library grafverif; use the package `grafverif`, which makes objects of what this gives.";
     module.attr("__version__") = GRAFVERIF_VERSION;
-    py::class_<How>(module, "How")
-        .def(py::init([](std::optional<std::string> mode, std::optional<std::string> grain,
-                         std::optional<std::string> plant, std::optional<std::string> schedule,
-                         std::optional<std::string> time, bool fairness) {
-                 How how{std::move(mode),     std::move(grain), std::move(plant),
-                         std::move(schedule), std::move(time),  fairness};
-                 how.options();  // complains at once
-                 return how;
-             }),
-             py::kw_only(), py::arg("mode") = py::none(), py::arg("grain") = py::none(), py::arg("plant") = py::none(),
-             py::arg("schedule") = py::none(), py::arg("time") = py::none(), py::arg("fairness") = false);
-    py::class_<Bounds>(module, "Bounds")
-        .def(py::init([](std::optional<double> timeout, std::optional<std::uint64_t> memory,
-                         std::optional<std::uint64_t> states) {
-                 if (timeout && !(*timeout >= 0)) throw py::value_error("timeout is in seconds, 0 or more");
-                 return Bounds{timeout, memory, states};
-             }),
-             py::kw_only(), py::arg("timeout") = py::none(), py::arg("memory") = py::none(),
-             py::arg("states") = py::none());
-    py::class_<Checked>(module, "Report")
-        .def("text", [](const Checked& checked) { return text_of(checked.report, checked.sources); })
+    forbid_new(py::class_<How>(module, "_How"));
+    module.def(
+        "How",
+        [](std::optional<std::string> mode, std::optional<std::string> grain, std::optional<std::string> plant,
+           std::optional<std::string> schedule, std::optional<std::string> time, bool fairness) {
+            How how{std::move(mode),     std::move(grain), std::move(plant),
+                    std::move(schedule), std::move(time),  fairness};
+            how.options();  // complains at once
+            return how;
+        },
+        py::kw_only(), py::arg("mode") = py::none(), py::arg("grain") = py::none(), py::arg("plant") = py::none(),
+        py::arg("schedule") = py::none(), py::arg("time") = py::none(), py::arg("fairness") = false);
+    forbid_new(py::class_<Bounds>(module, "_Bounds"));
+    module.def(
+        "Bounds",
+        [](std::optional<double> timeout, std::optional<std::uint64_t> memory, std::optional<std::uint64_t> states) {
+            if (timeout && !(*timeout >= 0)) throw py::value_error("timeout is in seconds, 0 or more");
+            return Bounds{timeout, memory, states};
+        },
+        py::kw_only(), py::arg("timeout") = py::none(), py::arg("memory") = py::none(), py::arg("states") = py::none());
+    py::class_<Checked> report(module, "Report");
+    forbid_new(report);
+    report.def("text", [](const Checked& checked) { return text_of(checked.report, checked.sources); })
         .def("json", [](const Checked& checked) { return json_of(checked.report, checked.sources); })
         .def(
             "trace_text", [](const Checked& checked, std::size_t answer) { return text_of(run_of(checked, answer)); },
@@ -400,8 +410,9 @@ PYBIND11_MODULE(_core, module) {
             },
             py::arg("answer"))
         .def("html", &html_of, py::arg("date"));
-    py::class_<Moved>(module, "Simulator")
-        .def("obey", [](Moved& moved, const std::string& command) { return moved.simulator.obey(command); })
+    py::class_<Moved> simulator(module, "Simulator");
+    forbid_new(simulator);
+    simulator.def("obey", [](Moved& moved, const std::string& command) { return moved.simulator.obey(command); })
         .def("problem", [](const Moved& moved) { return moved.simulator.problem(); })
         .def("choices",
              [](const Moved& moved) {
@@ -414,8 +425,9 @@ PYBIND11_MODULE(_core, module) {
         .def("svg", [](const Moved& moved) { return svg_of(moved.simulator.run(), moved.simulator.run().name); })
         .def("trial_row", [](const Moved& moved) { return moved.simulator.trial_row(); })
         .def("disagreement", [](const Moved& moved) { return moved.simulator.disagreement(); });
-    py::class_<File>(module, "File")
-        .def_static(
+    py::class_<File> file(module, "File");
+    forbid_new(file);
+    file.def_static(
             "read",
             [](const std::string& path, std::vector<std::string> folders, bool lossy,
                std::map<std::string, std::string> constants) {

@@ -111,6 +111,21 @@ Option number(Accepts accepts, const char* name, const char* value, std::vector<
             }};
 }
 
+/// A time in milliseconds; more than a hundred years are a hundred years, since clocks count nanoseconds in 63 bits.
+template <class Place>
+Option time(Accepts accepts, const char* name, Place place, const char* help) {
+    static constexpr std::uint64_t hundred_years = std::uint64_t{100} * 365 * 24 * 3'600'000;
+    static_assert(2 * hundred_years < std::numeric_limits<std::int64_t>::max() / 1'000'000);
+    Option option =
+        number(accepts, name, "TIME", {{"s", 1000}, {"ms", 1}, {"min", 60'000}, {"h", 3'600'000}}, place, help);
+    option.take = [read = option.take, place](const std::vector<std::string>& given, Options& options) {
+        std::string complaint = read(given, options);
+        if (complaint.empty()) std::invoke(place, options) = std::min(*std::invoke(place, options), hundred_years);
+        return complaint;
+    };
+    return option;
+}
+
 std::vector<Option> options_for_models() {
     constexpr ExecutionMode search = ExecutionMode::StabilitySearch, every = ExecutionMode::EveryCycle;
     const auto untimed = [](auto member) {
@@ -200,7 +215,7 @@ std::vector<Option> options_for_forms() {
 }
 
 /// Those of `check`, `test`, `simulate` and `analyse`.
-std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>& times) {
+std::vector<Option> options_for_checks() {
     using F = Format;
     return {
         list(Accepts::Search, "property", "NAME", &Options::properties, "check this property only; may be repeated"),
@@ -253,8 +268,8 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
         toggle(Accepts::Bench, "stop-on-failure", &Options::stop_on_failure,
                "run no step after the first failure (the default)"),
         toggle(Accepts::Bench, "go-on", &Options::go_on, "run on after a failure, as far as the controller can"),
-        number(Accepts::Bench, "timeout", "TIME", times, &Options::patience_ms,
-               "give an answer up after TIME, such as 500ms or 5s (default: 10s)"),
+        time(Accepts::Bench, "timeout", &Options::patience_ms,
+             "give an answer up after TIME, such as 500ms or 5s (default: 10s)"),
         text(Accepts::Bench, "junit", "FILE", &Options::junit, "write a JUnit report to FILE"),
         choice<F>(Accepts::Analysis, "format", {{"text", F::Text}, {"json", F::Json}, {"sarif", F::Sarif}},
                   &Options::format, "form of the output (default: text)"),
@@ -277,11 +292,10 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
         toggle(Accepts::Compare, "each-mode", &Options::each_mode, "ask in each mode, one after the other"),
         text(Accepts::Compare, "from-situation", "STEPS", &Options::from_situation,
              "begin with these steps: `3,5`; `3,5:W3,W5` where b calls them otherwise"),
-        number(Accepts::Compare, "resolution", "TIME", times, &Options::resolution_ms,
-               "scans are at multiples of TIME"),
+        time(Accepts::Compare, "resolution", &Options::resolution_ms, "scans are at multiples of TIME"),
         number(Accepts::Mutants, "limit", "N", {}, &Options::limit, "judge N mutants at most (default: all)"),
         number(Accepts::Mutants, "seed", "SEED", {}, &Options::seed, "which ones --limit chooses (default: 1)"),
-        number(Accepts::Mutants, "each", "TIME", times, &Options::each_ms, "give each up after TIME (default: 60s)"),
+        time(Accepts::Mutants, "each", &Options::each_ms, "give each up after TIME (default: 60s)"),
         {Accepts::Mutants, "jobs", "N", "judge N mutants at once (default: one for each core)", take_jobs},
         text(Accepts::Mutants, "state", "FILE", &Options::state_file,
              "keep what is found in FILE, and go on from there"),
@@ -294,10 +308,8 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
         number(Accepts::Walk, "steps", "N", {}, &Options::steps, "moves of the random walk (default: 100)"),
         number(Accepts::Serve, "port", "N", {}, &Options::port, "listen on port N (default: any that is free)"),
         toggle(Accepts::Serve, "open", &Options::open, "open the page in the browser"),
-        number(Accepts::Serve, "timeout", "TIME", times, &Options::patience_ms,
-               "give each check up after TIME, such as 90s or 5min"),
-        number(Accepts::Lsp, "timeout", "TIME", times, &Options::patience_ms,
-               "give each check up after TIME, such as 90s or 5min"),
+        time(Accepts::Serve, "timeout", &Options::patience_ms, "give each check up after TIME, such as 90s or 5min"),
+        time(Accepts::Lsp, "timeout", &Options::patience_ms, "give each check up after TIME, such as 90s or 5min"),
         toggle(Accepts::Lsp, "stdio", &Options::stdio, "speak on standard input and output, as it does anyhow"),
         list(Accepts::Lsp, "include,I", "DIR", &Options::include_folders,
              "look for included files in DIR too, and let them be read; may be repeated"),
@@ -305,7 +317,7 @@ std::vector<Option> options_for_checks(const std::vector<Choice<std::uint64_t>>&
     };
 }
 
-std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& times) {
+std::vector<Option> options_for_all() {
     constexpr std::uint64_t mega = std::uint64_t{1} << 20U;
     return {
         toggle(Accepts::InPlace, "in-place,i", &Options::in_place, "rewrite FILE itself"),
@@ -327,8 +339,7 @@ std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& ti
                &Options::max_memory,
                "give up above SIZE, such as 500M or 2G (default: 4G of states, 2G of decision diagrams, and what the "
                "machine has)"),
-        number(Accepts::Timeout, "timeout", "TIME", times, &Options::timeout_ms,
-               "give up after TIME, such as 90s or 5min"),
+        time(Accepts::Timeout, "timeout", &Options::timeout_ms, "give up after TIME, such as 90s or 5min"),
         choice<DiagnosticFormat>(
             Accepts::Always, "diagnostics", {{"text", DiagnosticFormat::Text}, {"json", DiagnosticFormat::Json}},
             &Options::diagnostics, "form of errors and warnings on standard error (default: text)"),
@@ -346,10 +357,9 @@ std::vector<Option> options_for_all(const std::vector<Choice<std::uint64_t>>& ti
 }  // namespace
 
 std::vector<Option> options_of(const Verb& verb) {
-    const std::vector<Choice<std::uint64_t>> times = {{"s", 1000}, {"ms", 1}, {"min", 60'000}, {"h", 3'600'000}};
     std::vector<Option> all;
     for (std::vector<Option>& group :
-         std::vector{options_for_models(), options_for_forms(), options_for_checks(times), options_for_all(times)})
+         std::vector{options_for_models(), options_for_forms(), options_for_checks(), options_for_all()})
         for (Option& option : group)
             if (accepts(verb, option.accepts)) all.push_back(std::move(option));
     return all;

@@ -121,11 +121,6 @@ std::string settle_company(const Verb& verb, const Options& options,
 std::string settle_limits(Options& options) {
     if (options.max_evolutions == 0 || options.max_evolutions > std::numeric_limits<std::uint32_t>::max())
         return "`--max-evolutions` takes a number from 1 to 4294967295";
-    constexpr std::uint64_t hundred_years =
-        std::uint64_t{100} * 365 * 24 * 3'600'000;  // clocks count nanoseconds in 63 bits
-    static_assert(2 * hundred_years < std::numeric_limits<std::int64_t>::max() / 1'000'000);
-    for (std::optional<std::uint64_t>* time : {&options.timeout_ms, &options.patience_ms})
-        if (*time) *time = std::min(**time, hundred_years);
     return {};
 }
 

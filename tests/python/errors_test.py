@@ -57,6 +57,14 @@ def test_constants_that_cannot_be_set_are_refused():
         grafverif.read(blinker, constants={"COUNT": 3})
 
 
+@pytest.mark.parametrize("name", ["File", "Report", "Simulator", "_How", "_Bounds"])
+def test_objects_of_the_core_cannot_be_made_without_a_value(name):
+    made = getattr(grafverif._core, name)
+    for make in (made, lambda: made.__new__(made), lambda: object.__new__(made), lambda: type("Sub", (made,), {})()):
+        with pytest.raises(TypeError):
+            make()
+
+
 def test_nonsense_is_refused_by_name():
     read = grafverif.read(blinker)
     with pytest.raises(ValueError, match="every-cycle"):

@@ -46,6 +46,9 @@ public:
             for (const Supervision::Permission& permission : controller.permissions) {
                 terms.may.push_back(flat_.symbols[permission.symbol.index]);
                 terms.effects.push_back(here(permission.effect));
+                std::vector<Id<Expr>>& sites = terms.site_effects.emplace_back();
+                for (const Id<Expr> effect : permission.site_effects)
+                    sites.push_back(effect.valid() ? here(effect) : effect);
             }
         }
         for (const Id<Expr> bad : asked.bad) bad_terms_.push_back(here(bad));
@@ -74,6 +77,7 @@ private:
     struct Terms {
         Id<Expr> evolves = {};
         std::vector<Id<Expr>> seen = {}, may = {}, effects = {};
+        std::vector<std::vector<Id<Expr>>> site_effects = {};  ///< per permission
     };
 
     Supervisor unknown(std::string why) {
@@ -103,6 +107,11 @@ private:
             std::vector<Bdd> seen;
             for (const Id<Expr> term : each.may) player.may.push_back(bit(term));
             for (const Id<Expr> term : each.effects) effects.push_back(bit(term));
+            std::vector<std::vector<Bdd>>& site_effects = site_effects_.emplace_back();
+            for (const std::vector<Id<Expr>>& sites : each.site_effects) {
+                std::vector<Bdd>& of_sites = site_effects.emplace_back();
+                for (const Id<Expr> term : sites) of_sites.push_back(term.valid() ? bit(term) : Bdd::constant(true));
+            }
             for (const Id<Expr> term : each.seen) seen.push_back(bit(term));
             seen_.emplace_back(*model_, space_, seen);
         }
@@ -267,13 +276,15 @@ private:
         const auto sights = [&](const Bdd& pairs) {
             return seen_[player].sights(output ? game_->evolved(player, pairs) : game_->states(pairs));
         };
-        const Bdd on = sights(chosen & matters & may), off = sights(chosen & matters & ~may);
-        if (!output) return add(player, index, {}, on, off);
+        const auto add_site = [&](std::optional<std::size_t> site, const Bdd& pairs, const Bdd& active) {
+            return add(player, index, site, sights(pairs & may) & active, sights(pairs & ~may) & active);
+        };
+        if (!output) return add_site({}, chosen & matters, Bdd::constant(true));
         const std::vector<std::size_t>& sites = permission(player, index).sites;
         for (std::size_t site = 0; site < sites.size(); ++site) {
             const BddLiteral literal = seen_[player].literals()[sites[site]];
-            const Bdd active = cube(space_, {&literal, 1});
-            if (!add(player, index, site, on & active, off & active)) return false;
+            const Bdd sets = game_->evolves_to(player, site_effects_[player][index][site]);
+            if (!add_site(site, chosen & matters & sets, cube(space_, {&literal, 1}))) return false;
         }
         return true;
     }
@@ -368,8 +379,9 @@ private:
     Id<Expr> marked_term_ = {};
     std::optional<StateSpace> model_ = {};
     std::optional<Game> game_ = {};
-    std::vector<Seen> seen_ = {};                 ///< per player
-    std::vector<std::vector<Bdd>> effects_ = {};  ///< per player and permission
+    std::vector<Seen> seen_ = {};                                   ///< per player
+    std::vector<std::vector<Bdd>> effects_ = {};                    ///< per player and permission
+    std::vector<std::vector<std::vector<Bdd>>> site_effects_ = {};  ///< per player, permission and site
     Bdd bad_ = {}, marked_ = {};
     std::vector<Policy> policies_ = {};  ///< per player
     Bdd under_ = {};                     ///< what is reached under them

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "analyse/analyse.hpp"
+#include "check/pdr/check.hpp"
 #include "check/together.hpp"
 #include "compare/difference.hpp"
+#include "compare/identical.hpp"
 #include "derive/derive.hpp"
 #include "pipeline/models.hpp"
 #include "run/interpreter.hpp"
@@ -124,6 +126,19 @@ public:
              const CompareOptions& options, Comparison& result)
         : charts_{&a, &b}, equations_{&of_a, &of_b}, options_(options), result_(result) {}
 
+    /// Of two charts with the same equations: equal, provided that the constraints leave any inputs at all.
+    void answer_identical() {
+        const Both both = schedule_both(*equations_[0], *equations_[1], {result_.mode, unit(), {}});
+        PdrOptions engine;
+        engine.method = PdrOptions::Method::Bmc;
+        engine.max_steps = 0;
+        engine.properties = {"possible"};
+        set_limits(engine, options_.limits);
+        const Answered possible = answered(both, check_pdr(both.system, engine));
+        result_.outcome = possible.outcome;
+        result_.reason = possible.reason;
+    }
+
     void answer() {
         const bool searches = result_.mode == ExecutionMode::StabilitySearch;
         Answered same = ask({"same", "possible"}, {});
@@ -158,6 +173,7 @@ private:
         TogetherOptions engines;
         engines.properties = properties;
         engines.witnesses = false;
+        engines.equal_latches = true;
         set_limits(engines, options_.limits);
         if (options_.limits.progress)
             engines.progress = [this](const TogetherProgress& now) {
@@ -287,10 +303,12 @@ std::optional<Comparison> compare(const Model& a, Id<Chart> of_a, const Model& b
             }
         result.resolution_ms = *options.resolution_ms;
     }
+    Question question(charts[0], charts[1], *equations[0], *equations[1], options, result);
     if (!durations(*equations[0], *equations[1]).empty() &&
         durations(*equations[0], *equations[1]).back() / result.resolution_ms > greatest_integer)
         result.reason = "a duration has more units of time than are counted; ask for a coarser `--resolution`";
-    else Question(charts[0], charts[1], *equations[0], *equations[1], options, result).answer();
+    else if (identical_up_to_names(*equations[0], *equations[1])) question.answer_identical();
+    else question.answer();
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }

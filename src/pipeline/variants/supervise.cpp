@@ -7,12 +7,14 @@
 #include <map>
 #include <utility>
 
+#include "ir/patterns.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/models.hpp"
 #include "pipeline/variants/supervise_model.hpp"
 #include "pipeline/variants/supervise_text.hpp"
 #include "report/tell.hpp"
 #include "run/project.hpp"
+#include "support/element_of.hpp"
 #include "support/unique_names.hpp"
 
 namespace grafverif {
@@ -48,6 +50,12 @@ public:
         const auto properties = kept(*system, ask_, marked_, diagnostics_);
         if (!properties) return {};
         for (const Id<Property> id : *properties) made_.kept.push_back(system->properties[id].name);
+        for (const Property& property : model_.loops[loop_].properties)
+            if (std::ranges::find(made_.kept, property.name) == made_.kept.end())
+                made_.ignored.push_back(
+                    {property.name, is_about_all_states(property.pattern)
+                                        ? (property.expected_violated ? "expected violated" : "not selected")
+                                        : "not about all states"});
         if (made_.kept.empty()) {
             made_.reason = "every property about states is expected violated; name those to be kept by `--property`";
             return std::move(made_);
@@ -114,7 +122,7 @@ private:
             const System::Controller& controller = system.controllers[index];
             const Id<ClosedLoop::Controller> id{static_cast<std::uint32_t>(index)};
             const auto symbol = [](const auto& list, const std::string& name) {
-                return std::ranges::find(list, name, [](const auto& each) { return each.name; })->variable;
+                return element_of(list, name, [](const auto& each) { return each.name; }).variable;
             };
             for (const Held& held : held_[index])
                 symbols[symbol(controller.words.inputs, held.permission)].kind = System::ChoiceSymbol{};
@@ -135,6 +143,10 @@ private:
                     const auto seen = std::ranges::find(sight.names, step_variable(chart, step));
                     permission.sites.push_back(static_cast<std::size_t>(seen - sight.names.begin()));
                 }
+                for (const std::string& sets : held.sets)
+                    permission.site_effects.push_back(
+                        sets.empty() ? Id<Expr>{}
+                                     : system.exprs.leaf(Op::Variable, symbol(controller.words.outputs, sets).index));
             }
         }
         for (const Id<Property> id : properties) asked.bad.push_back(violation(system, system.properties[id]));

@@ -34,8 +34,13 @@ struct ChartCondition {
 
 struct Supervised {
     std::string loop = {};
+    /// A property of the loop about which the result states nothing.
+    struct Ignored {
+        std::string property = {}, reason = {};
+    };
     std::vector<std::string> kept = {};  ///< names of properties
-    std::string marked = {};             ///< as asked; empty: the initial situation
+    std::vector<Ignored> ignored = {};
+    std::string marked = {};  ///< as asked; empty: the initial situation
     Supervisor::Outcome outcome = Supervisor::Outcome::Unknown;
     std::string reason = {};  ///< of an unknown outcome
     Supervisor::Claim claim = Supervisor::Claim::Least;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "ir/patterns.hpp"
 #include "support/messages_choice.hpp"
@@ -59,17 +60,30 @@ std::vector<Held> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop:
         held.back().places = {written.transitions[id].origin};
     }
     std::map<std::uint32_t, Id<Expr>> of_output;
+    std::vector<std::tuple<Chart::ContinuousAction, std::size_t, std::size_t>> unrestricted;  // of which site of `held`
     for (const Chart::ContinuousAction& action : chart.continuous)
         if (ask.outputs && !read[action.output.index]) of_output.try_emplace(action.output.index);
     for (auto& [output, may] : of_output) {
         may = permission(chart.variables[{output}].name, true);
+        std::size_t conditional = 0;
         for (const Id<Chart::ContinuousAction> id : chart.continuous.ids()) {
             Chart::ContinuousAction& action = chart.continuous[id];
             if (action.output.index != output) continue;
+            held.back().sets.emplace_back();
+            if (!is_true(chart.exprs, action.condition) || action.delay_ms > 0 || action.limit_ms > 0) {
+                unrestricted.emplace_back(action, held.size() - 1, held.back().sets.size() - 1);
+                ++conditional;
+            }
             action.condition = chart.exprs.conjunction(action.condition, may);
             held.back().places.push_back(written.continuous[id].origin);
             held.back().steps.push_back(action.step);
         }
+        if (held.back().steps.size() == 1 && conditional > 0) unrestricted.pop_back();  // the output shows it itself
+    }
+    for (auto& [action, subject, site] : unrestricted) {
+        const std::string name = held[subject].sets[site] = names.fresh("set_" + held[subject].subject);
+        action.output = chart.variables.add({.name = name, .kind = Chart::VariableKind::Output});
+        chart.continuous.add(std::move(action));
     }
     return held;
 }

@@ -21,10 +21,13 @@ struct Held {
     bool output = false;
     std::vector<Span> places = {};            ///< of the transition, of its actions
     std::vector<Id<Chart::Step>> steps = {};  ///< of an output: those of its actions
+    std::vector<std::string> sets =
+        {};  ///< per action: an output of the chart that it alone sets, unrestricted; or empty
 };
 
 /// Gives the chart of a controller an input for each of its transitions and continuous outputs, without which nothing is
-/// cleared, nothing set. `written`: the chart as it stands in the files.
+/// cleared, nothing set; and an output for each action that sets its output only sometimes while its step is active,
+/// if the output has several actions. `written`: the chart as it stands in the files.
 std::vector<Held> add_permissions(Model& model, ClosedLoop& loop, Id<ClosedLoop::Controller> controller,
                                   const Chart& written, const SuperviseAsk& ask, UniqueNames& names);
 

@@ -90,6 +90,28 @@ TEST(Compare, StepsWithOtherNamesAreToldAndMakeNoDifference) {
     EXPECT_NE(result.out.find("  step 1 renamed: 1\n    now ON\n"), std::string::npos) << result.out;
 }
 
+TEST(Compare, IdenticalAndRenamedChartsWithManyTimersAreEqual) {
+    const std::string timers =
+        "grafcet t {\n    input a, b, c;\n    output o, p, q;\n    initial step 0 { o after 3s; }\n"
+        "    step 1 { p after 2s for 3s; }\n    step 2 { q; }\n    transition t0: 0 -> 1 when 3s/(b && c)/2s;\n"
+        "    transition t1: 1 -> 2 when fall(b && c);\n    transition t2: 2 -> 0 when a;\n}\n";
+    const std::string renamed =
+        with(with(with(timers, "step 2 {", "step LAST {"), "1 -> 2", "1 -> LAST"), "t2: 2", "end: LAST");
+    for (const std::string& other : {timers, renamed}) {
+        const Result result = compared(timers, other, {"--timeout", "20s"});
+        EXPECT_EQ(result.code, ExitCode::Done) << result.out << result.err;
+        EXPECT_NE(result.out.find(": equal\n"), std::string::npos) << result.out;
+    }
+    const Result equivalent = compared(timers, with(timers, "when a;", "when a && (b || !b);"), {"--timeout", "60s"});
+    EXPECT_EQ(equivalent.code, ExitCode::Done) << equivalent.out << equivalent.err;
+    const Result impossible = compared(with(timers, "output o", "constraint a && !a;\n    output o"),
+                                       with(timers, "output o", "constraint a && !a;\n    output o"));
+    EXPECT_EQ(impossible.code, ExitCode::Unknown);
+    EXPECT_NE(impossible.out.find("the constraints of both charts leave no inputs"), std::string::npos);
+    const Result other_time = compared(timers, with(timers, "3s/(b", "4s/(b"), {"--timeout", "20s"});
+    EXPECT_NE(other_time.code, ExitCode::Done) << other_time.out;
+}
+
 TEST(Compare, ADifferenceIsTheShortestSequenceWithBothOutputs) {
     const Result result = compared(lamp, with(lamp, "when off", "when off && !on"));
     EXPECT_EQ(result.code, ExitCode::Verdict) << result.err;
@@ -145,6 +167,16 @@ TEST(Compare, AResolutionDividesEveryDuration) {
               std::string::npos)
         << coarse.err;
     EXPECT_EQ(compared(pulse, pulse, {"--resolution", "0s"}).code, ExitCode::Input);
+}
+
+TEST(Compare, AResolutionBeyondEveryClockIsTooCoarse) {
+    const std::string timed = with(lamp, "when off", "when 2s/X1");
+    for (const char* time : {"106751991167h", "2562047788016h", "18446744073709551615ms"}) {
+        const Result result = compared(timed, timed, {"--resolution", time});
+        EXPECT_EQ(result.code, ExitCode::Input) << time << result.out;
+        EXPECT_NE(result.err.find("[not-comparable]"), std::string::npos) << result.err;
+    }
+    EXPECT_EQ(compared(timed, timed, {"--resolution", "99999999999999999999h"}).code, ExitCode::Input);
 }
 
 TEST(Compare, OtherInputsOrOutputsAreNamed) {

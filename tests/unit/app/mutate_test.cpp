@@ -50,6 +50,12 @@ TEST(Mutate, MakesEachKindOfMistakeAndJudgesIt) {
     EXPECT_EQ(json["properties"].size(), 3U) << json["properties"];  // and no_timelock
 }
 
+TEST(Mutate, ATimeForEachBeyondEveryClockIsNoLimit) {
+    const auto expected = mutated(gate, {"--limit", "3"})["counts"];
+    for (const char* time : {"106751991167h", "2562047788016h", "18446744073709551615ms"})
+        EXPECT_EQ(mutated(gate, {"--limit", "3", "--each", time})["counts"], expected) << time;
+}
+
 TEST(Mutate, AMissingActionIsNoticedByThePropertyThatNamesIt) {
     const auto json = mutated(gate);
     for (const auto& mutant : json["mutants"])

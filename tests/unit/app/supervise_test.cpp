@@ -71,6 +71,49 @@ TEST(Supervise, AMarkedTermStaysWithinReach) {
     EXPECT_TRUE(says(never.out, "the plant can come to where nothing marked can be")) << never.out;
 }
 
+const std::string heater =
+    "grafcet c {\n    input a, b;\n    output o1;\n    initial step 0 { o1 if a && b; }\n    step 1 { o1; }\n"
+    "    initial step 5;\n    transition t0: 5 -> 1 when a;\n    transition t1: 1 -> 5 when !a;\n}\n"
+    "component oven(input ON; output HOT) {\n    initial location idle;\n    location hot;\n    location burnt;\n"
+    "    timed idle -> hot when !ON do HOT := true;\n    timed hot -> idle when true do HOT := false;\n"
+    "    timed hot -> burnt when ON;\n}\n"
+    "component never_on(output B) {\n    initial location off;\n    location on;\n"
+    "    urgent on -> off when true do B := true;\n}\n"
+    "closed_loop l {\n    controller c with stability_search;\n    plant Oven = oven(ON = o1, HOT = a);\n"
+    "    plant Switch = never_on(B = b);\n    property safe: never Oven in burnt;\n"
+    "    property cools: inevitable b;\n    property burns expected violated: never X1;\n}\n";
+
+TEST(Supervise, ConditionsExcludeSomething) {
+    const Folder folder;
+    const Result made = grafverif({"supervise", folder.write("heater.grafcet", heater)});
+    ASSERT_EQ(made.code, ExitCode::Done) << made.out << made.err;
+    EXPECT_TRUE(says(made.out, "output o1 in X1")) << made.out;
+    EXPECT_FALSE(says(made.out, "output o1 in X0")) << made.out;  // its action never sets o1
+    const Result possible =
+        grafverif({"supervise", folder.write("other.grafcet", changed(heater, "o1 if a && b", "o1 if a && !b"))});
+    ASSERT_EQ(possible.code, ExitCode::Done) << possible.out << possible.err;
+    EXPECT_TRUE(says(possible.out, "output o1 in X0")) << possible.out;
+}
+
+TEST(Supervise, PropertiesThatItDoesNotConsiderAreNamed) {
+    const Folder folder;
+    const std::string file = folder.write("heater.grafcet", heater);
+    const Result made = grafverif({"supervise", file});
+    EXPECT_TRUE(says(made.out, "not considered, not about all states: cools\n")) << made.out;
+    EXPECT_TRUE(says(made.out, "not considered, expected violated: burns\n")) << made.out;
+    const std::string safe =
+        folder.write("safe.grafcet", changed(heater, "safe: never Oven in burnt", "safe: never X1 && X5"));
+    const Result holds = grafverif({"supervise", safe});
+    EXPECT_EQ(holds.code, ExitCode::Done) << holds.out << holds.err;
+    EXPECT_TRUE(says(holds.out, "The properties to be kept hold without conditions")) << holds.out;
+    EXPECT_TRUE(says(holds.out, "not considered, not about all states: cools\n")) << holds.out;
+    const Result json = grafverif({"supervise", file, "--property", "safe", "--format", "json"});
+    const auto ignored = nlohmann::json::parse(json.out)["ignored"];
+    ASSERT_EQ(ignored.size(), 2U) << json.out;
+    EXPECT_EQ(ignored[0]["property"], "cools");
+    EXPECT_EQ(ignored[0]["reason"], "not about all states");
+}
+
 TEST(Supervise, BadInputIsRefusedWithAdvice) {
     struct Case {
         std::vector<std::string> arguments = {};

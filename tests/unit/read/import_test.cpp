@@ -89,6 +89,14 @@ TEST(Import, ReadsTextInUtf16AndLatin1AsItsUtf8) {
     EXPECT_NE(imported(latin + " Größe").said.find("byte 0xF6 is not UTF-8"), std::string::npos) << "mixed: a guess";
 }
 
+TEST(Import, RejectsUtf16WithHalfACharacter) {
+    for (const std::string text : {std::string("grafcet g { initial step 0; }"), std::string("<project/>")}) {
+        const Imported result = imported(utf16(text) + "}");
+        EXPECT_NE(result.said.find("UTF-16 with half a character at its end"), std::string::npos) << result.said;
+    }
+    EXPECT_EQ(imported(utf16("grafcet g { initial step 0; }")).said, "");
+}
+
 TEST(Import, TakesOverTheWholeMetaModelOfAgrafe) {
     const Imported result = imported(fixtures::agrafe);
     EXPECT_EQ(result.text, fixtures::agrafe_text) << result.said;

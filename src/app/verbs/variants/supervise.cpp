@@ -86,7 +86,7 @@ std::string subject_words(const ChartCondition& condition, bool several) {
 
 void print_conditions(const Supervised& found, std::ostream& out) {
     if (found.conditions.empty()) {
-        out << "\nThey hold as it is: nothing need be forbidden.\n";
+        out << "\nThe properties to be kept hold without conditions: nothing need be forbidden.\n";
         return;
     }
     bool several = false;
@@ -107,6 +107,12 @@ void print(const Supervised& found, std::ostream& out) {
         "{}: untimed, plant automata interleaved, grain atomic\n"
         "to be kept: {}\nto stay within reach: {}\n",
         found.loop, listed(found.kept), marked_words(found));
+    for (const std::string reason : {"not about all states", "expected violated", "not selected"}) {
+        std::vector<std::string> names;
+        for (const Supervised::Ignored& ignored : found.ignored)
+            if (ignored.reason == reason) names.push_back(ignored.property);
+        if (!names.empty()) out << fmt::format("not considered, {}: {}\n", reason, listed(names));
+    }
     switch (found.outcome) {
     case Supervisor::Outcome::Found:
         print_conditions(found, out);
@@ -135,8 +141,12 @@ nlohmann::ordered_json json_of(const Supervised& found, const Sources& sources) 
                               {"step", text_or_null(condition.step)},
                               {"condition", condition.term},
                               {"place", text_or_null(file_and_line(sources, condition.origin))}});
+    nlohmann::ordered_json ignored = nlohmann::ordered_json::array();
+    for (const auto& [property, reason] : found.ignored)
+        ignored.push_back({{"property", property}, {"reason", reason}});
     nlohmann::ordered_json json = {{"model", found.loop},
                                    {"kept", found.kept},
+                                   {"ignored", std::move(ignored)},
                                    {"marked", text_or_null(found.marked)},
                                    {"outcome", std::string(word(found.outcome))},
                                    {"reason", text_or_null(found.reason)}};
