@@ -50,12 +50,13 @@ public:
         const auto properties = kept(*system, ask_, marked_, diagnostics_);
         if (!properties) return {};
         for (const Id<Property> id : *properties) made_.kept.push_back(system->properties[id].name);
-        for (const Property& property : model_.loops[loop_].properties)
-            if (std::ranges::find(made_.kept, property.name) == made_.kept.end())
-                made_.ignored.push_back(
-                    {property.name, is_about_all_states(property.pattern)
-                                        ? (property.expected_violated ? "expected violated" : "not selected")
-                                        : "not about all states"});
+        for (const Property& property : model_.loops[loop_].properties) {
+            if (std::ranges::find(made_.kept, property.name) != made_.kept.end()) continue;
+            const bool about_states = is_about_all_states(property.pattern);
+            made_.ignored.push_back({property.name, !ask_.properties.empty() ? "not selected"
+                                                    : about_states           ? "expected violated"
+                                                                             : "not about all states"});
+        }
         if (made_.kept.empty()) {
             made_.reason = "every property about states is expected violated; name those to be kept by `--property`";
             return std::move(made_);

@@ -107,11 +107,15 @@ TEST(Supervise, PropertiesThatItDoesNotConsiderAreNamed) {
     EXPECT_EQ(holds.code, ExitCode::Done) << holds.out << holds.err;
     EXPECT_TRUE(says(holds.out, "The properties to be kept hold without conditions")) << holds.out;
     EXPECT_TRUE(says(holds.out, "not considered, not about all states: cools\n")) << holds.out;
-    const Result json = grafverif({"supervise", file, "--property", "safe", "--format", "json"});
-    const auto ignored = nlohmann::json::parse(json.out)["ignored"];
-    ASSERT_EQ(ignored.size(), 2U) << json.out;
-    EXPECT_EQ(ignored[0]["property"], "cools");
-    EXPECT_EQ(ignored[0]["reason"], "not about all states");
+    for (const std::string chosen : {"", "safe"}) {
+        std::vector<std::string> words{"supervise", file, "--format", "json"};
+        if (!chosen.empty()) words.insert(words.end(), {"--property", chosen});
+        const Result json = grafverif(words);
+        const auto ignored = nlohmann::json::parse(json.out)["ignored"];
+        ASSERT_EQ(ignored.size(), 2U) << json.out;
+        EXPECT_EQ(ignored[0]["property"], "cools");
+        EXPECT_EQ(ignored[0]["reason"], chosen.empty() ? "not about all states" : "not selected");
+    }
 }
 
 TEST(Supervise, BadInputIsRefusedWithAdvice) {

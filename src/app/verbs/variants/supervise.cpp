@@ -107,7 +107,7 @@ void print(const Supervised& found, std::ostream& out) {
         "{}: untimed, plant automata interleaved, grain atomic\n"
         "to be kept: {}\nto stay within reach: {}\n",
         found.loop, listed(found.kept), marked_words(found));
-    for (const std::string reason : {"not about all states", "expected violated", "not selected"}) {
+    for (const std::string reason : {"not about all states", "expected violated"}) {
         std::vector<std::string> names;
         for (const Supervised::Ignored& ignored : found.ignored)
             if (ignored.reason == reason) names.push_back(ignored.property);
