@@ -279,17 +279,17 @@ TEST(Check, SaysWhatProofsRestOnWhereItIsAsked) {
 
 TEST(Check, WhyCoversPropertiesWithDurationsAndScopes) {
     const Folder folder;
-    const std::string file =
-        folder.write("lamp.grafcet",
-                     "grafcet lamp { input GO; output L; initial step 0; step 1 { L; }\n"
-                     "transition t0: 0 -> 1 when rise(GO); transition t1: 1 -> 0 when 2s/X1; }\n"
-                     "closed_loop l { controller lamp; environment Go = free(OUT = GO);\n"
-                     "property soon: L leads to !L within 3s; property lit: never L && X0 after X1; }\n");
+    const std::string file = folder.write(
+        "lamp.grafcet",
+        "grafcet lamp { input GO; output L; initial step 0; step 1 { L; } step 2;\n"
+        "transition t0: 0 -> 1 when rise(GO); transition t1: 1 -> 2 when 2s/X1; transition t2: 2 -> 0 when 1s/X2; }\n"
+        "closed_loop l { controller lamp; environment Go = free(OUT = GO);\n"
+        "property soon: X1 leads to X2 within 3s; property apart: never X0 && X2 after X1; }\n");
     const Result text = grafverif({"check", file, "--why"});
     EXPECT_EQ(text.code, ExitCode::Done) << text.out << text.err;
     EXPECT_NE(text.out.find("soon: it fails where t1 is never cleared"), std::string::npos) << text.out;
-    EXPECT_NE(text.out.find("lit: no transition, step or term"), std::string::npos) << text.out;
-    EXPECT_NE(text.out.find("transitions: 1 of 2"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("apart: no transition, step or term"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("transitions: 1 of 3"), std::string::npos) << text.out;
     const Json why = Json::parse(grafverif({"check", file, "--why", "--format", "json"}).out)["why"];
     EXPECT_EQ(why["properties"][0]["transitions"], Json({"t1"}));
     EXPECT_TRUE(why["properties"][0]["parts"].is_null());
