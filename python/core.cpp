@@ -396,9 +396,9 @@ PYBIND11_MODULE(_core, module) {
             return Bounds{timeout, memory, states};
         },
         py::kw_only(), py::arg("timeout") = py::none(), py::arg("memory") = py::none(), py::arg("states") = py::none());
-    py::class_<Checked> report(module, "Report");
-    forbid_new(report);
-    report.def("text", [](const Checked& checked) { return text_of(checked.report, checked.sources); })
+    py::class_<Checked> report_class(module, "Report");
+    forbid_new(report_class);
+    report_class.def("text", [](const Checked& checked) { return text_of(checked.report, checked.sources); })
         .def("json", [](const Checked& checked) { return json_of(checked.report, checked.sources); })
         .def(
             "trace_text", [](const Checked& checked, std::size_t answer) { return text_of(run_of(checked, answer)); },
@@ -425,9 +425,10 @@ PYBIND11_MODULE(_core, module) {
         .def("svg", [](const Moved& moved) { return svg_of(moved.simulator.run(), moved.simulator.run().name); })
         .def("trial_row", [](const Moved& moved) { return moved.simulator.trial_row(); })
         .def("disagreement", [](const Moved& moved) { return moved.simulator.disagreement(); });
-    py::class_<File> file(module, "File");
-    forbid_new(file);
-    file.def_static(
+    py::class_<File> file_class(module, "File");
+    forbid_new(file_class);
+    file_class
+        .def_static(
             "read",
             [](const std::string& path, std::vector<std::string> folders, bool lossy,
                std::map<std::string, std::string> constants) {
