@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <functional>
 #include <iterator>
 #include <utility>
 
 #include "check/cells/cells.hpp"
+#include "check/inputs/inputs.hpp"
+#include "check/parts/parts.hpp"
 #include "check/shares.hpp"
 #include "check/timed/timed.hpp"
 #include "check/vacuity.hpp"
@@ -53,16 +57,45 @@ TimedOptions timed_options(const LoopToCheck& loop, const CheckOptions& options)
     return timed;
 }
 
-TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
-    const TimedOptions timed = timed_options(loop, options);
-    return options.whole ? check_timed(loop.network, timed) : check_timed_by_cells(loop.network, timed);
+/// A bounded search of observe(loop), and input abstractions of what it leaves open. These have half of the time that is
+/// left: the search of the complete loop may have to follow.
+TimedResult search_first(const Network& loop, const Observe& observe, const TimedOptions& options,
+                         const WholeSearch& search) {
+    TimedResult result = search(observe(loop), options);
+    TimedOptions abstract = options;
+    abstract.max_states = TimedOptions{}.max_states;
+    abstract.deadline = share_of(options.deadline, 2);
+    decide_by_inputs(loop, observe, abstract, result);
+    return result;
 }
 
-/// An observer looks at the whole, so there are no cells to be had; whether time can stop is asked of the loop alone.
-TimedResult search_watched(const LoopToCheck& loop, const CheckOptions& options) {
+TimedResult search(const LoopToCheck& loop, const CheckOptions& options) {
+    const TimedOptions timed = timed_options(loop, options);
+    const CellLimits limits;
+    if (options.whole) return check_timed(loop.network, timed);
+    const auto whole = [&](const Network& network, const TimedOptions& of) {
+        const bool first = of.max_states == limits.whole && timed.max_states > limits.whole && !loop.cures_left_out;
+        return first ? search_first(network, std::identity{}, of, check_timed_by_parts)
+                     : check_timed_by_parts(network, of);
+    };
+    return check_timed_by_cells(loop.network, timed, limits, {}, whole);
+}
+
+/// `observe` adds the observer of the only property. An observer reads the complete loop, so there are no cells; whether
+/// time can stop is decided on the loop alone.
+TimedResult search_watched(const LoopToCheck& loop, const Observe& observe, const CheckOptions& options) {
     TimedOptions timed = timed_options(loop, options);
     timed.timelock = false;
-    return check_timed(loop.network, timed);
+    const CellLimits limits;
+    if (options.whole || loop.cures_left_out || timed.max_states <= limits.whole)
+        return check_timed(observe(loop.network), timed);
+    TimedOptions first = timed;
+    first.max_states = limits.whole;
+    first.many = {};
+    TimedResult found = search_first(expand(loop.network), observe, first, check_timed);
+    const bool open =
+        std::ranges::any_of(found.verdicts, [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Bound; });
+    return open ? check_timed(observe(loop.network), timed) : found;
 }
 
 /// Turns what the engine found into a report; runs that do not replay are failures and are not told.
@@ -151,18 +184,20 @@ namespace {
 
 /// What a property judged by an observer is found to be: its observer beside the loop, and nobody else's.
 Report check_watched(const LoopToCheck& loop, Id<Property> id, const CheckOptions& options) {
-    Network network = observed(loop.network, {id}, Vacuity::Probed);
     const std::string& name = loop.network.properties[id].name;
+    const Observe observe = [&](const Network& of) {
+        Network network = observed(of, {id}, Vacuity::Probed);
+        for (const Property& property : std::exchange(network.properties, {}))
+            if (property.name == name || probed_by(property) == name) network.properties.add(property);
+        return network;
+    };
+    const Network network = observe(loop.network);
     CheckOptions own = options;
     own.properties.clear();
-    for (const Property& property : std::exchange(network.properties, {})) {
-        if (property.name != name && probed_by(property) != name) continue;
-        own.properties.push_back(property.name);
-        network.properties.add(property);
-    }
+    for (const Property& property : network.properties) own.properties.push_back(property.name);
     own.profile = false;
     const LoopToCheck watched_loop{network, loop.charts, loop.cures_left_out, loop.finest};
-    Report report = Reporter(watched_loop, own).report(search_watched(watched_loop, own));
+    Report report = Reporter(watched_loop, own).report(search_watched(loop, observe, own));
     const Property& sentence = loop.network.properties[id];
     for (Answer& answer : report.answers) {
         if (answer.verdict.outcome != Outcome::Violated || !answer.trace) continue;
@@ -211,27 +246,25 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
                                    [&](Id<Property> id) { return loop.network.properties[id].name == name; });
     });
     const bool only_watched = rest.properties.empty() && !options.properties.empty();
-    if (only_watched) rest.properties = {"no_timelock"};  // in any case
-    const LoopToCheck unwatched{alone, loop.charts, loop.cures_left_out, loop.finest};
+    if (only_watched) {  // whether time can stop is a note then, not worth a search of the complete loop
+        rest.properties = {"no_timelock"};
+        rest.limits.states = std::min(rest.limits.states.value_or(CellLimits{}.whole), CellLimits{}.whole);
+    }
+    std::vector<Id<Property>> asked;
+    std::ranges::copy_if(by_observers, std::back_inserter(asked), is_asked);
     Report report{alone.name, basis_of(alone, "timed")};
     std::uint64_t states = 0;
-    const auto search_rest = [&] {
-        TimedResult found = search(unwatched, rest);
-        std::uint64_t explored = found.states;  // of the last one of several searches
-        for (const Verdict& verdict : found.verdicts)
-            explored = std::max<std::uint64_t>(explored, std::stoull('0' + verdict.states));
-        Report made = Reporter(unwatched, rest).report(std::move(found));
-        report.profile = std::move(made.profile);
-        take(std::move(made), std::exchange(states, states + explored), report);
-    };
-    if (!only_watched) search_rest();
-    for (const Id<Property> id : by_observers) {
-        if (!is_asked(id)) continue;
-        Report made = check_watched(loop, id, options);
+    for (std::size_t i = 0; i < asked.size(); ++i) {  // each has an equal share of the time that is left, as the rest has
+        CheckOptions share = options;
+        share.limits.deadline = share_of(options.limits.deadline, asked.size() - i + 1);
+        Report made = check_watched(loop, asked[i], share);
         const std::uint64_t explored = std::stoull('0' + made.answers.front().verdict.states);
         take(std::move(made), std::exchange(states, states + explored), report);
     }
-    if (only_watched) search_rest();  // it is not what was asked for, and may take all the time
+    const LoopToCheck unwatched{alone, loop.charts, loop.cures_left_out, loop.finest};
+    Report made = Reporter(unwatched, rest).report(search(unwatched, rest));
+    report.profile = std::move(made.profile);
+    take(std::move(made), states, report);
     put_in_order(loop.network, report.answers);
     return report;
 }

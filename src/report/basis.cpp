@@ -39,6 +39,23 @@ std::string scope_words(const Scope& scope) {
     return fmt::format("{}, {} {}", rest, scope.left_out.size() == 1 ? "which" : "each of which", scope.because);
 }
 
+void append(std::string& words, std::string_view more, std::string_view between) {
+    if (!more.empty()) words.append(words.empty() ? "" : between).append(more);
+}
+
+/// Instances that an input abstraction replaced.
+std::string abstraction_words(const Answer& answer) {
+    const Verdict& verdict = answer.verdict;
+    if (!verdict.abstraction) return {};
+    const auto& [chosen, untimed, paced] = *verdict.abstraction;
+    std::string words;
+    if (!chosen.empty()) words = "inputs chosen at each sampling: " + some_of(chosen);
+    if (!untimed.empty()) append(words, "clocks ignored: " + some_of(untimed), "; ");
+    if (!paced.empty()) append(words, "at any time, but once in an instant: " + some_of(paced), "; ");
+    if (answer.trace) append(words, "a shorter trace may exist", "; ");
+    return words;
+}
+
 /// What every verdict of a report rests on.
 std::string common_words(const Basis& basis) {
     const std::string constants = basis.constants.empty() ? "" : "; " + constants_text(basis.constants);
@@ -50,25 +67,22 @@ std::string common_words(const Basis& basis) {
 }
 
 /// What a verdict rests on beside that: states, sub-loops, what it says of the timed loop; empty: nothing.
-using Parts = std::array<std::string, 3>;
+using Parts = std::array<std::string, 4>;
 Parts parts_of(const Answer& answer) {
     const Verdict& verdict = answer.verdict;
-    return {verdict.states.empty() ? "" : verdict.states + " states", scope_words(verdict.scope), answer.carries};
-}
-
-void append(std::string& words, std::string_view more, std::string_view between) {
-    if (!more.empty()) words.append(words.empty() ? "" : between).append(more);
+    return {verdict.states.empty() ? "" : verdict.states + " states", scope_words(verdict.scope), answer.carries,
+            abstraction_words(answer)};
 }
 
 /// Per part what all have there; empty optional: they differ. What was not searched for an undecided one says nothing.
-std::array<std::optional<std::string>, 3> agreed(const std::vector<const Answer*>& answers) {
-    std::array<std::set<std::string>, 3> values;
+std::array<std::optional<std::string>, 4> agreed(const std::vector<const Answer*>& answers) {
+    std::array<std::set<std::string>, 4> values;
     for (const Answer* answer : answers) {
         const Parts parts = parts_of(*answer);
         for (std::size_t k = 0; k < parts.size(); ++k)
             if (k != 0 || !parts[0].empty() || answer->verdict.outcome != Outcome::Unknown) values[k].insert(parts[k]);
     }
-    std::array<std::optional<std::string>, 3> same;
+    std::array<std::optional<std::string>, 4> same;
     for (std::size_t k = 0; k < same.size(); ++k)
         if (values[k].size() == 1) same[k] = *values[k].begin();
     return same;

@@ -69,6 +69,11 @@ Json property(const Report& report, const Answer& answer, const Sources& sources
     if (!scope.searched.empty() || !scope.left_out.empty())
         made[scope.cells ? "cells" : "sub_loops"] = {
             {"searched", scope.searched}, {"left_out", scope.left_out}, {"because", text_or_null(scope.because)}};
+    if (verdict.abstraction)
+        made["abstraction"] = {{"chosen", verdict.abstraction->chosen},
+                               {"untimed", verdict.abstraction->untimed},
+                               {"paced", verdict.abstraction->paced},
+                               {"shortest", answer.trace ? Json(false) : Json(nullptr)}};
     return made;
 }
 

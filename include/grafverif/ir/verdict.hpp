@@ -65,6 +65,14 @@ struct Scope {
     bool operator==(const Scope&) const = default;
 };
 
+/// An abstraction of the inputs that decided a verdict (docs/engines.md, "Input abstraction"): instances by name.
+struct InputsAbstracted {
+    std::vector<std::string> chosen = {};   ///< any reachable value at each sampling
+    std::vector<std::string> untimed = {};  ///< without their clocks
+    std::vector<std::string> paced = {};    ///< with no other bound than that they do not move twice in an instant
+    bool operator==(const InputsAbstracted&) const = default;
+};
+
 struct Verdict {
     Id<Property> about = {};    ///< of the model checked; not valid: the model does not ask (see `declared`)
     std::string property = {};  ///< its name; of one that expands: `S.X7`
@@ -80,8 +88,9 @@ struct Verdict {
     std::optional<std::uint64_t> transitions = {};
     double seconds = 0;
     Scope scope = {};
-    std::optional<Run> run = {};  ///< counterexample; of a `reachable` that holds: witness
-    Span origin = {};             ///< of the property
+    std::optional<InputsAbstracted> abstraction = {};  ///< with a run: it need not be a shortest one
+    std::optional<Run> run = {};                       ///< counterexample; of a `reachable` that holds: witness
+    Span origin = {};                                  ///< of the property
 
     bool operator==(const Verdict&) const = default;
 };

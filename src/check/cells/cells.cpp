@@ -46,6 +46,9 @@ struct Invariant {
     Cells reads = {};
 };
 
+/// Not by a search of the complete network.
+bool is_decided_apart(const Verdict& verdict) { return verdict.scope.cells || verdict.abstraction; }
+
 class ByCells {
 public:
     ByCells(Network network, const NetworkCells& cells, const TimedOptions& options, const CellLimits& limits,
@@ -62,7 +65,10 @@ public:
         if (!goes_on()) return std::move(result_);
         // Else what holds by cells may be what the whole leaves unknown, or calls vacuous.
         if (result_.errors.empty() && result_.time_passes) ask();
-        if (tasks_.empty() && !race_) return search_whole();
+        if (tasks_.empty() && !race_) {
+            const bool decided = std::ranges::any_of(result_.verdicts, is_decided_apart);
+            return decided && !needs_whole() ? std::move(result_) : search_whole();
+        }
         may_err_ = cells_that_may_err(network_, cells_);
         if (may_err_.contains(NetworkCells::none)) return search_whole();
         local_deadline_ = share_of(options_.deadline, 3);  // the rest is for the complete network
@@ -312,17 +318,16 @@ bool ByCells::needs_whole() {
 TimedResult ByCells::search_whole() {
     if (options_.max_states <= limits_.whole) return std::move(result_);
     TimedOptions options = options_;
-    const auto by_cells = [](const Verdict& verdict) { return verdict.scope.cells; };
-    if (std::ranges::any_of(result_.verdicts, by_cells)) {
+    if (std::ranges::any_of(result_.verdicts, is_decided_apart)) {
         options.properties.clear();
         for (const Verdict& verdict : result_.verdicts)
-            if (!by_cells(verdict) && verdict.about.valid())
+            if (!is_decided_apart(verdict) && verdict.about.valid())
                 options.properties.push_back(network_.properties[verdict.about].name);
         if (options.properties.empty()) options.properties.push_back(timed::undeclared_timelock(network_).name);
     }
     TimedResult whole = whole_(network_, options);
     for (Verdict& verdict : result_.verdicts) {
-        if (by_cells(verdict)) continue;
+        if (is_decided_apart(verdict)) continue;
         const Verdict& found = element_of(whole.verdicts, verdict.property, &Verdict::property);
         const bool ended_before = found.outcome == Outcome::Unknown && verdict.outcome != Outcome::Unknown;
         const bool first_was_greater =
@@ -362,7 +367,8 @@ TimedResult with_time_told(TimedResult result) {
 TimedResult check_timed_by_cells(const Network& network, const TimedOptions& options, const CellLimits& limits,
                                  const LocalAblations& ablations, const WholeSearch& whole) {
     const bool asked = std::ranges::any_of(network.properties, [&](const Property& property) {
-        return timed::asked(options, property) && is_about_single_states(property.pattern);
+        const bool states = is_about_single_states(property.pattern) || property.pattern == Pattern::ReachableAllSteps;
+        return timed::asked(options, property) && states;
     });
     if (!asked) return with_time_told(whole(network, options));
     Network flat = expand(network);

@@ -92,6 +92,17 @@ std::vector<Verdict> Questions::answers(Graph& graph, Obstacle ended, const std:
     return verdicts;
 }
 
+std::vector<std::vector<AbstractState>> Questions::paths(Graph& graph) const {
+    std::vector<std::vector<AbstractState>> found;
+    for (const Question& question : questions_) {
+        const Pattern pattern = question.property->pattern;
+        const bool single = is_about_single_states(pattern) || pattern == Pattern::ReachableAllSteps;
+        const std::uint32_t state = single && question.watch != none ? watch_.found(question.watch) : Watch::none;
+        found.push_back(state == Watch::none ? std::vector<AbstractState>{} : graph.states_along(graph.path_to(state)));
+    }
+    return found;
+}
+
 std::string Questions::inexact_reason() const { return "integer time is not exact for " + inexact_.value_or(""); }
 
 void Questions::answer(Question& question, Graph& graph, const Limits& limits) {

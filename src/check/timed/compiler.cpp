@@ -3,6 +3,7 @@
 // word; the order of operands only matters where one of them may have no value, and is kept there.
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <unordered_map>
 
 #include "check/timed/program.hpp"
@@ -130,18 +131,20 @@ std::optional<Compiler::Literal> Compiler::literal(Id<Expr> term) const {
     const auto of = [](const Field& field, std::int64_t value) {
         return Literal{field.word, field.mask(), field.width == 0 ? 0 : field.placed(value)};
     };
-    if (node.op == Op::Variable && network_.variables[variable_of(node)].type == Type{})
-        return of(layout_.variables[variable_of(node).index], 1);
+    const auto is_bit = [&](const Expr& leaf) {
+        return leaf.op == Op::Variable && network_.variables[variable_of(leaf)].type == Type{} &&
+               !is_chosen(variable_of(leaf));
+    };
+    if (is_bit(node)) return of(layout_.variables[variable_of(node).index], 1);
     if (node.op == Op::At) return of(layout_.locations[at_process(node)], at_location(node));
     if (node.op == Op::Not) {
         const Expr& inner = network_.exprs[network_.exprs.operands(term)[0]];
-        if (inner.op == Op::Variable && network_.variables[variable_of(inner)].type == Type{})
-            return of(layout_.variables[variable_of(inner).index], 0);
+        if (is_bit(inner)) return of(layout_.variables[variable_of(inner).index], 0);
     }
     if (node.op == Op::Equal) {
         const Expr& left = network_.exprs[network_.exprs.operands(term)[0]];
         const Expr& right = network_.exprs[network_.exprs.operands(term)[1]];
-        if (left.op != Op::Variable || right.op != Op::Integer) return {};
+        if (left.op != Op::Variable || right.op != Op::Integer || is_chosen(variable_of(left))) return {};
         const Network::Variable& variable = network_.variables[variable_of(left)];
         if (right.value < variable.type.low || right.value > variable.type.high) return {};
         return of(layout_.variables[variable_of(left).index], right.value);
@@ -154,8 +157,38 @@ std::uint32_t Compiler::test(const Literal& literal, std::uint32_t yes, std::uin
         {.mask = literal.mask, .value = literal.value, .yes = yes, .no = no, .word = literal.word, .op = Do::Test});
 }
 
-std::uint32_t Compiler::load(const Field& field, std::uint32_t to, std::uint32_t next) {
+void Compiler::choose(const InputChoice& choice, std::size_t number) {
+    for (std::size_t column = 0; column < choice.variables.size(); ++column) {
+        Chosen& chosen = chosen_[choice.variables[column].index];
+        chosen.set = Choices::set(number);
+        for (const std::vector<std::int64_t>& valuation : choice.valuations) chosen.values.push_back(valuation[column]);
+    }
+}
+
+/// Whether the value of a chosen variable is in low..high.
+std::uint32_t Compiler::chosen_within(Id<Network::Variable> variable, std::int64_t low, std::int64_t high,
+                                      std::uint32_t yes, std::uint32_t no) {
+    const Chosen& chosen = chosen_.at(variable.index);
+    Word valuations = 0;
+    for (std::size_t row = 0; row < chosen.values.size(); ++row)
+        if (low <= chosen.values[row] && chosen.values[row] <= high) valuations |= Word{1} << row;
+    return emit({.value = valuations, .yes = yes, .no = no, .to = chosen.set, .op = Do::Choose});
+}
+
+std::uint32_t Compiler::load(Id<Network::Variable> variable, std::uint32_t to, std::uint32_t next) {
     reserve(to);
+    if (is_chosen(variable)) {
+        const std::set<std::int64_t> values(chosen_.at(variable.index).values.begin(),
+                                            chosen_.at(variable.index).values.end());
+        std::uint32_t start = Program::no;  // no valuation has another value
+        for (const std::int64_t value : values) {
+            const std::uint32_t constant =
+                emit({.value = static_cast<Word>(value), .yes = next, .to = to, .op = Do::Constant});
+            start = start == Program::no ? constant : chosen_within(variable, value, value, constant, start);
+        }
+        return start;
+    }
+    const Field& field = layout_.variables[variable.index];
     return emit({.mask = field.mask(),
                  .value = static_cast<Word>(field.low),
                  .yes = next,
@@ -223,7 +256,8 @@ std::uint32_t Compiler::boolean(Id<Expr> term, std::uint32_t yes, std::uint32_t 
     case Op::LessEqual:
     case Op::Greater:
     case Op::GreaterEqual: return comparison(term, yes, no, base);
-    case Op::Variable:  // a Boolean whose type is no plain one
+    case Op::Variable:  // chosen, or a Boolean whose type is no plain one
+        if (is_chosen(variable_of(node))) return chosen_within(variable_of(node), 1, 1, yes, no);
         return emit({.mask = layout_.variables[variable_of(node).index].mask(),
                      .yes = no,
                      .no = yes,
@@ -316,6 +350,7 @@ std::uint32_t Compiler::comparison(Id<Expr> term, std::uint32_t yes, std::uint32
         if (op == Op::Greater) low = std::max(low, bound + 1);
         if (low > high) return no;
         if (low == type.low && high == type.high) return yes;
+        if (is_chosen({side->variable})) return chosen_within({side->variable}, low, high, yes, no);
         return emit(field_within(field, low - field.low, high - field.low, yes, no));
     }
     if (op == Op::Greater || op == Op::GreaterEqual) {
@@ -338,7 +373,7 @@ std::uint32_t Compiler::integer(Id<Expr> term, std::uint32_t to, std::uint32_t n
     };
     switch (node.op) {
     case Op::Integer: return emit({.value = static_cast<Word>(node.value), .yes = next, .to = to, .op = Do::Constant});
-    case Op::Variable: return load(layout_.variables[variable_of(node).index], to, next);
+    case Op::Variable: return load(variable_of(node), to, next);
     case Op::Negate: return integer(operands[0], to, emit({.yes = next, .to = to, .a = to, .b = to, .op = Do::Negate}));
     case Op::Plus: return binary(Do::Add);
     case Op::Minus: return binary(Do::Subtract);

@@ -76,7 +76,7 @@ std::uint32_t Compiler::eager(Id<Expr> term, std::uint32_t next, std::uint32_t& 
             const std::uint32_t truth = constant(1);
             start = test(*bits, truth, constant(0));
         } else if (node.op == Op::Variable) {
-            start = load(layout_.variables[static_cast<std::size_t>(node.value)], to, start);
+            start = load({static_cast<std::uint32_t>(node.value)}, to, start);
         } else if (is_constant(node.op)) {
             start = constant(node.op == Op::Integer ? static_cast<Word>(node.value) : node.op == Op::True ? 1 : 0);
         } else if (node.op == Op::And || node.op == Op::Or) {

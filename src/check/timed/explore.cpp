@@ -74,6 +74,7 @@ public:
         while (graph_.looked_at < graph_.states()) {
             if (const Obstacle obstacle = limits_.judge(graph_, graph_.looked_at, held()); obstacle != Obstacle::None)
                 return obstacle;
+            if (limits_.until_decided() && watch_.is_over()) return Obstacle::Bound;
             limits_.explain(graph_);
             if (const Obstacle obstacle = block(); obstacle != Obstacle::None) return obstacle;
         }
@@ -101,7 +102,8 @@ private:
         gather();
         Obstacle obstacle = Obstacle::None;
         try {
-            for (std::size_t i = 0; i < filled_ && obstacle == Obstacle::None; ++i) obstacle = number(slices_[i]);
+            for (std::size_t i = 0; i < filled_ && obstacle == Obstacle::None; ++i)
+                obstacle = slices_[i].cut ? Obstacle::Bound : number(slices_[i]);
         } catch (const std::bad_alloc&) {
             obstacle = Obstacle::Memory;
         }

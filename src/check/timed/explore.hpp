@@ -56,6 +56,7 @@ public:
     /// Explains the states found, once, where there are many and somebody asks.
     void explain(Graph& graph);
     bool too_many(std::size_t states) const { return states >= options_.max_states || states >= Store::most; }
+    bool until_decided() const { return options_.until_decided; }
     std::uint64_t max_memory() const { return options_.max_memory; }
     /// It was the memory allowed that ended the search, not what the system has.
     bool allowed_used() const { return allowed_used_; }

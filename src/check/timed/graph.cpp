@@ -23,9 +23,35 @@ Move Graph::move_between(std::uint32_t from, std::uint32_t to) {
     if (!moves_.urgent && machine.delay(now_.words.data()) && leads(now_.words.data())) return Delay{1};
     for (std::size_t i = 0; i < moves_.edges.size(); ++i) {
         if (!leads(moves_.words.data() + i * machine.layout().words)) continue;
+        taken_ = i;
         return Fire{machine.process_of(moves_.edges[i]), machine.edge_of(moves_.edges[i])};
     }
     unreachable();
+}
+
+std::vector<AbstractState> Graph::states_along(const std::vector<std::uint32_t>& path) {
+    std::vector<AbstractState> states;
+    const Network& network = machine.network();
+    const std::size_t choices = machine.choices().size();
+    moves_.record_choices = true;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        AbstractState& state = states.emplace_back();
+        state.move = move_between(path[i], path[i + 1]);
+        state.possible.assign(choices, 0);
+        if (std::holds_alternative<Fire>(state.move))
+            std::copy_n(moves_.chosen.begin() + static_cast<std::ptrdiff_t>(taken_ * choices), choices,
+                        state.possible.begin());
+        load(path[i + 1]);
+        for (const Id<Network::Process> id : network.processes.ids())
+            state.state.locations.push_back(
+                {static_cast<std::uint32_t>(machine.layout().locations[id.index].get(now_.words.data()))});
+        for (const Id<Network::Variable> id : network.variables.ids())
+            state.state.variables.push_back(network.variables[id].scratch
+                                                ? network.variables[id].initial
+                                                : machine.layout().variables[id.index].get(now_.words.data()));
+    }
+    moves_.record_choices = false;
+    return states;
 }
 
 Run Graph::run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop) {

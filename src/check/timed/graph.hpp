@@ -15,6 +15,7 @@
 #include "check/timed/column.hpp"
 #include "check/timed/machine.hpp"
 #include "check/timed/store.hpp"
+#include "check/timed/timed.hpp"
 #include "grafverif/ir/verdict.hpp"
 
 namespace grafverif::timed {
@@ -175,6 +176,8 @@ public:
     Move move_between(std::uint32_t from, std::uint32_t to);
     /// The moves along a path of states; delays in a row are joined, not across the place `loop` of the path.
     Run run_along(const std::vector<std::uint32_t>& path, std::optional<std::size_t> loop = {});
+    /// The states of a path behind the first, as TimedResult::paths has them.
+    std::vector<AbstractState> states_along(const std::vector<std::uint32_t>& path);
     /// The path from the initial state.
     std::vector<std::uint32_t> path_to(std::uint32_t state) const;
     Run run_to(std::uint32_t state) { return run_along(path_to(state)); }
@@ -192,6 +195,7 @@ private:
 
     Moves moves_ = {};
     Unfolded now_ = {}, found_ = {};
+    std::size_t taken_ = 0;  // by move_between: the number of the edge in moves_
 };
 
 }  // namespace grafverif::timed

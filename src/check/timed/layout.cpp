@@ -79,7 +79,8 @@ std::vector<std::vector<Id<Network::Variable>>> written_by_process(const Network
 
 }  // namespace
 
-Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clocks) {
+Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clocks,
+                 const std::vector<InputChoice>& choices) {
     Layout layout;
     Bits bits;
     layout.locations.resize(network.processes.size());
@@ -101,6 +102,8 @@ Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clock
         std::ranges::for_each(written[process.index], take);
     }
     std::ranges::for_each(written.back(), take);
+    for (const InputChoice& choice : choices)
+        layout.choices.push_back(choice.kept ? bits.take(std::uint64_t{1} << choice.valuations.size(), 0) : Field{});
     layout.stored = std::max<std::size_t>(1, bits.size());
     layout.halves = 2 * layout.stored - (bits.last() <= 32 ? 1 : 0);
     bits.close();
@@ -118,6 +121,7 @@ std::vector<Word> packed_initial(const Network& network, const Layout& layout) {
         layout.locations[process.index].set(words.data(), network.processes[process].initial.index);
     for (const Id<Network::Variable> variable : network.variables.ids())
         layout.variables[variable.index].set(words.data(), network.variables[variable].initial);
+    for (const Field& choice : layout.choices) choice.set(words.data(), static_cast<std::int64_t>(choice.all()));
     return words;
 }
 

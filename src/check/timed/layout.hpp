@@ -15,6 +15,7 @@
 
 #include "grafverif/ir/network.hpp"
 #include "ir/network_clocks.hpp"
+#include "ir/network_inputs.hpp"
 
 namespace grafverif::timed {
 
@@ -34,7 +35,9 @@ struct Field {
     std::uint8_t width = 0;  ///< 0: always `low`
     std::int64_t low = 0;    ///< the value of the raw bits 0
 
-    Word mask() const { return width == 0 ? 0 : (~Word{0} >> (64U - width)) << shift; }
+    /// All bits of the field.
+    Word all() const { return width == 0 ? 0 : ~Word{0} >> (64U - width); }
+    Word mask() const { return width == 0 ? 0 : all() << shift; }
     Word raw(const Word* words) const { return width == 0 ? 0 : (words[word] & mask()) >> shift; }
     std::int64_t get(const Word* words) const { return low + static_cast<std::int64_t>(raw(words)); }
     /// `value` placed in the word, every other bit 0.
@@ -52,6 +55,7 @@ struct Layout {
     std::vector<Field> locations = {};            ///< per process
     std::vector<Field> variables = {};            ///< per variable
     std::vector<std::vector<Field>> clocks = {};  ///< per process and clock
+    std::vector<Field> choices = {};              ///< per choice, the valuations possible; width 0: not kept
     std::size_t stored = 1;                       ///< words of a state
     std::size_t words = 1;                        ///< the same with scratch variables
     std::size_t halves = 1;                       ///< 32-bit units that hold every stored bit
@@ -59,7 +63,8 @@ struct Layout {
 };
 
 /// `network` is expanded.
-Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clocks);
+Layout layout_of(const Network& network, const std::vector<ProcessClocks>& clocks,
+                 const std::vector<InputChoice>& choices = {});
 
 /// The initial state in packed form: layout.words words.
 std::vector<Word> packed_initial(const Network& network, const Layout& layout);

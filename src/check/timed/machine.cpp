@@ -8,8 +8,12 @@
 namespace grafverif::timed {
 
 void Machine::expand(const Word* words, Moves& moves) const {
-    if (moves.registers.size() < program_.registers) moves.registers.resize(program_.registers);
+    if (const std::size_t all = program_.below + program_.registers; moves.registers.size() < all)
+        moves.registers.resize(all);
+    std::int64_t* const registers = moves.registers.data() + program_.below;
     moves.edges.clear();
+    moves.chosen.clear();
+    moves.cut = false;
     moves.urgent = false;
     moves.fault.reset();
     moves.stuck_bound.reset();
@@ -23,14 +27,12 @@ void Machine::expand(const Word* words, Moves& moves) const {
         for (std::uint32_t edge = row.first; edge != row.last; ++edge) {
             const Edge& at = edges_[edge];
             if ((words[at.word] & at.mask) != at.value) continue;
-            const End guard =
-                at.guard == Program::yes ? End::Yes : test(program_, at.guard, words, moves.registers.data()).end;
+            const End guard = at.guard == Program::yes ? End::Yes : test(program_, at.guard, words, registers).end;
             if (guard == End::No) continue;
             covered |= at.covers;
             freed |= at.frees;
             always = always || at.always;
-            if (at.clocks != Program::yes && test(program_, at.clocks, words, moves.registers.data()).end != End::Yes)
-                continue;
+            if (at.clocks != Program::yes && test(program_, at.clocks, words, registers).end != End::Yes) continue;
             if (guard == End::Yes) fire(edge, words, moves);
             else if (!moves.fault) moves.fault = Fault{End::NoValue, edge, 0};
         }
@@ -44,16 +46,59 @@ void Machine::expand(const Word* words, Moves& moves) const {
 }
 
 void Machine::fire(std::uint32_t edge, const Word* words, Moves& moves) const {
+    if (edges_[edge].first_set == edges_[edge].last_set) take(edge, words, moves);
+    else fire_each_way(edge, words, moves);
+}
+
+/// The state that the edge leads to, as the last move; null: a fault.
+Word* Machine::take(std::uint32_t edge, const Word* words, Moves& moves) const {
     if (const std::size_t room = (moves.edges.size() + 1) * layout_.words; moves.words.size() < room)
         moves.words.resize(2 * room);
     Word* const next = moves.words.data() + moves.edges.size() * layout_.words;
     for (std::size_t i = 0; i < layout_.stored; ++i) next[i] = words[i];
-    const Ran ran = run(program_, edges_[edge].effect, next, moves.registers.data());
+    const Ran ran = run(program_, edges_[edge].effect, next, moves.registers.data() + program_.below);
     moves.urgent = moves.urgent || edges_[edge].urgent;  // also where it breaks off
     if (ran.end == End::Yes) {
         moves.edges.push_back(edge);
-    } else if (!moves.fault) {
-        moves.fault = Fault{ran.end, edge, program_.code[ran.place].to};
+        if (moves.record_choices) moves.chosen.insert(moves.chosen.end(), choices_.size(), 0);
+        return next;
+    }
+    if (!moves.fault) moves.fault = Fault{ran.end, edge, program_.code[ran.place].to};
+    return nullptr;
+}
+
+/// Depth-first over the splits that the code of the edge meets: each run follows `path`, which is then advanced.
+void Machine::fire_each_way(std::uint32_t edge, const Word* words, Moves& moves) const {
+    const Edge& at = edges_[edge];
+    std::int64_t* const registers = moves.registers.data() + program_.below;
+    const auto word = [&](std::size_t split) -> std::int64_t& { return *(registers - Choices::path - split / 64); };
+    for (std::size_t i = 0; i < Choices::path_words; ++i) word(64 * i) = 0;
+    for (std::size_t ways = 0;; ++ways) {
+        if (ways == most_choices) {
+            moves.cut = true;
+            return;
+        }
+        *(registers - Choices::depth) = 0;
+        for (std::uint32_t i = at.first_set; i != at.last_set; ++i) {
+            const Field& kept = layout_.choices[sets_[i].choice];
+            *(registers - Choices::set(sets_[i].choice)) =
+                static_cast<std::int64_t>(kept.width == 0 ? sets_[i].all : kept.raw(words));
+        }
+        if (Word* const next = take(edge, words, moves)) {
+            for (std::uint32_t i = at.first_set; i != at.last_set; ++i) {
+                const std::uint32_t choice = sets_[i].choice;
+                const std::int64_t set = *(registers - Choices::set(choice));
+                if (moves.record_choices)
+                    moves.chosen[moves.chosen.size() - choices_.size() + choice] = static_cast<Word>(set);
+                const Field& kept = layout_.choices[choice];
+                if (kept.width != 0) kept.set(next, sets_[i].widened ? static_cast<std::int64_t>(sets_[i].all) : set);
+            }
+        }
+        auto split = static_cast<std::size_t>(*(registers - Choices::depth));
+        for (; split > 0 && (word(split - 1) >> (split - 1) % 64 & 1) != 0; --split)
+            word(split - 1) &= ~(std::int64_t{1} << (split - 1) % 64);
+        if (split == 0) return;
+        word(split - 1) |= std::int64_t{1} << (split - 1) % 64;
     }
 }
 
@@ -71,8 +116,8 @@ bool Machine::delay(Word* words) const {
 }
 
 End Machine::holds(std::uint32_t predicate, const Word* words, std::vector<std::int64_t>& registers) const {
-    if (registers.size() < program_.registers) registers.resize(program_.registers);
-    return test(program_, predicate, words, registers.data()).end;
+    if (const std::size_t all = program_.below + program_.registers; registers.size() < all) registers.resize(all);
+    return test(program_, predicate, words, registers.data() + program_.below).end;
 }
 
 }  // namespace grafverif::timed

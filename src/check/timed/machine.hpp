@@ -37,7 +37,10 @@ struct Moves {
     std::vector<std::uint32_t> edges = {};  ///< those that can fire, in the order of processes and edges
     std::vector<Word> words = {};           ///< the states they lead to, Machine::layout.words apart
     std::vector<std::int64_t> registers = {};
-    bool urgent = false;  ///< some urgent edge can fire: time stands
+    bool record_choices = false;
+    std::vector<Word> chosen = {};  ///< if recorded: per move and choice, the valuations that it leaves possible
+    bool cut = false;               ///< an edge has more than Machine::most_choices ways to choose inputs
+    bool urgent = false;            ///< some urgent edge can fire: time stands
     std::optional<Fault> fault = {};
     std::optional<UncoveredBound> stuck_bound = {};   ///< a run may end here between the ticks
     std::optional<UncoveredBound> locked_bound = {};  ///< time may be locked here between the ticks
@@ -46,8 +49,11 @@ struct Moves {
 /// A network as code. Threads may share one while nothing more is compiled.
 class Machine {
 public:
-    /// `network` is expanded, and outlives the machine.
-    explicit Machine(const Network& network);
+    static constexpr std::size_t most_choices = std::size_t{1} << 14U;
+
+    /// `network` is expanded, and outlives the machine. An edge of a PLC that reads chosen inputs stands
+    /// for one edge per way to choose what it reads. Requires: at most Choices::most_splits valuations in all.
+    explicit Machine(const Network& network, std::vector<InputChoice> choices = {});
 
     const Network& network() const { return network_; }
     const Layout& layout() const { return layout_; }
@@ -64,6 +70,7 @@ public:
     Id<Network::Process> process_of(std::uint32_t edge) const { return {edges_[edge].process}; }
     Id<Network::Edge> edge_of(std::uint32_t edge) const { return {edges_[edge].index}; }
     bool urgent(std::uint32_t edge) const { return edges_[edge].urgent; }
+    const std::vector<InputChoice>& choices() const { return choices_; }
     /// Whether any clock is ever compared with anything.
     bool timed() const { return timed_; }
 
@@ -76,8 +83,14 @@ private:
         std::uint32_t process = 0, index = 0;
         Word covers = 0, frees = 0;  // bounds of the source's invariant: see UncoveredBound
         std::uint16_t word = 0;
+        std::uint32_t first_set = 0, last_set = 0;  // sets_: the choices of its PLC
         bool urgent = false;
         bool always = false;  // no clock has a say: it covers every bound of every process
+    };
+    struct Set {  // of valuations, in an edge
+        std::uint32_t choice = 0;
+        Word all = 0;
+        bool widened = false;  // by the edge
     };
     struct Tick {
         Word mask = 0;
@@ -104,14 +117,19 @@ private:
     std::uint32_t compile_effect(Id<Network::Process> process, const Network::Edge& edge);
     void compile_guard(Id<Expr> guard, Edge& compiled);
     void judge_bounds(Id<Network::Process> process, const Network::Edge& edge, Edge& compiled) const;
+    void add_sets(Id<Network::Process> process, Id<Network::Edge> edge, Edge& compiled);
     void fire(std::uint32_t edge, const Word* words, Moves& moves) const;
+    void fire_each_way(std::uint32_t edge, const Word* words, Moves& moves) const;
+    Word* take(std::uint32_t edge, const Word* words, Moves& moves) const;
 
     const Network& network_;
+    const std::vector<InputChoice> choices_;
     std::vector<ProcessClocks> clocks_;
     Layout layout_;
     Program program_ = {};
     Compiler compiler_;
     std::vector<Edge> edges_ = {};
+    std::vector<Set> sets_ = {};
     std::vector<Tick> ticks_ = {};
     std::vector<Row> rows_ = {};
     std::vector<Place> places_ = {};

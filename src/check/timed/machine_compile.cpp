@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Network -> Machine: the static part.
 #include <algorithm>
+#include <utility>
 
 #include "check/timed/machine.hpp"
 
@@ -20,16 +21,21 @@ std::uint32_t within(Compiler& compiler, const Field& field, const Interval& wan
 
 }  // namespace
 
-Machine::Machine(const Network& network)
+Machine::Machine(const Network& network, std::vector<InputChoice> choices)
     : network_(network),
+      choices_(std::move(choices)),
       clocks_(analyse_clocks(network)),
-      layout_(layout_of(network, clocks_)),
+      layout_(layout_of(network, clocks_, choices_)),
       compiler_(network_, layout_, program_) {
+    if (!choices_.empty()) program_.below = Choices::set(choices_.size()) - 1;
     for (const Id<Network::Process> process : network.processes.ids()) compile(process);
 }
 
 void Machine::compile(Id<Network::Process> process) {
     const Network::Template& automaton = network_.templates[network_.processes[process].automaton];
+    compiler_.choose_nothing();
+    for (std::size_t i = 0; i < choices_.size(); ++i)
+        if (choices_[i].plc == process) compiler_.choose(choices_[i], i);
     const Field& field = layout_.locations[process.index];
     places_.push_back({field.mask(), static_cast<std::uint32_t>(rows_.size()), field.word, field.shift});
     std::vector<std::vector<Id<Network::Edge>>> leaving(automaton.locations.size());
@@ -44,6 +50,19 @@ void Machine::compile(Id<Network::Process> process) {
         row.last = static_cast<std::uint32_t>(edges_.size());
         rows_.push_back(row);
     }
+    compiler_.choose_nothing();
+}
+
+void Machine::add_sets(Id<Network::Process> process, Id<Network::Edge> edge, Edge& compiled) {
+    compiled.first_set = static_cast<std::uint32_t>(sets_.size());
+    for (std::uint32_t i = 0; i < choices_.size(); ++i) {
+        const InputChoice& choice = choices_[i];
+        if (choice.plc != process) continue;
+        sets_.push_back({.choice = i,
+                         .all = ~Word{0} >> (64 - choice.valuations.size()),
+                         .widened = std::ranges::find(choice.widened, edge) != choice.widened.end()});
+    }
+    compiled.last_set = static_cast<std::uint32_t>(sets_.size());
 }
 
 void Machine::compile_ticks(Id<Network::Process> process, Id<Network::Location> location, Row& row) {
@@ -89,6 +108,7 @@ Machine::Edge Machine::compile_edge(Id<Network::Process> process, Id<Network::Ed
                                  clocks_[process.index].cap[edge.from.index][clock], compiled.clocks, Program::no);
     }
     compiled.effect = compile_effect(process, edge);
+    add_sets(process, id, compiled);
     judge_bounds(process, edge, compiled);
     return compiled;
 }

@@ -107,6 +107,21 @@ Ran run(const Program& program, std::uint32_t start, Word* words, std::int64_t* 
             registers[at.to] = eager_value(at, registers);
             place = at.yes;
             break;
+        case Do::Choose: {
+            std::int64_t& set = *(registers - at.to);
+            const Word possible = static_cast<Word>(set);
+            const Word within = possible & at.value;
+            if (within == 0 || within == possible) {
+                place = within == 0 ? at.no : at.yes;
+                break;
+            }
+            const auto split = static_cast<std::uint64_t>((*(registers - Choices::depth))++);
+            const auto path = static_cast<Word>(*(registers - Choices::path - split / 64));
+            const bool other = (path >> split % 64 & 1U) != 0;
+            set = static_cast<std::int64_t>(other ? possible & ~at.value : within);
+            place = other ? at.no : at.yes;
+            break;
+        }
         case Do::Store: {
             if (registers[at.a] == undefined) return {End::NoValue, place};
             const Word raw = static_cast<Word>(registers[at.a]) - at.value;

@@ -10,10 +10,12 @@
 
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 #include "check/timed/layout.hpp"
 #include "grafverif/ir/expr.hpp"
+#include "ir/network_inputs.hpp"
 
 namespace grafverif::timed {
 
@@ -45,6 +47,7 @@ enum class Do : std::uint8_t {
     Patch,        // word := (word & mask) | value
     Store,        // field := register a, in range; else a fault
     Cap,          // raw field := the smaller of it and `value`
+    Choose,       // is the chosen valuation one of those in `value`? See Choices
 };
 
 struct Instruction {
@@ -65,10 +68,21 @@ Instruction field_within(const Field& field, std::int64_t low, std::int64_t high
 /// What a term without a value leaves in its register. No term of bounded variables has it as a value.
 inline constexpr std::int64_t undefined = std::numeric_limits<std::int64_t>::min();
 
+/// Registers below the first one, for code that chooses input valuations as it reads them (ir/network_inputs.hpp). The
+/// set of valuations that are possible for a choice is a bit mask; `Choose` splits a set of which its condition is
+/// neither true nor false. `path` has one bit per split, `depth` counts the splits of a run.
+struct Choices {
+    static constexpr std::uint32_t depth = 1, path = 2, path_words = 4, most_splits = 64 * path_words;
+    static constexpr std::uint32_t set(std::size_t choice) {
+        return path + path_words + static_cast<std::uint32_t>(choice);
+    }
+};
+
 struct Program {
     static constexpr std::uint32_t yes = 0, no = 1;  ///< the two ends stand first
     std::vector<Instruction> code = {Instruction{}, Instruction{.op = Do::No}};
     std::size_t registers = 1;
+    std::size_t below = 0;  ///< registers below the first one
 };
 
 enum class End { Yes, No, OutOfRange, NoValue };
@@ -102,6 +116,10 @@ public:
     };
     /// The term as one such test, if it is one.
     std::optional<Literal> literal(Id<Expr> term) const;
+    /// From here on, code that reads the variables of `choice` chooses their valuation; `number`: see Choices::set.
+    void choose(const InputChoice& choice, std::size_t number);
+    /// From here on, no variable is chosen.
+    void choose_nothing() { chosen_.clear(); }
     bool fallible(Id<Expr> term) const { return facts_[term.index].fallible; }
 
 private:
@@ -118,13 +136,21 @@ private:
     std::uint32_t integer(Id<Expr> term, std::uint32_t to, std::uint32_t next);
     std::uint32_t eager(Id<Expr> term, std::uint32_t next, std::uint32_t& result);
     std::uint32_t test(const Literal& literal, std::uint32_t yes, std::uint32_t no);
-    std::uint32_t load(const Field& field, std::uint32_t to, std::uint32_t next);
+    std::uint32_t load(Id<Network::Variable> variable, std::uint32_t to, std::uint32_t next);
+    bool is_chosen(Id<Network::Variable> variable) const { return chosen_.contains(variable.index); }
+    std::uint32_t chosen_within(Id<Network::Variable> variable, std::int64_t low, std::int64_t high, std::uint32_t yes,
+                                std::uint32_t no);
     void reserve(std::uint32_t reg);
 
     const Network& network_;
     const Layout& layout_;
     Program& program_;
     std::vector<Facts> facts_ = {};
+    struct Chosen {
+        std::uint32_t set = 0;             // its register
+        std::vector<std::int64_t> values;  // per valuation
+    };
+    std::unordered_map<std::uint32_t, Chosen> chosen_ = {};  // by variable
 };
 
 }  // namespace grafverif::timed

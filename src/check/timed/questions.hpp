@@ -29,6 +29,10 @@ public:
     /// The verdicts, after a search that `ended`.
     std::vector<Verdict> answers(Graph& graph, Obstacle ended, const std::vector<ModelError>& errors,
                                  const Limits& limits);
+    /// True if the search has met the state that decides a property about single states; in the order of the verdicts.
+    bool shown(std::size_t verdict) const { return watch_.found(questions_[verdict].watch) != Watch::none; }
+    /// Per verdict what TimedResult::paths has.
+    std::vector<std::vector<AbstractState>> paths(Graph& graph) const;
 
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);

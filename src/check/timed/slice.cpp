@@ -34,6 +34,7 @@ std::size_t Slicer::fill(Slice& slice, std::uint32_t begin, std::uint32_t end) {
     slice.stuck_bound.reset();
     slice.locked_bound.reset();
     slice.faults.clear();
+    slice.cut = false;
     slice.begin = slice.end = begin;
     while (slice.end != end && words_.size() < slice_words) look_at(slice.end++);
     const std::size_t computed = words_.size();
@@ -58,6 +59,7 @@ void Slicer::look_at(std::uint32_t state) {
     at.edges = static_cast<std::uint32_t>(moves_.edges.size());
     at.urgent = moves_.urgent;
     at.fault = moves_.fault.has_value();
+    slice.cut = slice.cut || moves_.cut;
     for (std::size_t i = 0; i < moves_.edges.size(); ++i)
         add(moves_.words.data() + i * machine.layout().words, machine.urgent(moves_.edges[i]) ? Slice::urgent : 0);
     if (moves_.stuck_bound && !slice.stuck_bound) slice.stuck_bound = UncoveredAt{state, *moves_.stuck_bound};

@@ -46,6 +46,7 @@ struct alignas(own_lines) Slice {
     Links::Part links = {};                                          ///< once all have their numbers
     std::optional<UncoveredAt> stuck_bound = {}, locked_bound = {};  ///< the first
     std::vector<FaultAt> faults = {};
+    bool cut = false;  ///< a state has too many ways to choose inputs: see Moves
 
     std::size_t bytes() const;
 };

@@ -57,7 +57,7 @@ std::optional<StateProfile> measured(timed::Graph& graph, const TimedOptions& op
 TimedResult check_timed(const Network& network, const TimedOptions& options) {
     timed::Limits limits(options);
     const Network flat = expand(network);
-    timed::Machine machine(flat);
+    timed::Machine machine(flat, options.choices);
     timed::Watch watch;
     timed::Questions questions(flat, machine, watch);
     const Property timelock = timed::undeclared_timelock(flat);
@@ -86,6 +86,7 @@ TimedResult check_timed(const Network& network, const TimedOptions& options) {
     if (graph.linked) graph.store.drop_index();
     result.errors = errors_of(graph);
     result.verdicts = questions.answers(graph, ended, result.errors, limits);
+    if (options.paths) result.paths = questions.paths(graph);
     result.states = graph.states();
     result.transitions = graph.transitions;
     result.complete = ended == Obstacle::None;

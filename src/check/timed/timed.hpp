@@ -25,6 +25,8 @@
 #include "grafverif/ir/network.hpp"
 #include "grafverif/ir/state_profile.hpp"
 #include "grafverif/ir/verdict.hpp"
+#include "ir/network_inputs.hpp"
+#include "ir/network_run.hpp"
 
 namespace grafverif {
 
@@ -50,6 +52,9 @@ struct TimedOptions {
     bool keep_links = true;  ///< false: less memory, several times the work for liveness. Kept only where needed
     bool timelock = true;    ///< false: not decided where nobody asks
     bool premises = false;   ///< find out TimedResult::premises
+    std::vector<InputChoice> choices = {};                    ///< of an input abstraction
+    bool until_decided = false;                               ///< end the search when each property has its state
+    bool paths = false;                                       ///< report TimedResult::paths
     std::function<void(const TimedProgress&)> progress = {};  ///< called a few times per second
     bool profile = false;  ///< asks for TimedResult::profile, whatever the search comes to
     std::function<void(const StateProfile&)> many = {};  ///< called once, when the search has found `many_states`
@@ -61,6 +66,13 @@ struct Premises {
     std::optional<Run> diverges = {};  ///< a lasso in which time passes
     bool rests = false;                ///< no run goes on for ever within one instant
     bool settles = false;              ///< time passes in settled states only
+};
+
+/// A state on a run of an input abstraction, after `move`. Its clocks are left out.
+struct AbstractState {
+    Move move = {};
+    NetworkState state = {};
+    std::vector<std::uint64_t> possible = {};  ///< per choice, a bit per valuation; 0: the move is no edge of its PLC
 };
 
 struct TimedResult {
@@ -76,6 +88,8 @@ struct TimedResult {
     /// Where it was asked for, the search was cut off or found `many_states`; not where there is no memory for it.
     std::optional<StateProfile> profile = {};
     std::optional<Premises> premises = {};
+    /// Per verdict with a run to a single state, the states of that run after the initial one.
+    std::vector<std::vector<AbstractState>> paths = {};
 };
 
 /// Requires verify(network).empty().

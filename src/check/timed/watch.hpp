@@ -24,6 +24,8 @@ public:
     bool wants(const Machine& machine, const Word* words, Registers& registers) const;
     /// A new state that is wanted.
     void look(const Machine& machine, std::uint32_t state, const Word* words, Registers& registers);
+    /// True if each watch has found its state, or met a predicate without value.
+    bool is_over() const { return predicates_.empty() && bits_.empty(); }
     /// The first state found, or none.
     std::uint32_t found(std::size_t watch) const { return results_[watch].state; }
     /// The predicate had no value in some state.

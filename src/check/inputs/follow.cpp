@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: MIT
+#include "check/inputs/follow.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <set>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+#include "check/timed/machine.hpp"
+#include "check/timed/questions.hpp"
+#include "ir/junction.hpp"
+
+namespace grafverif {
+
+namespace {
+
+using timed::Word;
+
+constexpr std::size_t poll_every = 1024;  // states
+
+using Signature = std::vector<std::int64_t>;
+
+/// What a stage of the abstract run needs to get to the next one.
+struct Stage {
+    Signature signature = {};
+    std::vector<Word> goals = {};  // per instance: the valuations sampled on the way to the next stage
+};
+
+/// One sampling of a PLC: the valuations that its cycle leaves possible, per instance.
+struct Sampling {
+    std::size_t at = 0;  // in the path
+    std::vector<Word> possible = {};
+};
+
+const Network::Controller* controller_of(const AbstractRun& run, const AbstractState& state) {
+    const auto* const fire = std::get_if<Fire>(&state.move);
+    if (fire == nullptr) return nullptr;
+    const auto found = std::ranges::find(run.network.controllers, fire->process, &Network::Controller::process);
+    return found == run.network.controllers.end() ? nullptr : &*found;
+}
+
+bool samples(const AbstractRun& run, const AbstractState& state) {
+    const Network::Controller* const controller = controller_of(run, state);
+    if (controller == nullptr) return false;
+    const auto& fire = std::get<Fire>(state.move);
+    const Network::Edge& edge = run.network.templates[run.network.processes[fire.process].automaton].edges[fire.edge];
+    return std::ranges::any_of(
+        edge.calls, [&](Id<Network::Procedure> call) { return call == controller->fire || call == controller->start; });
+}
+
+/// In order. Later edges of a cycle narrow what it samples.
+std::vector<Sampling> samplings(const AbstractRun& run) {
+    std::vector<Sampling> found;
+    std::vector<std::size_t> last(run.network.processes.size(), 0);  // of a PLC, its number plus 1
+    for (std::size_t at = 0; at < run.path.size(); ++at) {
+        const Network::Controller* const controller = controller_of(run, run.path[at]);
+        if (controller == nullptr) continue;
+        std::size_t& number = last[controller->process.index];
+        if (samples(run, run.path[at])) {
+            found.push_back({at, std::vector<Word>(run.instances.size(), ~Word{0})});
+            number = found.size();
+        }
+        if (number == 0) continue;
+        for (std::size_t i = 0; i < run.choices.size(); ++i)
+            if (const Word possible = run.path[at].possible[i]; possible != 0)
+                found[number - 1].possible[run.choices[i].instance] &= possible;
+    }
+    for (Sampling& sampling : found)
+        for (std::size_t i = 0; i < run.instances.size(); ++i) {
+            const Word all = ~Word{0} >> (64 - run.instances[i].valuations.size());
+            if ((sampling.possible[i] & all) == all) sampling.possible[i] = ~Word{0};
+        }
+    return found;
+}
+
+/// The steps and internal variables of all controllers.
+std::vector<Id<Network::Variable>> signature_variables(const Network& network) {
+    std::vector<Id<Network::Variable>> found;
+    for (const Id<Network::Variable> id : network.variables.ids()) {
+        const Network::Variable& variable = network.variables[id];
+        const bool counts = variable.role == Network::Role::Step || variable.role == Network::Role::Internal;
+        if (counts && !variable.scratch) found.push_back(id);
+    }
+    return found;
+}
+
+/// The cycle that leads to a stage has its goals; the last stage those of the last sampling.
+std::vector<Stage> stages_of(const AbstractRun& run, const std::vector<Id<Network::Variable>>& signature) {
+    std::vector<Stage> stages;
+    const auto begin = [&](const std::vector<std::int64_t>& variables) {
+        Signature now;
+        for (const Id<Network::Variable> id : signature) now.push_back(variables[id.index]);
+        if (!stages.empty() && stages.back().signature == now) return;
+        stages.push_back({std::move(now), std::vector<Word>(run.instances.size(), ~Word{0})});
+    };
+    std::vector<std::int64_t> initial;
+    for (const Network::Variable& variable : run.network.variables) initial.push_back(variable.initial);
+    begin(initial);
+    const std::vector<Sampling> all = samplings(run);
+    auto next = all.begin();
+    for (std::size_t at = 0; at < run.path.size(); ++at) {
+        if (next != all.end() && next->at == at) stages.back().goals = (next++)->possible;
+        begin(run.path[at].state.variables);
+    }
+    return stages;
+}
+
+/// An instance alone in the network: the set of states in which it can be.
+class Alone {
+public:
+    Alone(const Network& complete, const AutonomousInstance& instance, InputLevel level, std::int64_t unit)
+        : instance_(instance), network_(only(complete, instance, level, unit)), machine_(network_) {
+        states_.insert(timed::packed_initial(network_, machine_.layout()));
+    }
+
+    void pass_time(std::int64_t units) {
+        for (; units > 0 && !states_.empty(); --units) {
+            move();
+            States later;
+            for (std::vector<Word> words : states_)
+                if (machine_.delay(words.data())) later.insert(std::move(words));
+            if (later == states_) return;
+            states_ = std::move(later);
+        }
+    }
+
+    /// Any time passes.
+    void wait() {
+        for (std::size_t size = 0; size != states_.size();) {
+            move();
+            size = states_.size();
+            const States now = states_;
+            for (std::vector<Word> words : now)
+                if (machine_.delay(words.data())) states_.insert(std::move(words));
+        }
+    }
+
+    /// Only states with one of the valuations are left.
+    void show(Word possible) {
+        move();
+        std::erase_if(states_, [&](const std::vector<Word>& words) {
+            std::vector<std::int64_t> values;
+            for (const Id<Network::Variable> output : instance_.outputs)
+                values.push_back(machine_.layout().variables[output.index].get(words.data()));
+            const auto row = std::ranges::find(instance_.valuations, values) - instance_.valuations.begin();
+            return (possible >> row & 1U) == 0;
+        });
+    }
+
+    /// Only states at the location and with the outputs of the abstract state are left.
+    void match(const NetworkState& state) {
+        move();
+        std::erase_if(states_, [&](const std::vector<Word>& words) {
+            const auto differs = [&](Id<Network::Variable> output) {
+                return machine_.layout().variables[output.index].get(words.data()) != state.variables[output.index];
+            };
+            const std::int64_t location = machine_.layout().locations[instance_.process.index].get(words.data());
+            return location != state.locations[instance_.process.index].index ||
+                   std::ranges::any_of(instance_.outputs, differs);
+        });
+    }
+
+    bool is_nowhere() const { return states_.empty(); }
+
+private:
+    using States = std::set<std::vector<Word>>;
+
+    static Network only(const Network& complete, const AutonomousInstance& instance, InputLevel level,
+                        std::int64_t unit) {
+        Network network = complete;
+        network.properties = {};
+        for (const Id<Network::Process> id : network.processes.ids()) {
+            if (id == instance.process) continue;
+            Network::Template& automaton = network.templates[network.processes[id].automaton];
+            automaton.edges = {};
+            for (Network::Location& location : automaton.locations) location.invariant.clear();
+        }
+        const Network::Process& process = complete.processes[instance.process];
+        Network::Template& automaton = network.templates[process.automaton];
+        for (Network::Edge& edge : automaton.edges) {
+            std::erase_if(edge.assignments, [&](const Network::Assignment& assignment) {
+                const Id<Network::Variable> target{static_cast<std::uint32_t>(network.exprs[assignment.target].value)};
+                return std::ranges::find(instance.outputs, target) == instance.outputs.end();
+            });
+            edge.guard = instance_guard(network, instance, edge.guard);
+            if (level == InputLevel::Untimed) edge.constraint.clear();
+        }
+        if (level != InputLevel::Complete) pace(complete, process, automaton, unit, network.exprs);
+        return network;
+    }
+
+    /// Without what an observer makes every edge wait for.
+    static Id<Expr> instance_guard(Network& network, const AutonomousInstance& instance, Id<Expr> guard) {
+        std::vector<Id<Expr>> kept;
+        const Exprs from = network.exprs;
+        for (const Id<Expr> operand : operands_of(from, guard, Op::And)) {
+            const auto own = [&](Id<Expr> leaf) {
+                const Id<Network::Variable> variable{static_cast<std::uint32_t>(from[leaf].value)};
+                return from[leaf].op != Op::Variable ||
+                       std::ranges::find(instance.outputs, variable) != instance.outputs.end();
+            };
+            if (std::ranges::all_of(leaves(from, operand), own)) kept.push_back(operand);
+        }
+        return network.exprs.conjunction(kept);
+    }
+
+    /// All states that edges lead to, without time.
+    void move() {
+        std::vector<std::vector<Word>> open(states_.begin(), states_.end());
+        while (!open.empty()) {
+            const std::vector<Word> now = std::move(open.back());
+            open.pop_back();
+            machine_.expand(now.data(), moves_);
+            for (std::size_t i = 0; i < moves_.edges.size(); ++i) {
+                const Word* const next = moves_.words.data() + i * machine_.layout().words;
+                std::vector<Word> words(next, next + machine_.layout().words);
+                if (states_.insert(words).second) open.push_back(std::move(words));
+            }
+        }
+    }
+
+    const AutonomousInstance& instance_;
+    const Network network_;
+    timed::Machine machine_;
+    timed::Moves moves_ = {};
+    States states_ = {};
+};
+
+class Follower {
+public:
+    Follower(const Network& network, const Property& property, const AbstractRun& run, const FollowLimits& limits)
+        : network_(network),
+          machine_(network),
+          layout_(machine_.layout()),
+          run_(run),
+          limits_(limits),
+          questions_(network, machine_, watch_),
+          signature_(signature_variables(run.network)),
+          stages_(stages_of(run, signature_)),
+          instance_of_(network.processes.size(), none) {
+        questions_.ask({}, property);
+        for (std::size_t i = 0; i < run.instances.size(); ++i) instance_of_[run.instances[i].process.index] = i;
+        open_.resize(stages_.size());
+    }
+
+    Followed search() {
+        if (!layout_.fits()) return {};
+        const std::vector<Word> initial = timed::packed_initial(network_, layout_);
+        if (stage_of(initial.data(), 0) != 0) return {};
+        add(initial.data(), 0, 0, Delay{0});
+        for (std::size_t polls = 0; !shown_ && seen_.size() < limits_.states; ++polls) {
+            if (polls % poll_every == 0 && stopped()) break;
+            std::size_t stage = stages_.size();
+            while (stage > 0 && open_[stage - 1].empty()) --stage;
+            if (stage == 0) break;
+            const std::size_t node = open_[stage - 1].front();
+            open_[stage - 1].pop_front();
+            expand(node);
+        }
+        Followed result;
+        if (shown_) result.run = run_to(*shown_);
+        else result.blamed = blamed();
+        return result;
+    }
+
+private:
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+    struct Node {
+        std::size_t parent = 0;
+        std::size_t stage = 0;
+        Move move = {};
+    };
+
+    bool stopped() const {
+        if (limits_.stop && limits_.stop->load(std::memory_order_relaxed)) return true;
+        return limits_.deadline && std::chrono::steady_clock::now() >= *limits_.deadline;
+    }
+
+    const Word* words(std::size_t node) const { return states_.data() + node * layout_.words; }
+
+    /// The stage of a state that follows one of `stage`; none: it leaves the abstract run.
+    std::size_t stage_of(const Word* words, std::size_t stage) const {
+        const auto is = [&](const Stage& at) {
+            for (std::size_t i = 0; i < signature_.size(); ++i)
+                if (layout_.variables[signature_[i].index].get(words) != at.signature[i]) return false;
+            return true;
+        };
+        if (is(stages_[stage])) return stage;
+        return stage + 1 < stages_.size() && is(stages_[stage + 1]) ? stage + 1 : none;
+    }
+
+    void add(const Word* at, std::size_t parent, std::size_t from_stage, const Move& move) {
+        const std::size_t stage = stage_of(at, from_stage);
+        if (stage == none) return;
+        std::string key(reinterpret_cast<const char*>(at), layout_.stored * sizeof(Word));
+        key.append(reinterpret_cast<const char*>(&stage), sizeof(stage));
+        if (!seen_.insert(std::move(key)).second) return;
+        const std::size_t node = nodes_.size();
+        nodes_.push_back({parent, stage, move});
+        states_.insert(states_.end(), at, at + layout_.words);
+        open_[stage].push_back(node);
+        last_stage_ = std::max(last_stage_, stage);
+        if (!shown_ && watch_.wants(machine_, words(node), registers_)) {
+            watch_.look(machine_, 0, words(node), registers_);
+            if (questions_.shown(0)) shown_ = node;
+        }
+    }
+
+    /// A Chosen instance moves towards the goal of the stage, others as they like.
+    bool may_move(const Word* at, std::size_t stage, Id<Network::Process> process) const {
+        const std::size_t i = instance_of_[process.index];
+        if (i == none || run_.levels[i] != InputLevel::Chosen) return true;
+        const AutonomousInstance& instance = run_.instances[i];
+        std::vector<std::int64_t> values;
+        for (const Id<Network::Variable> output : instance.outputs)
+            values.push_back(layout_.variables[output.index].get(at));
+        const auto row = std::ranges::find(instance.valuations, values) - instance.valuations.begin();
+        return (stages_[stage].goals[i] >> row & 1U) == 0;
+    }
+
+    void expand(std::size_t node) {
+        const std::size_t stage = nodes_[node].stage;
+        const std::vector<Word> at(words(node), words(node) + layout_.words);
+        machine_.expand(at.data(), moves_);
+        const bool urgent = moves_.urgent;
+        for (std::size_t i = 0; i < moves_.edges.size() && !shown_; ++i) {
+            const Fire fire{machine_.process_of(moves_.edges[i]), machine_.edge_of(moves_.edges[i])};
+            if (may_move(at.data(), stage, fire.process))
+                add(moves_.words.data() + i * layout_.words, node, stage, fire);
+        }
+        std::vector<Word> later = at;
+        if (!urgent && !shown_ && machine_.delay(later.data())) add(later.data(), node, stage, Delay{1});
+    }
+
+    Run run_to(std::size_t node) const {
+        std::vector<Move> moves;
+        for (; node != 0; node = nodes_[node].parent) moves.push_back(nodes_[node].move);
+        Run run;
+        for (auto move = moves.rbegin(); move != moves.rend(); ++move) {
+            Delay* const before = run.moves.empty() ? nullptr : std::get_if<Delay>(&run.moves.back());
+            if (before && std::holds_alternative<Delay>(*move)) before->units += 1;
+            else run.moves.push_back(*move);
+        }
+        return run;
+    }
+
+    /// The instances whose values the stage after the last one needs; otherwise those that any stage needs.
+    std::vector<std::size_t> blamed() const {
+        const auto constrained = [&](const Stage& stage) {
+            std::vector<std::size_t> found;
+            for (std::size_t i = 0; i < stage.goals.size(); ++i)
+                if (stage.goals[i] != ~Word{0}) found.push_back(i);
+            return found;
+        };
+        std::vector<std::size_t> found = constrained(stages_[last_stage_]);
+        if (found.empty() && last_stage_ > 0) found = constrained(stages_[last_stage_ - 1]);
+        for (std::size_t i = 0; found.empty() && i < stages_.size(); ++i) found = constrained(stages_[i]);
+        return found;
+    }
+
+    const Network& network_;
+    timed::Machine machine_;
+    const timed::Layout& layout_;
+    const AbstractRun& run_;
+    const FollowLimits& limits_;
+    timed::Watch watch_ = {};
+    timed::Questions questions_;
+    std::vector<Id<Network::Variable>> signature_;
+    std::vector<Stage> stages_;
+    std::vector<std::size_t> instance_of_;  // per process, or none
+    std::vector<Node> nodes_ = {};
+    std::vector<Word> states_ = {};
+    std::unordered_set<std::string> seen_ = {};
+    std::vector<std::deque<std::size_t>> open_ = {};  // per stage
+    std::size_t last_stage_ = 0;
+    std::optional<std::size_t> shown_ = {};
+    timed::Moves moves_ = {};
+    timed::Watch::Registers registers_ = {};
+};
+
+}  // namespace
+
+namespace {
+
+/// All PLCs have nothing to do.
+bool is_stable(const AbstractRun& run, const NetworkState& state) {
+    return std::ranges::all_of(run.network.controllers, [&](const Network::Controller& controller) {
+        return state.locations[controller.process.index] == controller.waiting &&
+               state.variables[controller.stable.index] != 0;
+    });
+}
+
+}  // namespace
+
+std::optional<Impossible> impossible(const Network& complete, const AbstractRun& abstract, std::size_t instance,
+                                     bool waits) {
+    const InputLevel now = abstract.levels[instance];
+    const std::int64_t units = abstract.network.time_unit_ms / complete.time_unit_ms;
+    const std::vector<Sampling> all = samplings(abstract);
+    const auto first = [&](InputLevel level) -> std::optional<Impossible> {
+        Alone alone(complete, abstract.instances[instance], level, units);
+        if (waits) alone.wait();
+        auto next = all.begin();
+        for (std::size_t at = 0; at < abstract.path.size(); ++at) {
+            if (const Delay* const delay = std::get_if<Delay>(&abstract.path[at].move))
+                alone.pass_time(delay->units * units);
+            const bool sampled = next != all.end() && next->at == at;
+            if (now != InputLevel::Chosen) alone.match(abstract.path[at].state);
+            else if (sampled) alone.show(next->possible[instance]);
+            if (sampled) ++next;
+            if (alone.is_nowhere()) return Impossible{at, level};
+            if (waits && is_stable(abstract, abstract.path[at].state)) alone.wait();
+        }
+        return {};
+    };
+    for (const InputLevel level : {InputLevel::Untimed, InputLevel::Paced, InputLevel::Complete})
+        if (level > now)
+            if (const std::optional<Impossible> found = first(level)) return found;
+    return {};
+}
+
+Followed follow(const Network& network, const Property& property, const AbstractRun& abstract,
+                const FollowLimits& limits) {
+    return Follower(network, property, abstract, limits).search();
+}
+
+}  // namespace grafverif

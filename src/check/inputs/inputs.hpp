@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Decides properties about single states on input abstractions of a closed loop (ir/network_inputs.hpp).
+//
+// Each property begins with the coarsest levels: `Untimed` for the autonomous instances that it reads, `Chosen` for the
+// others. Properties with equal levels share a search, whose time unit is the greatest common divisor of the durations in
+// the abstraction. What the abstraction preserves is a verdict of the complete loop. A run that it does not preserve is
+// followed on the complete loop (follow.hpp): found there, it is a real run. Otherwise the levels of the instances that
+// the run depends on are raised, and the search is repeated.
+//
+// No verdict is taken from an abstraction with a model error, for the rest of the abstraction hides what is beyond it.
+#pragma once
+
+#include <functional>
+
+#include "check/timed/timed.hpp"
+
+namespace grafverif {
+
+/// Adds the observers of the properties at hand; the identity if there are none.
+using Observe = std::function<Network(const Network&)>;
+
+struct InputLimits {
+    std::uint64_t states = std::uint64_t{1} << 24U;  ///< of one search of an abstraction
+    std::size_t followed = 200'000;                  ///< states of one guided search
+    std::size_t rounds = 8;                          ///< searches of one property
+};
+
+/// Decides what `result` leaves open because of its bound on states. `loop`: expanded, without observers; `result` is that of
+/// observe(loop), with the verdicts of `options`. Time and memory are those of `options`.
+void decide_by_inputs(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
+                      const InputLimits& limits = {}, const InputAblations& ablations = {});
+
+}  // namespace grafverif
