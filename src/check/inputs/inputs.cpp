@@ -174,8 +174,7 @@ void ByInputs::search(const Task& task) {
             } else if (levels != task.levels && task.rounds + 1 < limits_.rounds) {
                 raised[levels].push_back(k);
             }
-        } else if (found.complete && (found.errors.empty() || ablations_.beyond_errors) &&
-                   at->outcome != Outcome::Unknown) {
+        } else if (found.complete && at->outcome != Outcome::Unknown) {
             Verdict verdict = *at;
             verdict.run.reset();
             conclude(k, verdict, task);
