@@ -2,7 +2,8 @@
 #include "check/inputs/follow.hpp"
 
 #include <algorithm>
-#include <deque>
+#include <functional>
+#include <queue>
 #include <set>
 #include <string>
 #include <unordered_set>
@@ -242,21 +243,15 @@ public:
           instance_of_(network.processes.size(), none) {
         questions_.ask({}, property);
         for (std::size_t i = 0; i < run.instances.size(); ++i) instance_of_[run.instances[i].process.index] = i;
-        open_.resize(stages_.size());
     }
 
     Followed search() {
         if (!layout_.fits()) return {};
-        const std::vector<Word> initial = timed::packed_initial(network_, layout_);
-        if (stage_of(initial.data(), 0) != 0) return {};
-        add(initial.data(), 0, 0, Delay{0});
-        for (std::size_t polls = 0; !shown_ && seen_.size() < limits_.states; ++polls) {
+        add(timed::packed_initial(network_, layout_).data(), 0, 0, Delay{0});
+        for (std::size_t polls = 0; !shown_ && !open_.empty() && seen_.size() < limits_.states; ++polls) {
             if (polls % poll_every == 0 && stopped()) break;
-            std::size_t stage = stages_.size();
-            while (stage > 0 && open_[stage - 1].empty()) --stage;
-            if (stage == 0) break;
-            const std::size_t node = open_[stage - 1].front();
-            open_[stage - 1].pop_front();
+            const std::size_t node = open_.top().node;
+            open_.pop();
             expand(node);
         }
         Followed result;
@@ -268,6 +263,10 @@ public:
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
+    struct Open {
+        std::size_t stages_left = 0, distance = 0, node = 0;
+        auto operator<=>(const Open&) const = default;
+    };
     struct Node {
         std::size_t parent = 0;
         std::size_t stage = 0;
@@ -281,27 +280,31 @@ private:
 
     const Word* words(std::size_t node) const { return states_.data() + node * layout_.words; }
 
-    /// The stage of a state that follows one of `stage`; none: it leaves the abstract run.
+    /// How many variables of the signature differ from those of a stage.
+    std::size_t distance(const Word* words, std::size_t stage) const {
+        std::size_t differing = 0;
+        for (std::size_t i = 0; i < signature_.size(); ++i)
+            if (layout_.variables[signature_[i].index].get(words) != stages_[stage].signature[i]) ++differing;
+        return differing;
+    }
+
+    /// The last stage that the state shows, from that of its predecessor on.
     std::size_t stage_of(const Word* words, std::size_t stage) const {
-        const auto is = [&](const Stage& at) {
-            for (std::size_t i = 0; i < signature_.size(); ++i)
-                if (layout_.variables[signature_[i].index].get(words) != at.signature[i]) return false;
-            return true;
-        };
-        if (is(stages_[stage])) return stage;
-        return stage + 1 < stages_.size() && is(stages_[stage + 1]) ? stage + 1 : none;
+        for (std::size_t later = stages_.size(); later-- > stage + 1;)
+            if (distance(words, later) == 0) return later;
+        return stage;
     }
 
     void add(const Word* at, std::size_t parent, std::size_t from_stage, const Move& move) {
         const std::size_t stage = stage_of(at, from_stage);
-        if (stage == none) return;
         std::string key(reinterpret_cast<const char*>(at), layout_.stored * sizeof(Word));
         key.append(reinterpret_cast<const char*>(&stage), sizeof(stage));
         if (!seen_.insert(std::move(key)).second) return;
         const std::size_t node = nodes_.size();
         nodes_.push_back({parent, stage, move});
         states_.insert(states_.end(), at, at + layout_.words);
-        open_[stage].push_back(node);
+        const std::size_t next = std::min(stage + 1, stages_.size() - 1);
+        open_.push({stages_.size() - stage, distance(at, next), node});
         last_stage_ = std::max(last_stage_, stage);
         if (!shown_ && watch_.wants(machine_, words(node), registers_)) {
             watch_.look(machine_, 0, words(node), registers_);
@@ -374,7 +377,7 @@ private:
     std::vector<Node> nodes_ = {};
     std::vector<Word> states_ = {};
     std::unordered_set<std::string> seen_ = {};
-    std::vector<std::deque<std::size_t>> open_ = {};  // per stage
+    std::priority_queue<Open, std::vector<Open>, std::greater<>> open_ = {};
     std::size_t last_stage_ = 0;
     std::optional<std::size_t> shown_ = {};
     timed::Moves moves_ = {};

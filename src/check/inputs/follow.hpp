@@ -2,9 +2,10 @@
 // Guided search: a run of the complete network along a run of its input abstraction (ir/network_inputs.hpp).
 //
 // The abstract run is cut into stages, one per valuation of the steps and internal variables of the controllers. The
-// search is best-first by stage and breadth-first within a stage. It visits only states of the current or the next stage,
-// and in a stage a Chosen instance moves only if its outputs are not among those that the abstract run samples there. So
-// it finds only real runs, quickly if the abstract run can be stretched in time; that it finds none proves nothing.
+// search is best-first: by the last stage that a run has shown, then by the number of variables that differ from the next
+// stage, then breadth-first. A Chosen instance moves only if its outputs are not among those that the abstract run samples
+// on the way to the next stage. So what it finds is a real run, and it finds it quickly if the abstract run can be
+// stretched in time; that it finds none proves nothing.
 #pragma once
 
 #include <atomic>
