@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Verdict: the answer of an engine to one property, never a guess, with the run of the network that shows it.
 //
-// A run starts in the initial state of the Network. It is finite, or a lasso: the moves from `loop` on repeat for ever;
-// staying for ever is a loop of one delay. A finite run that is the counterexample of `inevitable` or `leads to` ends
-// where nothing can happen any more, neither an edge nor the passing of time.
-//
-// Integer delays are real delays, so every run of the timed engine is a run of the dense-time model as well.
+// A run starts in the initial state of the Network. It is finite, or a lasso: the moves from `loop` on repeat forever;
+// staying forever is a loop of one delay. A finite counterexample of `inevitable` or `leads to` ends in a state without
+// successors. Every run of integer delays is a run of the dense-time model.
 #pragma once
 
 #include <cstdint>
@@ -65,11 +63,9 @@ struct Scope {
     bool operator==(const Scope&) const = default;
 };
 
-/// An abstraction of the inputs that decided a verdict (docs/engines.md, "Input abstraction"): instances by name.
+/// Instances, by name, that the input abstraction behind a verdict reduced (docs/engines.md, "Input abstraction").
 struct InputsAbstracted {
-    std::vector<std::string> chosen = {};   ///< any reachable value at each sampling
-    std::vector<std::string> untimed = {};  ///< without their clocks
-    std::vector<std::string> paced = {};    ///< with no other bound than that they do not move twice in an instant
+    std::vector<std::string> chosen = {}, untimed = {}, paced = {};
     bool operator==(const InputsAbstracted&) const = default;
 };
 
@@ -95,8 +91,7 @@ struct Verdict {
     bool operator==(const Verdict&) const = default;
 };
 
-/// A place where the model itself breaks off; the run leads to the state before `edge` fires, or for a race to the state
-/// with the race.
+/// A model error; the run leads to the state before `edge` is taken, or for a race to the state with the race.
 struct ModelError {
     enum class Kind {
         OutOfRange,  ///< `edge` assigns `variable` a value outside its range

@@ -22,8 +22,6 @@ namespace {
 
 using Cells = std::vector<std::uint32_t>;
 
-const char* const settled_probe = "some state is settled";
-
 bool wanted(const Property& property) { return property.pattern == Pattern::Reachable; }
 
 /// Some cells, and what is asked of them: indices of verdicts.

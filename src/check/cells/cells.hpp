@@ -17,6 +17,9 @@
 namespace grafverif {
 
 /// The sizes of the searches.
+/// Name of the property that the first look at the complete network adds: some state is quiescent.
+inline constexpr const char* settled_probe = "some state is settled";
+
 struct CellLimits {
     std::uint64_t whole = std::uint64_t{1} << 17U;  ///< states of the whole that are looked at first
     std::uint64_t local = std::uint64_t{1} << 22U;  ///< of a local network

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "check/cells/cells.hpp"
 #include "check/inputs/follow.hpp"
 #include "check/timed/questions.hpp"
 #include "ir/patterns.hpp"
@@ -41,7 +42,8 @@ public:
           complete_(in_longest_unit(observed_)) {}
 
     void run() {
-        if (instances_.empty() || !result_.errors.empty()) return;
+        // Otherwise what holds in an abstraction may be vacuous in the loop.
+        if (instances_.empty() || !result_.errors.empty() || !result_.time_passes) return;
         collect();
         while (!tasks_.empty() && !stopped()) {
             const Task task = std::move(tasks_.front());
@@ -78,11 +80,14 @@ private:
 
 void ByInputs::collect() {
     std::map<Levels, std::vector<std::size_t>> groups;
+    const auto probe = std::ranges::find(result_.verdicts, settled_probe, &Verdict::property);
+    const bool ever_settled = probe == result_.verdicts.end() || probe->outcome == Outcome::Holds;
     for (std::size_t k = 0; k < result_.verdicts.size(); ++k) {
         const Verdict& verdict = result_.verdicts[k];
         if (verdict.obstacle != Obstacle::Bound || !verdict.about.valid()) continue;
         const Property& property = observed_.properties[verdict.about];
         if (!is_about_single_states(property.pattern) && property.pattern != Pattern::ReachableAllSteps) continue;
+        if (property.at_stable && !ever_settled) continue;
         groups[first_levels(property)].push_back(k);
     }
     for (auto& [levels, verdicts] : groups) tasks_.push_back({levels, std::move(verdicts)});
