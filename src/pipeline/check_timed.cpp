@@ -16,6 +16,7 @@
 #include "check/vacuity.hpp"
 #include "compose/observe.hpp"
 #include "explain/violation.hpp"
+#include "ir/probes.hpp"
 #include "pipeline/check.hpp"
 #include "pipeline/explain.hpp"
 #include "pipeline/models.hpp"
@@ -87,15 +88,20 @@ TimedResult search_watched(const LoopToCheck& loop, const Observe& observe, cons
     TimedOptions timed = timed_options(loop, options);
     timed.timelock = false;
     const CellLimits limits;
-    if (options.whole || loop.cures_left_out || timed.max_states <= limits.whole)
-        return check_timed(observe(loop.network), timed);
+    const Network network = observe(loop.network);
+    if (options.whole || loop.cures_left_out || timed.max_states <= limits.whole) return check_timed(network, timed);
     TimedOptions first = timed;
     first.max_states = limits.whole;
     first.many = {};
     TimedResult found = search_first(expand(loop.network), observe, first, check_timed);
-    const bool open =
-        std::ranges::any_of(found.verdicts, [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Bound; });
-    return open ? check_timed(observe(loop.network), timed) : found;
+    const bool open = std::ranges::any_of(found.verdicts, [&](const Verdict& verdict) {
+        return verdict.obstacle == Obstacle::Bound && !is_probe(network.properties[verdict.about]);
+    });
+    if (!open) return found;
+    TimedResult complete = check_timed(network, timed);
+    for (std::size_t k = 0; k < found.verdicts.size(); ++k)
+        if (found.verdicts[k].abstraction) complete.verdicts[k] = std::move(found.verdicts[k]);
+    return complete;
 }
 
 /// Turns what the engine found into a report; runs that do not replay are failures and are not told.
@@ -254,7 +260,8 @@ Report check(const LoopToCheck& loop, const CheckOptions& options) {
     std::ranges::copy_if(by_observers, std::back_inserter(asked), is_asked);
     Report report{alone.name, basis_of(alone, "timed")};
     std::uint64_t states = 0;
-    for (std::size_t i = 0; i < asked.size(); ++i) {  // each has an equal share of the time that is left, as the rest has
+    for (std::size_t i = 0; i < asked.size();
+         ++i) {  // each has an equal share of the time that is left, as the rest has
         CheckOptions share = options;
         share.limits.deadline = share_of(options.limits.deadline, asked.size() - i + 1);
         Report made = check_watched(loop, asked[i], share);
