@@ -17,7 +17,7 @@ namespace grafverif {
 namespace {
 
 /// A third of the time that there is, and never long: there are others.
-std::chrono::steady_clock::time_point share_of(std::optional<std::chrono::steady_clock::time_point> deadline) {
+std::chrono::steady_clock::time_point end_of_cells(std::optional<std::chrono::steady_clock::time_point> deadline) {
     constexpr std::chrono::seconds most(20);
     const auto now = std::chrono::steady_clock::now();
     return deadline ? std::min(now + most, now + (*deadline - now) / 3) : now + most;
@@ -35,7 +35,7 @@ std::vector<Verdict> decided_by_cells(const SystemToCheck& check, const CheckOpt
     if (std::ranges::any_of(network.processes, is_observer)) return {};  // they look at the whole
     TimedOptions timed;
     set_limits(timed, options.limits);
-    timed.deadline = share_of(options.limits.deadline);
+    timed.deadline = end_of_cells(options.limits.deadline);
     if (options.limits.progress)
         timed.progress = [&options](const TimedProgress& now) {
             options.limits.progress({[&now] { return fmt::format("cells: {} states", now.states); }});
