@@ -164,6 +164,7 @@ int compare(const Network& loop, const InputAblations& ablations, bool expected,
         TimedOptions options{.max_states = 3, .timelock = false};
         TimedResult inputs = check_timed(network, options);
         if (inputs.complete) continue;
+        inputs.time_passes = complete.time_passes;  // what a longer first search finds
         options.max_states = complete_limit;
         decide_by_inputs(loop, observe, options, inputs, {.followed = 20'000}, ablations);
         compared.compare(network, complete, inputs, expected);
