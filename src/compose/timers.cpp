@@ -213,9 +213,9 @@ void add_timers(Composition& composition, const ControllerParts& parts, Id<Netwo
         process.arguments.push_back(parts.variable[timer.end.index]);
         process.arguments.push_back(parts.evol_ti);
         process.initial = network.templates[process.automaton].initial;
-        network.controllers[controller].timers.push_back(
-            {network.processes.add(std::move(process)), timer.rise_ms > 0 ? done : Id<Network::Location>{},
-             watched_name(*parts.equations, timer), !parts.pending.empty()});
+        network.controllers[controller].timers.push_back({network.processes.add(std::move(process)),
+                                                          timer.rise_ms > 0 ? done : Id<Network::Location>{},
+                                                          !parts.pending.empty()});
     }
 }
 

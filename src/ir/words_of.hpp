@@ -39,7 +39,8 @@ ControllerWords<Variable> words_of(const Equations& equations, ExecutionMode mod
         if (variable.role == Equations::Role::Internal) words.internals.push_back({variable.name, place(id)});
     }
     for (const Equations::Timer& timer : equations.timers)
-        words.timers.push_back({place(timer.end), watched_step(equations, timer), timer.rise_ms, timer.fall_ms});
+        words.timers.push_back({place(timer.end), watched_step(equations, timer), timer.rise_ms, timer.fall_ms,
+                                watched_name(equations, timer)});
     for (const Id<Equations::Timer> timer : equations.conditions)
         words.conditions.push_back(timer.valid() ? std::optional<std::size_t>(timer.index) : std::nullopt);
     return words;

@@ -107,7 +107,7 @@ void NetworkProjection::add_timers(const Network::Controller& from, ChartRun::Co
         const auto& words = from.words.timers[k];
         const bool exact = timer.restarts;  // as published they are wrong, and are meant to be
         timer_of_[timer.process.index] =
-            run_.timers.add({from.words.name, timer.watched, words.step, words.rise_ms, words.fall_ms, exact});
+            run_.timers.add({from.words.name, words.watched, words.step, words.rise_ms, words.fall_ms, exact});
         controller.timers.push_back(timer_of_[timer.process.index]);
         end_of_.push_back(words.end);
     }

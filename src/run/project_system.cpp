@@ -66,8 +66,7 @@ private:
             made.images.resize(made.outputs.size());
             for (const auto& timer : from.timers)
                 made.timers.push_back(
-                    made_.timers.add({from.name, timer.step ? from.steps[*timer.step].name.variable() : "", timer.step,
-                                      timer.rise_ms, timer.fall_ms, false}));
+                    made_.timers.add({from.name, timer.watched, timer.step, timer.rise_ms, timer.fall_ms, false}));
             made_.controllers.add(std::move(made));
         }
         shorten_names(made_.steps);

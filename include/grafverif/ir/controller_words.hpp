@@ -33,6 +33,7 @@ struct ControllerWords {
         Id<Variable> end = {};
         std::optional<std::size_t> step = {};   ///< whose time it is, index in `steps`; empty: of another term
         std::int64_t rise_ms = 0, fall_ms = 0;  ///< t1 and t2
+        std::string watched = {};               ///< that term as conditions write it: `X2`, `a`; empty for a longer one
         bool operator==(const Timer&) const = default;
     };
 

@@ -139,9 +139,8 @@ struct Network {
     /// One controller: its words, and where the parts of its cycle are.
     struct Timer {
         Id<Process> process = {};
-        Id<Location> done = {};    ///< of the process, where t1 is over; not valid: it has no t1
-        std::string watched = {};  ///< what it watches as conditions write it: `X2`, `a`; of a longer term empty
-        bool restarts = true;      ///< a request restarts it; false: it follows its step by level
+        Id<Location> done = {};  ///< of the process, where t1 is over; not valid: it has no t1
+        bool restarts = true;    ///< a request restarts it; false: it follows its step by level
         bool operator==(const Timer&) const = default;
     };
     struct Controller {

@@ -48,10 +48,10 @@ std::string prefix_of(const Network& network, const Network::Controller& control
 }
 
 std::string time_text(const Network& network, const Network::Controller& controller, std::size_t timer) {
-    const std::string& watched = controller.timers[timer].watched;
-    if (watched.empty()) return "";  // so are they all in a part of a network, which has no words
+    if (timer >= controller.words.timers.size()) return "";  // a part of a network has no words
     const auto& times = controller.words.timers[timer];
-    return time_text(times.rise_ms, prefix_of(network, controller) + watched, times.fall_ms);
+    if (times.watched.empty()) return "";
+    return time_text(times.rise_ms, prefix_of(network, controller) + times.watched, times.fall_ms);
 }
 
 std::vector<std::string> told_names(const Network& network) {

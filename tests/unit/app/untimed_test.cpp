@@ -79,6 +79,25 @@ TEST(CheckUntimed, TimesThatPropertiesReadAreFreeWithoutAPlant) {
     EXPECT_EQ(grafverif({"nusmv", file, "-o", "-"}).code, ExitCode::Done);
 }
 
+TEST(CheckUntimed, TracesNameTheInputsThatTimersWatch) {
+    const Folder folder;
+    const std::string file = folder.write(
+        "lamp.grafcet",
+        "grafcet lamp { input A, B; output L; initial step 0; step 1 { L; }\n"
+        "transition t0: 0 -> 1 when 2s/A; transition t1: 1 -> 0 when 5s/X1 || 1s/(A && B); }\n"
+        "closed_loop room { controller lamp; environment a = free(OUT = A); environment b = free(OUT = B);\n"
+        "property dark: never L; }\n");
+    for (const std::vector<std::string>& how :
+         std::vector<std::vector<std::string>>{{}, {"--untimed"}, {"--untimed", "--plant", "automata"}}) {
+        std::vector<std::string> command{"check", file, "--format", "json"};
+        command.insert(command.end(), how.begin(), how.end());
+        const UntimedJson document = UntimedJson::parse(grafverif(command).out);
+        UntimedJson names = UntimedJson::array();
+        for (const auto& timer : document["properties"][0]["trace"]["run"]["timers"]) names.push_back(timer["watched"]);
+        EXPECT_EQ(names, UntimedJson({"A", "X1", nullptr}));
+    }
+}
+
 /// Whether `out` says so of the verdict on `property`: at its head for all, or for the group that names it.
 bool says_of(const std::string& property, const std::string& carries, const std::string& out) {
     std::string head = out.substr(0, out.find("\n\n")) + '\n';
