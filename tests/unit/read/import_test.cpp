@@ -90,7 +90,7 @@ TEST(Import, ReadsTextInUtf16AndLatin1AsItsUtf8) {
 }
 
 TEST(Import, RejectsUtf16WithHalfACharacter) {
-    for (const std::string text : {std::string("grafcet g { initial step 0; }"), std::string("<project/>")}) {
+    for (const std::string& text : {std::string("grafcet g { initial step 0; }"), std::string("<project/>")}) {
         const Imported result = imported(utf16(text) + "}");
         EXPECT_NE(result.said.find("UTF-16 with half a character at its end"), std::string::npos) << result.said;
     }
