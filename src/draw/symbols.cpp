@@ -155,7 +155,12 @@ Symbols::Action Symbols::continuous(Id<Chart::ContinuousAction> id) const {
     if (!is_true(chart_.exprs, action.condition)) {
         Runs condition = runs(text_.continuous, id.index, action.condition);
         const bool alone = action.delay_ms == 0 && action.limit_ms == 0;
-        if (!alone && chart_.exprs[action.condition].op == Op::Or) {
+        // Written text may have a disjunction where the term, simplified, has none.
+        const std::string text = plain_text(condition);
+        const bool disjunction =
+            iec ? chart_.exprs[action.condition].op == Op::Or
+                : text.find("||") != text.npos || text.find("=>") != text.npos || text.find(" or ") != text.npos;
+        if (!alone && disjunction) {
             condition.insert(condition.begin(), {"(", false});
             condition.push_back({")", false});
         }
