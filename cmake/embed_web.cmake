@@ -22,25 +22,39 @@ endfunction()
 
 file(READ "${STYLE}" style)
 set(script "")
+set(modules "")  # a literal each: all in one may be longer than compilers must support
 foreach(file IN LISTS SCRIPTS)
     file(READ "${file}" module)
     string(REGEX REPLACE "\nimport [^\n]*" "" module "${module}")
     string(REGEX REPLACE "\nexport " "\n" module "${module}")
     string(APPEND script "${module}")
+    literal_of("${module}" literal)
+    string(APPEND modules "        ${literal},\n")
 endforeach()
 foreach(each style script)
     string(SHA256 hash "${${each}}")
     base64_of("${hash}" ${each}_hash)
-    literal_of("${${each}}" ${each}_literal)
 endforeach()
+literal_of("${style}" style_literal)
 file(WRITE "${OUTPUT}" "// SPDX-License-Identifier: MIT
 #include \"page/web.hpp\"
+
+#include <string>
 
 namespace grafverif {
 
 WebText page_style() { return {${style_literal}, \"${style_hash}\"}; }
 
-WebText page_script() { return {${script_literal}, \"${script_hash}\"}; }
+WebText page_script() {
+    static const std::string text = [] {
+        std::string all;
+        for (const char* const module : {
+${modules}             })
+            all += module;
+        return all;
+    }();
+    return {text, \"${script_hash}\"};
+}
 
 }  // namespace grafverif
 ")
