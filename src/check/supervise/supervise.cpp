@@ -47,8 +47,10 @@ public:
                 terms.may.push_back(flat_.symbols[permission.symbol.index]);
                 terms.effects.push_back(here(permission.effect));
                 std::vector<Id<Expr>>& sites = terms.site_effects.emplace_back();
-                for (const Id<Expr> effect : permission.site_effects)
-                    sites.push_back(effect.valid() ? here(effect) : effect);
+                for (std::size_t site = 0; site < permission.sites.size(); ++site) {
+                    const bool known = site < permission.site_effects.size() && permission.site_effects[site].valid();
+                    sites.push_back(known ? here(permission.site_effects[site]) : Id<Expr>{});
+                }
             }
         }
         for (const Id<Expr> bad : asked.bad) bad_terms_.push_back(here(bad));

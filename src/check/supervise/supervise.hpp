@@ -32,7 +32,7 @@ struct Supervision {
         bool output = false;
         Id<Expr> effect = {};                 ///< over main: the transition is cleared in the step; the output is set
         std::vector<std::size_t> sites = {};  ///< of an output: what is seen while its actions may set it, one by one
-        /// Per site, over main: its action sets the output in the step, if permitted. Not valid: always while it is seen.
+        /// Per site, over main: its action sets the output in the step, if permitted. Missing or not valid: always while it is seen.
         std::vector<Id<Expr>> site_effects = {};
     };
     struct Controller {

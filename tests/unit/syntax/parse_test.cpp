@@ -182,7 +182,7 @@ TEST(ParseFile, GoesOnWithTheNextDeclarationAfterAnError) {
         {"grafcet a {\n    input A B;\n    input C D;\n    step 1;\n}\n", "2:13 unexpected\n3:13 unexpected\n"},
         {"grafcet a {\n    input A\n    output B;\n    step ;\n}\n", "2:12 missing-semicolon\n4:10 unexpected\n"},
         {"grafcet a {\n    step 1 { A\n    step 2;\n    step 3 4;\n}\n", "2:15 missing-semicolon\n4:12 unexpected\n"},
-        {"grafcet a {\n    step 1;\n\ngrafcet b {\n    step 2 3;\n}\n", "4:1 unexpected\n5:12 unexpected\n"},
+        {"grafcet a {\n    step 1;\n\ngrafcet b {\n    step 2 3;\n}\n", "1:1 missing-brace\n5:12 unexpected\n"},
         {"grafcet a {\n    step 1 { force G := {1, ; }; B C; }\n    step 2 3;\n}\n",
          "2:29 unexpected\n2:36 unexpected\n3:12 unexpected\n"},
         {"grafcet a b {\n    step 1 2;\n}\ngrafcet c {\n    step 1 2;\n}\n", "1:11 unexpected\n5:12 unexpected\n"},
@@ -224,7 +224,7 @@ TEST(ParseFile, RefusesBytesThatAreNoText) {
     EXPECT_EQ(errors_of("// \xED\xA0\x80\n"), "1:4 invalid-utf8\n");      // surrogate
     EXPECT_EQ(errors_of("// \xF4\x90\x80\x80\n"), "1:4 invalid-utf8\n");  // beyond U+10FFFF
     EXPECT_EQ(errors_of("// \xE2\x86"), "1:4 invalid-utf8\n");            // cut
-    EXPECT_EQ(errors_of("grafcet a {\n    input a\0b;\n}\n"s), "2:12 unexpected-character\n");
+    EXPECT_EQ(errors_of("grafcet a {\n    input a\0b;\n}\n"s), "2:12 control-character\n2:12 unexpected-character\n");
     EXPECT_EQ(errors_of("// ünïcödé and ↑ in comments\ngrafcet a {\n    initial step 1;\n}\n"), "");
 }
 
