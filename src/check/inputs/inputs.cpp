@@ -39,7 +39,8 @@ public:
           ablations_(ablations),
           instances_(autonomous_instances(loop)),
           observed_(expand(observe(loop))),
-          complete_(in_longest_unit(observed_)) {}
+          complete_(in_longest_unit(observed_)),
+          writers_(observed_.variables.size()) {}
 
     void run() {
         // Otherwise what holds in an abstraction may be vacuous in the loop.
@@ -74,11 +75,15 @@ private:
     const InputAblations& ablations_;
     const std::vector<AutonomousInstance> instances_;
     const Network observed_;
-    const Network complete_;  // in its longest time unit
+    const Network complete_;                        // in its longest time unit
+    std::vector<std::set<std::uint32_t>> writers_;  // processes, per variable of observed_
     std::deque<Task> tasks_ = {};
 };
 
 void ByInputs::collect() {
+    for (const Id<Network::Process> id : observed_.processes.ids())
+        for (const Id<Network::Variable> variable : Slots(observed_, id).written())
+            writers_[variable.index].insert(id.index);
     std::map<Levels, std::vector<std::size_t>> groups;
     const auto probe = std::ranges::find(result_.verdicts, settled_probe, &Verdict::property);
     const bool ever_settled = probe == result_.verdicts.end() || probe->outcome == Outcome::Holds;
@@ -103,12 +108,6 @@ Levels ByInputs::first_levels(const Property& property) const {
             if (node.op == Op::At) processes.insert(at_process(node));
         }
     };
-    std::vector<std::vector<std::uint32_t>> written;
-    for (const Id<Network::Process> id : observed_.processes.ids()) {
-        written.emplace_back();
-        for (const Id<Network::Variable> variable : Slots(observed_, id).written())
-            written.back().push_back(variable.index);
-    }
     for (const Id<Expr> operand : property.operands) read(operand);
     for (const Network::Process& process : observed_.processes) {
         if (process.kind != Network::ProcessKind::Observer) continue;
@@ -121,9 +120,7 @@ Levels ByInputs::first_levels(const Property& property) const {
     // Where a process is, observers read in a variable that it alone writes; all processes write that something has changed.
     for (const std::uint32_t variable : variables) {
         if (variable < loop_.variables.size()) continue;
-        std::set<std::uint32_t> writers;
-        for (const Id<Network::Process> id : observed_.processes.ids())
-            if (std::ranges::find(written[id.index], variable) != written[id.index].end()) writers.insert(id.index);
+        const std::set<std::uint32_t>& writers = writers_[variable];
         if (writers.size() == 1) processes.insert(*writers.begin());
     }
     Levels levels;
@@ -258,6 +255,8 @@ InputsAbstracted ByInputs::abstracted(const Levels& levels) const {
 
 void decide_by_inputs(const Network& loop, const Observe& observe, const TimedOptions& options, TimedResult& result,
                       const InputLimits& limits, const InputAblations& ablations) {
+    const auto is_open = [](const Verdict& verdict) { return verdict.obstacle == Obstacle::Bound; };
+    if (std::ranges::none_of(result.verdicts, is_open)) return;
     ByInputs(loop, observe, options, result, limits, ablations).run();
 }
 
