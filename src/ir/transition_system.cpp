@@ -97,8 +97,8 @@ void check_acyclic(const System& system, const System::Module& module, bool init
         if (open[index] == 0) ready.push_back(index);
     std::size_t done = 0;
     for (; done < ready.size(); ++done)
-        for (const std::uint32_t dependant : dependants[ready[done]])
-            if (--open[dependant] == 0) ready.push_back(dependant);
+        for (const std::uint32_t dependent : dependents[ready[done]])
+            if (--open[dependent] == 0) ready.push_back(dependent);
     if (done != open.size())
         faults.push_back(module.name +
                          (initial ? ": initial values depend on themselves" : ": definitions depend on themselves"));
