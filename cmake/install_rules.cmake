@@ -33,7 +33,8 @@ install(FILES "${PROJECT_BINARY_DIR}/grafverifConfig.cmake" "${PROJECT_BINARY_DI
 
 # As they lie here, so that pages find each other.
 install(FILES LICENSE README.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
-install(DIRECTORY samples docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation PATTERN "*.sh" EXCLUDE)
+install(DIRECTORY samples docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation
+        PATTERN "*.sh" EXCLUDE PATTERN conf.py EXCLUDE PATTERN site EXCLUDE)
 install(DIRECTORY tests/unit/app/elements DESTINATION ${CMAKE_INSTALL_DOCDIR}/tests/unit/app COMPONENT documentation
         FILES_MATCHING PATTERN "*.grafcet")
 install(DIRECTORY templates DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation PATTERN CMakeLists.txt EXCLUDE)
