@@ -21,7 +21,6 @@ nitpicky = True
 # The C++ API names types of the standard library and of Doxygen's own making, which this site does not describe.
 nitpick_ignore_regex = [(r"cpp:.*", r".*")]
 suppress_warnings = ["duplicate_declaration.cpp"]
-# Of MyST blocks: the text of examples is not highlighted by a lexer that exists.
 highlight_language = "text"
 
 html_theme = "furo"

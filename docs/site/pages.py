@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Pages of the site: reads the Markdown files of the repository, checks their titles and links, and writes them for Sphinx.
 
-In the repository, links to samples and sources are relative paths. The site has samples as pages of their own and other
+In the repository, links to samples and sources are relative paths. The site has a page for each sample and other
 files as downloads, so links are rewritten. The first use of a glossary term on a page becomes a link to its definition.
 """
 import os

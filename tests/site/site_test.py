@@ -59,7 +59,7 @@ class Site(unittest.TestCase):
         self.add_page("A page.\n")
         self.assert_problem("docs/new.md:1: the page has no title")
 
-    def test_title_inside_code_is_no_title(self):
+    def test_title_inside_code_is_ignored(self):
         self.add_page("```text\n# Title\n```\n")
         self.assert_problem("docs/new.md:1: the page has no title")
 
