@@ -78,7 +78,7 @@ void check_symbols(const System& system, Id<System::Module> id, Sorts& sorts, Fa
 /// The definitions of a module, or its initial values, form no cycle. Kahn: take away whatever depends on nothing left.
 void check_acyclic(const System& system, const System::Module& module, bool initial, Faults& faults) {
     std::vector<std::size_t> open(module.symbols.size());
-    std::vector<std::vector<std::uint32_t>> dependants(module.symbols.size());
+    std::vector<std::vector<std::uint32_t>> dependents(module.symbols.size());
     for (const Id<System::Symbol> id : module.symbols.ids()) {
         Id<Expr> value;
         if (const auto* define = std::get_if<System::DefineSymbol>(&module.symbols[id].kind)) value = define->value;
@@ -87,8 +87,8 @@ void check_acyclic(const System& system, const System::Module& module, bool init
         if (!value.valid() || !system.exprs.contains(value)) continue;
         for (const Id<Expr> leaf : leaves(system.exprs, value)) {
             const auto read = static_cast<std::size_t>(system.exprs[leaf].value);
-            if (read >= dependants.size()) continue;
-            dependants[read].push_back(id.index);
+            if (read >= dependents.size()) continue;
+            dependents[read].push_back(id.index);
             ++open[id.index];
         }
     }
