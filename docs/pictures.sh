@@ -1,11 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The pictures of the documents: docs/pictures.sh GRAFVERIF (such as build/run/bin/grafverif). The samples are drawn; the player
-# of the README's counterexample is photographed in Chromium.
+# The pictures of the documents: docs/pictures.sh GRAFVERIF (such as build/run/bin/grafverif). The samples and the chart of
+# the tutorial are drawn; the players of the README and of the tutorial are photographed in Chromium.
 set -euo pipefail
 grafverif=$(realpath "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 for file in samples/*/*.grafcet; do
     "$grafverif" draw "$file" -o "${file%.grafcet}.svg"
 done
-GRAFVERIF_PROGRAM=$grafverif tests/browser/run picture.py "$PWD/docs/player.png"
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+(cd "$work" && "$grafverif" init press --quiet)
+"$grafverif" draw "$work/press/press_controller.grafcet" -o docs/tutorials/press_chart.svg
+sed -n '/^```grafcet$/,/^```$/{/^```/d;p}' docs/tutorials/read-a-counterexample.md >"$work/press.grafcet"
+export GRAFVERIF_PROGRAM=$grafverif
+tests/browser/run picture.py "$PWD/docs/blinker_pressed.grafcet" answered/10 "$PWD/docs/player.png"
+tests/browser/run picture.py "$work/press.grafcet" guarded/4 "$PWD/docs/tutorials/press_player.png"
