@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Charts in a CMake project, by Makefiles or Ninja; docs/build_systems.md shows both functions at work.
+# Charts in a CMake project, by Makefiles or Ninja; docs/how-to/build-systems.md shows both functions at work.
 #
 #   grafverif_models(TARGET <target> CHART <file>... [NAME <name>] [LOOP <loop>] [OUTPUT_DIRECTORY <folder>]
 #                    [MODELS uppaal|nusmv] [OPTIONS <option>...])

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The language server with a real client: Neovim, without a window, set up by the lines of docs/lsp.md, does each thing
--- once in two files of which one includes the other. What it is told goes to the file `told`, which docs/lsp.md shows.
+-- The language server with a real client: Neovim, without a window, set up by the lines of docs/how-to/language-server.md, does each thing
+-- once in two files of which one includes the other. What it is told goes to the file `told`, which docs/how-to/language-server.md shows.
 local wait_ms = 30000
 local told = assert(io.open('told', 'w'))
 

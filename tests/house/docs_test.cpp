@@ -228,7 +228,7 @@ TEST(Documents, ClaimVerdictsOfTheirLoopsThatCheckFinds) {
 TEST(Documents, ShowTheProgramThatTheTestsBuildAgainstTheInstalledLibrary) {
     const std::string source = text_of(root / "tests/house/consumer/main.cpp");
     std::size_t shown = 0;
-    for (const Block& block : blocks_of(root / "docs/library.md")) {
+    for (const Block& block : blocks_of(root / "docs/how-to/cpp.md")) {
         if (block.language != "cpp") continue;
         EXPECT_TRUE(source.ends_with(written(block))) << written(block);
         ++shown;

@@ -97,7 +97,7 @@ TEST(Ladder, IsDrawnAsItIs) {
 }
 
 TEST(Ladder, EveryPlaceThatThePageOfTheHouseNamesIsThere) {
-    const std::string page = text_of(root / "docs/architecture.md");
+    const std::string page = text_of(root / "docs/explanation/architecture.md");
     static const std::regex pattern(R"(`([a-z]+/[a-z_/]*(\.cpp|\.sh)?)`)");
     std::size_t named = 0;
     for (std::sregex_iterator place(page.begin(), page.end(), pattern), end; place != end; ++place, ++named) {

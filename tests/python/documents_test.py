@@ -6,7 +6,7 @@ import pathlib
 import pytest
 
 root = pathlib.Path(__file__).parents[2]
-pages = sorted(page for page in [root / "README.md", *root.glob("docs/*.md")] if "```python" in page.read_text())
+pages = sorted(page for page in [root / "README.md", *root.glob("docs/**/*.md")] if "```python" in page.read_text())
 
 
 @pytest.mark.parametrize("page", pages, ids=lambda page: page.stem)
@@ -22,4 +22,4 @@ def test_examples_run_as_pasted(page, monkeypatch, tmp_path):
 
 
 def test_there_is_a_page():
-    assert root / "docs/python.md" in pages
+    assert root / "docs/how-to/python.md" in pages

@@ -22,7 +22,7 @@ def test_the_package_is_typed_throughout(tmp_path):
 
 
 def test_examples_of_the_page_are_well_typed(tmp_path):
-    page = (root / "docs/python.md").read_text()
+    page = (root / "docs/how-to/python.md").read_text()
     examples = tmp_path / "examples.py"
     examples.write_text("".join(each.source for each in doctest.DocTestParser().get_examples(page)))
     assert mypy(tmp_path, "--follow-imports", "silent", examples) == ""
