@@ -41,16 +41,16 @@ std::string_view ansi(Severity severity) {
 }
 
 constexpr std::size_t indentation = 4;
-constexpr std::size_t least_columns = 20;  // of source, however narrow the terminal is
+constexpr std::size_t least_columns = 20;  // minimum for source text on narrow terminals
 constexpr std::size_t tab_columns = 8;
 
-/// A line of source as shown.
+/// A source line as shown.
 struct Excerpt {
     std::string text = {};
-    std::string marks = {};  ///< blanks, tabs kept, then carets
+    std::string marks = {};  ///< spaces and carets; tabs are kept
 };
 
-/// A character of the line, and where it stands on a terminal if nothing is cut away.
+/// A character of the line and its terminal columns if the line is not cut.
 struct Cell {
     std::size_t at = 0, bytes = 1;  ///< in the line
     std::size_t columns = 1;
@@ -69,8 +69,8 @@ std::vector<Cell> cells_of(std::string_view line, std::size_t column, std::size_
     return cells;
 }
 
-/// The cells [from, to) that are shown of a line too long for `room` columns, `…` on either side included: a window with
-/// the beginning of the mark in it, and something before that.
+/// The range [from, to) of cells shown of a line that exceeds the available width, `…` on both sides included. It
+/// contains the beginning of the mark and some context before it.
 std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::size_t first_marked, std::size_t room) {
     std::size_t whole = 0, before = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -84,16 +84,16 @@ std::pair<std::size_t, std::size_t> window(const std::vector<Cell>& cells, std::
             before -= cells[from].columns;
     std::size_t used = (from > 0 ? 1 : 0) + 1, to = from;
     while (to < cells.size() && used + cells[to].columns <= room) used += cells[to++].columns;
-    if (to + 1 == cells.size() && used - 1 + cells[to].columns <= room) ++to;  // no `…` behind it
+    if (to + 1 == cells.size() && used - 1 + cells[to].columns <= room) ++to;  // no `…` after it
     return {from, to};
 }
 
-/// Carets stand under the columns that the marked characters take on a terminal; there is one at least. Of a long line only
-/// what is near the mark is measured.
+/// Places carets under the terminal columns of the marked characters, at least one. Only the part of a long line near
+/// the mark is measured.
 Excerpt excerpt(std::string_view line, std::size_t column, std::size_t length, std::size_t columns) {
-    constexpr std::size_t near = 4096;  // bytes: more than is shown
+    constexpr std::size_t near = 4096;  // bytes, more than is shown
     std::size_t cut = column > near ? column - near : 0;
-    while (cut < column && (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U) ++cut;  // not within a character
+    while (cut < column && (static_cast<unsigned char>(line[cut]) & 0xC0U) == 0x80U) ++cut;  // start of a character
     const bool goes_on = line.size() > column + near;
     line = line.substr(cut, column - cut + near);
     column -= cut;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// FORCE (Aloul, Markov, Sakallah 2003): an order of vertices in which those of each hyperedge stand near each other. In
-// turn every hyperedge moves to the mean place of its members and every member to the mean place of its hyperedges,
-// until the total span of the hyperedges shrinks no more.
+// FORCE (Aloul, Markov, Sakallah 2003): vertex ordering that places the vertices of each hyperedge close together.
+// Iterates: each hyperedge moves to the mean position of its members, then each member to the mean position of its
+// hyperedges. Terminates when the total span of the hyperedges no longer decreases.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace grafverif {
 
-/// A hyperedge: the vertices it holds together.
+/// A hyperedge: the vertices to place close together.
 using ForceEdge = std::vector<std::uint32_t>;
 
-/// The place of each of `vertices` vertices, beginning with the order of their numbers, from which the first move is made.
+/// Returns the position of each of `vertices` vertices. The initial order is that of their numbers.
 std::vector<double> force_places(std::size_t vertices, const std::vector<ForceEdge>& edges);
 
 }  // namespace grafverif

@@ -16,8 +16,7 @@ std::string json_text(const nlohmann::ordered_json& value, int indent) {
     if (std::ranges::all_of(text, ascii)) return text;
     std::string clean;
     for (std::string_view rest = text; !rest.empty();) {
-        const Glyph glyph =
-            first_glyph(rest);  // none of those to be written otherwise is beyond 16 bits, or outside a string
+        const Glyph glyph = first_glyph(rest);  // every `obeyed` character is below U+10000 and inside a string
         if (glyph.obeyed && !ascii(rest.front())) clean += fmt::format("\\u{:04x}", glyph.code);
         else clean += rest.substr(0, glyph.bytes);
         rest.remove_prefix(glyph.bytes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// JSON as text: valid whatever its strings hold, and clean on a terminal: what a terminal obeys (see printable) is
-// written as `\u` and its number, which every reader of JSON takes for the character; what is no UTF-8 becomes U+FFFD.
+// JSON as text that is valid for all string contents and safe to print on a terminal. Characters that control a
+// terminal (see printable) are written as `\u` escapes, which every JSON parser reads back. Invalid UTF-8 becomes
+// U+FFFD.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +11,15 @@
 
 namespace grafverif {
 
-/// `indent`: blanks per level; -1: in one line.
+/// `indent`: spaces per level; -1: everything in one line.
 std::string json_text(const nlohmann::ordered_json& value, int indent = 2);
 
-/// `null` for a count that is not known.
+/// `null` if the count is unknown.
 inline nlohmann::ordered_json optional_json(std::optional<std::uint64_t> count) {
     return count ? nlohmann::ordered_json(*count) : nlohmann::ordered_json(nullptr);
 }
 
-/// `null` for a text that there is not.
+/// `null` if the text is empty.
 inline nlohmann::ordered_json text_or_null(const std::string& text) {
     return text.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(text);
 }

@@ -179,7 +179,7 @@ Diagnostic too_many_stored_values(Span where, std::string_view variable, std::si
 
 namespace {
 
-/// As charts write durations: `3s`, `250ms`.
+/// In the notation of charts: `3s`, `250ms`.
 std::string time_text(std::int64_t milliseconds) {
     if (milliseconds != 0 && milliseconds % 1000 == 0) return fmt::format("{}s", milliseconds / 1000);
     return fmt::format("{}ms", milliseconds);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The wording of every diagnostic, one function each, so that it can be reviewed in one place. Messages are lower
-// case, put names in backticks, say what was seen first and, after `; `, what to do.
+// Texts of all diagnostics, one function per message, so that they can be reviewed in one place. Messages are lower
+// case, put names in backticks, and state the problem first and, after `; `, the remedy.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +20,11 @@ Diagnostic cannot_listen(std::uint64_t port, std::string_view why);
 Diagnostic output_is_input(std::string_view output, std::string_view input);
 Diagnostic output_twice(std::string_view one, std::string_view other);
 Diagnostic no_closed_loop();
-/// The model checked is not that of the file: a cure of the method is left out on purpose.
+/// `cure_left_out`: the model checked differs from the file, because a correction of the method is disabled on purpose.
 Diagnostic missing_folder(std::string_view output, std::string_view folder);
 Diagnostic not_in_depfile(std::string_view name, std::string_view reader);
 Diagnostic cure_left_out(std::string_view cure);
-/// An external engine that is asked for and not installed; `instead`: the options that choose an embedded one.
+/// A requested external engine is not installed; `instead`: the options that select an embedded one.
 Diagnostic missing_program(std::string_view program, std::string_view instead);
 Diagnostic no_such_choice(std::string_view kind, std::string_view name, std::span<const std::string> known);
 Diagnostic ambiguous_choice(std::string_view kind, std::string_view option, std::span<const std::string> known);
@@ -98,7 +98,7 @@ Diagnostic constraint_not_on_inputs(Span where, std::string_view other);
 Diagnostic misplaced_mark(Span where, std::string_view mark, std::string_view place);
 
 // (src/support/messages_test.cpp)
-/// `what`: what the block cannot compute as the equations say.
+/// `what`: the part that the block cannot compute according to the equations.
 Diagnostic not_in_structured_text(Span where, std::string_view what);
 Diagnostic cannot_run(std::string_view command);
 Diagnostic nothing_to_test(Span where, std::string_view chart, std::string_view what);
@@ -107,7 +107,7 @@ Diagnostic unknown_column(Span where, std::string_view name, std::string_view ch
 Diagnostic missing_column(Span where, std::string_view kind, std::string_view name);
 Diagnostic repeated_column(Span where, std::string_view name);
 Diagnostic row_length(Span where, std::size_t found, std::size_t wanted);
-/// `problem`: what is wrong with the field, in the words of a message.
+/// `problem`: the error in the field, as message text.
 Diagnostic bad_field(Span where, std::string_view problem);
 Diagnostic misplaced_wait(Span where, bool first);
 Diagnostic misplaced_activation(Span where);
@@ -131,16 +131,16 @@ Diagnostic edge_outside_chart(Span where);
 Diagnostic missing_argument(Span where, std::string_view component, std::string_view parameter,
                             std::string_view example);
 Diagnostic output_not_a_name(Span where, std::string_view parameter);
-/// In the term of an input: something that the loop knows and that no instance is wired to; `what`: `a step`.
+/// In the term of an input: a name of the loop to which no instance is connected; `what`: for example `a step`.
 Diagnostic no_signal(Span where, std::string_view name, std::string_view what);
 Diagnostic constant_without_value(Span where, std::string_view constant);
 Diagnostic constant_below(Span where, std::string_view constant);
-/// `kind`: what its value is, as in `an integer`.
+/// `kind`: expected value, for example `an integer`.
 Diagnostic bad_setting(Span where, std::string_view constant, std::string_view value, std::string_view kind);
 Diagnostic setting_out_of_range(Span where, std::string_view constant, std::string_view value, std::int64_t low,
                                 std::int64_t high);
 Diagnostic missing_initially(Span where, std::string_view component, std::string_view locations);
-/// `loop`: the whole of it, its last brace included.
+/// `loop`: the complete loop, including its closing brace.
 Diagnostic undriven_input(Span where, std::string_view input, std::string_view reader, bool boolean, Span loop);
 Diagnostic undriven_variable(Span where, std::string_view variable, std::string_view suggestion);
 Diagnostic argument_type(Span where, std::string_view name, std::string_view found, std::string_view expected);
@@ -149,14 +149,14 @@ Diagnostic range_mismatch(Span where, std::string_view name, std::int64_t low, s
 Diagnostic no_controller(Span where, std::string_view loop);
 Diagnostic clock_in_property(Span where, std::string_view clock);
 Diagnostic place_outside_property(Span where);
-/// `waited`: the times for which charts of the loop wait for the same.
+/// `waited`: the delays for which charts of the loop wait on the same condition.
 Diagnostic unknown_time(Span where, const std::vector<std::string>& waited);
 Diagnostic ambiguous_time(Span where, std::string_view first, std::string_view second);
-/// `language`: `CTL`; `what`: of the text at `where`.
+/// `language`: for example `CTL`; `what`: the problem with the text at `where`.
 Diagnostic bad_formula(Span where, std::string_view language, std::string_view what);
 Diagnostic formula_at_stable(Span where);
 Diagnostic declared_twice(Span where, std::string_view what);
-/// `what` it should be: `input of a controller`.
+/// `what`: the expected element, for example `input of a controller`.
 Diagnostic constraint_reads(Span where, std::string_view name, std::string_view what);
 Diagnostic observer_blocks(Span where, std::string_view observer);
 Diagnostic observer_acts(Span where, std::string_view observer);
@@ -197,14 +197,14 @@ Diagnostic unknown_finding(Span where, std::string_view code);
 // -- derive ----------------------------------------------------------------------------------------------------------
 Diagnostic enclosing_cycle(Span where, std::string_view chart);
 Diagnostic forcing_cycle(Span where, std::string_view chart);
-/// An order for an expansion beside one for `with`, which is forced with all that it expands.
+/// Both the expansion and `with` are forced, but forcing `with` already forces its expansions.
 Diagnostic forced_beside(Span where, std::string_view expansion, std::string_view with, Span first);
 Diagnostic forced_twice(Span where, std::string_view chart, Span first);
 Diagnostic edge_under_time(Span where);
 Diagnostic edge_of_edge(Span where);
 Diagnostic edge_in_assignation(Span where, std::string_view output);
 Diagnostic event_without_edge(Span where, std::string_view target);
-/// `outputs`: each reads the next, the last the first.
+/// `outputs`: each reads the next, and the last reads the first.
 Diagnostic output_cycle(Span where, std::span<const std::string> outputs);
 Diagnostic term_too_large(Span where, std::string_view what, std::size_t limit);
 Diagnostic term_too_deep(Span where, std::string_view what, std::size_t limit);
@@ -227,9 +227,9 @@ Diagnostic range_skipped(Span where, std::string_view variable, std::string_view
 // -- conform -------------------------------------------------------------------------------------------------------------
 // (src/support/messages_conform.cpp)
 Diagnostic excludes_every_input(Span where);
-/// `cycle`: the situations that follow each other for ever.
+/// `cycle`: the situations that repeat forever.
 Diagnostic initial_never_stable(Span where, std::string_view inputs, std::string_view cycle);
-/// `when`: the situation and the inputs, `{2,5} with s, not h1`.
+/// `when`: the situation and the inputs, for example `{2,5} with s, not h1`.
 Diagnostic action_race(Span where, std::string_view variable, std::string_view when);
 Diagnostic forcing_race(Span where, std::string_view when);
 Diagnostic no_value_in_location(Span where, std::string_view when);
@@ -239,17 +239,17 @@ Diagnostic too_many_pairs(Span where, std::size_t states, std::uint64_t limit);
 Diagnostic too_many_nodes(std::size_t nodes, std::size_t limit);
 Diagnostic too_many_states(Span where, std::uint64_t limit);
 Diagnostic automaton_too_large(Span where);
-/// `by_user`: else by the time limit.
+/// `by_user`: stopped by the user; otherwise by the time limit.
 Diagnostic stopped(Span where, bool by_user);
-// What ended a run before its end, none of which says anything of the input; exit code 3.
+// Causes of an early end. They are independent of the input; exit code 3.
 Diagnostic timed_out(std::uint64_t milliseconds);
 Diagnostic interrupted();
 Diagnostic out_of_memory(std::optional<std::uint64_t> allowed);
-/// More combinations of inputs, 2^`bits`, than a tour of all of them can take.
+/// There are more input combinations, 2^`bits`, than a complete tour can cover.
 Diagnostic too_many_inputs(Span where, std::string_view chart, std::size_t bits, std::size_t limit);
 
 // -- schedule and emit -------------------------------------------------------------------------------------------------
-/// (src/support/messages_loop.cpp) `decided`: else no inputs were found in the time there is.
+/// (src/support/messages_loop.cpp) `decided`: proved; if false, no inputs were found within the time limit.
 Diagnostic constraints_contradict(Span where, std::string_view constraint, bool decided);
 Diagnostic too_wide(Span where, std::string_view variable, std::int64_t values, std::int64_t most);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wording of what is said about charts.
+// Texts of diagnostics about charts.
 #include <fmt/format.h>
 
 #include "support/messages.hpp"

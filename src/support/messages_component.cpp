@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wording of what is said about components.
+// Texts of diagnostics about components.
 #include <fmt/format.h>
 
 #include "support/messages.hpp"

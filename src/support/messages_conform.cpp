@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wording of what is said about location automata, Mealy machines and test sequences.
+// Texts of diagnostics about location automata, Mealy machines and test sequences.
 #include <fmt/format.h>
 
 #include "support/messages.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wording of what is said about tables of exclusions and accepted findings.
+// Texts of diagnostics about exclusion tables and accepted findings.
 #include <fmt/format.h>
 
 #include "support/messages.hpp"

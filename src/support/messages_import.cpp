@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wording of what is said about charts that others wrote: XML and IEC 61131-3.
+// Texts of diagnostics about imported charts: XML and IEC 61131-3.
 #include <fmt/format.h>
 
 #include "support/messages.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wording of what is said while text is parsed; the rest of `reading` is in messages_names.cpp.
+// Texts of parser diagnostics; the remaining ones of the section `reading` are in messages_names.cpp.
 #include <fmt/format.h>
 
 #include "support/messages.hpp"

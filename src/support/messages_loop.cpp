@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wording of what is said about closed loops.
+// Texts of diagnostics about closed loops.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wording of what is said about names and files.
+// Texts of diagnostics about names and files.
 #include <fmt/format.h>
 
 #include "support/messages.hpp"

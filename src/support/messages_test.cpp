@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests, their tables, and Structured Text.
+// Texts of diagnostics about tests, test tables and Structured Text.
 #include "support/messages.hpp"
 
 #include <fmt/format.h>

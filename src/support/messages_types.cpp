@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The wording of what is said about types and values.
+// Texts of diagnostics about types and values.
 #include <fmt/format.h>
 
 #include "support/messages.hpp"

@@ -11,7 +11,7 @@ struct overloaded : Functions... {
 template <class... Functions>
 overloaded(Functions...) -> overloaded<Functions...>;
 
-/// Marks a place that the program's own invariants exclude.
+/// Marks code that the program's invariants make unreachable.
 [[noreturn]] void unreachable();
 
 }  // namespace grafverif

@@ -13,16 +13,18 @@ struct CodeRange {
     std::uint32_t first = 0, last = 0;
 };
 
-/// Beside control characters: marks, embeddings, overrides and isolates of direction, separators of lines.
+/// Directional marks, embeddings, overrides and isolates, and line separators; control characters are tested
+/// separately.
 constexpr std::array directions = {CodeRange{0x061C, 0x061C}, CodeRange{0x200E, 0x200F}, CodeRange{0x2028, 0x202E},
                                    CodeRange{0x2066, 0x2069}};
 
-/// What stands on the character before it, or joins two. The most common ones: a caret may be a column off elsewhere.
+/// Characters of width 0: combining marks and joiners. Only the most common ones; for others a caret may be one column
+/// off.
 constexpr std::array without_width = {CodeRange{0x0300, 0x036F}, CodeRange{0x200B, 0x200D}, CodeRange{0x20D0, 0x20FF},
                                       CodeRange{0x2060, 0x2064}, CodeRange{0xFE00, 0xFE0F}, CodeRange{0xFE20, 0xFE2F},
                                       CodeRange{0xFEFF, 0xFEFF}};
 
-/// East Asian characters and pictures.
+/// Characters of width 2: East Asian characters and pictographs.
 constexpr std::array wide = {CodeRange{0x1100, 0x115F},   CodeRange{0x2E80, 0x303E},   CodeRange{0x3041, 0xA4CF},
                              CodeRange{0xAC00, 0xD7A3},   CodeRange{0xF900, 0xFAFF},   CodeRange{0xFE30, 0xFE6F},
                              CodeRange{0xFF00, 0xFF60},   CodeRange{0xFFE0, 0xFFE6},   CodeRange{0x1F300, 0x1F64F},
@@ -34,7 +36,7 @@ bool is_in(const std::array<CodeRange, N>& ranges, std::uint32_t code) {
                                [code](const CodeRange& range) { return range.first <= code && code <= range.last; });
 }
 
-/// As RFC 3629 has it: no overlong form, no surrogate, nothing beyond U+10FFFF.
+/// Decodes according to RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF.
 Glyph decoded(std::string_view text) {
     constexpr Glyph none{1, 0xFFFD, false, true, 1};
     const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };

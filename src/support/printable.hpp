@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Text that somebody else wrote - names, texts of properties, file names, what other programs say - as a terminal may
-// see it. What a terminal obeys instead of showing it becomes `?`, one column wide: control characters (escape sequences
-// begin with one), what turns the direction of the text that follows, separators of lines and paragraphs, and each byte
-// that is no UTF-8. Everything for people goes through here on its way out; see json_text and xml_text for programs.
+// Makes external text safe to print on a terminal: names, property texts, file names, output of other programs.
+// Every character that a terminal interprets instead of displaying it becomes `?`, one column wide: control characters
+// (they begin escape sequences), directional formatting, line and paragraph separators, and each byte of invalid UTF-8.
+// All human-readable output passes through these functions; for programs see json_text and xml_text.
 #pragma once
 
 #include <cstddef>
@@ -12,34 +12,35 @@
 
 namespace grafverif {
 
-/// The character that a text begins with.
+/// The first character of a text.
 struct Glyph {
-    std::size_t bytes = 1;   ///< that it takes; of what is no UTF-8: one
-    std::uint32_t code = 0;  ///< Unicode; of what is no UTF-8: 0xFFFD
+    std::size_t bytes = 1;   ///< its length; 1 for invalid UTF-8
+    std::uint32_t code = 0;  ///< Unicode code point; U+FFFD for invalid UTF-8
     bool well_formed = true;
-    bool obeyed = false;      ///< by a terminal: control characters, tab and line feed too, and those of direction
-    std::size_t columns = 1;  ///< on a terminal: 0, 1 or 2; obeyed ones count 1
+    bool obeyed = false;      ///< interpreted by terminals: control characters (also tab and line feed) and directional
+                              ///< formatting
+    std::size_t columns = 1;  ///< width on a terminal: 0, 1 or 2; 1 if `obeyed`
 };
 
-/// Requires a text that is not empty.
+/// Requires a non-empty text.
 Glyph first_glyph(std::string_view text);
 
-/// The columns that `text`, in one line, takes on a terminal; a tab counts 1.
+/// Width of the single line `text` on a terminal; a tab counts as 1.
 std::size_t columns_of(std::string_view text);
 
-/// How many bytes of `text` stand in its first `columns` columns, whole characters.
+/// Number of bytes of the complete characters in the first `columns` columns of `text`.
 std::size_t bytes_within(std::string_view text, std::size_t columns);
 
-/// What there is room for in so many columns: `text`, or its beginning and `…`; `columns` is 1 at least.
+/// `text` if it fits into `columns` columns; otherwise its beginning and `…`. Requires `columns` >= 1.
 std::string cut_to(std::string_view text, std::size_t columns);
 
-/// `text`, and blanks behind it up to so many columns.
+/// `text`, padded with trailing spaces to `columns` columns.
 std::string padded(std::string_view text, std::size_t columns);
 
-/// `text` in one line: `?` for what a terminal obeys, but a tab.
+/// `text` in one line; `?` replaces every character that a terminal interprets, except tabs.
 std::string printable(std::string_view text);
 
-/// The same, but line feeds stay as well.
+/// The same, but line feeds are kept as well.
 std::string printable_lines(std::string_view text);
 
 }  // namespace grafverif

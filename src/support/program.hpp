@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What comes of running another program. Only `app` runs programs; who needs one is handed a function that does.
+// Result of running another program. Only `app` runs programs; other modules receive a function that does.
 #pragma once
 
 #include <functional>
@@ -10,20 +10,20 @@ namespace grafverif {
 
 struct ProgramResult {
     enum class End {
-        Exited,         ///< by itself; `status` is its exit code
+        Exited,         ///< normally; `status` is its exit code
         Signalled,      ///< ended by signal number `status`
-        TimedOut,       ///< ended by us, at the deadline
-        Stopped,        ///< ended by us, because the user asked
-        TooMuchOutput,  ///< ended by us, having written more than allowed
+        TimedOut,       ///< ended by grafverif at the deadline
+        Stopped,        ///< ended by grafverif at the user's request
+        TooMuchOutput,  ///< ended by grafverif because its output exceeded the limit
     };
     End end = End::Exited;
     int status = 0;
-    std::string out = {}, err = {};  ///< standard output and standard error, as far as it came
+    std::string out = {}, err = {};  ///< standard output and standard error, complete or up to the end of the program
 
     bool operator==(const ProgramResult&) const = default;
 };
 
-/// How a program was ended from without; empty: it ended by itself.
+/// Describes why a program did not exit normally; empty if it did.
 inline std::string ended_by(const ProgramResult& said) {
     switch (said.end) {
     case ProgramResult::End::TimedOut: return "stopped at the time limit";
@@ -35,7 +35,7 @@ inline std::string ended_by(const ProgramResult& said) {
     return {};
 }
 
-/// Runs a program with `arguments`, the first one being the program itself, and waits for its end.
+/// Runs a program and waits for its end. The first of `arguments` is the program.
 using RunProgram = std::function<ProgramResult(const std::vector<std::string>& arguments)>;
 
 }  // namespace grafverif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Diagnostics as text for a terminal as wide as it is; see grafverif/support/diagnostic.hpp.
+// Renders diagnostics as text for a terminal of given width; see grafverif/support/diagnostic.hpp.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace grafverif {
 
-/// What is not written for a terminal has lines of source as wide as this.
+/// Width of source lines in output that is not written to a terminal.
 inline constexpr std::size_t usual_columns = 104;
-/// As render_text; lines of source take `columns` at most: what does not fit is cut away on either side of what is marked.
+/// Like render_text, with source lines of at most `columns` columns: text on both sides of the mark is cut.
 void render_text(const std::vector<Diagnostic>& diagnostics, const Sources& sources, Colour colour, std::size_t columns,
                  std::ostream& out);
 

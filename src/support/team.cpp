@@ -30,7 +30,7 @@ void* Team::run(void* start) {
     return nullptr;
 }
 
-/// What is not had is done without: the team gets smaller.
+/// Starts the threads. If the system refuses some, the team is smaller.
 void Team::start() {
     starts_.reserve(members_);
     threads_.reserve(members_);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Team: threads that share one piece of work after another with the thread that owns them.
+// Team: thread pool that executes one parallel task at a time together with the thread that owns it.
 //
-// They start with the first work that is shared, and have small stacks and no signals. Where the system gives fewer
-// threads than asked for, those that there are do it all.
+// The threads start with the first task; they have small stacks and all signals blocked. If the system provides fewer
+// threads than requested, the available ones do all work.
 #pragma once
 
 #include <pthread.h>
@@ -18,15 +18,15 @@ namespace grafverif {
 
 class Team {
 public:
-    /// `members` (at least 1) with the owner, who is member 0; 0: as many as the machine has cores for us.
+    /// `members`: number of threads including the owner, which is member 0; 0 selects one thread per core.
     explicit Team(unsigned members);
     ~Team();
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
     unsigned size() const { return members_; }
-    /// Calls `work(member)` for every member, each in its thread, and returns when all are done. Throws what one threw,
-    /// that of the first member who did.
+    /// Calls `work(member)` for every member, each in its thread, and returns when all calls have ended. Rethrows the
+    /// exception of the member with the lowest number.
     void share(const std::function<void(unsigned)>& work);
 
 private:
@@ -44,7 +44,7 @@ private:
     std::vector<pthread_t> threads_ = {};
     std::vector<std::exception_ptr> failures_ = {};
     const std::function<void(unsigned)>* work_ = nullptr;
-    std::uint64_t round_ = 0;  // of work; who has done it waits for the next
+    std::uint64_t round_ = 0;  // number of the current task; a member that has done it waits for the next
     unsigned busy_ = 0;
     bool over_ = false;
     std::mutex mutex_ = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// UniqueNames: fresh names in one namespace, derived from wished ones: `pulse`, `pulse_2`, `pulse_3`.
+// UniqueNames: generates unique names in one namespace from preferred names: `pulse`, `pulse_2`, `pulse_3`.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ class UniqueNames {
 public:
     void reserve(std::size_t names) { taken_.reserve(names); }
 
-    /// From here on `name` is somebody's.
+    /// Marks `name` as used.
     void take(std::string name) { taken_.insert(std::move(name)); }
 
-    /// `wish` if nobody has it, else `wish_2`, `wish_3`, and so on.
+    /// `wish` if it is unused, otherwise `wish_2`, `wish_3`, and so on.
     std::string fresh(const std::string& wish) {
         if (taken_.insert(wish).second) return wish;
         for (std::size_t& count = counts_.try_emplace(wish, 1).first->second;;) {

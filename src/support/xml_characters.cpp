@@ -8,7 +8,7 @@ namespace grafverif {
 
 namespace {
 
-/// UTF-8.
+/// Appends the character in UTF-8.
 void append_character(std::string& text, std::uint32_t code) {
     const auto byte = [&text](std::uint32_t value) { text += static_cast<char>(static_cast<unsigned char>(value)); };
     if (code < 0x80) {
@@ -28,7 +28,8 @@ void append_character(std::string& text, std::uint32_t code) {
     }
 }
 
-/// Appends what `&NAME;` stands for; false where it stands for nothing (only the five entities of XML are known).
+/// Appends the character denoted by `&NAME;`; false if the reference is unknown (only the five predefined entities of
+/// XML are known).
 bool append_reference(std::string& text, std::string_view name) {
     struct Entity {
         std::string_view name = {};

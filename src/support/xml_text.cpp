@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";
 
-/// The length of the character that `text` begins with, or 0 where XML has no such character.
+/// Length of the first character of `text`; 0 if XML does not allow it.
 std::size_t character_length(std::string_view text) {
     const Glyph glyph = first_glyph(text);
     const bool control = glyph.code < 0x20 && glyph.code != '\t' && glyph.code != '\n';
@@ -21,7 +21,8 @@ std::size_t character_length(std::string_view text) {
 
 bool is_plain(char c) { return (c >= 0x20 && c < 0x7F && c != '<' && c != '>' && c != '&') || c == '\n'; }
 
-/// What a terminal obeys as a reference, which is the same to every reader of XML.
+/// Appends a character. Characters that a terminal interprets are written as character references, which are equivalent
+/// for every XML parser.
 void append_shown(std::string_view text, std::size_t length, std::string& xml) {
     const Glyph glyph = first_glyph(text);
     if (length == 0) xml += replacement;

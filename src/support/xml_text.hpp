@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text inside XML: markup escaped, and what XML 1.0 forbids (control characters, broken UTF-8) replaced by U+FFFD, so
-// that a document is well-formed whatever a comment of the input held; and the way back.
+// XML escaping and unescaping. Markup is escaped, and characters that XML 1.0 forbids (control characters, invalid
+// UTF-8) are replaced by U+FFFD, so a document is well-formed for every input.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,15 @@ namespace grafverif {
 /// Appends `text` as character data.
 void escape_xml(std::string_view text, std::string& xml);
 
-/// `text` as the value of an attribute in double quotes.
+/// `text` as an attribute value in double quotes.
 std::string attribute_xml(std::string_view text);
 
-/// Appends `text` as the inside of a comment, where `--` may not stand.
+/// Appends `text` as the contents of a comment, in which `--` is not allowed.
 void comment_xml(std::string_view text, std::string& xml);
 
-/// The characters that `written`, text of XML, stands for; references to anything but characters and the five entities
-/// of XML stay as they are. `origins`: the place of each byte, `written` beginning at `begin`, and of the end.
+/// Resolves the references in the XML text `written`. Unknown references, except to characters and the five predefined
+/// entities, are kept. `origins`: source position of each resulting byte and of the end, if `written` starts at
+/// `begin`.
 std::string unescape_xml(std::string_view written, std::uint32_t begin, std::vector<std::uint32_t>& origins);
 std::string unescape_xml(std::string_view written);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text in other encodings than UTF-8, as UTF-8.
+// Conversion of other encodings to UTF-8.
 #pragma once
 
 #include <string>
@@ -7,16 +7,17 @@
 
 namespace grafverif {
 
-/// Whether `text` has the byte order mark of UTF-16, or begins with a character of two bytes one of which is 0.
+/// True if `text` has the byte order mark of UTF-16 or begins with a two-byte character of which one byte is 0.
 bool is_utf16(std::string_view text);
 
-/// Of text in UTF-16, of which `is_utf16` holds; the byte order mark is left out, lone surrogates become U+FFFD.
+/// Converts UTF-16. Requires `is_utf16(text)`. The byte order mark is omitted; lone surrogates become U+FFFD.
 std::string utf8_of_utf16(std::string_view text);
 
-/// Of text in Windows-1252, which is Latin-1 but for control characters.
+/// Converts Windows-1252, which equals Latin-1 except for the control characters.
 std::string utf8_of_latin(std::string_view text);
 
-/// Whether `text` can be no UTF-8 at all, and be Latin-1: bytes beyond ASCII, none of them part of a character of UTF-8.
+/// True if `text` is not UTF-8 but may be Latin-1: it has bytes above 127, and none of them is part of a UTF-8
+/// character.
 bool is_latin(std::string_view text);
 
 }  // namespace grafverif

@@ -21,7 +21,7 @@ bool is_ascii(std::string_view text) {
     return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// ICU fails where memory is refused, or where its data is not the one it was built with.
+/// Throws if an ICU call failed. ICU fails if memory is refused or if its data file does not match its version.
 void demand(UErrorCode status, const char* what) {
     if (status == U_MEMORY_ALLOCATION_ERROR) throw std::bad_alloc();
     if (U_FAILURE(status) != 0) throw std::runtime_error(std::string("ICU has no ") + what);
@@ -70,7 +70,7 @@ std::string composed(std::string_view name) {
 
 std::string in_ascii(std::string_view name) {
     if (is_ascii(name)) return std::string(name);
-    thread_local const std::unique_ptr<icu::Transliterator> latin = latin_letters();  // slow to make
+    thread_local const std::unique_ptr<icu::Transliterator> latin = latin_letters();  // construction is slow
     icu::UnicodeString units = units_of(name);
     latin->transliterate(units);
     std::string spelled = text_of(units);
