@@ -3,15 +3,16 @@
 // and Bryant 1990).
 //
 // A BddSpace owns variables, nodes and memory; there may be several, each used by one thread at a time. Variables are
-// added at the bottom of the order and stay there unless the space is told to look for a better order: who adds them
-// decides their order, and the order decides the cost.
+// added at the bottom of the order and keep their positions unless reordering is requested. The caller therefore
+// determines the order, and the order determines the cost.
 //
-// A Bdd is a handle: equal functions are equal handles, copies are cheap. A handle knows its space; constants belong to
-// none, and go with every space. Handles and renamings die before the space they were used with.
+// A Bdd is a handle: equal functions are equal handles, and copies are cheap. A handle knows its space; constants
+// belong to no space and can be combined with handles of every space. Handles and renamings must be destroyed before
+// their space.
 //
-// Every operation may end with BddExhausted: the memory allowed is used up or refused by the system, or somebody asked
-// to stop, which is noticed within milliseconds. It is the only exception that crosses rooms; the entry point that made
-// the space catches it and answers `unknown`. Afterwards all handles still stand for the functions they stood for.
+// Every operation may throw BddExhausted: the memory limit is reached, the system refuses memory, or the stop flag is
+// set, which is noticed within milliseconds. It is the only exception that crosses module boundaries. The function that
+// created the space catches it and returns `unknown`. Afterwards all handles still denote the same functions.
 #pragma once
 
 #include <atomic>
@@ -33,9 +34,8 @@ namespace grafverif {
 struct BddLimits {
     std::uint64_t memory = std::uint64_t{2} << 30U;  ///< bytes, for nodes, tables and cache
     std::optional<std::chrono::steady_clock::time_point> deadline = {};
-    const std::atomic<bool>* stop = nullptr;  ///< set by somebody else
-    std::uint64_t work = std::numeric_limits<
-        std::uint64_t>::max();  ///< steps of operations: ends as a deadline does, at the same place each time
+    const std::atomic<bool>* stop = nullptr;                         ///< cancellation flag, set by another thread
+    std::uint64_t work = std::numeric_limits<std::uint64_t>::max();  ///< operation steps: a deterministic deadline
 };
 
 class BddExhausted : public std::exception {
@@ -82,18 +82,18 @@ public:
     bool is_true() const { return edge_ == 1; }
     bool is_false() const { return edge_ == 0; }
     bool is_constant() const { return edge_ < 2; }
-    /// Whether both are the same function.
+    /// True if both are the same function.
     bool operator==(const Bdd& other) const = default;
 
-    /// The topmost variable that the function depends on, and the function where that variable is false or true. Not
-    /// of a constant.
+    /// The topmost variable that the function depends on, and the cofactors for this variable being false or true.
+    /// Requires a function that is not constant.
     std::uint32_t top() const;
     Bdd low() const;
     Bdd high() const;
 
     std::size_t hash() const { return std::size_t{edge_} * 0x9E3779B97F4A7C15U; }
 
-    /// For the implementation: the function in its space. Of a constant the space is null.
+    /// For the implementation: the function in its space. The kernel is null for a constant.
     Bdd(bdd::Kernel& kernel, std::uint32_t edge);
     bdd::Kernel* kernel() const { return kernel_; }
     std::uint32_t edge() const { return edge_; }
@@ -113,26 +113,26 @@ public:
     BddSpace& operator=(const BddSpace&) = delete;
     ~BddSpace();
 
-    /// Adds `count` variables below all others; the index of the first.
+    /// Adds `count` variables below all others and returns the index of the first.
     std::uint32_t add_variables(std::size_t count);
     std::size_t variables() const;
     Bdd variable(std::uint32_t index) const;
 
-    std::uint64_t nodes() const;  ///< nodes in use, those that nobody needs any more among them
+    std::uint64_t nodes() const;  ///< nodes in use, garbage included
     std::uint64_t bytes() const;  ///< memory held for nodes, tables and cache
-    std::uint64_t work() const;   ///< steps of operations so far: what was done, whatever time it took
+    std::uint64_t work() const;   ///< operation steps so far, a measure independent of time
 
-    /// Frees the nodes that nobody needs; it is done without being asked when they are in the way.
+    /// Frees unused nodes; called automatically when memory is needed.
     void collect_garbage();
 
-    /// Variables from the topmost down.
+    /// Variables in their order, topmost first.
     std::vector<std::uint32_t> order() const;
-    /// From now on `count` variables from `first` on change places together. They lie side by side.
+    /// Makes a group of the `count` adjacent variables from `first` on: reordering moves them together.
     void keep_together(std::uint32_t first, std::size_t count);
-    /// Looks for an order with fewer nodes, as far as the memory allows. All functions stay what they are.
+    /// Searches for an order with fewer nodes, as far as the memory limit allows. All handles keep their functions.
     void reorder();
-    /// Does so by itself before an operation, when more than `nodes` nodes are in use; after that, when they have
-    /// doubled. 0, the default: never.
+    /// Enables automatic reordering before an operation if more than `nodes` nodes are in use, and later whenever they
+    /// have doubled. 0 (default) disables it.
     void reorder_above(std::uint64_t nodes);
 
     /// For the implementation.
@@ -142,7 +142,7 @@ private:
     std::unique_ptr<bdd::Kernel> kernel_;
 };
 
-/// The invariants of the space that do not hold; all do unless we are wrong.
+/// Violated invariants of the space; empty unless there is an internal error.
 std::vector<std::string> verify(const BddSpace& space);
 
 Bdd operator~(const Bdd& f);
@@ -162,29 +162,30 @@ struct BddLiteral {
     bool operator==(const BddLiteral&) const = default;
 };
 
-/// The conjunction of the literals; of no literal: true.
+/// Conjunction of the literals; true if there are none.
 Bdd cube(const BddSpace& space, std::span<const BddLiteral> literals);
-/// The conjunction of the variables: how the quantifiers take a set of variables.
+/// Conjunction of the variables: the form in which quantifiers take a set of variables.
 Bdd variable_set(const BddSpace& space, std::span<const std::uint32_t> variables);
 
 Bdd exists(const Bdd& f, const Bdd& variables);
 /// exists(f & g, variables) without building f & g: the relational product.
 Bdd and_exists(const Bdd& f, const Bdd& g, const Bdd& variables);
-/// f where the literals of the cube hold; it depends on none of their variables.
+/// f under the literals of the cube; the result does not depend on their variables.
 Bdd cofactor(const Bdd& f, const Bdd& cube);
-/// A function, small where possible, equal to f wherever `care` holds (Coudert and Madre 1990). `care` is not false.
+/// A function, small if possible, that equals f wherever `care` holds (Coudert and Madre 1990). Requires that `care` is
+/// not false.
 Bdd simplify(const Bdd& f, const Bdd& care);
 
-/// Renames variables, all at once.
+/// Simultaneous renaming of variables.
 class BddRenaming {
 public:
-    /// Each first becomes the second; no two become the same.
+    /// Maps the first variable of each pair to the second; the second variables are distinct.
     explicit BddRenaming(std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
     BddRenaming(const BddRenaming&) = delete;
     BddRenaming& operator=(const BddRenaming&) = delete;
     ~BddRenaming();
 
-    /// f renamed. A variable that f depends on and that is not renamed is nobody's new name.
+    /// f renamed. Requires that an unrenamed variable of f is not the new name of another one.
     Bdd operator()(const Bdd& f) const;
 
     struct Map;  ///< for the implementation
@@ -195,21 +196,21 @@ private:
 
 /// The variables that f depends on, increasing.
 std::vector<std::uint32_t> support(const Bdd& f);
-/// The number of nodes of f, constants not counted.
+/// Number of nodes of f without constants.
 std::size_t size(const Bdd& f);
-/// f where variable i has the value values[i]; `values` reaches all variables that f depends on.
+/// f under the assignment values[i] to variable i; `values` covers all variables that f depends on.
 bool evaluate(const Bdd& f, const std::vector<bool>& values);
 
-/// Literals, in increasing order of their variables, that make f true; empty optional: f is false.
+/// Literals, in increasing order of their variables, that make f true; empty optional if f is false.
 std::optional<std::vector<BddLiteral>> one_cube(const Bdd& f);
-/// Disjoint cubes whose disjunction is f, false branches first, until `visit` returns false. Their number can be
-/// exponential in the size of f.
+/// Enumerates disjoint cubes whose disjunction is f, false branches first, until `visit` returns false. Their number
+/// can be exponential in the size of f.
 void for_each_cube(const Bdd& f, const std::function<bool(std::span<const BddLiteral>)>& visit);
 
-/// How many assignments to `variables` make f true, exactly, in decimal. `variables` are increasing and hold every
-/// variable that f depends on.
+/// Exact number of assignments to `variables` that make f true, in decimal. `variables` is increasing and contains
+/// every variable that f depends on.
 std::string count(const Bdd& f, std::span<const std::uint32_t> variables);
-/// The same where it fits.
+/// The same, if it fits into 64 bits.
 std::optional<std::uint64_t> small_count(const Bdd& f, std::span<const std::uint32_t> variables);
 
 }  // namespace grafverif

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Memory that is counted and may be refused. All that grows with the diagrams of a space is kept in Blocks, so the bound
-// is exact: a block that would break it, or that the system refuses, does not grow and says so; nothing is lost.
+// Block: array in memory that is counted against a limit and may be refused. All memory that grows with the diagrams is
+// kept in Blocks, so the limit is exact. If growing a block would exceed the limit or the system refuses, the block is
+// unchanged and an error is returned.
 //
-// A block is resized in place or moved as a whole, which for large ones costs no second copy (their pages move).
+// A block is resized in place or moved as a whole; for large blocks this needs no second copy, because pages are
+// remapped.
 #pragma once
 
 #include <cassert>
@@ -13,7 +15,7 @@
 
 namespace grafverif::bdd {
 
-/// Bytes.
+/// Memory limit and use in bytes.
 struct Budget {
     std::uint64_t limit = 0, used = 0;
 
@@ -48,7 +50,8 @@ public:
     T* data() { return data_; }
     std::size_t size() const { return size_; }
 
-    /// Whether it has `size` elements now, not 0; new ones are not set. Otherwise it is as it was.
+    /// Resizes to `size` > 0 elements; new elements are uninitialized. Returns false, with the block unchanged, if
+    /// memory is refused.
     [[nodiscard]] bool resize(std::size_t size) {
         if (size > size_ && !budget_.charge((size - size_) * sizeof(T))) return false;
         void* const moved = std::realloc(data_, size * sizeof(T));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The cache of results: operation and operands to the edge that came out. It may forget anything at any time; a new
-// result takes the place of an old one with the same slot. One table for all operations, so those that are used share
-// it; it grows with the nodes.
+// Cache of operation results: maps an operation and its operands to the resulting edge. Lossy: a new result replaces an
+// old one in the same slot. All operations share one table, which grows with the number of nodes.
 //
-// Entries survive a garbage collection while all their nodes do. In an entry the operands' edges leave two bits each,
-// where the operation is kept. An entry of zeroes is none: no operation asks about constants.
+// Entries survive a garbage collection if all their nodes do. The operation is encoded in the two unused bits of each
+// operand edge. An all-zero entry is empty: no operation is looked up with constant operands.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +21,7 @@ enum class Operation : std::uint32_t {
     AndExists,
     Cofactor,
     Simplify,
-    Rename  ///< the third operand is the number of a renaming, no edge
+    Rename  ///< the third operand is the number of a renaming, not an edge
 };
 
 class Cache {
@@ -42,12 +41,13 @@ public:
         entries_[slot(entry)] = entry;
     }
 
-    /// Twice as large, what is known kept; or unchanged where that does not fit. The first time: some entries.
+    /// Doubles the size, keeping all entries; unchanged if memory is refused. The first call allocates the initial
+    /// entries.
     bool grow(Watch& watch);
     std::size_t size() const { return size_; }
-    /// Forgets everything.
+    /// Removes all entries.
     void clear(Watch& watch);
-    /// Forgets what has to do with a node that is not marked.
+    /// Removes entries that refer to an unmarked node.
     void keep_marked(const NodeTable& table, Watch& watch);
 
     struct Known {
@@ -56,7 +56,7 @@ public:
         std::uint32_t h = 0;
         Edge result = 0;
     };
-    /// The entry of a slot; f is 0: none.
+    /// The entry of a slot; empty if f is 0.
     Known known(std::size_t slot) const;
 
 private:

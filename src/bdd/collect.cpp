@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Garbage collection: mark what handles, frames and the spared edges reach, forget what the cache knows of the rest,
-// free the rest. The nodes still to be marked form a list through `next`, so marking needs neither a stack nor memory;
-// the chains are rebuilt by the sweep.
+// Garbage collection: marks the nodes reachable from handles, frames and the spared edges, removes cache entries of
+// unmarked nodes, and frees unmarked nodes. The nodes to be marked form a list through `next`, so marking needs neither
+// a stack nor memory; the sweep rebuilds the hash chains.
 //
-// It may be stopped anywhere. Before the sweep nothing is lost: garbage is as good as any node. A sweep that was stopped
-// is completed before anything else, from the marks, which are kept until then.
+// It can be interrupted anywhere. Before the sweep this is harmless: garbage nodes are valid nodes. An interrupted
+// sweep is completed by the next operation from the marks, which are kept until then.
 #include <algorithm>
 
 #include "bdd/kernel.hpp"
@@ -58,7 +58,7 @@ void relink(Kernel& kernel) {
     }
     table.free = 0;
     std::uint32_t in_use = 1;                       // the constant
-    for (std::uint32_t n = table.used; n-- > 1;) {  // backwards, so that the first free nodes are taken first
+    for (std::uint32_t n = table.used; n-- > 1;) {  // backwards, so that free nodes with low indices are reused first
         kernel.watch.step();
         Node& node = table.nodes[n];
         if (node.level == free_level || (table.sweeping && !table.marked(n))) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// And, exclusive or, and if-then-else. Complement edges give the others: a disjunction is a conjunction of complements,
-// an equivalence the complement of an exclusive or, so they share their cache entries. Each call is brought into a
-// normal form first, so that what is the same is found as the same.
+// And, exclusive or, and if-then-else. Complement edges provide the others: a disjunction is a complemented conjunction
+// of complements, an equivalence is a complemented exclusive or, and they share cache entries. Calls are normalized
+// first, so that equivalent calls have one cache entry.
 #include <algorithm>
 #include <utility>
 

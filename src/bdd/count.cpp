@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact counting, from the bottom up. The numbers are as long as there are variables, so they count as memory of the
-// space, and each is dropped with the last node above that needs it.
+// Exact counting of satisfying assignments, bottom-up. The numbers have up to one bit per variable, so they are charged
+// to the memory of the space; each is dropped after its last use.
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cassert>
@@ -20,8 +20,8 @@ using bdd::Kernel;
 
 class Counter {
 public:
-    /// The place of a node is that of its variable among `variables`, in the space's order; a constant stands below
-    /// them all.
+    /// The place of a node is the position of its variable among `variables`, in the order of the space; constants are
+    /// below all variables.
     Counter(Kernel& kernel, std::span<const std::uint32_t> variables)
         : kernel_(kernel), places_(variables.size()), place_of_(kernel.order.size(), 0) {
         std::vector<std::uint32_t> levels;
@@ -38,7 +38,7 @@ public:
         const std::vector<std::uint32_t> nodes = bdd::nodes_of(kernel_, root);
         counts_.reserve(nodes.size());
         for (const std::uint32_t n : nodes) {
-            ++counts_[n].parents;  // one too many: the root's; it shall not go
+            ++counts_[n].parents;  // one more than needed for the root, so that its number is kept
             meet(kernel_.table.nodes[n].low);
             meet(kernel_.table.nodes[n].high);
         }
@@ -55,7 +55,7 @@ public:
 private:
     struct Count {
         Number number = 0;
-        std::uint32_t parents = 0;  ///< how many edges to the node have not been used
+        std::uint32_t parents = 0;  ///< number of edges to the node that are not yet processed
     };
 
     std::size_t place(Edge edge) const { return bdd::is_constant(edge) ? places_ : place_of_[kernel_.level(edge)]; }
@@ -80,14 +80,14 @@ private:
     void drop(Edge edge) {
         if (bdd::is_constant(edge)) return;
         Count& count = counts_[bdd::index_of(edge)];
-        if (--count.parents != 1) return;  // the last is the one too many
+        if (--count.parents != 1) return;  // not yet down to the extra one
         const std::uint64_t less = bytes(count.number);
         kernel_.budget.used -= less;
         charged_ -= less;
         count.number = Number();
     }
 
-    /// How many assignments to the variables from place `from` on.
+    /// Number of assignments to the variables from place `from` on.
     Number below(Edge edge, std::size_t from) {
         Number number = bdd::is_constant(edge) ? Number(0) : counts_[bdd::index_of(edge)].number;
         if (bdd::complement_bit(edge) != 0) number = (Number(1) << (places_ - place(edge))) - number;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Room for nodes. A small table doubles when it is full, because collecting would only delay that. A larger one is
-// collected, and doubles where more than half of it turns out to be alive. Where neither the bound nor the system gives
-// more, collection must free a sixteenth: less would be collected again at once, for ever.
+// Allocation of nodes. A small table doubles when it is full, because collecting would only delay that. A larger table
+// is collected first, and doubles if more than half of its nodes are alive. If neither the limit nor the system allows
+// growth, the collection must free at least a sixteenth of the nodes; otherwise collections would repeat without
+// progress.
 #include "bdd/kernel.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr std::uint32_t marks_per_word = 64;
 
 [[noreturn]] void out_of_memory() { throw BddExhausted(BddExhausted::Cause::Memory); }
 
-/// Blocks of `capacity` nodes, the new part set where it must be.
+/// Resizes the blocks for `capacity` nodes and initializes the new parts where required.
 bool has_blocks(Kernel& kernel, std::uint32_t capacity) {
     NodeTable& table = kernel.table;
     const auto at_least = [](auto& block, std::size_t size) { return block.size() >= size || block.resize(size); };
@@ -32,7 +33,7 @@ bool has_blocks(Kernel& kernel, std::uint32_t capacity) {
     return true;
 }
 
-/// As many buckets as nodes where they fit.
+/// Grows the bucket table to the number of nodes if memory allows.
 void add_buckets(Kernel& kernel) {
     NodeTable& table = kernel.table;
     const std::size_t wanted = std::bit_floor(table.capacity);
@@ -76,7 +77,7 @@ bool grow(Kernel& kernel) {
     add_buckets(kernel);
     if (table.buckets.size() == 0) return false;
     if (table.stale) relink(kernel);
-    // Larger ones find a little more, but no longer where the processor keeps it.
+    // Larger caches have slightly more hits, but exceed the processor cache.
     while (kernel.cache.size() < table.capacity / 2 && kernel.cache.grow(kernel.watch)) {
     }
     return kernel.cache.size() != 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// All of a space: its order, nodes, cache and the frames of the running operation. What it does is in functions, a file
-// per idea: kernel.cpp (room for nodes), collect.cpp, connectives.cpp, quantify.cpp, restrict.cpp, compose.cpp,
-// reorder.cpp, verify.cpp; walks.cpp and count.cpp only look.
+// Kernel: all data of a space, that is its order, nodes, cache and the frames of the running operation. Its operations
+// are functions, one file per topic: kernel.cpp (allocation), collect.cpp, connectives.cpp, quantify.cpp, restrict.cpp,
+// compose.cpp, reorder.cpp, verify.cpp; walks.cpp and count.cpp are read-only.
 //
-// An operation that creates nodes may collect garbage or end early at any node it makes. What it still needs lies in
-// its frames or is handed to `make`; its operands belong to handles.
+// An operation that creates nodes may collect garbage or end early at every node it creates. Edges that it still needs
+// must be in its frames or arguments of `make`; its operands are protected by handles.
 #pragma once
 
 #include <initializer_list>
@@ -16,12 +16,12 @@
 
 namespace grafverif::bdd {
 
-/// A call of an operation that waits for its branches; all edges, so that collection marks them.
+/// A pending call of an operation; all members are edges, so that collection can mark them.
 struct Frame {
     Edge f = 0, g = 0, h = 0;            ///< its operands
-    Edge low = 0;                        ///< result of the low branch, once there is one
-    std::uint32_t level = 0;             ///< where it branches
-    bool has_low = false, flip = false;  ///< flip: the result is to be complemented
+    Edge low = 0;                        ///< result of the low branch, valid if `has_low`
+    std::uint32_t level = 0;             ///< branching level
+    bool has_low = false, flip = false;  ///< flip: complement the result
 };
 
 /// The stack of frames.
@@ -46,18 +46,18 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Variables and levels, each the inverse of the other, and what stays together.
+/// Mapping between variables and levels, with the groups of variables.
 class Order {
 public:
     explicit Order(Budget& budget) : level_of(budget), variable_at(budget), group_of(budget) {}
 
     std::uint32_t size() const { return size_; }
-    /// False: no room.
+    /// Returns false if memory is refused.
     bool add(std::uint32_t count);
 
     Block<std::uint32_t> level_of, variable_at;
-    Block<std::uint32_t> group_of;  ///< per variable the first of its group, which lies side by side
-    std::uint64_t version = 0;      ///< changes with it
+    Block<std::uint32_t> group_of;  ///< per variable the first of its group; a group is contiguous
+    std::uint64_t version = 0;      ///< increased by every change of the order
 
 private:
     std::uint32_t size_ = 0;
@@ -73,7 +73,7 @@ struct Kernel {
     std::uint32_t level(Edge edge) const { return node(edge).level; }
     Edge low(Edge edge) const { return node(edge).low ^ complement_bit(edge); }
     Edge high(Edge edge) const { return node(edge).high ^ complement_bit(edge); }
-    /// The same where the edge does not branch at `level`.
+    /// The same; the edge itself if it does not branch at `level`.
     Edge low(Edge edge, std::uint32_t level) const { return node(edge).level == level ? low(edge) : edge; }
     Edge high(Edge edge, std::uint32_t level) const { return node(edge).level == level ? high(edge) : edge; }
 
@@ -83,21 +83,21 @@ struct Kernel {
     NodeTable table;
     Cache cache;
     Frames frames;
-    std::uint32_t numbers = 0;        ///< given to renamings and substitutions
-    std::uint64_t handles = 0;        ///< the sum of `refs`
-    std::uint64_t reorder_above = 0;  ///< nodes; 0: never by itself
+    std::uint32_t numbers = 0;        ///< number of renamings and substitutions that have a cache number
+    std::uint64_t handles = 0;        ///< sum of `refs`
+    std::uint64_t reorder_above = 0;  ///< threshold in nodes; 0 disables automatic reordering
 };
 
-/// Room for a node, by growth or by collection, which spares `low` and `high`. Ends with BddExhausted where there is none.
+/// Makes space for a node by growth or by collection, which keeps `low` and `high`. Throws BddExhausted if this fails.
 void make_room(Kernel& kernel, Edge low, Edge high);
-/// Rebuilds the chains and the list of free nodes, and completes a sweep.
+/// Rebuilds the chains and the free list, and completes a sweep.
 void relink(Kernel& kernel);
-/// Frees what nothing reaches.
+/// Frees unreachable nodes.
 void collect(Kernel& kernel, std::initializer_list<Edge> spared);
-/// Twice as many nodes, or as many as the bound allows; whether that are considerably more.
+/// Doubles the number of nodes, or grows as far as the limit allows. Returns true if the gain is substantial.
 bool grow(Kernel& kernel);
 
-/// The function "if the variable of `level` then high else low", which lie below that level.
+/// The function "if the variable of `level` then high else low"; both operands are below that level.
 inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     if (low == high) return low;
     const Edge flip = complement_bit(low);
@@ -119,7 +119,7 @@ inline Edge make(Kernel& kernel, std::uint32_t level, Edge low, Edge high) {
     return n << 1U | flip;
 }
 
-/// One operation on a space from outside: before it, what was left undone is done; after it, its frames are gone.
+/// Scope of one public operation: completes interrupted work before it, and drops its frames after it.
 class Session {
 public:
     explicit Session(Kernel& kernel);
@@ -140,10 +140,10 @@ Edge product_quantified(Kernel& kernel, Edge f, Edge g, Edge cube);
 Edge restricted(Kernel& kernel, Edge f, Edge cube);
 Edge simplified(Kernel& kernel, Edge f, Edge care);
 
-/// The better order that sifting finds, groups as they are.
+/// Improves the order by sifting; groups stay together.
 void reorder(Kernel& kernel);
 
-/// The nodes of a function, the constant apart, children before parents. They carry no marks any more.
+/// The nodes of a function without the constant, children before parents. All marks are cleared.
 std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root);
 
 }  // namespace grafverif::bdd

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The nodes of a space and the table that finds them.
+// Node table of a space.
 //
-// An edge is a node's index, doubled, plus one where the function is the complement of the node's (Brace, Rudell and
-// Bryant 1990). Node 0 is the constant: edge 0 is false, edge 1 true. A node says "if my variable then high else low";
-// its low edge is never a complement, which makes nodes canonical: of a function and its complement only that one is
-// stored that is false where all variables are false.
+// An edge is the doubled index of a node, plus one if the function is the complement of the node's function (Brace,
+// Rudell and Bryant 1990). Node 0 is the constant: edge 0 is false, edge 1 is true. A node means "if my variable then
+// high else low". Its low edge is never complemented, which makes nodes canonical: of a function and its complement,
+// only the one that is false under the all-false assignment is stored.
 //
-// A node stores its level, the place of its variable in the order; the levels below are larger, and largest is that of
-// the constant. One table, with chains through the nodes, finds the node of a triple (level, low, high). No node is
+// A node stores its level, the position of its variable in the order; deeper levels are larger, and the constant has
+// the largest. One hash table, with chains through the nodes, maps a triple (level, low, high) to its node. No node is
 // stored twice, so equal functions are equal edges.
 //
-// Nodes are not counted where they are used; handles are counted, per node (`refs`). What no handle, no frame of a
-// running operation and no live node reaches is garbage, kept until room is needed: until then it may be found again.
+// Nodes have no reference counts for edges; handles are counted per node (`refs`). Nodes that are unreachable from
+// handles, frames of a running operation and live nodes are garbage. They stay in the table, and can be found again,
+// until memory is needed.
 //
-// While the chains are being rebuilt they are `stale`. Who is stopped in the midst of that leaves them so, and the next
-// operation completes it first.
+// While the chains are being rebuilt they are `stale`. An interrupted rebuild leaves them stale, and the next operation
+// completes it first.
 #pragma once
 
 #include <cstdint>
@@ -31,16 +32,16 @@ constexpr bool is_constant(Edge edge) { return edge < 2; }
 constexpr Edge complement_bit(Edge edge) { return edge & 1U; }
 constexpr std::uint32_t index_of(Edge edge) { return edge >> 1U; }
 
-/// Not a level; `free_level` marks a node that stands for nothing.
+/// Not a level; `free_level` marks an unused node.
 constexpr std::uint32_t constant_level = std::numeric_limits<std::uint32_t>::max() - 1, free_level = constant_level + 1;
 
-/// Edges have 30 bits: the cache keeps the name of an operation beside them.
+/// Edges have 30 bits, because the cache stores the operation in the other two.
 constexpr std::uint64_t most_nodes = std::uint64_t{1} << 29U;
 
 struct Node {
     std::uint32_t level = free_level;
     Edge low = 0, high = 0;
-    std::uint32_t next = 0;  ///< in the chain, in the list of free nodes, or in the list of those to be marked; 0: none
+    std::uint32_t next = 0;  ///< in the chain, in the free list or in the list of nodes to mark; 0 ends it
 };
 
 class NodeTable {
@@ -52,7 +53,7 @@ public:
         return static_cast<std::uint32_t>(((pair ^ pair >> 32U) + level) * 0xD6E8FEB86659FD93U >> shift);
     }
 
-    /// The node of the triple; 0: there is none.
+    /// The node of the triple; 0 if it does not exist.
     std::uint32_t find(std::uint32_t level, Edge low, Edge high) const {
         for (std::uint32_t n = buckets[bucket(level, low, high)]; n != 0; n = nodes[n].next)
             if (const Node& node = nodes[n]; node.low == low && node.high == high && node.level == level) return n;
@@ -62,7 +63,7 @@ public:
     bool has_room() const { return free != 0 || used < capacity; }
     std::uint64_t room() const { return capacity - in_use; }
 
-    /// A new node for a triple that has none. Requires room.
+    /// Creates the node of a triple that has none. Requires a free node.
     std::uint32_t add(std::uint32_t level, Edge low, Edge high) {
         const std::uint32_t n = take();
         nodes[n] = {level, low, high, 0};
@@ -79,7 +80,7 @@ public:
         return n;
     }
 
-    /// Requires that the node is in no chain.
+    /// Requires that the node is not in a chain.
     void release(std::uint32_t n) {
         nodes[n] = {free_level, 0, 0, free};
         free = n;
@@ -103,16 +104,16 @@ public:
     void unmark(std::uint32_t n) { marks[n >> 6U] &= ~(std::uint64_t{1} << (n & 63U)); }
 
     Block<Node> nodes;
-    Block<std::uint32_t> refs;     ///< handles per node; of free nodes 0
-    Block<std::uint64_t> marks;    ///< one bit per node, 0 except while a walk or a collection lasts
-    Block<std::uint32_t> buckets;  ///< a power of two; the first of each chain
-    unsigned shift = 63;           ///< turns a hash into a bucket
-    std::uint32_t capacity = 0;    ///< nodes that fit; the blocks may be larger
-    std::uint32_t used = 0;        ///< nodes from here on were never in use
-    std::uint32_t in_use = 0;      ///< garbage counts
-    std::uint32_t free = 0;        ///< list of nodes below `used` that are not in use
-    bool stale = false;            ///< chains and list of free nodes are to be rebuilt,
-    bool sweeping = false;         ///< and nodes that are not marked freed by that
+    Block<std::uint32_t> refs;     ///< handles per node; 0 for free nodes
+    Block<std::uint64_t> marks;    ///< one bit per node, 0 except during a walk or a collection
+    Block<std::uint32_t> buckets;  ///< size is a power of two; the first node of each chain
+    unsigned shift = 63;           ///< maps a hash to a bucket
+    std::uint32_t capacity = 0;    ///< usable nodes; the blocks may be larger
+    std::uint32_t used = 0;        ///< nodes from this index on were never used
+    std::uint32_t in_use = 0;      ///< includes garbage
+    std::uint32_t free = 0;        ///< list of unused nodes below `used`
+    bool stale = false;            ///< chains and free list must be rebuilt,
+    bool sweeping = false;         ///< and unmarked nodes are freed by that
 };
 
 }  // namespace grafverif::bdd

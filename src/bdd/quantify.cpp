@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Quantification, and the relational product, which quantifies while it joins (Burch, Clarke and Long 1990). The
-// variables are a cube: its levels above the operands are skipped, and once none is left the operands are as they are.
-// Where the first branch of a quantified variable is true already, the other is not looked at.
+// Quantification, and the relational product, which quantifies during the conjunction (Burch, Clarke and Long 1990).
+// The variables are a cube: its levels above the operands are skipped, and when no variable is left the operands are
+// returned. If the first branch of a quantified variable is already true, the other branch is skipped.
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +11,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// The cube without what lies above `level`.
+/// The cube without the variables above `level`.
 Edge below(const Kernel& kernel, Edge cube, std::uint32_t level) {
     while (kernel.level(cube) < level) cube = kernel.high(cube);
     return cube;
@@ -40,7 +40,7 @@ struct Some : Branching {
                                               : make(kernel, at.level, at.low, high);
     }
 
-    // The cube's own low branch is false: its high branch is what remains of it.
+    // The low branch of the cube is false; its high branch is the rest of the cube.
     static Call low(const Kernel& kernel, const Frame& at) {
         return {kernel.low(at.f), kernel.high(at.g, at.level), 0};
     }
@@ -68,7 +68,7 @@ struct Product : Branching {
 
     static bool enough(const Kernel& kernel, const Frame& at, Edge& low) {
         if (kernel.level(at.h) != at.level) return false;
-        // What the other branch gives lies within either of its operands.
+        // The result of the other branch implies each of its operands.
         return low == true_edge || low == kernel.high(at.f, at.level) || low == kernel.high(at.g, at.level);
     }
 

@@ -12,9 +12,9 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Parts are joined up to this size: larger ones cost more to build than they save in use.
+/// Size up to which parts are conjoined: larger ones cost more to build than they save in use.
 constexpr std::size_t part_size = 600;
-/// More parts stay in the order of their bits: looking for a better one takes their number squared.
+/// If there are more parts, they keep the order of their bits: the search for a better one is quadratic.
 constexpr std::size_t most_arranged = 2000;
 
 std::vector<NextBit> sorted(std::vector<NextBit> bits) {
@@ -48,7 +48,7 @@ Relation::Relation(const BddSpace& space, std::vector<NextBit> bits, std::vector
     end_after();
 }
 
-/// Joins all parts that read a choice, and quantifies it, where the result is small.
+/// Conjoins all parts that read a choice and quantifies the choice, if the result is small.
 void Relation::free_of_choices() {
     std::vector<std::uint32_t> left;
     for (const std::uint32_t choice : choices_) {
@@ -67,7 +67,7 @@ void Relation::free_of_choices() {
     choices_ = std::move(left);
 }
 
-/// In turn the part comes next with which most of what it reads ends, and which begins least.
+/// Greedy order: the next part is one that allows many of its variables to be quantified and introduces few new ones.
 void Relation::arrange() {
     if (parts_.size() > most_arranged) return;
     std::unordered_set<std::uint32_t> after;
@@ -97,7 +97,7 @@ void Relation::arrange() {
     parts_ = std::move(arranged);
 }
 
-/// Joins neighbours while they stay small.
+/// Conjoins adjacent parts while the result is small.
 void Relation::join() {
     std::vector<Part> joined;
     for (Part& each : parts_) {
@@ -108,7 +108,8 @@ void Relation::join() {
     parts_ = std::move(joined);
 }
 
-/// What is after a step ends with the first part that reads it, since preimages take the last part first; so do choices.
+/// Assigns each variable after a step, and each choice, to the first part that reads it, because preimages process the
+/// parts from last to first.
 void Relation::end_after() {
     std::vector<std::uint32_t> gone = choices_;
     for (const NextBit& bit : bits_) gone.push_back(bit.after());
@@ -124,7 +125,7 @@ void Relation::end_after() {
 }
 
 Relation::Quantified Relation::quantified(std::span<const std::uint32_t> variables) const {
-    std::map<std::uint32_t, std::size_t> last;  // per variable: the last part that reads it
+    std::map<std::uint32_t, std::size_t> last;  // per variable the last part that reads it
     for (std::size_t part = 0; part < parts_.size(); ++part)
         for (const std::uint32_t variable : parts_[part].reads) last[variable] = part;
     std::vector<std::uint32_t> unread;

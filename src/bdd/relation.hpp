@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Steps as a relation: what each bit of a state becomes, and where sets of states lead and come from.
+// Transition relation: the next value of each bit of a state, with image and preimage of sets of states.
 //
-// A bit has a variable before a step and, right below it in the order, one after it. The relation is kept in parts, so
-// that no diagram of all of it is ever built; an image quantifies a variable together with the last part that reads it
-// (Burch, Clarke and Long 1991). Parts that read one choice are joined and freed of it where that stays small; the
-// others come in an order that lets many variables end early and few begin (Ranjan, Aziz, Brayton, Plessier, Pixley
-// 1995).
+// A bit has a variable before a step and, directly below it in the order, one after the step. The relation is
+// partitioned into conjuncts ("parts") and never built as one diagram. An image quantifies a variable together with the
+// last part that reads it (Burch, Clarke and Long 1991). Parts that read one choice are conjoined and the choice is
+// quantified if the result is small. The other parts are ordered so that variables can be quantified early and are
+// introduced late (Ranjan, Aziz, Brayton, Plessier, Pixley 1995).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace grafverif::bdd {
 
-/// A bit of a state: its variable before a step, and what it becomes.
+/// A bit of a state: its variable before a step, and its next value.
 struct NextBit {
     std::uint32_t before = 0;
     Bdd value = {};
@@ -25,35 +25,35 @@ struct NextBit {
 
 class Relation {
 public:
-    /// Of the steps of all `bits`; other variables stay as they are. `conditions`: what else is true of the variables
-    /// before each step; `choices`: those of them that belong to the step.
+    /// The relation of the steps of all `bits`; other variables are unchanged. `conditions`: further constraints on the
+    /// variables before a step; `choices`: variables among them that are local to a step.
     Relation(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions = {},
              std::vector<std::uint32_t> choices = {});
 
-    /// Variables that an image quantifies.
+    /// Variables quantified by an image.
     struct Quantified {
-        Bdd unread = {};              ///< those that no part reads
-        std::vector<Bdd> ended = {};  ///< per part: those that no later one reads
+        Bdd unread = {};              ///< read by no part
+        std::vector<Bdd> ended = {};  ///< per part: read by no later part
     };
-    /// Of `variables` and the choices.
+    /// Distributes `variables` and the choices.
     Quantified quantified(std::span<const std::uint32_t> variables) const;
 
-    /// Where a step leads from `from`; the variables that are quantified, all bits among them, mean nothing there. What
-    /// bits become is told by their variables before a step.
+    /// Successors of `from`; the result does not constrain the quantified variables, among them all bits. The next
+    /// values are expressed in the variables before a step.
     Bdd image(const Bdd& from, const Quantified& variables) const;
-    /// From where a step leads to `to`, whatever it chooses.
+    /// Predecessors of `to` under any choice.
     Bdd preimage(const Bdd& to) const;
 
     /// In increasing order.
     const std::vector<NextBit>& bits() const { return bits_; }
-    /// The variables before or after a step that it reads or writes, increasing.
+    /// The variables before or after a step that the relation reads or writes, increasing.
     std::vector<std::uint32_t> variables() const;
 
 private:
     struct Part {
         Bdd relation = {};
-        std::vector<std::uint32_t> reads = {};  ///< what it depends on, increasing
-        Bdd after = {};                         ///< what a preimage quantifies with it
+        std::vector<std::uint32_t> reads = {};  ///< variables that it depends on, increasing
+        Bdd after = {};                         ///< variables that a preimage quantifies with it
     };
 
     static Part part(Bdd relation) { return {relation, support(relation), {}}; }
@@ -66,7 +66,7 @@ private:
     std::vector<NextBit> bits_ = {};
     std::vector<std::uint32_t> choices_ = {};
     std::vector<Part> parts_ = {};
-    Bdd unread_after_ = {};  ///< what is after a step and no part reads: it can be anything
+    Bdd unread_after_ = {};  ///< variables after a step that no part reads; they are unconstrained
     BddRenaming to_before_, to_after_;
 };
 

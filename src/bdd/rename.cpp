@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Renaming, all variables at once. Both branches are done first; where the new variable still lies above what they
-// depend on, they are joined by a node, otherwise by a choice.
+// Simultaneous renaming of variables. Both branches are renamed first. If the new variable is above all variables of
+// the results, they are combined by a node, otherwise by if-then-else.
 //
-// The map is by level, made when first used and again when the order has changed. In the cache it has a number.
+// The map is indexed by level; it is computed at the first use and after each change of the order. The cache identifies
+// it by a number.
 #include <utility>
 #include <vector>
 
@@ -11,13 +12,13 @@
 
 namespace grafverif {
 
-/// Pairs of variables, by level where they were last used.
+/// Pairs of variables, with the map by level of the last use.
 struct BddRenaming::Map {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs = {};
-    bdd::Kernel* kernel = nullptr;       ///< for which the rest stands
-    std::uint64_t version = 0;           ///< of its order
-    std::uint32_t number = 0;            ///< its name in the cache
-    std::vector<std::uint32_t> to = {};  ///< per level down to the last that is renamed, the new one
+    bdd::Kernel* kernel = nullptr;       ///< kernel that the following members belong to
+    std::uint64_t version = 0;           ///< version of its order
+    std::uint32_t number = 0;            ///< its number in the cache
+    std::vector<std::uint32_t> to = {};  ///< new variable per level, down to the last level that is renamed
 };
 
 namespace bdd {
@@ -45,13 +46,13 @@ struct Renamed : Branching {
     Edge join(Kernel& kernel, Frame at, Edge high) const {
         const std::uint32_t level = map.to[at.level];
         if (level < kernel.level(at.low) && level < kernel.level(high)) return make(kernel, level, at.low, high);
-        kernel.frames.top().h = high;  // nobody else holds it while the variable is made
+        kernel.frames.top().h = high;  // the frame protects it while the variable is created
         return if_then_else(kernel, make(kernel, level, false_edge, true_edge), high, at.low);
     }
 };
 
 std::uint32_t new_number(Kernel& kernel) {
-    if (++kernel.numbers == 0) {  // all were given: what is known of the old ones goes
+    if (++kernel.numbers == 0) {  // all numbers used: discard cached results of old ones
         kernel.cache.clear(kernel.watch);
         kernel.numbers = 1;
     }

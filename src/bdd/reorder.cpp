@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A better order, by sifting (Rudell 1993) in groups (Panda and Somenzi 1995): each group in turn goes through all
-// places, by exchanges of neighbouring levels, and stays where there were fewest nodes. The largest groups come first;
-// a direction is given up where the diagrams grow by a fifth.
+// Variable reordering by sifting (Rudell 1993) with groups (Panda and Somenzi 1995): each group in turn is moved
+// through all positions by exchanges of adjacent levels, and placed where the number of nodes was smallest. The largest
+// groups are moved first; a direction is abandoned if the diagrams grow by a fifth.
 //
-// An exchange rewrites the nodes of two levels in place: a node stands for the same function before and after, so
-// handles need not know. Between exchanges the space is whole: reordering may be stopped there, with the order that is
-// reached, and where the bound leaves no room for an exchange it just ends. Groups that a stop took apart are put
-// together first thing next time. While it runs there is no garbage, and nodes are counted where they are used.
+// An exchange rewrites the nodes of two levels in place: a node denotes the same function before and after, so handles
+// stay valid. Between exchanges the space is consistent, so reordering can be interrupted there with the order reached
+// so far; if the memory limit does not allow an exchange, reordering ends. Groups that were split by an interruption
+// are reassembled at the start of the next reordering. During reordering there is no garbage, and edges to nodes are
+// counted.
 #include <algorithm>
 #include <new>
 #include <numeric>
@@ -17,7 +18,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Levels with more nodes are not exchanged: it could not be stopped in time.
+/// Larger levels are not exchanged, because an exchange cannot be interrupted.
 constexpr std::size_t longest_exchange = 1U << 18U;
 
 struct NoRoom {};
@@ -44,7 +45,7 @@ public:
     }
 
 private:
-    /// A group as it lies.
+    /// The current position of a group.
     struct Span {
         std::uint32_t first = 0, count = 0;
         std::uint32_t end() const { return first + count; }
@@ -54,7 +55,7 @@ private:
         return kernel_.order.group_of[kernel_.order.variable_at[level]];
     }
 
-    /// The group that lies at `level`. Requires that groups are together.
+    /// The group at `level`. Requires that groups are contiguous.
     Span span_at(std::uint32_t level) const {
         Span span{level, 1};
         const std::uint32_t group = group_at(level);
@@ -63,7 +64,7 @@ private:
         return span;
     }
 
-    /// Puts groups together, each where its topmost variable is.
+    /// Makes groups contiguous, each at the position of its topmost variable.
     void gather() {
         for (std::uint32_t level = 0; level < at_.size();) {
             const std::uint32_t group = group_at(level);
@@ -149,7 +150,7 @@ private:
         lower.reserve(nodes + 2 * at_[level].size());
         upper.reserve(nodes);
         rewritten.reserve(at_[level].size());
-        // Nothing fails from here on.
+        // Nothing can fail from here on.
         for (const std::uint32_t n : at_[level]) table_.unlink(n);
         for (const std::uint32_t n : at_[level + 1]) table_.unlink(n);
         for (const std::uint32_t n : at_[level]) {
@@ -186,7 +187,8 @@ private:
         ++order.version;
     }
 
-    /// A node of the upper variable that depends on the lower one: now the lower is asked first.
+    /// Rewrites a node of the upper variable that depends on the lower one: the lower variable becomes its top
+    /// variable.
     void rewrite(std::uint32_t n, std::uint32_t level, std::vector<std::uint32_t>& lower, std::size_t) {
         const Edge low = table_.nodes[n].low, high = table_.nodes[n].high;
         const Edge first = made(level + 1, kernel_.low(low, level + 1), kernel_.low(high, level + 1), lower);
@@ -215,11 +217,11 @@ private:
 
     Kernel& kernel_;
     NodeTable& table_;
-    std::vector<std::uint32_t> uses_;             ///< edges and handles to a node
+    std::vector<std::uint32_t> uses_;             ///< edges and handles to each node
     std::vector<std::vector<std::uint32_t>> at_;  ///< nodes by level
 };
 
-/// Memory that is charged while this lives.
+/// Charges memory to the budget during its lifetime.
 struct Charge {
     Charge(Budget& all, std::uint64_t wanted) : budget(all), bytes(all.charge(wanted) ? wanted : 0) {}
     Charge(const Charge&) = delete;
@@ -238,7 +240,7 @@ void reorder(Kernel& kernel) {
     kernel.cache.clear(kernel.watch);
     const Charge charge(kernel.budget,
                         16 * std::uint64_t{kernel.table.capacity} + 64 * std::uint64_t{kernel.order.size()});
-    if (charge.bytes == 0) return;  // better spent on nodes
+    if (charge.bytes == 0) return;  // the memory is left for nodes
     try {
         Sifter(kernel).sift();
     } catch (const NoRoom&) {

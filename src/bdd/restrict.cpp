@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A function under an assumption: `restricted` where literals hold, exactly; `simplified` where it may be anything
-// outside `care` (Coudert and Madre's restrict, 1990): variables that the care set alone depends on are quantified out
-// of it, and a branch without care takes the function of the other.
+// Simplification under an assumption: `restricted` by literals (exact cofactor), and `simplified` by a care set,
+// outside of which the result is arbitrary (restrict of Coudert and Madre, 1990). Variables that only the care set
+// depends on are quantified in it, and a branch without care takes the function of the other branch.
 #include <algorithm>
 
 #include "bdd/steps.hpp"
@@ -10,7 +10,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Complement is kept out of the cache: it goes through both operations.
+/// Removes the complement bit before caching: complement commutes with both operations.
 bool made_regular(Edge& f) {
     const bool flip = complement_bit(f) != 0;
     f &= ~1U;

@@ -11,7 +11,7 @@ namespace grafverif::bdd {
 
 namespace {
 
-/// Bytes that are charged for a result that is remembered.
+/// Bytes charged for each remembered result.
 constexpr std::uint64_t result_size = 96;
 
 std::vector<std::uint32_t> written(const std::vector<NextBit>& bits, std::span<const std::uint32_t> free) {
@@ -30,7 +30,7 @@ Steps::Steps(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> 
 Saturation::Saturation(const BddSpace& space, const std::deque<Steps>& kinds) : space_(space) {
     std::map<std::uint32_t, std::vector<const Steps*>> by_level;
     for (const Steps& kind : kinds) {
-        if (kind.relation.bits().empty()) continue;  // it leads nowhere else
+        if (kind.relation.bits().empty()) continue;  // changes no bit
         std::uint32_t top = constant_level;
         for (const std::uint32_t variable : kind.relation.variables())
             top = std::min(top, space.kernel().order.level_of[variable]);
@@ -39,7 +39,8 @@ Saturation::Saturation(const BddSpace& space, const std::deque<Steps>& kinds) : 
     for (auto& [level, found] : by_level) levels_.push_back({level, std::move(found)});
 }
 
-/// Under the kinds of the levels from `from` on. Recurses as deep as there are levels.
+/// Closure of `states` under the clusters of the levels from index `from` on. The recursion depth is at most the number
+/// of levels.
 Bdd Saturation::closed(const Bdd& states, std::size_t from) {
     if (states.is_constant() || from == levels_.size()) return states;
     const Asked asked{states, from};
@@ -61,7 +62,9 @@ Bdd Saturation::closed_here(const Bdd& states, std::size_t from) {
         before = result;
         for (const Steps* kind : levels_[from].kinds) {
             const Bdd found = kind->relation.image(result, kind->gone) & ~result;
-            if (!found.is_false()) result |= closed(found, from + 1);  // what was closed stays so beside it
+            if (!found.is_false())
+                result |= closed(found, from + 1);  // the states closed before remain closed in the
+                                                    // union
         }
     }
     return result;

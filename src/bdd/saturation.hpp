@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Saturation (Ciardo, Luettgen, Siminiscu 2001): all states that steps of several kinds lead to, where a kind of step
-// reads and writes few variables. A diagram is closed from below: first each part of it under the steps that concern
-// lower variables alone, then the whole under those whose topmost variable it begins with, and so again until nothing
-// is new. What it does at one place it knows at all others; and no diagram of states of one distance is ever made.
+// Saturation (Ciardo, Luettgen, Siminiscu 2001): reachable states of a disjunctively partitioned transition relation
+// whose clusters read and write few variables each.
+// A diagram is closed bottom-up: first each subdiagram under the steps that concern only lower variables, then the
+// complete diagram under the steps whose topmost variable is its own, repeated to a fixed point. Results for
+// subdiagrams are cached and reused, and no diagram of a breadth-first layer is built.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace grafverif::bdd {
 
-/// Steps of one kind, and what their images quantify.
+/// Steps of one cluster, with the variables that their images quantify.
 struct Steps {
     Steps(const BddSpace& space, std::vector<NextBit> bits, std::vector<Bdd> conditions,
           std::vector<std::uint32_t> choices, std::span<const std::uint32_t> free);
@@ -25,18 +26,18 @@ struct Steps {
 
 class Saturation {
 public:
-    /// `kinds` outlives this; no order changes meanwhile.
+    /// Requires that the clusters outlive this object and that the order does not change in this time.
     Saturation(const BddSpace& space, const std::deque<Steps>& kinds);
     Saturation(const Saturation&) = delete;
     Saturation& operator=(const Saturation&) = delete;
     ~Saturation() { forget(); }
 
-    /// The states that any number of steps leads to from one of `from`.
+    /// The states reachable from `from` by any number of steps.
     Bdd closure(const Bdd& from) { return closed(from, 0); }
 
 private:
     struct Level {
-        std::uint32_t level = 0;  ///< of the topmost variable
+        std::uint32_t level = 0;  ///< level of the topmost variable
         std::vector<const Steps*> kinds = {};
     };
     struct Asked {
@@ -54,7 +55,7 @@ private:
     void forget();
 
     const BddSpace& space_;
-    std::vector<Level> levels_ = {};  ///< from the top down
+    std::vector<Level> levels_ = {};  ///< topmost first
     std::unordered_map<Asked, Bdd, Hash> known_ = {};
 };
 

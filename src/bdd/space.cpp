@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spaces and handles.
+// Implementation of spaces and handles.
 #include <algorithm>
 #include <cassert>
 

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Recursion without a stack of calls. An operation on diagrams splits its operands at their topmost level, does both
-// branches and joins the results; what is known is found in the cache. Here the calls that wait are frames in the
-// space: however deep the diagrams, the native stack stays flat; collection finds what is needed; and an operation ends
-// anywhere by dropping its frames.
+// Explicit-stack recursion for BDD operations. An operation splits its operands at their topmost level, processes both
+// cofactors and combines the results; known results come from the cache. Pending calls are frames in the BDD space:
+// native stack use is constant, garbage collection sees all live operands, and an operation is cancelled by dropping
+// its frames.
 //
-// A Rule is one operation:
-//   Operation operation             its name in the cache
+// A Rule defines one operation:
+//   Operation operation             cache key
 //   bool settle(Kernel&, Call&, Edge& result, bool& flip)
-//                                   the result where it is plain; otherwise the call in normal form, `flip` where its
-//                                   result is to be complemented
-//   uint32_t level(Kernel&, Call)   where it branches
-//   uint32_t third(Call)            the third operand for the cache
+//                                   true in a terminal case, with the result; otherwise normalizes the call. `flip`:
+//                                   the
+//                                   result must be complemented
+//   uint32_t level(Kernel&, Call)   branching level
+//   uint32_t third(Call)            third operand of the cache key
 //   Call low(Kernel&, Frame), high(Kernel&, Frame)
-//   bool enough(Kernel&, Frame, Edge& low)      whether the low branch tells the result, which is put in its place
-//   Edge join(Kernel&, Frame, Edge high)        the result; its frame is still there
-// `settle` and `join` may run other operations on edges that the frames hold, and hand the last result on to one.
+//   bool enough(Kernel&, Frame, Edge& low)      true if the low branch determines the result, which it stores in `low`
+//   Edge join(Kernel&, Frame, Edge high)        combines both results; the frame is still on the stack
+// `settle` and `join` may run other operations on edges held by frames, passing each result to the next operation.
 #pragma once
 
 #include "bdd/kernel.hpp"
@@ -25,7 +26,7 @@ struct Call {
     Edge f = 0, g = 0, h = 0;
 };
 
-/// The plain parts of a rule for two or three operands that all branch alike.
+/// Default members of a rule for two or three operands that all branch at the same level.
 struct Branching {
     static Call low(const Kernel& kernel, const Frame& at) {
         return {kernel.low(at.f, at.level), kernel.low(at.g, at.level), kernel.low(at.h, at.level)};
@@ -53,7 +54,7 @@ Edge run(Kernel& kernel, const Rule& rule, Call call) {
             }
         }
         result ^= static_cast<Edge>(flip);
-        for (;;) {  // a result goes up to the first frame that has another branch to do
+        for (;;) {  // return to the first frame with a pending branch
             if (kernel.frames.size() == base) return result;
             Frame& waiting = kernel.frames.top();
             if (!waiting.has_low && !rule.enough(kernel, waiting, result)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Terms as Boolean functions: what an Expr of any IR means, bit by bit, over the variables of a BddSpace.
-// See ir/bit_terms.hpp.
+// Terms as Boolean functions: the bits of an Expr of any IR as functions of the variables of a BddSpace. See
+// ir/bit_terms.hpp.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +18,26 @@ using BddTerms = BitTerms<Bdd>;
 inline BddTerm bdd_boolean(const Bdd& value) { return boolean_term(value); }
 inline BddTerm bdd_integer(std::int64_t value) { return integer_term<Bdd>(value); }
 
-/// A variable of `type` as bits of a space: value - type.low, unsigned, least significant first; as many as the range
-/// needs, none where it holds one value only. A Boolean is one bit.
+/// A variable of `type` as bits of a space: the unsigned value - type.low, least significant bit first, with as many
+/// bits as the range needs (none for a single value). A Boolean is one bit.
 struct BddWord {
     Type type = {};
     std::vector<std::uint32_t> bits = {};
 };
 
-/// The word as a term. Outside `in_range` its value is above type.high.
+/// The word as a term. Outside `in_range` the value exceeds type.high.
 BddTerm term_of(const BddSpace& space, const BddWord& word);
-/// Where the word holds a value of its type.
+/// True where the word has a value of its type.
 Bdd in_range(const BddSpace& space, const BddWord& word);
-/// Where it holds `value`, which is one of its type.
+/// True where the word has the value `value`, which must be one of its type.
 Bdd equals(const BddSpace& space, const BddWord& word, std::int64_t value);
-/// The value of the word under an assignment to all its bits; Booleans 0 and 1.
+/// Value of the word under an assignment to all its bits; Booleans are 0 and 1.
 std::int64_t value_of(const BddWord& word, const std::vector<bool>& assignment);
 
-/// The bits of a word of `type` that holds the term, whose value is in the range of the type.
+/// The bits of a word of `type` with the value of the term, which must be in the range of the type.
 std::vector<Bdd> word_bits(const BddTerm& term, Type type);
 
-/// The value of a term under an assignment to all variables that it depends on, where it has one.
+/// Value of a term under an assignment to all variables that it depends on. Requires that it has one.
 std::int64_t value_of(const BddTerm& term, const std::vector<bool>& assignment);
 
 extern template class BitTerms<Bdd>;

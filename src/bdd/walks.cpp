@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Walks over the nodes of one function. They create no nodes; what they have met they mark, and unmark at their end.
+// Traversals of the nodes of one function. They create no nodes; visited nodes are marked, and unmarked at the end.
 #include <algorithm>
 #include <cassert>
 #include <new>
@@ -12,7 +12,7 @@ namespace bdd {
 
 namespace {
 
-/// What a walk has met.
+/// Visited nodes of a traversal.
 struct Met {
     explicit Met(NodeTable& all) : table(all) {}
     Met(const Met&) = delete;
@@ -29,7 +29,7 @@ struct Met {
 
 std::vector<std::uint32_t> nodes_of(Kernel& kernel, Edge root) {
     NodeTable& table = kernel.table;
-    if (table.sweeping) relink(kernel);  // the marks are taken
+    if (table.sweeping) relink(kernel);  // the marks are in use
     Met met(table);
     const auto meet = [&](Edge edge) {
         const std::uint32_t n = index_of(edge);
@@ -98,9 +98,9 @@ std::optional<std::vector<BddLiteral>> one_cube(const Bdd& f) {
 
 void for_each_cube(const Bdd& f, const std::function<bool(std::span<const BddLiteral>)>& visit) {
     struct Branch {
-        Bdd function = {};        ///< what is left; a handle, because `visit` may do anything with the space
-        std::size_t depth = 0;    ///< literals that lead here
-        BddLiteral literal = {};  ///< the last of them
+        Bdd function = {};        ///< remaining function; a handle, because `visit` may use the space
+        std::size_t depth = 0;    ///< number of literals on the path
+        BddLiteral literal = {};  ///< last literal of the path
     };
     std::vector<Branch> open{{f, 0, {}}};
     std::vector<BddLiteral> literals;

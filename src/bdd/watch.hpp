@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether to stop, asked once in so many steps of any kind, so that it costs nothing and comes in time: a step takes
-// well below a microsecond.
+// Polls the stop flag, the deadline and the work limit every N operations, at negligible cost and with short delay: one
+// operation step takes well below a microsecond.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ class Watch {
 public:
     explicit Watch(const BddLimits& limits) : limits_(limits) {}
 
-    /// Ends with BddExhausted where somebody asked to stop.
+    /// Counts steps. Throws BddExhausted if a limit is reached or the stop flag is set.
     void step(std::uint32_t steps = 1) {
         left_ -= steps;
         if (left_ <= 0) look();
@@ -27,7 +27,7 @@ private:
     void look();
 
     BddLimits limits_ = {};
-    std::uint64_t done_ = 0;  ///< when it last looked
+    std::uint64_t done_ = 0;  ///< at the last poll
     std::int64_t left_ = steps_per_look;
 };
 
