@@ -13,10 +13,10 @@ namespace {
 using Term = BitTerm<Gate>;
 using Variable = FlatSystem::Variable;
 
-/// The bits that hold a number in two's complement, its sign among them.
+/// Number of bits of the two's complement of a value, sign included.
 std::size_t signed_width(std::int64_t value) { return bits::constant<Gate>(value).size(); }
 
-/// How the values of `type` are coded; no bits yet.
+/// The coding of `type`, without bits.
 Circuit::Word coding(Type type) {
     if (type.boolean || bit_count(type) == 0) return {type, type.boolean ? 0 : type.low, false, {}};
     const std::size_t least = bit_count(type);
@@ -63,7 +63,7 @@ private:
         circuit().inputs.push_back({node_of(literal), std::move(name)});
         return {&circuit().gates, literal};
     }
-    /// The latch gets its next value later.
+    /// The next value of the latch is set later.
     Gate add_latch(std::string name) {
         const Literal literal = circuit().gates.source();
         circuit().latches.push_back({node_of(literal), Gates::no, std::move(name)});
@@ -88,7 +88,7 @@ private:
         if (!word.coding.with_sign) number.emplace_back();
         return {false, bits::sum(number, bits::constant<Gate>(word.coding.base)), {}};
     }
-    /// The bits that hold the term, whose value is one of the coding's type.
+    /// The bits of the term, whose value must be one of the coding's type.
     static std::vector<Gate> bits_of(const Term& term, const Circuit::Word& coding) {
         if (coding.type.boolean) return term.bits;
         bits::Integer<Gate> number = bits::difference(term.bits, bits::constant<Gate>(coding.base));
@@ -100,7 +100,7 @@ private:
 
     // -- what a variable is now --------------------------------------------------------------------------------------
 
-    /// The first value of a variable, as a term; of one that is free, an input.
+    /// The first value of a variable as a term; an input if the variable is free.
     const Term& first_value(Id<Variable> id) {
         if (const auto known = firsts_.find(id.index); known != firsts_.end()) return known->second;
         const Variable& variable = flat_.variables[id];
@@ -126,7 +126,7 @@ private:
         return bits;
     }
 
-    /// `latch` or input from the second state on, `first` in the first.
+    /// Selects `later` (latch or input) from the second state on, and `first` in the first.
     Gate after_first(const Gate& later, const Gate& first) {
         if (started_.is_false()) started_ = add_latch("started");
         return ite(started_, later, first);
@@ -197,7 +197,7 @@ private:
             if (latch.node == node_of(started_.literal)) latch.next = Gates::yes;
     }
 
-    // -- what is asked -----------------------------------------------------------------------------------------------
+    // -- properties --------------------------------------------------------------------------------------------------
 
     static Gate yes() { return Gate::constant(true); }
 
@@ -253,8 +253,9 @@ private:
         return one;
     }
 
-    /// Conditions that a run of the system meets infinitely often exactly where it has `from` (none given: its beginning),
-    /// then or later no `goal` ever again, and meets the system's own conditions. A free input says where `from` is.
+    /// Justice conditions: they and those of the system all hold infinitely often on a run exactly if the run has a
+    /// state with `from` (default: its first state) with no `goal` then or later. A free input selects the state of
+    /// `from`.
     std::vector<Literal> never_again(const Gate& goal, const std::optional<Gate>& from) {
         const std::string number = std::to_string(circuit().targets.size());
         Gate waits = yes();

@@ -16,7 +16,7 @@ Gates::Literal Gates::both(Literal left, Literal right) {
     if (left > right) std::swap(left, right);
     if (left == no || left == (right ^ 1U)) return no;
     if (left == yes || left == right) return right;
-    // One level down: of two operands, what the other says of an operand's own operands.
+    // Simplification by one level: each operand compared with the operands of the other.
     for (const auto& [one, other] : std::array{std::pair(left, right), std::pair(right, left)}) {
         const Node inner = nodes_[node_of(one)];
         if (inner.left == no) continue;
@@ -63,7 +63,7 @@ namespace {
 
 Gates* home(const Gate& f, const Gate& g) { return f.gates != nullptr ? f.gates : g.gates; }
 
-/// Of constants alone: they have no graph.
+/// Constants have no graph.
 Gate settled(const Gate& f, const Gate& g) {
     return Gate::constant(f.literal == Gates::yes && g.literal == Gates::yes);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gates: Boolean functions as a graph of and-gates with two inputs and inverters on wires (Kuehlmann, Paruthi, Krohm and
-// Ganai 2002). A gate that is there already is not made again, and what one level shows to be simpler is made so; equal
-// functions may still be different gates.
+// Gates: Boolean functions as an and-inverter graph (Kuehlmann, Paruthi, Krohm and Ganai 2002). Gates are hash-consed
+// and simplified with one level of lookahead; equal functions may still be different gates.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +16,7 @@ public:
     using Literal = std::uint32_t;
     static constexpr Literal no = 0, yes = 1;
 
-    /// An and-gate of two literals of earlier nodes, or a source, whose value comes from elsewhere: both are `no`.
+    /// An and-gate of two literals of earlier nodes; or a source, whose value is given: both literals are `no`.
     struct Node {
         Literal left = no, right = no;
         bool operator==(const Node&) const = default;
@@ -28,7 +27,7 @@ public:
     Literal either(Literal left, Literal right) { return both(left ^ 1U, right ^ 1U) ^ 1U; }
     Literal choice(Literal condition, Literal then, Literal otherwise);
 
-    /// The number of nodes, the constant among them.
+    /// Number of nodes, including the constant.
     std::size_t size() const { return nodes_.size(); }
     const Node& operator[](std::uint32_t node) const { return nodes_[node]; }
     bool is_gate(std::uint32_t node) const { return nodes_[node].left != no; }
@@ -43,10 +42,10 @@ private:
 inline std::uint32_t node_of(Gates::Literal literal) { return literal >> 1U; }
 inline bool is_inverted(Gates::Literal literal) { return (literal & 1U) != 0; }
 
-/// The nodes that `roots` depend on, themselves among them, increasing; never the constant.
+/// The nodes that `roots` depend on, including the roots, in increasing order; never the constant.
 std::vector<std::uint32_t> cone(const Gates& gates, const std::vector<Gates::Literal>& roots);
 
-/// A function, as ir/bit_terms.hpp takes them. Constants belong to no graph.
+/// A function in the form that ir/bit_terms.hpp requires. Constants belong to no graph.
 struct Gate {
     Gates* gates = nullptr;
     Gates::Literal literal = Gates::no;
